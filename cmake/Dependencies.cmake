@@ -1,0 +1,27 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Every library that the project builds on, in one place. Versions, licences and reasons: third_party_notes.md.
+find_package(Threads REQUIRED)
+find_package(nlohmann_json 3.11 REQUIRED)                      # base: JSON
+find_package(Eigen3 3.4 REQUIRED NO_MODULE)                    # mechanics and after: matrices
+find_package(CHOLMOD REQUIRED)                                 # mechanics: sparse Cholesky
+find_package(Ceres 2.1 REQUIRED)                               # optimization: least squares
+find_package(Boost 1.74 REQUIRED)                              # pattern: Boost.Graph, Boost.Multiprecision (headers)
+
+if(NOT FRETWORK_ONLY_LIGHT_STAGES)
+  find_package(CGAL 5.5 REQUIRED)                              # pattern: exact predicates; tiling: remeshing
+  find_package(pugixml 1.12 REQUIRED)                          # tiling: SVG outlines
+  find_package(SQLite3 3.40 REQUIRED)                          # library
+  find_package(CLI11 2.1 REQUIRED)                             # apps: the command line
+  find_library(OPENMESH_CORE_LIBRARY OpenMeshCore REQUIRED)    # tiling: the dual (Debian ships no CMake package)
+  find_path(OPENMESH_INCLUDE_DIR OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh REQUIRED)
+  add_library(OpenMesh::Core UNKNOWN IMPORTED)
+  set_target_properties(OpenMesh::Core PROPERTIES IMPORTED_LOCATION "${OPENMESH_CORE_LIBRARY}"
+                                                  INTERFACE_INCLUDE_DIRECTORIES "${OPENMESH_INCLUDE_DIR}")
+endif()
+
+if(FRETWORK_BUILD_TESTS)
+  find_package(GTest 1.12 REQUIRED)
+endif()
+if(FRETWORK_BUILD_BENCH)
+  find_package(benchmark 1.7 REQUIRED)
+endif()

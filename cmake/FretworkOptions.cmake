@@ -1,0 +1,34 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# What is built, and the flags that every target of the project shares.
+include(FeatureSummary)
+
+option(FRETWORK_BUILD_APPS "Build the command line" ${PROJECT_IS_TOP_LEVEL})
+option(FRETWORK_BUILD_EXPERIMENTS "Build the programs of experiments/" ${PROJECT_IS_TOP_LEVEL})
+option(FRETWORK_BUILD_TESTS "Build the tests" ${PROJECT_IS_TOP_LEVEL})
+option(FRETWORK_BUILD_BENCH "Build the benchmarks" OFF)
+option(FRETWORK_ONLY_LIGHT_STAGES "Build only the stages that need neither CGAL nor OpenMesh" OFF)
+option(FRETWORK_WARNINGS_AS_ERRORS "Treat warnings as errors" OFF)
+option(FRETWORK_SANITIZE "Build with the address and undefined-behaviour sanitizers" OFF)
+foreach(name APPS EXPERIMENTS TESTS BENCH)
+  add_feature_info(FRETWORK_BUILD_${name} FRETWORK_BUILD_${name} "")
+endforeach()
+add_feature_info(FRETWORK_SANITIZE FRETWORK_SANITIZE "")
+
+if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
+endif()
+
+# Linked privately by every target: it never reaches a user of the installed library.
+add_library(fretwork_flags INTERFACE)
+target_compile_features(fretwork_flags INTERFACE cxx_std_20)
+# Exact predicates and printed tables must not depend on whether a machine contracts a*b+c.
+target_compile_options(fretwork_flags INTERFACE -ffp-contract=off -Wall -Wextra -Wpedantic -Wshadow -Wconversion
+                                                -Wno-sign-conversion -Wnon-virtual-dtor -Woverloaded-virtual)
+if(FRETWORK_WARNINGS_AS_ERRORS)
+  target_compile_options(fretwork_flags INTERFACE -Werror)
+endif()
+if(FRETWORK_SANITIZE)
+  target_compile_options(fretwork_flags INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=undefined
+                                                  -fno-omit-frame-pointer)
+  target_link_options(fretwork_flags INTERFACE -fsanitize=address,undefined)
+endif()

@@ -1,0 +1,38 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# One helper for each kind of target, so that a stage's own CMakeLists.txt says only what is its own.
+
+# fretwork_add_stage(<stage> SOURCES a.cpp.. HEADERS a.hpp.. [PUBLIC targets..] [PRIVATE targets..])
+# The target is fretwork_<stage>, with the alias fretwork::<stage>; headers lie beside sources.
+function(fretwork_add_stage stage)
+  cmake_parse_arguments(ARG "" "" "SOURCES;HEADERS;PUBLIC;PRIVATE" ${ARGN})
+  set(target fretwork_${stage})
+  add_library(${target} STATIC)
+  add_library(fretwork::${stage} ALIAS ${target})
+  target_sources(${target}
+    PRIVATE ${ARG_SOURCES}
+    PUBLIC FILE_SET HEADERS BASE_DIRS "${PROJECT_SOURCE_DIR}/framework" FILES ${ARG_HEADERS})
+  target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/framework>)
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${stage} POSITION_INDEPENDENT_CODE ON CXX_EXTENSIONS OFF)
+  target_link_libraries(${target} PUBLIC ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE} $<BUILD_INTERFACE:fretwork_flags>)
+  set_property(GLOBAL APPEND PROPERTY FRETWORK_STAGES ${target})
+endfunction()
+
+# fretwork_add_tests(<label> SOURCES a_test.cpp.. LINK targets..): one program, every TEST of it known to CTest.
+function(fretwork_add_tests label)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
+  set(target fretwork_${label}_tests)
+  add_executable(${target} ${ARG_SOURCES})
+  target_link_libraries(${target} PRIVATE ${ARG_LINK} GTest::gmock GTest::gtest_main fretwork_flags)
+  target_compile_definitions(${target} PRIVATE FRETWORK_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  target_include_directories(${target} PRIVATE "${PROJECT_SOURCE_DIR}/tests")
+  gtest_discover_tests(${target} TEST_PREFIX "${label}." PROPERTIES LABELS ${label} DISCOVERY_TIMEOUT 60)
+endfunction()
+
+# fretwork_add_bench(<stage> LINK targets..): the Google Benchmark program <stage>_bench.
+function(fretwork_add_bench stage)
+  cmake_parse_arguments(ARG "" "" "LINK" ${ARGN})
+  add_executable(${stage}_bench ${stage}_bench.cpp)
+  target_link_libraries(${stage}_bench PRIVATE ${ARG_LINK} benchmark::benchmark_main fretwork_flags)
+  target_compile_definitions(${stage}_bench PRIVATE FRETWORK_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+endfunction()

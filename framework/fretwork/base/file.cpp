@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/base/file.hpp>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+#include <system_error>
+
+namespace fretwork::base {
+namespace {
+
+[[noreturn]] void fail_to_write(const std::filesystem::path& path, int error_number) {
+    throw IoError(path.string() + ": cannot be written: " + std::strerror(error_number));
+}
+
+/// A file that vanishes again unless it is renamed into place.
+class TemporaryFile {
+  public:
+    explicit TemporaryFile(std::filesystem::path target) : target_(std::move(target)) {
+        path_ = target_.string() + ".XXXXXX";
+        descriptor_ = ::mkstemp(path_.data());
+        if (descriptor_ < 0) fail_to_write(target_, errno);
+    }
+    TemporaryFile(const TemporaryFile&) = delete;
+    TemporaryFile& operator=(const TemporaryFile&) = delete;
+    ~TemporaryFile() {
+        if (descriptor_ >= 0) ::close(descriptor_);
+        if (!path_.empty()) ::unlink(path_.c_str());
+    }
+
+    void write(std::string_view content) const {
+        while (!content.empty()) {
+            const ssize_t written = ::write(descriptor_, content.data(), content.size());
+            if (written < 0 && errno == EINTR) continue;
+            if (written < 0) fail_to_write(target_, errno);
+            content.remove_prefix(static_cast<std::size_t>(written));
+        }
+    }
+
+    void move_into_place() {
+        if (::fchmod(descriptor_, wanted_mode()) != 0 || ::fsync(descriptor_) != 0) fail_to_write(target_, errno);
+        const int closed = ::close(descriptor_);
+        descriptor_ = -1;
+        if (closed != 0 || ::rename(path_.c_str(), target_.c_str()) != 0) fail_to_write(target_, errno);
+        path_.clear();
+    }
+
+  private:
+    /// mkstemp makes files that only their owner may read; a result is as open as the umask allows, or as it was.
+    [[nodiscard]] mode_t wanted_mode() const {
+        struct stat existing {};
+        if (::stat(target_.c_str(), &existing) == 0) return existing.st_mode & 0777U;
+        const mode_t mask = ::umask(0);
+        ::umask(mask);
+        return 0666U & ~mask;
+    }
+
+    std::filesystem::path target_;
+    std::string path_;
+    int descriptor_ = -1;
+};
+
+}  // namespace
+
+std::string read_text_file(const std::filesystem::path& path) {
+    std::error_code ignored;
+    if (std::filesystem::is_directory(path, ignored)) {
+        throw InputError(path.string(), "", "is a folder, where a file is needed");
+    }
+    std::ifstream stream(path, std::ios::binary);
+    if (!stream) throw InputError(path.string(), "", std::string("cannot be read: ") + std::strerror(errno));
+    std::ostringstream content;
+    content << stream.rdbuf();
+    if (stream.bad()) throw InputError(path.string(), "", "cannot be read to its end");
+    return std::move(content).str();
+}
+
+void write_file_atomically(const std::filesystem::path& path, std::string_view content) {
+    std::error_code ignored;
+    if (std::filesystem::is_directory(path, ignored)) {
+        throw IoError(path.string() + ": is a folder, where a file is to be written");
+    }
+    // Devices and pipes (/dev/stdout) cannot be replaced, only written.
+    if (std::filesystem::exists(path, ignored) && !std::filesystem::is_regular_file(path, ignored)) {
+        std::ofstream stream(path, std::ios::binary);
+        if (!(stream << content << std::flush)) fail_to_write(path, errno);
+        return;
+    }
+    TemporaryFile file(path);
+    file.write(content);
+    file.move_into_place();
+}
+
+}  // namespace fretwork::base

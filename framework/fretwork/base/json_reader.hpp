@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <initializer_list>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace fretwork::base {
+
+/// A value in a JSON document, and the place where it stands.
+///
+/// Reading is strict: whatever is not asked for is an error. Every complaint is an InputError that names the source, the
+/// JSON pointer, the value, and what would be valid. Numbers are finite; a key that appears twice is refused.
+class JsonReader {
+  public:
+    /// Throws InputError (missing file, malformed JSON with line and column, repeated key).
+    static JsonReader from_file(const std::filesystem::path& path);
+    /// @param source  what to call the text in messages
+    static JsonReader from_text(std::string_view text, std::string source);
+
+    /// The document's `"format"` must be "fretwork/<kind>/1".
+    void expect_format(std::string_view kind) const;
+    /// This must be an object with no other keys than these.
+    void allow_only(std::initializer_list<std::string_view> keys) const;
+
+    /// A member that must be there.
+    [[nodiscard]] JsonReader at(std::string_view key) const;
+    /// A member that may be left out.
+    [[nodiscard]] std::optional<JsonReader> find(std::string_view key) const;
+    /// All members of an object, in the order of the file.
+    [[nodiscard]] std::vector<std::pair<std::string, JsonReader>> members() const;
+    /// All elements of an array.
+    [[nodiscard]] std::vector<JsonReader> elements() const;
+    /// All elements of an array that must have `count` of them.
+    [[nodiscard]] std::vector<JsonReader> elements(std::size_t count) const;
+
+    [[nodiscard]] bool is_object() const;
+    [[nodiscard]] bool is_array() const;
+    [[nodiscard]] bool is_number() const;
+    [[nodiscard]] bool is_string() const;
+
+    [[nodiscard]] double number() const;
+    [[nodiscard]] double positive_number() const;
+    [[nodiscard]] std::vector<double> numbers(std::size_t count) const;
+    /// A whole number from `low` to `high`.
+    [[nodiscard]] long long integer(long long low, long long high) const;
+    [[nodiscard]] bool boolean() const;
+    [[nodiscard]] std::string string() const;
+    /// A string that is one of `choices`.
+    [[nodiscard]] std::string choice(std::initializer_list<std::string_view> choices) const;
+
+    /// The value as compact JSON text.
+    [[nodiscard]] std::string text() const;
+    /// The file (or other source) that the document came from.
+    [[nodiscard]] std::string source() const;
+    /// The JSON pointer of this value; "" is the whole document.
+    [[nodiscard]] std::string pointer() const;
+    /// Complain about this value.
+    [[noreturn]] void fail(const std::string& message) const;
+
+  private:
+    struct Value;
+    explicit JsonReader(std::shared_ptr<const Value> value) : value_(std::move(value)) {}
+    std::shared_ptr<const Value> value_;
+};
+
+}  // namespace fretwork::base

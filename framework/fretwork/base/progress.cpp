@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/progress.hpp>
+
+#include <unistd.h>
+
+#include <algorithm>
+
+namespace fretwork::base {
+
+TerminalProgress::TerminalProgress(std::FILE* stream) : stream_(stream), is_terminal_(::isatty(::fileno(stream)) == 1) {}
+
+void TerminalProgress::start(std::string_view task, std::size_t total) {
+    task_ = task;
+    total_ = std::max<std::size_t>(total, 1);
+    done_ = 0;
+    started_ = Clock::now();
+    draw(0);
+}
+
+void TerminalProgress::update(std::size_t done) {
+    done_ = done;
+    constexpr auto kPause = std::chrono::milliseconds(100);
+    if (Clock::now() - drawn_ >= kPause) draw(done);
+}
+
+void TerminalProgress::finish() {
+    if (!is_terminal_) return;
+    draw(done_);
+    std::fputc('\n', stream_);
+    std::fflush(stream_);
+}
+
+void TerminalProgress::draw(std::size_t done) {
+    drawn_ = Clock::now();
+    if (!is_terminal_) return;
+    const double seconds = std::chrono::duration<double>(drawn_ - started_).count();
+    const double rate = seconds > 0 ? static_cast<double>(done) / seconds : 0.0;
+    std::fprintf(stream_, "\r%s  %3zu %%  %zu / %zu", task_.c_str(), 100 * done / total_, done, total_);
+    if (rate > 0) {
+        std::fprintf(stream_, "  %.3g/s  %.0f s left", rate, static_cast<double>(total_ - std::min(done, total_)) / rate);
+    }
+    std::fputs("\x1b[K", stream_);
+    std::fflush(stream_);
+}
+
+}  // namespace fretwork::base

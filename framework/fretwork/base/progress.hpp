@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <cstdio>
+#include <string>
+#include <string_view>
+
+namespace fretwork::base {
+
+/// Where long work tells how far it is. Implementations are called from one thread at a time.
+class Progress {
+  public:
+    virtual ~Progress() = default;
+    /// A task of `total` steps begins.
+    virtual void start(std::string_view task, std::size_t total) = 0;
+    /// `done` of the steps are done.
+    virtual void update(std::size_t done) = 0;
+    /// The task is over; the line is the person's again.
+    virtual void finish() = 0;
+};
+
+/// Says nothing.
+class SilentProgress final : public Progress {
+  public:
+    void start(std::string_view, std::size_t) override {}
+    void update(std::size_t) override {}
+    void finish() override {}
+};
+
+/// One line on a terminal, redrawn in place: share, rate and the estimated rest. Silent where the stream is no terminal.
+class TerminalProgress final : public Progress {
+  public:
+    explicit TerminalProgress(std::FILE* stream = stderr);
+    void start(std::string_view task, std::size_t total) override;
+    void update(std::size_t done) override;
+    void finish() override;
+
+  private:
+    using Clock = std::chrono::steady_clock;
+    void draw(std::size_t done);
+
+    std::FILE* stream_;
+    bool is_terminal_;
+    std::string task_;
+    std::size_t total_ = 0;
+    std::size_t done_ = 0;
+    Clock::time_point started_;
+    Clock::time_point drawn_;
+};
+
+}  // namespace fretwork::base

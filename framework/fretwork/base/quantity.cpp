@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/base/quantity.hpp>
+
+#include <charconv>
+#include <cmath>
+#include <numbers>
+#include <span>
+#include <string>
+
+namespace fretwork::base {
+namespace {
+
+struct Unit {
+    std::string_view name;
+    double factor;
+};
+
+constexpr Unit kLengths[] = {{"", 1.0}, {"um", 1e-6}, {"mm", 1e-3}, {"cm", 1e-2}, {"m", 1.0}};
+constexpr Unit kAngles[] = {{"", std::numbers::pi / 180}, {"deg", std::numbers::pi / 180}, {"rad", 1.0}};
+constexpr Unit kNone[] = {{"", 1.0}};
+
+double parse_quantity(std::string_view text, std::span<const Unit> units, std::string_view wanted) {
+    double number = 0.0;
+    const char* const end = text.data() + text.size();
+    const auto result = std::from_chars(text.data(), end, number);
+    if (result.ec == std::errc{} && std::isfinite(number)) {
+        std::string_view rest(result.ptr, static_cast<std::size_t>(end - result.ptr));
+        while (rest.starts_with(' ')) rest.remove_prefix(1);
+        for (const Unit& unit : units) {
+            if (unit.name == rest) return number * unit.factor;
+        }
+    }
+    throw InputError("'" + std::string(text) + "' is not " + std::string(wanted));
+}
+
+}  // namespace
+
+double parse_length(std::string_view text) {
+    return parse_quantity(text, kLengths, "a length, such as 26mm, 2.6cm or 0.026 (metres)");
+}
+
+double parse_angle(std::string_view text) {
+    return parse_quantity(text, kAngles, "an angle, such as 15, 15deg or 0.26rad");
+}
+
+double parse_number(std::string_view text) { return parse_quantity(text, kNone, "a finite number"); }
+
+}  // namespace fretwork::base

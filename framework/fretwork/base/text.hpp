@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fretwork::base {
+
+/// The shortest decimal text that reads back as the same double.
+std::string format_number(double value);
+
+/// Join with a separator: {"a", "b"} with ", " is "a, b".
+std::string join(std::span<const std::string> words, std::string_view separator);
+
+/// Split at every separator; "a,,b" has an empty middle, "" is one empty word.
+std::vector<std::string> split(std::string_view text, char separator);
+
+/// The candidate most like `word` (edit distance, at most a third of its length and at least one), if any is.
+std::optional<std::string> nearest_name(std::string_view word, std::span<const std::string> candidates);
+
+/// "unknown <kind> 'word'; did you mean 'x'?", or the list of what there is, where nothing is near.
+std::string unknown_name_message(std::string_view kind, std::string_view word, std::span<const std::string> candidates);
+
+}  // namespace fretwork::base

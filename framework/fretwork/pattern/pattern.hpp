@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/pattern/node_layout.hpp>
+
+#include <bitset>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fretwork::pattern {
+
+/// The most candidate edges that a layout may have.
+inline constexpr int kMaxCandidateEdges = 128;
+
+/// A set of candidate edges of one layout: bit e is set if candidate edge e is chosen.
+class Pattern {
+  public:
+    using Bits = std::bitset<kMaxCandidateEdges>;
+
+    Pattern() = default;
+    explicit Pattern(const Bits& edges) : edges_(edges) {}
+
+    [[nodiscard]] const Bits& bits() const { return edges_; }
+    [[nodiscard]] int edge_count() const { return static_cast<int>(edges_.count()); }
+    [[nodiscard]] bool has(EdgeIndex edge) const { return edges_.test(static_cast<std::size_t>(edge.value)); }
+    [[nodiscard]] std::vector<EdgeIndex> edges() const;
+    friend bool operator==(const Pattern&, const Pattern&) = default;
+
+  private:
+    Bits edges_;
+};
+
+/// "0-1+1-6": the chosen edges i-j with i < j, sorted by i then j as numbers. Stable for ever.
+std::string pattern_id(const NodeLayout& layout, const Pattern& pattern);
+
+/// The pattern of an id, with or without its layout's name in front ("paper7:0-1+1-6"). The edges may come in any order.
+/// Throws InputError if the text is no id, names another layout, or an edge that is no candidate.
+Pattern parse_pattern_id(const NodeLayout& layout, std::string_view id);
+
+}  // namespace fretwork::pattern

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/mechanics/frame.hpp>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fretwork::reduction {
+
+/// A standard load case of one tile in the reference hexagon, by its interface nodes. Paper, Section 5.2 and Fig. 10.
+struct Scenario {
+    struct Hold {
+        int interface_node = 0;
+        mechanics::DofSet fixed;
+        friend bool operator==(const Hold&, const Hold&) = default;
+    };
+    struct Load {  ///< for a magnitude of 1 N
+        int interface_node = 0;
+        std::array<double, 3> force{};   ///< N
+        std::array<double, 3> moment{};  ///< N m, fixed direction in space
+        friend bool operator==(const Load&, const Load&) = default;
+    };
+    std::string name;
+    std::string description;
+    double weight = 1.0;         ///< w_k of Eq. (8), Table 2
+    double max_magnitude = 0.0;  ///< N
+    std::vector<Hold> held;
+    std::vector<Load> loads;
+    friend bool operator==(const Scenario&, const Scenario&) = default;
+};
+
+/// The five scenarios of the paper in its order: axial, shear, bending, dome, saddle (experiments/scenarios/*.json).
+const std::vector<Scenario>& paper_scenarios();
+
+/// Read a scenario from JSON text; `source` names it in messages. Throws InputError.
+Scenario parse_scenario(std::string_view text, std::string source);
+
+}  // namespace fretwork::reduction

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/simulation/load_case.hpp>
+#include <fretwork/tiling/outline.hpp>
+#include <fretwork/tiling/tessellation.hpp>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace fretwork::simulation {
+
+/// The one document that the command line and the studio share: outline, tessellation with its painting, load cases, and the
+/// library that its patterns were taken from.
+struct Project {
+    tiling::Outline outline;
+    tiling::Tessellation tessellation;
+    std::vector<LoadCase> load_cases;
+    std::string library_path;  ///< relative to the project file; empty: none
+    std::string library_hash;  ///< content hash of the library when the project was made
+};
+
+/// Throws InputError with file and JSON pointer.
+Project read_project(const std::filesystem::path& path);
+/// Throws IoError; then the file is as it was.
+void write_project(const Project& project, const std::filesystem::path& path);
+
+/// The load case of a name. Throws InputError that lists what there is.
+const LoadCase& find_load_case(const Project& project, const std::string& name);
+
+}  // namespace fretwork::simulation
