@@ -6,9 +6,11 @@
 
 namespace fretwork::base {
 
-/// The root of what the library throws. `what()` is one line, fit to be shown to the person who gave the input.
+/// The root of what the library throws. `what()` is one line, fit to be shown to the person who gave the
+/// input.
 ///
-/// A programming mistake is an assert; an outcome that may disappoint (not converged, rejected) is data in a report.
+/// A programming mistake is an assert; an outcome that may disappoint (not converged, rejected) is data in a
+/// report.
 class Error : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;
@@ -24,7 +26,8 @@ class InputError : public Error {
     InputError(const std::string& source, const std::string& place, const std::string& message);
 };
 
-/// A shape is well-formed as data and impossible as geometry: an outline that crosses itself, a beam of length zero.
+/// A shape is well-formed as data and impossible as geometry: an outline that crosses itself, a beam of
+/// length zero.
 class GeometryError : public InputError {
   public:
     using InputError::InputError;

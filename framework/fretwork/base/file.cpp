@@ -2,15 +2,14 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/file.hpp>
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <cerrno>
 #include <cstring>
+#include <fcntl.h>
 #include <fstream>
 #include <sstream>
+#include <sys/stat.h>
 #include <system_error>
+#include <unistd.h>
 
 namespace fretwork::base {
 namespace {
@@ -44,7 +43,8 @@ class TemporaryFile {
     }
 
     void move_into_place() {
-        if (::fchmod(descriptor_, wanted_mode()) != 0 || ::fsync(descriptor_) != 0) fail_to_write(target_, errno);
+        if (::fchmod(descriptor_, wanted_mode()) != 0 || ::fsync(descriptor_) != 0)
+            fail_to_write(target_, errno);
         const int closed = ::close(descriptor_);
         descriptor_ = -1;
         if (closed != 0 || ::rename(path_.c_str(), target_.c_str()) != 0) fail_to_write(target_, errno);
@@ -52,7 +52,8 @@ class TemporaryFile {
     }
 
   private:
-    /// mkstemp makes files that only their owner may read; a result is as open as the umask allows, or as it was.
+    /// mkstemp makes files that only their owner may read; a result is as open as the umask allows, or as it
+    /// was.
     [[nodiscard]] mode_t wanted_mode() const {
         struct stat existing {};
         if (::stat(target_.c_str(), &existing) == 0) return existing.st_mode & 0777U;

@@ -7,7 +7,8 @@
 
 namespace fretwork::base {
 
-/// An integer that counts one kind of thing: an index of a node cannot be passed where one of a beam is wanted.
+/// An integer that counts one kind of thing: an index of a node cannot be passed where one of a beam is
+/// wanted.
 ///
 /// It converts to a plain integer silently (to index a vector), and from one only where that is spelled out.
 template <class Tag>

@@ -59,7 +59,8 @@ class RepeatedKeys {
     std::optional<std::string> repeated_;
 };
 
-/// "[json.exception.parse_error.101] parse error at line 1, column 2: syntax error ..." says the place once too often.
+/// "[json.exception.parse_error.101] parse error at line 1, column 2: syntax error ..." says the place once
+/// too often.
 std::string parse_complaint(const std::string& what) {
     const std::size_t start = what.find(": ");
     return start == std::string::npos ? what : what.substr(start + 2);
@@ -81,12 +82,15 @@ JsonReader JsonReader::from_text(std::string_view text, std::string source) {
     RepeatedKeys keys;
     try {
         auto document = std::make_shared<const Json>(Json::parse(text, std::ref(keys)));
-        if (keys.repeated()) throw InputError(source, "", "the key '" + *keys.repeated() + "' appears twice in one object");
+        if (keys.repeated())
+            throw InputError(source, "", "the key '" + *keys.repeated() + "' appears twice in one object");
         const Json* json = document.get();
         auto name = std::make_shared<const std::string>(std::move(source));
-        return JsonReader(std::make_shared<const Value>(Value{std::move(document), std::move(name), json, ""}));
+        return JsonReader(
+            std::make_shared<const Value>(Value{std::move(document), std::move(name), json, ""}));
     } catch (const Json::parse_error& error) {
-        throw InputError(source, line_and_column(text, error.byte), "malformed JSON: " + parse_complaint(error.what()));
+        throw InputError(source, line_and_column(text, error.byte),
+                         "malformed JSON: " + parse_complaint(error.what()));
     } catch (const Json::exception& error) {
         throw InputError(source, "", std::string("malformed JSON: ") + parse_complaint(error.what()));
     }
@@ -98,7 +102,8 @@ void JsonReader::fail(const std::string& message) const {
 
 void JsonReader::expect_format(std::string_view kind) const {
     const std::string wanted = "fretwork/" + std::string(kind) + "/1";
-    if (at("format").string() != wanted) at("format").fail("is " + at("format").text() + ", where \"" + wanted + "\" is needed");
+    if (at("format").string() != wanted)
+        at("format").fail("is " + at("format").text() + ", where \"" + wanted + "\" is needed");
 }
 
 void JsonReader::allow_only(std::initializer_list<std::string_view> keys) const {
@@ -145,15 +150,24 @@ std::vector<JsonReader> JsonReader::elements() const {
 std::vector<JsonReader> JsonReader::elements(std::size_t count) const {
     auto list = elements();
     if (list.size() != count) {
-        fail("has " + std::to_string(list.size()) + " elements, where " + std::to_string(count) + " are needed");
+        fail("has " + std::to_string(list.size()) + " elements, where " + std::to_string(count) +
+             " are needed");
     }
     return list;
 }
 
-bool JsonReader::is_object() const { return value_->json->is_object(); }
-bool JsonReader::is_array() const { return value_->json->is_array(); }
-bool JsonReader::is_number() const { return value_->json->is_number(); }
-bool JsonReader::is_string() const { return value_->json->is_string(); }
+bool JsonReader::is_object() const {
+    return value_->json->is_object();
+}
+bool JsonReader::is_array() const {
+    return value_->json->is_array();
+}
+bool JsonReader::is_number() const {
+    return value_->json->is_number();
+}
+bool JsonReader::is_string() const {
+    return value_->json->is_string();
+}
 
 double JsonReader::number() const {
     if (!is_number()) fail("is " + shortened(*value_->json) + ", where a number is needed");
@@ -176,17 +190,20 @@ std::vector<double> JsonReader::numbers(std::size_t count) const {
 
 long long JsonReader::integer(long long low, long long high) const {
     const std::string wanted = "a whole number from " + std::to_string(low) + " to " + std::to_string(high);
-    if (!value_->json->is_number_integer()) fail("is " + shortened(*value_->json) + ", where " + wanted + " is needed");
+    if (!value_->json->is_number_integer())
+        fail("is " + shortened(*value_->json) + ", where " + wanted + " is needed");
     // An unsigned value above the signed range would turn negative.
-    const bool too_large = value_->json->is_number_unsigned() &&
-                           value_->json->get<unsigned long long>() > static_cast<unsigned long long>(std::max(high, 0LL));
+    const bool too_large =
+        value_->json->is_number_unsigned() &&
+        value_->json->get<unsigned long long>() > static_cast<unsigned long long>(std::max(high, 0LL));
     const auto value = value_->json->get<long long>();
     if (too_large || value < low || value > high) fail("is " + text() + ", where " + wanted + " is needed");
     return value;
 }
 
 bool JsonReader::boolean() const {
-    if (!value_->json->is_boolean()) fail("is " + shortened(*value_->json) + ", where true or false is needed");
+    if (!value_->json->is_boolean())
+        fail("is " + shortened(*value_->json) + ", where true or false is needed");
     return value_->json->get<bool>();
 }
 
@@ -198,12 +215,19 @@ std::string JsonReader::string() const {
 std::string JsonReader::choice(std::initializer_list<std::string_view> choices) const {
     std::string value = string();
     const std::vector<std::string> known(choices.begin(), choices.end());
-    if (std::find(known.begin(), known.end(), value) == known.end()) fail(unknown_name_message("choice", value, known));
+    if (std::find(known.begin(), known.end(), value) == known.end())
+        fail(unknown_name_message("choice", value, known));
     return value;
 }
 
-std::string JsonReader::text() const { return value_->json->dump(-1, ' ', false, Json::error_handler_t::replace); }
-std::string JsonReader::source() const { return *value_->source; }
-std::string JsonReader::pointer() const { return value_->pointer; }
+std::string JsonReader::text() const {
+    return value_->json->dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+std::string JsonReader::source() const {
+    return *value_->source;
+}
+std::string JsonReader::pointer() const {
+    return value_->pointer;
+}
 
 }  // namespace fretwork::base

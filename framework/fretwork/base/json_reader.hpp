@@ -14,8 +14,9 @@ namespace fretwork::base {
 
 /// A value in a JSON document, and the place where it stands.
 ///
-/// Reading is strict: whatever is not asked for is an error. Every complaint is an InputError that names the source, the
-/// JSON pointer, the value, and what would be valid. Numbers are finite; a key that appears twice is refused.
+/// Reading is strict: whatever is not asked for is an error. Every complaint is an InputError that names the
+/// source, the JSON pointer, the value, and what would be valid. Numbers are finite; a key that appears twice
+/// is refused.
 class JsonReader {
   public:
     /// Throws InputError (missing file, malformed JSON with line and column, repeated key).

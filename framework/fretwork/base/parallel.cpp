@@ -42,7 +42,8 @@ void parallel_for(std::size_t count, int threads, const std::function<void(std::
     FirstFailure failure;
     const auto work = [&] {
         for (;;) {
-            // Indices are handed out in order, so all below a failed one have been started: the smallest failure is met.
+            // Indices are handed out in order, so all below a failed one have been started: the smallest
+            // failure is met.
             if (failed.load()) return;
             const std::size_t index = next.fetch_add(1);
             if (index >= count) return;
@@ -54,7 +55,8 @@ void parallel_for(std::size_t count, int threads, const std::function<void(std::
             }
         }
     };
-    const std::size_t helpers = std::min<std::size_t>(resolved_thread_count(threads), std::max<std::size_t>(count, 1)) - 1;
+    const std::size_t helpers =
+        std::min<std::size_t>(resolved_thread_count(threads), std::max<std::size_t>(count, 1)) - 1;
     {
         std::vector<std::jthread> pool;
         pool.reserve(helpers);

@@ -11,8 +11,9 @@ int resolved_thread_count(int wanted);
 
 /// Call body(i) for every i below `count`, on up to `threads` threads (0: all there are).
 ///
-/// Which thread takes which index is left open, so a body writes only to the place of its own index; then the result does
-/// not depend on the number of threads. Of several exceptions the one of the smallest index is thrown on.
+/// Which thread takes which index is left open, so a body writes only to the place of its own index; then the
+/// result does not depend on the number of threads. Of several exceptions the one of the smallest index is
+/// thrown on.
 void parallel_for(std::size_t count, int threads, const std::function<void(std::size_t)>& body);
 
 }  // namespace fretwork::base

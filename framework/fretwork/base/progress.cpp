@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/progress.hpp>
 
-#include <unistd.h>
-
 #include <algorithm>
+#include <unistd.h>
 
 namespace fretwork::base {
 
-TerminalProgress::TerminalProgress(std::FILE* stream) : stream_(stream), is_terminal_(::isatty(::fileno(stream)) == 1) {}
+TerminalProgress::TerminalProgress(std::FILE* stream)
+    : stream_(stream), is_terminal_(::isatty(::fileno(stream)) == 1) {}
 
 void TerminalProgress::start(std::string_view task, std::size_t total) {
     task_ = task;
@@ -37,7 +37,8 @@ void TerminalProgress::draw(std::size_t done) {
     const double rate = seconds > 0 ? static_cast<double>(done) / seconds : 0.0;
     std::fprintf(stream_, "\r%s  %3zu %%  %zu / %zu", task_.c_str(), 100 * done / total_, done, total_);
     if (rate > 0) {
-        std::fprintf(stream_, "  %.3g/s  %.0f s left", rate, static_cast<double>(total_ - std::min(done, total_)) / rate);
+        std::fprintf(stream_, "  %.3g/s  %.0f s left", rate,
+                     static_cast<double>(total_ - std::min(done, total_)) / rate);
     }
     std::fputs("\x1b[K", stream_);
     std::fflush(stream_);

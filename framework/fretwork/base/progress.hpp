@@ -29,7 +29,8 @@ class SilentProgress final : public Progress {
     void finish() override {}
 };
 
-/// One line on a terminal, redrawn in place: share, rate and the estimated rest. Silent where the stream is no terminal.
+/// One line on a terminal, redrawn in place: share, rate and the estimated rest. Silent where the stream is
+/// no terminal.
 class TerminalProgress final : public Progress {
   public:
     explicit TerminalProgress(std::FILE* stream = stderr);

@@ -3,7 +3,9 @@
 
 namespace fretwork::base {
 
-std::string version() { return FRETWORK_VERSION; }
+std::string version() {
+    return FRETWORK_VERSION;
+}
 
 std::vector<std::pair<std::string, std::string>> provenance() {
     return {{"fretwork_version", FRETWORK_VERSION},

@@ -10,8 +10,8 @@ namespace fretwork::base {
 /// The version of this library, such as "0.1.0".
 std::string version();
 
-/// What a result should carry so that it can be made again: names and values, in a fixed order, without times and hosts.
-/// Holds the library's version and commit, the compiler, the build type and the kind of machine.
+/// What a result should carry so that it can be made again: names and values, in a fixed order, without times
+/// and hosts. Holds the library's version and commit, the compiler, the build type and the kind of machine.
 std::vector<std::pair<std::string, std::string>> provenance();
 
 }  // namespace fretwork::base

@@ -44,6 +44,8 @@ double parse_angle(std::string_view text) {
     return parse_quantity(text, kAngles, "an angle, such as 15, 15deg or 0.26rad");
 }
 
-double parse_number(std::string_view text) { return parse_quantity(text, kNone, "a finite number"); }
+double parse_number(std::string_view text) {
+    return parse_quantity(text, kNone, "a finite number");
+}
 
 }  // namespace fretwork::base

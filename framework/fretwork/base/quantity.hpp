@@ -9,8 +9,8 @@ namespace fretwork::base {
 /// Throws InputError on anything else, NaN and infinity included.
 double parse_length(std::string_view text);
 
-/// Read an angle as a person writes it: "15", "15deg" or "0.26rad"; a bare number is in degrees. Returns radians.
-/// Throws InputError on anything else, NaN and infinity included.
+/// Read an angle as a person writes it: "15", "15deg" or "0.26rad"; a bare number is in degrees. Returns
+/// radians. Throws InputError on anything else, NaN and infinity included.
 double parse_angle(std::string_view text);
 
 /// Read a finite number. Throws InputError on anything else, trailing characters included.

@@ -68,7 +68,8 @@ std::optional<std::string> nearest_name(std::string_view word, std::span<const s
 std::string unknown_name_message(std::string_view kind, std::string_view word,
                                  std::span<const std::string> candidates) {
     const std::string start = "unknown " + std::string(kind) + " '" + std::string(word) + "'; ";
-    if (const auto nearest = nearest_name(word, candidates)) return start + "did you mean '" + *nearest + "'?";
+    if (const auto nearest = nearest_name(word, candidates))
+        return start + "did you mean '" + *nearest + "'?";
     return start + "there is: " + join(candidates, ", ");
 }
 

@@ -22,6 +22,7 @@ std::vector<std::string> split(std::string_view text, char separator);
 std::optional<std::string> nearest_name(std::string_view word, std::span<const std::string> candidates);
 
 /// "unknown <kind> 'word'; did you mean 'x'?", or the list of what there is, where nothing is near.
-std::string unknown_name_message(std::string_view kind, std::string_view word, std::span<const std::string> candidates);
+std::string unknown_name_message(std::string_view kind, std::string_view word,
+                                 std::span<const std::string> candidates);
 
 }  // namespace fretwork::base

@@ -9,15 +9,15 @@
 
 namespace fretwork::mechanics {
 
-/// A structure as the solvers see it: nodes, elements of any kind, what is held, and what acts. Solvers never ask what kind
-/// an element is; one assembly may mix beams and condensed tiles.
+/// A structure as the solvers see it: nodes, elements of any kind, what is held, and what acts. Solvers never
+/// ask what kind an element is; one assembly may mix beams and condensed tiles.
 struct Assembly {
-    std::vector<Eigen::Vector3d> nodes;               ///< rest positions, metres; inner nodes of divided beams at the end
+    std::vector<Eigen::Vector3d> nodes;  ///< rest positions, metres; inner nodes of divided beams at the end
     std::vector<std::unique_ptr<const Element>> elements;
     std::vector<Support> supports;
     std::vector<PrescribedDisplacement> prescribed;
-    NodeValues loads;                                 ///< one row a node, gravity included
-    int reported_nodes = 0;                           ///< results have rows for the first so many nodes
+    NodeValues loads;        ///< one row a node, gravity included
+    int reported_nodes = 0;  ///< results have rows for the first so many nodes
 };
 
 /// Options of the way from a frame to an assembly.

@@ -11,17 +11,19 @@ namespace fretwork::mechanics {
 
 /// Options of the geometrically nonlinear solve.
 struct EquilibriumOptions {
-    double relative_residual = 1e-9;       ///< converged below this
-    double largest_rotation_step = 0.6;    ///< rad; a Newton step is shortened to it. No line search: the membrane residual must jump
+    double relative_residual = 1e-9;  ///< converged below this
+    double largest_rotation_step =
+        0.6;  ///< rad; a Newton step is shortened to it. No line search: the membrane residual must jump
     int iterations_per_step = 60;
-    int largest_cut_back = 10;             ///< a load step is halved at most so often
+    int largest_cut_back = 10;  ///< a load step is halved at most so often
     bool classify_stability = true;
     /// Throws InputError if a value makes no sense.
     void validate() const;
 };
 
-/// Follow the load path from rest through the given load factors (ascending, > 0; 1 = the full load): corotational Newton with
-/// a consistent tangent. One solution for each factor; once a factor is not reached, it and those after it say so.
+/// Follow the load path from rest through the given load factors (ascending, > 0; 1 = the full load):
+/// corotational Newton with a consistent tangent. One solution for each factor; once a factor is not reached,
+/// it and those after it say so.
 std::vector<Solution> follow_load_path(const Assembly& assembly, std::span<const double> load_factors,
                                        const EquilibriumOptions& options = {});
 

@@ -30,15 +30,15 @@ struct DofSet {
     friend bool operator==(const DofSet&, const DofSet&) = default;
 };
 
-/// One row for each node: ux uy uz in metres, then the rotation vector rx ry rz in radians (or, for loads and reactions,
-/// force in newtons and moment in newton metres).
+/// One row for each node: ux uy uz in metres, then the rotation vector rx ry rz in radians (or, for loads and
+/// reactions, force in newtons and moment in newton metres).
 using NodeValues = Eigen::Matrix<double, Eigen::Dynamic, kDofsPerNode, Eigen::RowMajor>;
 
 /// A linear elastic, isotropic material.
 struct Material {
-    double young_modulus = 0.0;  ///< Pa, > 0
-    double poisson_ratio = 0.0;  ///< in (-1, 0.5]
-    double density = 0.0;        ///< kg/m^3, >= 0
+    double young_modulus = 0.0;                   ///< Pa, > 0
+    double poisson_ratio = 0.0;                   ///< in (-1, 0.5]
+    double density = 0.0;                         ///< kg/m^3, >= 0
     std::optional<double> given_shear_modulus{};  ///< Pa; without it, E / (2 (1 + nu))
     [[nodiscard]] double shear_modulus() const {
         return given_shear_modulus.value_or(young_modulus / (2.0 * (1.0 + poisson_ratio)));
@@ -46,13 +46,15 @@ struct Material {
     friend bool operator==(const Material&, const Material&) = default;
 };
 
-/// The cross-section of a beam. Local axis 1 runs along the beam, axis 3 is the beam's normal, axis 2 = axis 3 x axis 1.
+/// The cross-section of a beam. Local axis 1 runs along the beam, axis 3 is the beam's normal, axis 2 = axis
+/// 3 x axis 1.
 struct Section {
     double area = 0.0;  ///< m^2
     double I2 = 0.0;    ///< m^4; bends about axis 2: out of plane, for a beam in a flat pattern
     double I3 = 0.0;    ///< m^4; bends about axis 3: in the plane
     double J = 0.0;     ///< m^4; torsion constant
-    std::optional<double> shear_area2{};  ///< m^2, for shear along axis 2; none: shear-rigid (Euler-Bernoulli)
+    std::optional<double>
+        shear_area2{};  ///< m^2, for shear along axis 2; none: shear-rigid (Euler-Bernoulli)
     std::optional<double> shear_area3{};  ///< m^2, for shear along axis 3; none: shear-rigid
     friend bool operator==(const Section&, const Section&) = default;
 };
@@ -73,8 +75,9 @@ struct Beam {
     std::array<NodeIndex, 2> nodes;
     Section section;
     Material material;
-    std::optional<Eigen::Vector3d> normal{};  ///< local axis 3 at rest; none: global z, or global y for a beam along z
-    int divisions = 1;                        ///< into so many elements
+    std::optional<Eigen::Vector3d>
+        normal{};       ///< local axis 3 at rest; none: global z, or global y for a beam along z
+    int divisions = 1;  ///< into so many elements
     std::vector<Release> releases{};
 };
 
@@ -98,7 +101,8 @@ struct NodalLoad {
     Eigen::Vector3d moment = Eigen::Vector3d::Zero();  ///< N m
 };
 
-/// Any beam structure: what `fretwork solve` takes, and what every full model of a pattern or a tessellation is.
+/// Any beam structure: what `fretwork solve` takes, and what every full model of a pattern or a tessellation
+/// is.
 struct Frame {
     std::vector<Eigen::Vector3d> nodes;  ///< rest positions, metres
     std::vector<Beam> beams;
@@ -108,12 +112,13 @@ struct Frame {
     Eigen::Vector3d gravity = Eigen::Vector3d::Zero();  ///< m/s^2
 };
 
-/// Check what a frame must obey on its own: indices in range, finite numbers, positive sections, beams of some length, no node
-/// without a beam or held for certain, every part of the structure held. Throws InputError or GeometryError that names the
-/// node or beam ("/beams/3").
+/// Check what a frame must obey on its own: indices in range, finite numbers, positive sections, beams of
+/// some length, no node without a beam or held for certain, every part of the structure held. Throws
+/// InputError or GeometryError that names the node or beam ("/beams/3").
 void validate(const Frame& frame);
 
-/// Read a frame file (design: files, "Frame"). Throws InputError with file and JSON pointer. The frame is valid.
+/// Read a frame file (design: files, "Frame"). Throws InputError with file and JSON pointer. The frame is
+/// valid.
 Frame read_frame(const std::filesystem::path& path);
 
 /// Write a frame file; equal materials and sections are written once. read_frame gives an equal frame.

@@ -8,10 +8,12 @@
 
 namespace fretwork::mechanics {
 
-/// The linear equilibrium K d = F of a structure at rest, factorized once: another load is a back-substitution.
+/// The linear equilibrium K d = F of a structure at rest, factorized once: another load is a
+/// back-substitution.
 ///
-/// A flat structure whose elements decouple is solved as two problems of three dofs a node: in plane (ux uy rz) and out of
-/// plane (uz rx ry). The node graph is ordered, not the dof graph; supernodal Cholesky (CHOLMOD), one thread.
+/// A flat structure whose elements decouple is solved as two problems of three dofs a node: in plane (ux uy
+/// rz) and out of plane (uz rx ry). The node graph is ordered, not the dof graph; supernodal Cholesky
+/// (CHOLMOD), one thread.
 class LinearSolver {
   public:
     /// Throws NumericalError that names a node if the structure, as held, can move without strain.
@@ -24,7 +26,8 @@ class LinearSolver {
     [[nodiscard]] Solution solve() const;
     [[nodiscard]] Solution solve(const NodeValues& loads) const;
 
-    /// The same nodes, connections and supports with elements of other stiffness: the symbolic analysis is kept.
+    /// The same nodes, connections and supports with elements of other stiffness: the symbolic analysis is
+    /// kept.
     void refactorize(const Assembly& assembly);
 
   private:

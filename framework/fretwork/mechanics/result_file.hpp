@@ -16,10 +16,10 @@ struct Result {
         Eigen::Vector3d rest_position = Eigen::Vector3d::Zero();
         bool is_interface = false;
     };
-    std::string solver;               ///< "linear", "newton", ...
-    std::vector<Node> nodes;          ///< as many as the solution has rows
+    std::string solver;       ///< "linear", "newton", ...
+    std::vector<Node> nodes;  ///< as many as the solution has rows
     Solution solution;
-    std::vector<Solution> load_steps; ///< only where asked for
+    std::vector<Solution> load_steps;  ///< only where asked for
     double seconds = 0.0;
 };
 

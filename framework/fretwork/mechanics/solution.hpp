@@ -16,22 +16,23 @@ std::string_view termination_name(Termination termination);
 enum class StabilityTest {
     None,           ///< not asked for, or nothing to decide (a linear solution)
     Tangent,        ///< the inertia of the symmetric tangent: necessary and sufficient
-    SymmetricPart,  ///< moments of fixed direction on freely turning nodes: the symmetric part's, sufficient only
+    SymmetricPart,  ///< moments of fixed direction on freely turning nodes: the symmetric part's, sufficient
+                    ///< only
 };
 std::string_view stability_test_name(StabilityTest test);
 
 /// One equilibrium of a structure.
 struct Solution {
-    double load_factor = 1.0;   ///< share of the loads and prescribed displacements
+    double load_factor = 1.0;  ///< share of the loads and prescribed displacements
     Termination termination = Termination::Converged;
     [[nodiscard]] bool converged() const { return termination == Termination::Converged; }
     bool stable = true;
     StabilityTest stability = StabilityTest::None;
-    NodeValues displacements;   ///< one row for each reported node; rotations as rotation vectors
-    NodeValues reactions;       ///< forces and moments that hold the structure; zero where nothing is held
-    double energy = 0.0;        ///< J, elastic
-    double residual = 0.0;      ///< norm of the out-of-balance forces relative to that of the loads and reactions
-    int iterations = 0;         ///< linear solves since the last solution of the path
+    NodeValues displacements;  ///< one row for each reported node; rotations as rotation vectors
+    NodeValues reactions;      ///< forces and moments that hold the structure; zero where nothing is held
+    double energy = 0.0;       ///< J, elastic
+    double residual = 0.0;  ///< norm of the out-of-balance forces relative to that of the loads and reactions
+    int iterations = 0;     ///< linear solves since the last solution of the path
 };
 
 }  // namespace fretwork::mechanics

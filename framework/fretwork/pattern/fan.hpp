@@ -13,11 +13,12 @@ namespace fretwork::pattern {
 /// A node of a fan, in the order of Fan::nodes.
 using FanNodeIndex = base::Index<struct FanNodeTag>;
 
-/// The pattern repeated around a polygon: a graph without coordinates, the same for every polygon of as many sides.
+/// The pattern repeated around a polygon: a graph without coordinates, the same for every polygon of as many
+/// sides.
 ///
-/// Nodes: first *all* interface nodes, side by side, on each side from v1 to v2 (so that interface node k of side t is number
-/// t * per_side + k, used or not); then the used inner nodes, by layout node and sector. Radial nodes of neighbouring
-/// sectors are one node; the center is one node for all sectors.
+/// Nodes: first *all* interface nodes, side by side, on each side from v1 to v2 (so that interface node k of
+/// side t is number t * per_side + k, used or not); then the used inner nodes, by layout node and sector.
+/// Radial nodes of neighbouring sectors are one node; the center is one node for all sectors.
 struct Fan {
     struct Node {
         LayoutNodeIndex layout_node;  ///< never one on v0 v2: that is its partner of the next sector
@@ -33,9 +34,10 @@ struct Fan {
 /// Repeat a pattern around a polygon of `sides` sides. Throws InputError unless sides >= 3.
 Fan make_fan(const NodeLayout& layout, const Pattern& pattern, int sides);
 
-/// Where the nodes of a fan lie in a convex polygon: sector t is the triangle of the polygon's area centroid, vertex t and
-/// vertex t + 1, and a node keeps its barycentric coordinates in it. Paper, Section 4.1.
-/// Throws GeometryError if the polygon is not convex and counterclockwise; InputError if it has another number of sides.
+/// Where the nodes of a fan lie in a convex polygon: sector t is the triangle of the polygon's area centroid,
+/// vertex t and vertex t + 1, and a node keeps its barycentric coordinates in it. Paper, Section 4.1. Throws
+/// GeometryError if the polygon is not convex and counterclockwise; InputError if it has another number of
+/// sides.
 std::vector<Point2> place_fan(const NodeLayout& layout, const Fan& fan, const Polygon& polygon);
 
 }  // namespace fretwork::pattern

@@ -21,7 +21,8 @@ using EdgeIndex = base::Index<struct EdgeTag>;
 /// The region of the base triangle in which a node lies. Paper, Fig. 3a.
 enum class Region { Center, LeftRadial, RightRadial, Face, Interface, Corner };
 
-/// A node of the base triangle v0 v1 v2; v0 is the polygon's centroid, v1 and v2 are the ends of one of its sides.
+/// A node of the base triangle v0 v1 v2; v0 is the polygon's centroid, v1 and v2 are the ends of one of its
+/// sides.
 struct LayoutNode {
     Region region;
     std::array<Rational, 3> place;  ///< barycentric coordinates (v0, v1, v2), exact, with sum 1
@@ -39,16 +40,17 @@ struct NodeLayoutDescription {
     std::string name;
     bool center = true;
     bool corners = false;
-    std::vector<Rational> radial;                   ///< distances from v0 along v0 v1 and v0 v2, as shares of their length
-    std::vector<std::array<Rational, 3>> face;      ///< barycentric places
-    std::vector<Rational> interface;                ///< distances from v1 along v1 v2, as shares of its length
+    std::vector<Rational> radial;  ///< distances from v0 along v0 v1 and v0 v2, as shares of their length
+    std::vector<std::array<Rational, 3>> face;  ///< barycentric places
+    std::vector<Rational> interface;            ///< distances from v1 along v1 v2, as shares of its length
 };
 
 /// The nodes that a pattern may use, and the edges that it may choose from.
 ///
-/// Numbering: center, radial nodes on v0 v1, radial nodes on v0 v2, face nodes, interface nodes (from v1 to v2), corners.
-/// Candidate edges are sorted by first, then second node. Left out are edges along the right radial side (the left one
-/// gives the same fan), along the interface side, and those that pass through another node. Paper, Sections 4.1 and 4.2.
+/// Numbering: center, radial nodes on v0 v1, radial nodes on v0 v2, face nodes, interface nodes (from v1 to
+/// v2), corners. Candidate edges are sorted by first, then second node. Left out are edges along the right
+/// radial side (the left one gives the same fan), along the interface side, and those that pass through
+/// another node. Paper, Sections 4.1 and 4.2.
 class NodeLayout {
   public:
     /// Throws InputError that names the node and the rule which it breaks.
@@ -60,7 +62,8 @@ class NodeLayout {
     [[nodiscard]] std::span<const Edge> candidate_edges() const { return edges_; }
     /// The interface nodes, from v1 to v2.
     [[nodiscard]] std::vector<LayoutNodeIndex> interface_nodes() const;
-    /// For a node on v0 v2 its partner on v0 v1: the same node of the fan, one sector further. Any other node: itself.
+    /// For a node on v0 v2 its partner on v0 v1: the same node of the fan, one sector further. Any other
+    /// node: itself.
     [[nodiscard]] LayoutNodeIndex left_partner(LayoutNodeIndex node) const;
 
   private:

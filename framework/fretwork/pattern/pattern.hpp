@@ -34,8 +34,8 @@ class Pattern {
 /// "0-1+1-6": the chosen edges i-j with i < j, sorted by i then j as numbers. Stable for ever.
 std::string pattern_id(const NodeLayout& layout, const Pattern& pattern);
 
-/// The pattern of an id, with or without its layout's name in front ("paper7:0-1+1-6"). The edges may come in any order.
-/// Throws InputError if the text is no id, names another layout, or an edge that is no candidate.
+/// The pattern of an id, with or without its layout's name in front ("paper7:0-1+1-6"). The edges may come in
+/// any order. Throws InputError if the text is no id, names another layout, or an edge that is no candidate.
 Pattern parse_pattern_id(const NodeLayout& layout, std::string_view id);
 
 }  // namespace fretwork::pattern

@@ -15,9 +15,9 @@ struct Point2 {
 /// A simple polygon: its vertices counterclockwise, each once.
 using Polygon = std::vector<Point2>;
 
-/// The regular polygon around the origin in which the fan's sector t has the middle of its outer side at angle
-/// 270 + 360 t / sides degrees, so vertex t lies at half a sector before that. `side` is the side length in metres.
-/// Throws InputError unless sides >= 3 and side > 0.
+/// The regular polygon around the origin in which the fan's sector t has the middle of its outer side at
+/// angle 270 + 360 t / sides degrees, so vertex t lies at half a sector before that. `side` is the side
+/// length in metres. Throws InputError unless sides >= 3 and side > 0.
 Polygon regular_polygon(int sides, double side);
 
 /// The signed area: positive for a counterclockwise polygon.
@@ -26,7 +26,8 @@ double signed_area(const Polygon& polygon);
 /// The area centroid. Throws GeometryError if the area is zero.
 Point2 centroid(const Polygon& polygon);
 
-/// True if the polygon is counterclockwise and turns left (or goes straight) at every vertex. Decided exactly.
+/// True if the polygon is counterclockwise and turns left (or goes straight) at every vertex. Decided
+/// exactly.
 bool is_convex(const Polygon& polygon);
 
 /// The mean length of the sides.

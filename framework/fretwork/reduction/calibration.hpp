@@ -37,15 +37,17 @@ struct Calibration {
     std::string optimizer;
     std::uint64_t seed = 0;
     int starts = 0;
-    double objective = 0.0;               ///< E of Eq. (8) at the parameters
-    std::vector<double> scenario_errors;  ///< e_k summed over the magnitudes as in Eq. (8): weighted parts of E, by scenario
+    double objective = 0.0;  ///< E of Eq. (8) at the parameters
+    std::vector<double>
+        scenario_errors;  ///< e_k summed over the magnitudes as in Eq. (8): weighted parts of E, by scenario
     long evaluations = 0;
     Paper6Parameters parameters;
-    std::vector<std::string> at_bound;    ///< names of the parameters at a bound
+    std::vector<std::string> at_bound;  ///< names of the parameters at a bound
     bool converged = true;
 };
 
-/// Fit the paper's six-parameter model to a pattern's responses: Eqs. (1) to (11). Deterministic given the options.
+/// Fit the paper's six-parameter model to a pattern's responses: Eqs. (1) to (11). Deterministic given the
+/// options.
 Calibration calibrate_paper6(const std::vector<Response>& responses, const Setting& setting,
                              const CalibrationOptions& options = {});
 

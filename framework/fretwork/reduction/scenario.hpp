@@ -9,7 +9,8 @@
 
 namespace fretwork::reduction {
 
-/// A standard load case of one tile in the reference hexagon, by its interface nodes. Paper, Section 5.2 and Fig. 10.
+/// A standard load case of one tile in the reference hexagon, by its interface nodes. Paper, Section 5.2 and
+/// Fig. 10.
 struct Scenario {
     struct Hold {
         int interface_node = 0;
@@ -31,7 +32,8 @@ struct Scenario {
     friend bool operator==(const Scenario&, const Scenario&) = default;
 };
 
-/// The five scenarios of the paper in its order: axial, shear, bending, dome, saddle (experiments/scenarios/*.json).
+/// The five scenarios of the paper in its order: axial, shear, bending, dome, saddle
+/// (experiments/scenarios/*.json).
 const std::vector<Scenario>& paper_scenarios();
 
 /// Read a scenario from JSON text; `source` names it in messages. Throws InputError.

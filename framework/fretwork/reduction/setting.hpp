@@ -11,18 +11,20 @@
 
 namespace fretwork::reduction {
 
-/// Under what conditions patterns are loaded and compared: all that a response depends on besides its pattern.
+/// Under what conditions patterns are loaded and compared: all that a response depends on besides its
+/// pattern.
 struct Setting {
     mechanics::Material material;
     mechanics::Section section;
-    double tile_side = 0.0;            ///< m; side of the regular polygon, a hexagon
+    double tile_side = 0.0;  ///< m; side of the regular polygon, a hexagon
     int sides = 6;
     std::vector<Scenario> scenarios;
-    int magnitudes = 10;               ///< k = 1..magnitudes, at k / magnitudes of the scenario's largest magnitude
+    int magnitudes = 10;  ///< k = 1..magnitudes, at k / magnitudes of the scenario's largest magnitude
     friend bool operator==(const Setting&, const Setting&) = default;
 };
 
-/// The paper's: hexagon inscribed in a circle of diameter 0.03 sqrt(3) m, 2 x 2 mm, 1 GPa, nu 0.3, the five scenarios.
+/// The paper's: hexagon inscribed in a circle of diameter 0.03 sqrt(3) m, 2 x 2 mm, 1 GPa, nu 0.3, the five
+/// scenarios.
 Setting paper_setting();
 
 /// Read a setting file. Throws InputError with file and JSON pointer.
@@ -33,7 +35,8 @@ std::string setting_text(const Setting& setting);
 /// The inverse of setting_text; `source` names the text in messages.
 Setting parse_setting(std::string_view text, std::string source);
 
-/// In one line, the first difference between two settings ("/section/J: 2.25e-12, where the library has 2.3e-12"), or "".
+/// In one line, the first difference between two settings ("/section/J: 2.25e-12, where the library
+/// has 2.3e-12"), or "".
 std::string setting_difference(const Setting& wanted, const Setting& present);
 
 }  // namespace fretwork::reduction

@@ -11,8 +11,8 @@
 
 namespace fretwork::simulation {
 
-/// The one document that the command line and the studio share: outline, tessellation with its painting, load cases, and the
-/// library that its patterns were taken from.
+/// The one document that the command line and the studio share: outline, tessellation with its painting, load
+/// cases, and the library that its patterns were taken from.
 struct Project {
     tiling::Outline outline;
     tiling::Tessellation tessellation;

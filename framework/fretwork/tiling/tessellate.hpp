@@ -21,19 +21,20 @@ struct TessellationOptions {
 
 /// What the tiling came out as.
 struct TessellationReport {
-    double mean_side = 0.0;       ///< m
-    double sd_side = 0.0;         ///< m
-    double hexagon_share = 0.0;   ///< of the tiles
-    double covered_share = 0.0;   ///< area of the tiles over area of the outline
+    double mean_side = 0.0;      ///< m
+    double sd_side = 0.0;        ///< m
+    double hexagon_share = 0.0;  ///< of the tiles
+    double covered_share = 0.0;  ///< area of the tiles over area of the outline
     int tiles = 0;
 };
 
-/// Cover an outline with polygons: constrained triangulation and isotropic remeshing, relaxed, then the dual. Paper, Section 6.
-/// Throws GeometryError if the outline is too small for one tile. Deterministic.
-Tessellation tessellate(const Outline& outline, const pattern::NodeLayout& layout, const TessellationOptions& options,
-                        TessellationReport* report = nullptr);
+/// Cover an outline with polygons: constrained triangulation and isotropic remeshing, relaxed, then the dual.
+/// Paper, Section 6. Throws GeometryError if the outline is too small for one tile. Deterministic.
+Tessellation tessellate(const Outline& outline, const pattern::NodeLayout& layout,
+                        const TessellationOptions& options, TessellationReport* report = nullptr);
 
-/// Paint every tile with one of the patterns, evenly by chance. `patterns` are ids; deterministic given the seed.
+/// Paint every tile with one of the patterns, evenly by chance. `patterns` are ids; deterministic given the
+/// seed.
 void paint_randomly(Tessellation& tessellation, std::span<const std::string> patterns, std::uint64_t seed);
 /// Paint every tile with the same pattern.
 void paint_uniformly(Tessellation& tessellation, const std::string& pattern);

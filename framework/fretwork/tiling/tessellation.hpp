@@ -17,18 +17,19 @@ using InterfaceIndex = base::Index<struct InterfaceTag>;
 
 /// A convex polygon of the tessellation. Its first vertex is vertex 0, and so the orientation of its pattern.
 struct Tile {
-    std::vector<VertexIndex> vertices;          ///< counterclockwise
-    std::vector<InterfaceIndex> interface_nodes;  ///< side by side, on each side from vertex t to t + 1, as in pattern::Fan
-    int pattern = -1;                           ///< index into Tessellation::patterns; -1: not painted
+    std::vector<VertexIndex> vertices;  ///< counterclockwise
+    std::vector<InterfaceIndex>
+        interface_nodes;  ///< side by side, on each side from vertex t to t + 1, as in pattern::Fan
+    int pattern = -1;     ///< index into Tessellation::patterns; -1: not painted
 };
 
 /// A flat surface of polygons that share interface nodes, each painted with a pattern.
 struct Tessellation {
-    std::string layout;                          ///< name of the node layout whose interface nodes it has
-    std::vector<pattern::Point2> vertices;       ///< metres
+    std::string layout;                     ///< name of the node layout whose interface nodes it has
+    std::vector<pattern::Point2> vertices;  ///< metres
     std::vector<Tile> tiles;
     std::vector<pattern::Point2> interface_nodes;  ///< places, metres
-    std::vector<std::string> patterns;           ///< pattern ids, the palette in use
+    std::vector<std::string> patterns;             ///< pattern ids, the palette in use
 };
 
 /// The polygon of a tile.

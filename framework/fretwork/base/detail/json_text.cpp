@@ -12,7 +12,8 @@ class Layout {
   public:
     void append(const Json& value, int depth) {
         if (value.is_object() && !value.empty()) return append_object(value, depth);
-        if (value.is_array() && std::any_of(value.begin(), value.end(), [](const Json& v) { return v.is_structured(); })) {
+        if (value.is_array() &&
+            std::any_of(value.begin(), value.end(), [](const Json& v) { return v.is_structured(); })) {
             return append_nested_array(value, depth);
         }
         if (value.is_array()) return append_plain_array(value);
@@ -23,7 +24,8 @@ class Layout {
   private:
     void append_plain(const Json& value) {
         if (value.is_number_float() && !std::isfinite(value.get<double>())) {
-            throw NumericalError("a result holds a number that is not finite" + (key_.empty() ? "" : ", under '" + key_ + "'"));
+            throw NumericalError("a result holds a number that is not finite" +
+                                 (key_.empty() ? "" : ", under '" + key_ + "'"));
         }
         text_ += value.dump();
     }

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/base/provenance.hpp>
+
+#include "verbs.hpp"
+#include <cstdio>
+#include <new>
+
+namespace fretwork::app {
+namespace {
+
+/// The verbs, in the order in which data flows.
+constexpr void (*kVerbs[])(CLI::App&, ExitCode&) = {add_enumerate, add_calibrate, add_library,
+                                                    add_tile,      add_case,      add_simulate,
+                                                    add_compare,   add_solve,     add_export};
+
+/// One line, whatever a message may hold.
+void complain(const std::string& message) {
+    std::string line = message;
+    for (char& c : line) c = c == '\n' ? ' ' : c;
+    std::fprintf(stderr, "fretwork: %s\n", line.c_str());
+}
+
+ExitCode run(int argc, char** argv) {
+    CLI::App app("Flat, tileable beam patterns that bend: enumerate, calibrate, tile, simulate.", "fretwork");
+    app.set_version_flag("--version", base::version());
+    app.require_subcommand(1);
+    app.footer("fretwork VERB --help tells more, with an example.");
+    ExitCode exit_code = ExitCode::Done;
+    for (const auto add_verb : kVerbs) add_verb(app, exit_code);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::Success& success) {
+        app.exit(success);
+    } catch (const CLI::ParseError& error) {
+        complain(error.what());
+        return ExitCode::BadInput;
+    }
+    return exit_code;
+}
+
+}  // namespace
+}  // namespace fretwork::app
+
+int main(int argc, char** argv) {
+    using namespace fretwork;
+    try {
+        return static_cast<int>(app::run(argc, argv));
+    } catch (const base::Error& error) {
+        app::complain(error.what());
+    } catch (const std::bad_alloc&) {
+        app::complain("out of memory");
+    }
+    return static_cast<int>(app::ExitCode::BadInput);
+}
