@@ -1,0 +1,29 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The two commands of the README, and what else people here do often. All work is done by CMake and scripts/.
+.PHONY: demo test check reproduce bench format clean
+
+demo:       ## install what is missing, build, and run the main job: out/ holds the result
+	@scripts/install-dependencies.sh demo
+	@scripts/demo.sh
+
+test:       ## install what is missing, build, and pass the tests
+	@scripts/install-dependencies.sh test
+	@scripts/test.sh release sanitizers format
+
+check:      ## the slow rest: everything with assertions and under the sanitizers, and clang-tidy
+	@scripts/install-dependencies.sh check
+	@scripts/test.sh check dev tidy
+
+reproduce:  ## regenerate what the paper prints: paper | ours | verdict
+	@scripts/install-dependencies.sh demo
+	@scripts/reproduce.sh
+
+bench:      ## build and run the benchmarks of every stage
+	@scripts/install-dependencies.sh test
+	@scripts/bench.sh
+
+format:     ## lay out every source file
+	@git ls-files '*.cpp' '*.hpp' | xargs clang-format -i
+
+clean:
+	@rm -rf build out

@@ -1,0 +1,13 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Build and run the benchmarks. Usage: scripts/bench.sh [STAGE..]   (default: all). Figures go to build/bench/<stage>.json, too.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+cmake --preset bench >/dev/null
+cmake --build --preset bench >/dev/null
+for program in build/bench/bench/*_bench; do
+  stage=$(basename "$program" _bench)
+  if [[ $# -eq 0 || " $* " == *" $stage "* ]]; then
+    "$program" --benchmark_out="build/bench/$stage.json" --benchmark_out_format=json
+  fi
+done

@@ -1,0 +1,40 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Install what is missing on Debian 12, and nothing else. Works as root and with sudo; says nothing when all is there.
+# Usage: scripts/install-dependencies.sh [demo|test|check]     (each holds the ones before it; default: test)
+set -euo pipefail
+
+demo=(g++ cmake ninja-build git ca-certificates
+      libcgal-dev libceres-dev libeigen3-dev libboost-dev libboost-graph-dev libopenmesh-dev libsuitesparse-dev
+      libopenblas0-serial libsqlite3-dev nlohmann-json3-dev libcli11-dev libpugixml-dev
+      librsvg2-bin fonts-dejavu-core)
+test=("${demo[@]}" libgtest-dev libgmock-dev libbenchmark-dev clang-format)
+check=("${test[@]}" clang-tidy-16 sqlite3)
+
+case "${1:-test}" in
+  demo) wanted=("${demo[@]}") ;;
+  test) wanted=("${test[@]}") ;;
+  check) wanted=("${check[@]}") ;;
+  *) echo "install-dependencies.sh: unknown set '$1'; there is: demo, test, check" >&2; exit 2 ;;
+esac
+
+if ! command -v apt-get >/dev/null; then
+  echo "install-dependencies.sh: this system has no apt-get; install these Debian packages' like by hand: ${wanted[*]}" >&2
+  exit 2
+fi
+
+missing=()
+for package in "${wanted[@]}"; do
+  status=$(dpkg-query --show --showformat='${db:Status-Abbrev}' "$package" 2>/dev/null || true)
+  [[ $status == ii* ]] || missing+=("$package")
+done
+[[ ${#missing[@]} -eq 0 ]] && exit 0
+
+as_root=()
+if [[ $(id -u) -ne 0 ]]; then
+  command -v sudo >/dev/null || { echo "install-dependencies.sh: run as root, or install sudo; missing: ${missing[*]}" >&2; exit 2; }
+  as_root=(sudo)
+fi
+echo "Installing: ${missing[*]}"
+"${as_root[@]}" apt-get update -qq
+"${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null

@@ -1,0 +1,80 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Run the parts of the test suite one after the other, say how long each took, and end with "N passed, N failed".
+# Usage: scripts/test.sh PART..       parts: release sanitizers format tidy dev check
+set -uo pipefail
+cd "$(dirname "$0")/.."
+
+passed=0
+failed=0
+logs=build/logs
+mkdir -p "$logs"
+
+# count_ctest LOG: add the totals that CTest printed; a log without them is one failure.
+count_ctest() {
+  local line
+  line=$(grep -E '[0-9]+% tests passed, [0-9]+ tests failed out of [0-9]+' "$1" | tail -1)
+  if [[ $line =~ ([0-9]+)\ tests\ failed\ out\ of\ ([0-9]+) ]]; then
+    failed=$((failed + BASH_REMATCH[1]))
+    passed=$((passed + BASH_REMATCH[2] - BASH_REMATCH[1]))
+  else
+    failed=$((failed + 1))
+  fi
+}
+
+# count_once NAME COMMAND..: one command is one test.
+count_once() {
+  local name=$1
+  shift
+  if "$@" >"$logs/$name.log" 2>&1; then
+    passed=$((passed + 1))
+  else
+    failed=$((failed + 1))
+    tail -n 60 "$logs/$name.log"
+    echo "failed: $name"
+  fi
+}
+
+# build_and_ctest PRESET: configure, build, run every test of that build.
+build_and_ctest() {
+  local preset=$1
+  if ! { cmake --preset "$preset" && cmake --build --preset "$preset"; } >"$logs/$preset-build.log" 2>&1; then
+    tail -n 60 "$logs/$preset-build.log"
+    echo "failed: the build of $preset"
+    failed=$((failed + 1))
+    return
+  fi
+  ctest --preset "$preset" -j "$(nproc)" >"$logs/$preset-tests.log" 2>&1 || grep -E '\(Failed\)|\*\*\*|FAILED|Failure' -A 12 "$logs/$preset-tests.log" | head -n 200
+  grep -E 'Skipped\)|Not Run' "$logs/$preset-tests.log" || true
+  count_ctest "$logs/$preset-tests.log"
+}
+
+sources() { git ls-files '*.cpp' '*.hpp'; }
+
+check_format() { sources | xargs clang-format --dry-run --Werror; }
+
+check_tidy() {
+  cmake --preset check -DCMAKE_EXPORT_COMPILE_COMMANDS=ON -DFRETWORK_BUILD_BENCH=ON >/dev/null &&
+    cmake --build --preset check >/dev/null &&
+    git ls-files '*.cpp' | grep -v -e '^tests/install/' -e '/data/' |
+    xargs -P "$(nproc)" -n 4 clang-tidy-16 --quiet -p build/check
+}
+
+run_part() {
+  case "$1" in
+    release | check | dev) build_and_ctest "$1" ;;
+    sanitizers) build_and_ctest sanitize-light ;;
+    format) count_once format check_format ;;
+    tidy) count_once tidy check_tidy ;;
+    *) echo "test.sh: unknown part '$1'; there is: release, sanitizers, format, tidy, dev, check" >&2; exit 2 ;;
+  esac
+}
+
+for part in "$@"; do
+  started=$SECONDS
+  echo "== $part"
+  run_part "$part"
+  echo "== $part took $((SECONDS - started)) s"
+done
+echo "$passed passed, $failed failed"
+[[ $failed -eq 0 ]]

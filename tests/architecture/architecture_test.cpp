@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The architecture as a test: the direction of data, the fences around libraries, and the shape of files.
+#include <fretwork/base/file.hpp>
+#include <fretwork/base/text.hpp>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace fretwork {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path kFramework = fs::path(FRETWORK_SOURCE_DIR) / "framework" / "fretwork";
+
+/// The arrows, written out transitively: a stage may include itself and these.
+const std::map<std::string, std::set<std::string>> kMayInclude = {
+    {"base", {}},
+    {"pattern", {"base"}},
+    {"mechanics", {"base"}},
+    {"optimization", {"base"}},
+    {"reduction", {"base", "pattern", "mechanics", "optimization"}},
+    {"library", {"base", "pattern", "mechanics", "optimization", "reduction"}},
+    {"tiling", {"base", "pattern"}},
+    {"simulation", {"base", "pattern", "mechanics", "optimization", "reduction", "library", "tiling"}},
+    {"exports",
+     {"base", "pattern", "mechanics", "optimization", "reduction", "library", "tiling", "simulation"}},
+};
+
+/// Libraries behind a fence: which stages may use them, and only in files that no user of the framework sees.
+const std::map<std::string, std::set<std::string>> kFences = {
+    {"CGAL/", {"pattern", "tiling"}},
+    {"OpenMesh/", {"tiling"}},
+    {"boost/graph/", {"pattern"}},
+    {"nauty/", {"pattern"}},
+    {"cholmod", {"mechanics"}},
+    {"Eigen/CholmodSupport", {"mechanics"}},
+    {"ceres/", {"optimization"}},
+    {"nlopt", {"optimization"}},
+    {"pagmo/", {"optimization"}},
+    {"sqlite3", {"library"}},
+    {"pugixml", {"tiling", "exports"}},
+    {"nlohmann/",
+     {"base", "pattern", "mechanics", "optimization", "reduction", "library", "tiling", "simulation",
+      "exports"}},
+};
+
+struct SourceFile {
+    std::string name;  ///< relative to framework/fretwork
+    std::string stage;
+    bool is_public;  ///< a header that is installed
+    std::vector<std::string> lines;
+    std::vector<std::string> includes;
+};
+
+SourceFile read_source(const fs::path& path) {
+    SourceFile file;
+    const fs::path relative = fs::relative(path, kFramework);
+    file.name = relative.generic_string();
+    file.stage = relative.begin()->string();
+    file.is_public = path.extension() == ".hpp" && file.name.find("/detail/") == std::string::npos;
+    file.lines = base::split(base::read_text_file(path), '\n');
+    const std::regex include(R"(^\s*#\s*include\s*[<"]([^>"]+)[>"])");
+    for (const std::string& line : file.lines) {
+        std::smatch match;
+        if (std::regex_search(line, match, include)) file.includes.push_back(match[1]);
+    }
+    return file;
+}
+
+const std::vector<SourceFile>& sources() {
+    static const std::vector<SourceFile> files = [] {
+        std::vector<SourceFile> list;
+        for (const auto& entry : fs::recursive_directory_iterator(kFramework)) {
+            const std::string extension = entry.path().extension().string();
+            if (extension == ".hpp" || extension == ".cpp") list.push_back(read_source(entry.path()));
+        }
+        std::sort(list.begin(), list.end(), [](const auto& a, const auto& b) { return a.name < b.name; });
+        return list;
+    }();
+    return files;
+}
+
+/// The stage of an include such as "fretwork/pattern/fan.hpp"; empty for any other.
+std::string stage_of(const std::string& include) {
+    const auto parts = base::split(include, '/');
+    return parts.size() >= 3 && parts[0] == "fretwork" ? parts[1] : "";
+}
+
+TEST(Architecture, HasAFolderForEveryStageAndNoOther) {
+    std::set<std::string> found;
+    std::set<std::string> wanted;
+    for (const SourceFile& file : sources()) found.insert(file.stage);
+    for (const auto& [stage, ignored] : kMayInclude) wanted.insert(stage);
+    EXPECT_EQ(found, wanted);
+}
+
+TEST(Architecture, StagesIncludeOnlyWhatLiesBeforeThem) {
+    for (const SourceFile& file : sources()) {
+        for (const std::string& include : file.includes) {
+            const std::string stage = stage_of(include);
+            if (stage.empty() || stage == file.stage) continue;
+            EXPECT_TRUE(kMayInclude.at(file.stage).contains(stage))
+                << file.name << " includes <" << include << ">, against the direction of data";
+        }
+    }
+}
+
+TEST(Architecture, FencedLibrariesStayInTheirStages) {
+    for (const SourceFile& file : sources()) {
+        for (const std::string& include : file.includes) {
+            for (const auto& [library, stages] : kFences) {
+                if (!include.starts_with(library)) continue;
+                EXPECT_TRUE(stages.contains(file.stage)) << file.name << " includes <" << include << ">";
+                EXPECT_FALSE(file.is_public) << file.name << " is public and shows <" << include << ">";
+            }
+        }
+    }
+}
+
+TEST(Architecture, DetailHeadersAreNotForPublicHeadersNorForOtherStages) {
+    for (const SourceFile& file : sources()) {
+        for (const std::string& include : file.includes) {
+            if (include.find("/detail/") == std::string::npos || stage_of(include).empty()) continue;
+            EXPECT_FALSE(file.is_public) << file.name << " is public and includes <" << include << ">";
+            const bool shared = include == "fretwork/base/detail/json_text.hpp";
+            EXPECT_TRUE(shared || stage_of(include) == file.stage)
+                << file.name << " includes <" << include << ">";
+        }
+    }
+}
+
+TEST(Architecture, IncludesOfTheProjectStartAtItsRoot) {
+    for (const SourceFile& file : sources()) {
+        for (const std::string& line : file.lines) {
+            EXPECT_FALSE(line.starts_with("#include \"")) << file.name << ": " << line;
+        }
+    }
+}
+
+TEST(Architecture, EveryFileStartsWithItsLicence) {
+    for (const SourceFile& file : sources()) {
+        ASSERT_FALSE(file.lines.empty()) << file.name;
+        EXPECT_EQ(file.lines.front(), "// SPDX-License-Identifier: GPL-3.0-or-later") << file.name;
+    }
+}
+
+TEST(Architecture, FilesStaySmall) {
+    constexpr std::size_t kMostLines = 400;
+    for (const SourceFile& file : sources()) {
+        EXPECT_LE(file.lines.size(), kMostLines) << file.name << " holds more than one idea";
+    }
+}
+
+}  // namespace
+}  // namespace fretwork

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "support.hpp"
+#include <csignal>
+#include <sys/resource.h>
+#include <sys/wait.h>
+
+namespace fretwork::base {
+namespace {
+
+using test::complaint_of;
+using test::TemporaryFolder;
+using testing::HasSubstr;
+
+std::size_t entries(const std::filesystem::path& folder) {
+    return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(folder), {}));
+}
+
+TEST(File, ReadsBackWhatWasWritten) {
+    const TemporaryFolder folder;
+    const std::string content("a\0b\r\nc", 6);
+    write_file_atomically(folder.path() / "x", content);
+    EXPECT_EQ(read_text_file(folder.path() / "x"), content);
+}
+
+TEST(File, ReplacingKeepsPermissionsAndLeavesNothingBeside) {
+    const TemporaryFolder folder;
+    const auto path = folder.file("x", "old");
+    std::filesystem::permissions(path,
+                                 std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
+    write_file_atomically(path, "new");
+    EXPECT_EQ(read_text_file(path), "new");
+    EXPECT_EQ(std::filesystem::status(path).permissions(),
+              std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
+    EXPECT_EQ(entries(folder.path()), 1U);
+}
+
+TEST(File, AMissingFileAndAFolderAreRefusedByName) {
+    const TemporaryFolder folder;
+    EXPECT_THAT(complaint_of([&] { read_text_file(folder.path() / "none.json"); }), HasSubstr("none.json"));
+    EXPECT_THAT(complaint_of([&] { read_text_file(folder.path()); }), HasSubstr("is a folder"));
+}
+
+TEST(File, AFolderThatIsMissingCannotBeWrittenTo) {
+    const TemporaryFolder folder;
+    EXPECT_THROW(write_file_atomically(folder.path() / "none" / "x", "text"), IoError);
+    EXPECT_THROW(write_file_atomically(folder.path(), "text"), IoError);
+}
+
+TEST(File, AFullDiskIsReported) {
+    EXPECT_THROW(write_file_atomically("/dev/full", "text"), IoError);
+}
+
+/// A limit on the size of files stands for a full disk: write() fails after the first bytes.
+TEST(File, AFailedWriteLeavesTheOldFileAndNothingElse) {
+    const TemporaryFolder folder;
+    const auto path = folder.file("x", "old");
+    const pid_t child = ::fork();
+    if (child == 0) {
+        std::signal(SIGXFSZ, SIG_IGN);
+        const rlimit limit{1000, 1000};
+        ::setrlimit(RLIMIT_FSIZE, &limit);
+        try {
+            write_file_atomically(path, std::string(100000, 'n'));
+        } catch (const IoError&) {
+            ::_exit(0);
+        }
+        ::_exit(1);
+    }
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0);
+    EXPECT_EQ(read_text_file(path), "old");
+    EXPECT_EQ(entries(folder.path()), 1U);
+}
+
+}  // namespace
+}  // namespace fretwork::base

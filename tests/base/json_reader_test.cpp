@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/json_reader.hpp>
+
+#include "support.hpp"
+
+namespace fretwork::base {
+namespace {
+
+using test::complaint_of;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+JsonReader parsed(std::string_view text) {
+    return JsonReader::from_text(text, "test.json");
+}
+
+TEST(JsonReader, ReadsWhatIsThere) {
+    const auto json = parsed(R"({"a": 1.5, "b": [1, 2, 3], "c": "x", "d": true, "e": {"f": 7}})");
+    EXPECT_EQ(json.at("a").number(), 1.5);
+    EXPECT_EQ(json.at("b").numbers(3), (std::vector<double>{1, 2, 3}));
+    EXPECT_EQ(json.at("c").string(), "x");
+    EXPECT_TRUE(json.at("d").boolean());
+    EXPECT_EQ(json.at("e").at("f").integer(0, 10), 7);
+    EXPECT_FALSE(json.find("g").has_value());
+    EXPECT_EQ(json.at("b").elements()[2].pointer(), "/b/2");
+}
+
+TEST(JsonReader, MembersKeepTheOrderOfTheFile) {
+    const auto members = parsed(R"({"z": 1, "a": 2, "m": 3})").members();
+    EXPECT_EQ(members[0].first + members[1].first + members[2].first, "zam");
+}
+
+TEST(JsonReader, MalformedTextIsRefusedWithLineAndColumn) {
+    EXPECT_THAT(complaint_of([] { parsed("{\n  \"a\": 1,\n  \"b\" 2\n}"); }),
+                StartsWith("test.json: line 3, column "));
+    EXPECT_THAT(complaint_of([] { parsed(R"({"a": [1, 2)"); }), HasSubstr("line 1"));
+    EXPECT_THAT(complaint_of([] { parsed(""); }), HasSubstr("malformed JSON"));
+    EXPECT_THAT(complaint_of([] { parsed(R"({"a": NaN})"); }), HasSubstr("line 1, column 7"));
+}
+
+TEST(JsonReader, NumbersThatAreNotFiniteAreRefused) {
+    EXPECT_THROW(parsed(R"({"a": 1e999})"), InputError);
+    EXPECT_THROW(parsed(R"({"a": Infinity})"), InputError);
+}
+
+TEST(JsonReader, ARepeatedKeyIsRefused) {
+    EXPECT_THAT(complaint_of([] { parsed(R"({"a": {"b": 1, "b": 2}})"); }), HasSubstr("'b' appears twice"));
+    EXPECT_NO_THROW(parsed(R"({"a": {"b": 1}, "c": {"b": 2}})"));
+}
+
+TEST(JsonReader, AnUnknownKeyIsRefusedWithTheNearestKnownOne) {
+    const auto json = parsed(R"({"lenght": 1})");
+    EXPECT_EQ(complaint_of([&] {
+                  json.allow_only({"length", "width"});
+              }),
+              "test.json: /lenght: unknown key 'lenght'; did you mean 'length'?");
+    EXPECT_THAT(complaint_of([&] { json.allow_only({"area"}); }), HasSubstr("there is: area"));
+}
+
+TEST(JsonReader, AMissingKeyIsNamedWithItsPlace) {
+    EXPECT_EQ(complaint_of([] { (void)parsed(R"({"a": {}})").at("a").at("b"); }),
+              "test.json: /a: the key 'b' is missing");
+}
+
+TEST(JsonReader, WrongTypesNameThePlaceAndTheValue) {
+    const auto json = parsed(R"({"a": ["x", 3, 2.5, -1, null]})");
+    const auto element = [&](std::size_t i) { return json.at("a").elements()[i]; };
+    EXPECT_EQ(complaint_of([&] { (void)element(0).number(); }),
+              "test.json: /a/0: is \"x\", where a number is needed");
+    EXPECT_THAT(complaint_of([&] { (void)element(1).string(); }), HasSubstr("is 3, where a text is needed"));
+    EXPECT_THAT(complaint_of([&] { (void)element(2).integer(0, 9); }),
+                HasSubstr("a whole number from 0 to 9"));
+    EXPECT_THAT(complaint_of([&] { (void)element(3).positive_number(); }), HasSubstr("above zero"));
+    EXPECT_THAT(complaint_of([&] { (void)element(4).boolean(); }), HasSubstr("is null"));
+    EXPECT_THAT(complaint_of([&] { (void)json.at("a").numbers(3); }),
+                HasSubstr("has 5 elements, where 3 are needed"));
+    EXPECT_THAT(complaint_of([&] { (void)json.elements(); }), HasSubstr("an array is needed"));
+}
+
+TEST(JsonReader, IntegersBeyondTheRangeAreRefused) {
+    EXPECT_THROW((void)parsed("18446744073709551615").integer(-1, 10), InputError);
+    EXPECT_THROW((void)parsed("-5").integer(-1, 10), InputError);
+    EXPECT_EQ(parsed("-1").integer(-1, 10), -1);
+}
+
+TEST(JsonReader, TheFormatMustBeTheWantedOne) {
+    EXPECT_NO_THROW(parsed(R"({"format": "fretwork/frame/1"})").expect_format("frame"));
+    EXPECT_THAT(complaint_of([] { parsed(R"({"format": "fretwork/frame/2"})").expect_format("frame"); }),
+                HasSubstr("\"fretwork/frame/1\" is needed"));
+}
+
+TEST(JsonReader, PointersEscapeTheirSpecialCharacters) {
+    EXPECT_EQ(parsed(R"({"a/b~c": 1})").at("a/b~c").pointer(), "/a~1b~0c");
+}
+
+TEST(JsonReader, LongValuesAreShortenedInMessages) {
+    const auto json = parsed("{\"a\": \"" + std::string(5000, 'x') + "\"}");
+    EXPECT_LT(complaint_of([&] { (void)json.at("a").number(); }).size(), 200U);
+}
+
+}  // namespace
+}  // namespace fretwork::base

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/detail/json_text.hpp>
+
+#include "support.hpp"
+#include <limits>
+
+namespace fretwork::base::detail {
+namespace {
+
+TEST(JsonText, ReadsBackAsTheSameDocument) {
+    Json document;
+    document["numbers"] = {0.1, 1e-300, 1.0 / 3.0, -0.0};
+    document["nested"] = {{1, 2}, {3}, Json::array()};
+    document["empty"] = Json::object();
+    document["text"] = "quotes \" and\nlines";
+    EXPECT_EQ(Json::parse(json_text(document)), document);
+}
+
+TEST(JsonText, PutsARowOfNumbersOnOneLine) {
+    Json document;
+    document["rows"] = {{1, 2, 3}, {4, 5, 6}};
+    EXPECT_EQ(json_text(document), "{\n  \"rows\": [\n    [1, 2, 3],\n    [4, 5, 6]\n  ]\n}\n");
+}
+
+TEST(JsonText, RefusesNumbersThatAreNotFinite) {
+    Json document;
+    document["bad"] = {1.0, std::numeric_limits<double>::quiet_NaN()};
+    EXPECT_THAT(test::complaint_of([&] { json_text(document); }), testing::HasSubstr("'bad'"));
+}
+
+}  // namespace
+}  // namespace fretwork::base::detail

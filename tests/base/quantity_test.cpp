@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/quantity.hpp>
+
+#include "support.hpp"
+#include <numbers>
+
+namespace fretwork::base {
+namespace {
+
+TEST(Quantity, LengthsComeOutInMetres) {
+    EXPECT_DOUBLE_EQ(parse_length("26mm"), 0.026);
+    EXPECT_DOUBLE_EQ(parse_length("2.6 cm"), 0.026);
+    EXPECT_DOUBLE_EQ(parse_length("0.026m"), 0.026);
+    EXPECT_DOUBLE_EQ(parse_length("0.026"), 0.026);
+    EXPECT_DOUBLE_EQ(parse_length("26000um"), 0.026);
+}
+
+TEST(Quantity, AnglesComeOutInRadians) {
+    EXPECT_DOUBLE_EQ(parse_angle("180"), std::numbers::pi);
+    EXPECT_DOUBLE_EQ(parse_angle("90deg"), std::numbers::pi / 2);
+    EXPECT_DOUBLE_EQ(parse_angle("0.5rad"), 0.5);
+}
+
+TEST(Quantity, AnythingElseIsRefusedWithTheText) {
+    for (const char* text : {"", "mm", "26 miles", "nan", "inf", "1e999", "26mmm", "--3", "26deg"}) {
+        EXPECT_THAT(test::complaint_of([&] { parse_length(text); }),
+                    testing::HasSubstr("'" + std::string(text) + "'"));
+    }
+    EXPECT_THROW(parse_angle("3mm"), InputError);
+    EXPECT_THROW(parse_number("3x"), InputError);
+}
+
+}  // namespace
+}  // namespace fretwork::base
