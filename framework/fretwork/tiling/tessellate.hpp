@@ -28,10 +28,16 @@ struct TessellationReport {
     int tiles = 0;
 };
 
+/// What `tessellate` gives.
+struct TessellationResult {
+    Tessellation tessellation;
+    TessellationReport report;
+};
+
 /// Cover an outline with polygons: constrained triangulation and isotropic remeshing, relaxed, then the dual.
 /// Paper, Section 6. Throws GeometryError if the outline is too small for one tile. Deterministic.
-Tessellation tessellate(const Outline& outline, const pattern::NodeLayout& layout,
-                        const TessellationOptions& options, TessellationReport* report = nullptr);
+TessellationResult tessellate(const Outline& outline, const pattern::NodeLayout& layout,
+                              const TessellationOptions& options);
 
 /// Paint every tile with one of the patterns, evenly by chance. `patterns` are ids; deterministic given the
 /// seed.

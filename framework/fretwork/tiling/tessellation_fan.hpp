@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/pattern/node_layout.hpp>
+#include <fretwork/tiling/tessellation.hpp>
+
+#include <array>
+#include <vector>
+
+namespace fretwork::tiling {
+
+/// A node of a TessellationFan, in the order of TessellationFan::nodes.
+using TessellationNodeIndex = base::Index<struct TessellationNodeTag>;
+
+/// The patterns of all tiles as one graph in the plane: what full models and drawings are made from.
+///
+/// Nodes: first all interface nodes of the tessellation, with their own ids, used by a pattern or not; then
+/// the inner nodes, tile by tile, each tile's in the order of its fan. Edges run tile by tile, each tile's in
+/// the order of its fan.
+struct TessellationFan {
+    struct Edge {
+        std::array<TessellationNodeIndex, 2> nodes;
+        TileIndex tile;
+        friend bool operator==(const Edge&, const Edge&) = default;
+    };
+    int interface_node_count = 0;
+    std::vector<pattern::Point2> nodes;  ///< metres
+    std::vector<Edge> edges;
+    /// For each tile its nodes here, in the order of its pattern::Fan::nodes.
+    std::vector<std::vector<TessellationNodeIndex>> tile_nodes;
+    /// For each tile its first edge, and behind the last tile the number of edges.
+    std::vector<int> first_edge;
+};
+
+/// Repeat every tile's pattern around its polygon. Throws InputError if the tessellation is for another
+/// layout, or a tile is not painted.
+TessellationFan assemble_fans(const pattern::NodeLayout& layout, const Tessellation& tessellation);
+
+}  // namespace fretwork::tiling
