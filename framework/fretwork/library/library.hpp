@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/pattern/node_layout.hpp>
+#include <fretwork/pattern/pattern.hpp>
+#include <fretwork/reduction/calibration.hpp>
+#include <fretwork/reduction/response.hpp>
+#include <fretwork/reduction/setting.hpp>
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace fretwork::library {
+
+enum class Access { ReadOnly, ReadWrite };
+
+/// A pattern of a library.
+struct PatternEntry {
+    std::string id;  ///< without the layout's name: "0-1+1-6"
+    pattern::Pattern pattern;
+};
+
+/// What tells the calibrations of one pattern apart.
+struct CalibrationKey {
+    std::string model = "paper6";
+    std::string optimizer;
+    std::uint64_t seed = 0;  ///< below 2^63
+    int starts = 0;
+    int budget = 0;  ///< evaluations at most
+    friend bool operator==(const CalibrationKey&, const CalibrationKey&) = default;
+};
+CalibrationKey calibration_key(const reduction::CalibrationOptions& options, std::string model = "paper6");
+
+/// A calibration, and what the library keeps beside it.
+struct CalibrationRecord {
+    reduction::Calibration calibration;
+    int budget = 0;        ///< evaluations at most
+    double seconds = 0.0;  ///< wall time; not part of the content
+    [[nodiscard]] CalibrationKey key() const;
+};
+
+/// What is to be stored of one pattern. Whatever is empty is left as it is.
+struct PatternData {
+    std::string pattern;                         ///< id
+    std::vector<reduction::Response> responses;  ///< none, or one for each scenario of the setting
+    std::vector<CalibrationRecord> calibrations;
+    std::vector<std::pair<std::string, double>> properties;  ///< name and value, SI
+};
+
+/// A pattern on which a computation failed. It is recorded, and does not stop the rest.
+struct Failure {
+    std::string pattern;  ///< id
+    std::string stage;    ///< responses_stage(), or calibration_stage(key)
+    std::string reason;   ///< one line
+    friend bool operator==(const Failure&, const Failure&) = default;
+};
+std::string responses_stage();
+std::string calibration_stage(const CalibrationKey& key);
+
+/// The pattern library: one setting, patterns of one node layout, their responses, calibrations and
+/// properties, in one SQLite file (tables and columns: schema.md).
+///
+/// Every writing call is one transaction: a process killed at any moment, or a disk that is full, leaves the
+/// file as it was before or after the call. A stored response or calibration never changes: to store the same
+/// again does nothing, to store another is an InputError. A Library is used by one thread at a time; several
+/// processes may have one file open (rollback journal and file locks, so network disks work).
+///
+/// Reading calls throw InputError if an id is unknown or the file is damaged; writing calls also IoError
+/// (disk full, no permission, locked by another process for longer than ten seconds).
+class Library {
+  public:
+    /// Make a new file. Throws InputError if there is one already; IoError if it cannot be written.
+    static Library create(const std::filesystem::path& path, const pattern::NodeLayout& layout,
+                          const reduction::Setting& setting);
+    /// Throws InputError if the file is missing, is no library, or is one of a newer version.
+    static Library open(const std::filesystem::path& path, Access access = Access::ReadOnly);
+    /// Open the file for writing if there is one, and check its layout and setting; else create it.
+    static Library open_or_create(const std::filesystem::path& path, const pattern::NodeLayout& layout,
+                                  const reduction::Setting& setting);
+    Library(Library&&) noexcept;
+    Library& operator=(Library&&) noexcept;
+    ~Library();
+
+    [[nodiscard]] const std::filesystem::path& path() const;
+    [[nodiscard]] const pattern::NodeLayout& layout() const;
+    [[nodiscard]] const reduction::Setting& setting() const;
+    /// Throws InputError that names the first difference.
+    void check_setting(const reduction::Setting& wanted) const;
+    void check_layout(const pattern::NodeLayout& wanted) const;
+
+    /// Add patterns; those that are there already are left alone. Returns how many are new.
+    std::size_t add_patterns(std::span<const pattern::Pattern> patterns);
+    [[nodiscard]] std::size_t pattern_count() const;
+    /// All patterns by number of edges, then by their edges: the order of the enumeration, however they came
+    /// in.
+    [[nodiscard]] std::vector<PatternEntry> patterns() const;
+    /// The pattern of an id, given as pattern::parse_pattern_id takes it. Throws InputError that names the
+    /// nearest id.
+    [[nodiscard]] PatternEntry find_pattern(std::string_view id) const;
+
+    /// The patterns, in the order of patterns(), whose responses are neither stored nor recorded as failed.
+    [[nodiscard]] std::vector<PatternEntry> patterns_without_responses() const;
+    /// The same for a calibration; patterns whose responses failed are left out.
+    [[nodiscard]] std::vector<PatternEntry> patterns_without_calibration(const CalibrationKey& key) const;
+
+    /// Store a batch in one transaction: all of it or nothing. A failure recorded for what is now stored is
+    /// forgotten. Throws InputError (unknown pattern, scenario or number of samples; another value than the
+    /// stored one), NumericalError (a value is not finite).
+    void store(std::span<const PatternData> batch, std::span<const Failure> failures = {});
+    [[nodiscard]] std::vector<Failure> failures() const;
+    /// Forget all failures, so that their patterns are tried again.
+    void forget_failures();
+
+    /// The responses of a pattern in the order of the setting's scenarios; empty if they are not there.
+    [[nodiscard]] std::vector<reduction::Response> responses(std::string_view pattern_id) const;
+    /// All calibrations of a pattern, sorted by key.
+    [[nodiscard]] std::vector<CalibrationRecord> calibrations(std::string_view pattern_id) const;
+    /// The calibration of a pattern with the smallest objective.
+    [[nodiscard]] std::optional<CalibrationRecord> best_calibration(std::string_view pattern_id,
+                                                                    std::string_view model = "paper6") const;
+    /// Properties of a pattern, sorted by name.
+    [[nodiscard]] std::vector<std::pair<std::string, double>> properties(std::string_view pattern_id) const;
+
+    /// A SHA-256 (64 hexadecimal digits) of the content: layout, setting, patterns, responses, calibrations,
+    /// properties, failures. It does not depend on the order in which they came in, on times, hosts and
+    /// program versions, or on how SQLite laid out the file.
+    [[nodiscard]] std::string content_hash() const;
+    /// Write each table as one CSV file into a folder (made if missing), and layout.json and setting.json.
+    /// Rows are sorted; times and hosts are left out, so equal contents give equal files.
+    void export_csv(const std::filesystem::path& folder) const;
+
+  private:
+    struct Impl;
+    explicit Library(std::unique_ptr<Impl> impl);
+    std::unique_ptr<Impl> impl_;
+};
+
+/// Merge libraries of one layout and one setting into a new file. Rows that are in several must be equal. The
+/// order of the inputs does not matter. Throws InputError (an output that exists, settings that differ, a row
+/// that differs, by name), IoError; then there is no output.
+void merge(const std::filesystem::path& output, std::span<const std::filesystem::path> inputs);
+
+}  // namespace fretwork::library
