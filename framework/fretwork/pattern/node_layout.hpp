@@ -75,7 +75,16 @@ class NodeLayout {
 /// Read a layout file. Throws InputError with file and place.
 NodeLayout read_node_layout(const std::filesystem::path& path);
 
-/// A layout by its name, if it is one that the library brings along ("paper7"), else by its file.
+/// The layout as the text of a layout file: what a pattern library stores.
+std::string node_layout_text(const NodeLayout& layout);
+/// The inverse of node_layout_text; `source` names the text in messages.
+NodeLayout parse_node_layout(std::string_view text, std::string source);
+
+/// The names of the layouts that the library brings along, the paper's first.
+std::vector<std::string> layout_names();
+
+/// A layout by its name, if it is one that the library brings along ("paper7"), else by its file. Throws
+/// InputError.
 NodeLayout find_node_layout(std::string_view name_or_path);
 
 }  // namespace fretwork::pattern
