@@ -31,6 +31,9 @@ class Pattern {
     Bits edges_;
 };
 
+/// The candidate edge of a text such as "1-6". Throws InputError if there is none.
+EdgeIndex find_edge(const NodeLayout& layout, std::string_view text);
+
 /// "0-1+1-6": the chosen edges i-j with i < j, sorted by i then j as numbers. Stable for ever.
 std::string pattern_id(const NodeLayout& layout, const Pattern& pattern);
 

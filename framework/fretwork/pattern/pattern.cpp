@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/base/text.hpp>
+#include <fretwork/pattern/pattern.hpp>
+
+#include <algorithm>
+#include <charconv>
+#include <optional>
+
+namespace fretwork::pattern {
+namespace {
+
+std::string edge_text(const Edge& edge) {
+    return std::to_string(edge.first.value) + "-" + std::to_string(edge.second.value);
+}
+
+std::optional<LayoutNodeIndex> parse_node(std::string_view text) {
+    int number = 0;
+    const auto result = std::from_chars(text.data(), text.data() + text.size(), number);
+    const bool is_plain = !text.empty() && text.front() >= '0' && text.front() <= '9';
+    if (!is_plain || result.ec != std::errc{} || result.ptr != text.data() + text.size()) return std::nullopt;
+    return LayoutNodeIndex(number);
+}
+
+std::optional<Edge> parse_edge(std::string_view text) {
+    const auto dash = text.find('-');
+    if (dash == std::string_view::npos) return std::nullopt;
+    const auto first = parse_node(text.substr(0, dash));
+    const auto second = parse_node(text.substr(dash + 1));
+    if (!first || !second) return std::nullopt;
+    return Edge{std::min(*first, *second), std::max(*first, *second)};
+}
+
+std::string_view without_layout_name(const NodeLayout& layout, std::string_view id) {
+    const auto colon = id.rfind(':');
+    if (colon == std::string_view::npos) return id;
+    if (id.substr(0, colon) != layout.name()) {
+        throw base::InputError("'" + std::string(id) + "' belongs to another layout than '" + layout.name() +
+                               "'");
+    }
+    return id.substr(colon + 1);
+}
+
+}  // namespace
+
+std::vector<EdgeIndex> Pattern::edges() const {
+    std::vector<EdgeIndex> chosen;
+    for (std::size_t e = edges_._Find_first(); e < edges_.size(); e = edges_._Find_next(e)) {
+        chosen.emplace_back(e);
+    }
+    return chosen;
+}
+
+EdgeIndex find_edge(const NodeLayout& layout, std::string_view text) {
+    const std::optional<Edge> edge = parse_edge(text);
+    if (!edge) {
+        throw base::InputError("'" + std::string(text) +
+                               "' is no edge: one is two nodes joined by '-', as in 0-1");
+    }
+    const auto candidates = layout.candidate_edges();
+    const auto found = std::lower_bound(candidates.begin(), candidates.end(), *edge);
+    if (found == candidates.end() || *found != *edge) {
+        throw base::InputError("'" + std::string(text) + "' is no candidate edge of the layout '" +
+                               layout.name() + "'");
+    }
+    return EdgeIndex(found - candidates.begin());
+}
+
+std::string pattern_id(const NodeLayout& layout, const Pattern& pattern) {
+    std::string id;
+    for (const EdgeIndex edge : pattern.edges()) {
+        id += (id.empty() ? "" : "+") + edge_text(layout.candidate_edges()[static_cast<std::size_t>(edge)]);
+    }
+    return id;
+}
+
+Pattern parse_pattern_id(const NodeLayout& layout, std::string_view id) {
+    Pattern::Bits chosen;
+    for (const std::string& text : base::split(without_layout_name(layout, id), '+')) {
+        const auto edge = static_cast<std::size_t>(find_edge(layout, text));
+        if (chosen.test(edge)) {
+            throw base::InputError("the pattern id '" + std::string(id) + "' names the edge " + text +
+                                   " twice");
+        }
+        chosen.set(edge);
+    }
+    return Pattern(chosen);
+}
+
+}  // namespace fretwork::pattern

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace fretwork::pattern {
+
+/// An exact fraction in lowest terms with a positive denominator.
+///
+/// Numerator and denominator have 64 bits; a result that does not fit is a NumericalError, never a wrong
+/// number.
+class Rational {
+  public:
+    constexpr Rational() = default;
+    constexpr Rational(std::int64_t whole) : numerator_(whole) {}  // NOLINT(google-explicit-constructor)
+    /// Throws NumericalError if the denominator is zero.
+    Rational(std::int64_t numerator, std::int64_t denominator);
+
+    [[nodiscard]] constexpr std::int64_t numerator() const { return numerator_; }
+    [[nodiscard]] constexpr std::int64_t denominator() const { return denominator_; }
+    /// The double nearest to the quotient of the two as doubles.
+    [[nodiscard]] double to_double() const;
+    /// "3/10", or "2" for a whole number. parse_rational reads it back.
+    [[nodiscard]] std::string text() const;
+
+    friend Rational operator+(const Rational& left, const Rational& right);
+    friend Rational operator-(const Rational& left, const Rational& right);
+    friend Rational operator*(const Rational& left, const Rational& right);
+    /// Throws NumericalError if `right` is zero.
+    friend Rational operator/(const Rational& left, const Rational& right);
+    friend bool operator==(const Rational&, const Rational&) = default;
+    friend std::strong_ordering operator<=>(const Rational& left, const Rational& right);
+
+  private:
+    std::int64_t numerator_ = 0;
+    std::int64_t denominator_ = 1;
+};
+
+/// Read a fraction ("1/3", "-2/5"), a whole number ("1") or a decimal ("0.3"), exactly. Throws InputError on
+/// anything else, a zero denominator and numbers of more than 18 digits included.
+Rational parse_rational(std::string_view text);
+
+}  // namespace fretwork::pattern
