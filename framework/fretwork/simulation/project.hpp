@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <fretwork/pattern/node_layout.hpp>
 #include <fretwork/simulation/load_case.hpp>
 #include <fretwork/tiling/outline.hpp>
 #include <fretwork/tiling/tessellation.hpp>
@@ -11,11 +12,11 @@
 
 namespace fretwork::simulation {
 
-/// The one document that the command line and the studio share: outline, tessellation with its painting, load
-/// cases, and the library that its patterns were taken from.
+/// The one document that the command line and the studio share.
 struct Project {
+    pattern::NodeLayout layout = pattern::find_node_layout("paper7");  ///< of the tessellation's patterns
     tiling::Outline outline;
-    tiling::Tessellation tessellation;
+    tiling::Tessellation tessellation;  ///< with its painting
     std::vector<LoadCase> load_cases;
     std::string library_path;  ///< relative to the project file; empty: none
     std::string library_hash;  ///< content hash of the library when the project was made
@@ -26,7 +27,7 @@ Project read_project(const std::filesystem::path& path);
 /// Throws IoError; then the file is as it was.
 void write_project(const Project& project, const std::filesystem::path& path);
 
-/// The load case of a name. Throws InputError that lists what there is.
+/// The load case of a name; "" is the only one there is. Throws InputError that lists what there is.
 const LoadCase& find_load_case(const Project& project, const std::string& name);
 
 }  // namespace fretwork::simulation

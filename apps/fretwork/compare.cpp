@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// fretwork compare: how far a reduced result is from the full one, as a row of the paper's Table 3.
+#include <fretwork/base/detail/json_text.hpp>
+#include <fretwork/simulation/comparison.hpp>
+
+#include "verbs.hpp"
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+namespace fretwork::app {
+namespace {
+
+struct Options {
+    std::string full;
+    std::string reduced;
+    std::string name;
+    std::optional<double> tolerance;
+    bool json = false;
+};
+
+base::detail::Json to_json(const std::string& name, const simulation::Comparison& comparison) {
+    return {{"example", name},
+            {"width_m", comparison.width},
+            {"height_m", comparison.height},
+            {"max_displacement_m", comparison.max_displacement},
+            {"max_translation_error_m", comparison.max_translation_error},
+            {"mean_translation_error_m", comparison.mean_translation_error},
+            {"sd_translation_error", comparison.sd_translation_error},
+            {"max_rotation_rad", comparison.max_rotation},
+            {"max_rotation_error_rad", comparison.max_rotation_error},
+            {"mean_rotation_error_rad", comparison.mean_rotation_error},
+            {"sd_rotation_error", comparison.sd_rotation_error},
+            {"relative_l2_error", comparison.relative_l2_error},
+            {"full_model_seconds", comparison.full_seconds},
+            {"reduced_model_seconds", comparison.reduced_seconds}};
+}
+
+ExitCode run(const Options& options) {
+    const auto full = mechanics::read_result(options.full);
+    const auto reduced = mechanics::read_result(options.reduced);
+    const simulation::Comparison comparison = simulation::compare(full, reduced);
+    const std::string name =
+        options.name.empty() ? std::filesystem::path(options.full).stem().string() : options.name;
+    if (options.json) {
+        std::fputs(base::detail::json_text(to_json(name, comparison)).c_str(), stdout);
+    } else {
+        std::printf("%s\n%s\n", simulation::comparison_header().c_str(),
+                    simulation::comparison_row(name, comparison).c_str());
+    }
+    if (options.tolerance && !(comparison.relative_l2_error <= *options.tolerance)) {
+        std::fprintf(stderr, "fretwork: the relative error %.4g is above the tolerance %.4g\n",
+                     comparison.relative_l2_error, *options.tolerance);
+        return ExitCode::DidNotSucceed;
+    }
+    return ExitCode::Done;
+}
+
+}  // namespace
+
+void add_compare(CLI::App& app, ExitCode& exit_code) {
+    CLI::App* verb = app.add_subcommand(
+        "compare", "Compare a reduced model's result with the full model's: a row of Table 3");
+    const auto options = std::make_shared<Options>();
+    verb->add_option("full", options->full, "Result of the full model")->required();
+    verb->add_option("reduced", options->reduced, "Result of a reduced model of the same project")
+        ->required();
+    verb->add_option("--name", options->name, "First column (default: the first file's name)");
+    verb->add_option("--tolerance", options->tolerance,
+                     "Exit with 1 if the relative L2 error of the translations is above it")
+        ->check(CLI::NonNegativeNumber);
+    verb->add_flag("--json", options->json, "Print JSON");
+    verb->footer("Example: fretwork compare full.json reduced.json");
+    verb->callback([options, &exit_code] { exit_code = run(*options); });
+}
+
+}  // namespace fretwork::app

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "project_library.hpp"
+
+#include <fretwork/base/error.hpp>
+
+#include <filesystem>
+
+namespace fretwork::app {
+
+std::optional<library::Library> open_project_library(const std::string& project_file,
+                                                     const simulation::Project& project,
+                                                     const std::string& wanted) {
+    if (!wanted.empty()) return library::Library::open(wanted);
+    if (project.library_path.empty()) return std::nullopt;
+    const auto path = std::filesystem::path(project_file).parent_path() / project.library_path;
+    library::Library library = library::Library::open(path);
+    if (library.content_hash() != project.library_hash) {
+        throw base::InputError(
+            project_file, "/library/hash",
+            "the library " + path.string() +
+                " has changed since the project was made; name it with --library to use it as it is now");
+    }
+    return library;
+}
+
+}  // namespace fretwork::app

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/library/library.hpp>
+#include <fretwork/simulation/project.hpp>
+
+#include <optional>
+#include <string>
+
+namespace fretwork::app {
+
+/// The library that a project is to be simulated with: the one that is asked for, else the project's own (its
+/// path is relative to the project file), else none. Throws InputError if the project's library has changed
+/// since the project was made.
+std::optional<library::Library> open_project_library(const std::string& project_file,
+                                                     const simulation::Project& project,
+                                                     const std::string& wanted);
+
+}  // namespace fretwork::app

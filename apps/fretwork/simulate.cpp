@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// fretwork simulate: a project under one of its load cases, with the full or a reduced model.
+#include <fretwork/base/detail/json_text.hpp>
+#include <fretwork/exports/writer_catalogue.hpp>
+#include <fretwork/simulation/model_catalogue.hpp>
+#include <fretwork/simulation/simulate.hpp>
+
+#include "project_library.hpp"
+#include "verbs.hpp"
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+namespace fretwork::app {
+namespace {
+
+using simulation::LoadCase;
+using simulation::Project;
+using simulation::Surface;
+
+struct Options {
+    std::string project;
+    std::string load_case;
+    std::string library;
+    std::string out;
+    std::string frame_out;
+    bool linear = false;
+    bool json = false;
+    simulation::SimulationOptions simulation;
+};
+
+/// A file is one by its ending or its folder; anything else is the name of a load case of the project.
+LoadCase chosen_load_case(const Project& project, const std::string& name_or_file) {
+    const std::filesystem::path path(name_or_file);
+    if (path.extension() == ".json" || path.has_parent_path()) return simulation::read_load_case(path);
+    return simulation::find_load_case(project, name_or_file);
+}
+
+base::detail::Json summary(const Options& options, const LoadCase& load_case,
+                           const mechanics::Result& result) {
+    const auto& solution = result.solution;
+    return {{"model", options.simulation.model},
+            {"load_case", load_case.name},
+            {"solver", result.solver},
+            {"converged", solution.converged()},
+            {"stable", solution.stable},
+            {"termination", mechanics::termination_name(solution.termination)},
+            {"largest_displacement", solution.displacements.leftCols<3>().rowwise().norm().maxCoeff()},
+            {"largest_rotation", solution.displacements.rightCols<3>().rowwise().norm().maxCoeff()},
+            {"iterations", solution.iterations},
+            {"seconds", result.seconds}};
+}
+
+void print(const base::detail::Json& summary) {
+    std::printf("%s model, load case '%s', %s: %s%s\n", summary["model"].get<std::string>().c_str(),
+                summary["load_case"].get<std::string>().c_str(), summary["solver"].get<std::string>().c_str(),
+                summary["termination"].get<std::string>().c_str(),
+                summary["stable"].get<bool>() ? "" : ", unstable");
+    std::printf("largest displacement %.4g mm, largest rotation %.4g deg, %.3g s\n",
+                1e3 * summary["largest_displacement"].get<double>(),
+                summary["largest_rotation"].get<double>() * 57.29577951308232,
+                summary["seconds"].get<double>());
+}
+
+ExitCode run(Options options) {
+    if (options.linear) options.simulation.analysis = simulation::Analysis::Linear;
+    options.simulation.validate();
+    const Project project = simulation::read_project(options.project);
+    const auto library = open_project_library(options.project, project, options.library);
+    const Surface surface = simulation::make_surface(project, library ? &*library : nullptr);
+    const LoadCase load_case = chosen_load_case(project, options.load_case);
+    if (!options.frame_out.empty()) {
+        mechanics::write_frame(simulation::full_model_frame(surface, simulation::resolve(load_case, surface)),
+                               options.frame_out);
+    }
+    const mechanics::Result result = simulation::simulate(surface, load_case, options.simulation);
+    mechanics::write_result(result, options.out);
+    const auto told = summary(options, load_case, result);
+    if (options.json) {
+        std::fputs(base::detail::json_text(told).c_str(), stdout);
+    } else {
+        print(told);
+    }
+    return result.solution.converged() ? ExitCode::Done : ExitCode::DidNotSucceed;
+}
+
+std::string models_help() {
+    std::string text = "Model:";
+    for (const simulation::ModelRow& model : simulation::model_catalogue()) {
+        text += "\n  " + std::string(model.name) + ": " + std::string(model.description);
+    }
+    return text;
+}
+
+}  // namespace
+
+void add_simulate(CLI::App& app, ExitCode& exit_code) {
+    CLI::App* verb = app.add_subcommand(
+        "simulate", "Simulate a project under a load case, with the full or a reduced model");
+    const auto options = std::make_shared<Options>();
+    verb->add_option("project", options->project, "Project file")->required();
+    verb->add_option("--case", options->load_case, "Name of a load case of the project, or a load case file");
+    verb->add_option("--model", options->simulation.model, models_help())->capture_default_str();
+    verb->add_flag("--linear", options->linear, "Small displacements, whatever the model");
+    verb->add_option("--steps", options->simulation.load_steps, "Results at so many equal shares of the load")
+        ->capture_default_str();
+    verb->add_option("--library", options->library,
+                     "Library with the setting and the calibrations (default: the project's)");
+    verb->add_option("--out", options->out, "Result file")->required();
+    verb->add_option("--frame-out", options->frame_out, "Write the full model as a frame file, too");
+    verb->add_flag("--json", options->json, "Print JSON");
+    verb->footer(
+        "Example: fretwork simulate project.json --case cantilever --model condensed --out reduced.json");
+    verb->callback([options, &exit_code] { exit_code = run(*options); });
+}
+
+}  // namespace fretwork::app

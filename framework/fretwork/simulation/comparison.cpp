@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/base/text.hpp>
+#include <fretwork/simulation/comparison.hpp>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <vector>
+
+namespace fretwork::simulation {
+namespace {
+
+using mechanics::Result;
+
+/// The row of an interface node in the result.
+std::map<int, Eigen::Index> interface_rows(const Result& result) {
+    std::map<int, Eigen::Index> rows;
+    for (std::size_t i = 0; i < result.nodes.size(); ++i) {
+        if (result.nodes[i].is_interface) rows.emplace(result.nodes[i].id, static_cast<Eigen::Index>(i));
+    }
+    return rows;
+}
+
+void require_converged(const Result& result, const std::string& which) {
+    if (!result.solution.converged()) {
+        throw base::InputError("the " + which + " result did not converge (" +
+                               std::string(mechanics::termination_name(result.solution.termination)) +
+                               "): nothing to compare");
+    }
+}
+
+void require_same_place(const Result::Node& full, const Result::Node& reduced) {
+    constexpr double kTolerance =
+        1e-9;  // metres: files keep every digit, so this only forgives other writers
+    if ((full.rest_position - reduced.rest_position).norm() > kTolerance) {
+        throw base::InputError("interface node " + std::to_string(full.id) +
+                               " lies at different places in the two results: they are not of one surface");
+    }
+}
+
+Eigen::Quaterniond rotation_of(const Eigen::Vector3d& rotation_vector) {
+    const double angle = rotation_vector.norm();
+    if (angle == 0.0) return Eigen::Quaterniond::Identity();
+    return Eigen::Quaterniond(Eigen::AngleAxisd(angle, rotation_vector / angle));
+}
+
+double mean(const std::vector<double>& values) {
+    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+double standard_deviation(const std::vector<double>& values) {
+    const double middle = mean(values);
+    double sum = 0.0;
+    for (const double value : values) sum += (value - middle) * (value - middle);
+    return std::sqrt(sum / static_cast<double>(values.size()));
+}
+
+/// What is collected node by node.
+struct Errors {
+    std::vector<double> translation;
+    std::vector<double> rotation;
+    double squared_difference = 0.0;
+    double squared_displacement = 0.0;
+    Eigen::AlignedBox2d box;
+    double max_displacement = 0.0;
+    double max_rotation = 0.0;
+
+    void add(const Eigen::Vector3d& rest, const auto& full, const auto& reduced) {
+        const Eigen::Vector3d displacement = full.template head<3>();
+        const Eigen::Vector3d difference = displacement - Eigen::Vector3d(reduced.template head<3>());
+        const Eigen::Quaterniond turned = rotation_of(full.template tail<3>());
+        translation.push_back(difference.norm());
+        rotation.push_back(turned.angularDistance(rotation_of(reduced.template tail<3>())));
+        squared_difference += difference.squaredNorm();
+        squared_displacement += displacement.squaredNorm();
+        box.extend(rest.head<2>());
+        max_displacement = std::max(max_displacement, displacement.norm());
+        max_rotation = std::max(max_rotation, turned.angularDistance(Eigen::Quaterniond::Identity()));
+    }
+};
+
+Errors collect(const Result& full, const Result& reduced) {
+    const auto full_rows = interface_rows(full);
+    const auto reduced_rows = interface_rows(reduced);
+    if (full_rows.empty()) throw base::InputError("the results have no interface nodes to compare");
+    if (full_rows.size() != reduced_rows.size()) {
+        throw base::InputError("the results have " + std::to_string(full_rows.size()) + " and " +
+                               std::to_string(reduced_rows.size()) +
+                               " interface nodes: they are not of one surface");
+    }
+    Errors errors;
+    for (const auto& [id, row] : full_rows) {
+        const auto match = reduced_rows.find(id);
+        if (match == reduced_rows.end()) {
+            throw base::InputError("interface node " + std::to_string(id) +
+                                   " is missing in the reduced result");
+        }
+        require_same_place(full.nodes[static_cast<std::size_t>(row)],
+                           reduced.nodes[static_cast<std::size_t>(match->second)]);
+        const Eigen::Matrix<double, 6, 1> truth = full.solution.displacements.row(row);
+        const Eigen::Matrix<double, 6, 1> guess = reduced.solution.displacements.row(match->second);
+        errors.add(full.nodes[static_cast<std::size_t>(row)].rest_position, truth, guess);
+    }
+    return errors;
+}
+
+}  // namespace
+
+Comparison compare(const Result& full, const Result& reduced) {
+    require_converged(full, "full");
+    require_converged(reduced, "reduced");
+    const Errors errors = collect(full, reduced);
+    Comparison comparison;
+    comparison.width = errors.box.sizes().x();
+    comparison.height = errors.box.sizes().y();
+    comparison.max_displacement = errors.max_displacement;
+    comparison.max_translation_error =
+        *std::max_element(errors.translation.begin(), errors.translation.end());
+    comparison.mean_translation_error = mean(errors.translation);
+    comparison.sd_translation_error = standard_deviation(errors.translation);
+    comparison.max_rotation = errors.max_rotation;
+    comparison.max_rotation_error = *std::max_element(errors.rotation.begin(), errors.rotation.end());
+    comparison.mean_rotation_error = mean(errors.rotation);
+    comparison.sd_rotation_error = standard_deviation(errors.rotation);
+    comparison.relative_l2_error = errors.squared_displacement > 0
+                                       ? std::sqrt(errors.squared_difference / errors.squared_displacement)
+                                       : 0.0;
+    comparison.full_seconds = full.seconds;
+    comparison.reduced_seconds = reduced.seconds;
+    return comparison;
+}
+
+std::string comparison_header() {
+    return "example,width_m,height_m,max_displacement_m,max_translation_error_m,mean_translation_error_m,"
+           "sd_translation_error,max_rotation_rad,max_rotation_error_rad,mean_rotation_error_rad,sd_rotation_"
+           "error,"
+           "full_model_minutes,reduced_model_milliseconds";
+}
+
+std::string comparison_row(const std::string& example, const Comparison& comparison) {
+    const double values[] = {comparison.width,
+                             comparison.height,
+                             comparison.max_displacement,
+                             comparison.max_translation_error,
+                             comparison.mean_translation_error,
+                             comparison.sd_translation_error,
+                             comparison.max_rotation,
+                             comparison.max_rotation_error,
+                             comparison.mean_rotation_error,
+                             comparison.sd_rotation_error,
+                             comparison.full_seconds / 60.0,
+                             comparison.reduced_seconds * 1e3};
+    std::string row = example;
+    for (const double value : values) row += "," + base::format_number(value);
+    return row;
+}
+
+}  // namespace fretwork::simulation

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/mechanics/result_file.hpp>
+
+#include <string>
+
+namespace fretwork::simulation {
+
+/// How far a reduced model's interface nodes are from the full model's: a row of the paper's Table 3.
+///
+/// Means run over the interface nodes; sd is the population's standard deviation of the errors (the paper's
+/// two sd columns cannot be that of the errors which it prints, so they are not to be compared). A rotation
+/// error is the angle between the two rotated frames.
+struct Comparison {
+    double width = 0.0;                   ///< m, of the interface nodes' bounding box at rest
+    double height = 0.0;                  ///< m
+    double max_displacement = 0.0;        ///< m, of the full model
+    double max_translation_error = 0.0;   ///< m
+    double mean_translation_error = 0.0;  ///< m
+    double sd_translation_error = 0.0;    ///< m
+    double max_rotation = 0.0;            ///< rad, of the full model
+    double max_rotation_error = 0.0;      ///< rad
+    double mean_rotation_error = 0.0;     ///< rad
+    double sd_rotation_error = 0.0;       ///< rad
+    double relative_l2_error = 0.0;       ///< of all translations: |full - reduced| / |full|
+    double full_seconds = 0.0;
+    double reduced_seconds = 0.0;
+};
+
+/// Compare two results of one surface; nodes are matched by id. Throws InputError if an interface node of one
+/// is missing in the other or lies elsewhere, or if a result did not converge.
+Comparison compare(const mechanics::Result& full, const mechanics::Result& reduced);
+
+/// The header of the table, and a row of it.
+std::string comparison_header();
+std::string comparison_row(const std::string& example, const Comparison& comparison);
+
+}  // namespace fretwork::simulation

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/simulation/conditions.hpp>
+
+namespace fretwork::simulation {
+namespace {
+
+using mechanics::NodeIndex;
+
+class Resolver {
+  public:
+    Resolver(const LoadCase& load_case, const Surface& surface) : load_case_(load_case), surface_(surface) {}
+
+    Conditions resolve() && {
+        for (std::size_t i = 0; i < load_case_.supports.size(); ++i) add_support(i);
+        for (std::size_t i = 0; i < load_case_.prescribed.size(); ++i) add_prescribed(i);
+        for (std::size_t i = 0; i < load_case_.loads.size(); ++i) add_load(i);
+        if (!load_case_.gravity.isZero(0)) add_weights();
+        return std::move(conditions_);
+    }
+
+  private:
+    void add_support(std::size_t i) {
+        const LoadCase::Hold& hold = load_case_.supports[i];
+        for (const auto node : picked(hold.where, "supports", i)) {
+            conditions_.supports.push_back({NodeIndex(node.value), hold.fixed});
+        }
+    }
+
+    void add_prescribed(std::size_t i) {
+        const LoadCase::Prescribe& entry = load_case_.prescribed[i];
+        for (const auto node : picked(entry.where, "prescribed", i)) {
+            conditions_.prescribed.push_back({NodeIndex(node.value), entry.dof, entry.value});
+        }
+    }
+
+    void add_load(std::size_t i) {
+        const LoadCase::Load& load = load_case_.loads[i];
+        const auto nodes = picked(load.where, "loads", i);
+        const double share =
+            load.amount == LoadCase::Amount::Total ? 1.0 / static_cast<double>(nodes.size()) : 1.0;
+        for (const auto node : nodes) {
+            conditions_.loads.push_back({NodeIndex(node.value), share * load.force, share * load.moment});
+        }
+    }
+
+    void add_weights() {
+        const std::vector<double> masses = tile_masses(surface_);
+        for (std::size_t t = 0; t < masses.size(); ++t) {
+            const auto& nodes = surface_.tessellation.tiles[t].interface_nodes;
+            const Eigen::Vector3d share = masses[t] / static_cast<double>(nodes.size()) * load_case_.gravity;
+            for (const auto node : nodes)
+                conditions_.loads.push_back({NodeIndex(node.value), share, Eigen::Vector3d::Zero()});
+        }
+    }
+
+    [[nodiscard]] std::vector<tiling::InterfaceIndex> picked(const Selection& where, const std::string& list,
+                                                             std::size_t entry) const {
+        try {
+            return select_nodes(where, surface_.tessellation);
+        } catch (const base::InputError& error) {
+            throw base::InputError("load case '" + load_case_.name + "'",
+                                   "/" + list + "/" + std::to_string(entry), error.what());
+        }
+    }
+
+    const LoadCase& load_case_;
+    const Surface& surface_;
+    Conditions conditions_;
+};
+
+}  // namespace
+
+Conditions resolve(const LoadCase& load_case, const Surface& surface) {
+    return Resolver(load_case, surface).resolve();
+}
+
+}  // namespace fretwork::simulation

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/simulation/detail/load_case_json.hpp>
+
+#include <algorithm>
+
+namespace fretwork::simulation {
+namespace {
+
+using base::JsonReader;
+using base::detail::Json;
+using mechanics::Dof;
+using mechanics::kDofNames;
+
+constexpr std::array<const char*, 4> kSideNames = {"left", "right", "bottom", "top"};
+
+Eigen::Vector3d read_vector(const std::optional<JsonReader>& json) {
+    if (!json) return Eigen::Vector3d::Zero();
+    const std::vector<double> numbers = json->numbers(3);
+    return {numbers[0], numbers[1], numbers[2]};
+}
+
+Json vector_json(const Eigen::Vector3d& vector) {
+    return Json{vector.x(), vector.y(), vector.z()};
+}
+
+NodesById read_ids(const JsonReader& json) {
+    NodesById selection;
+    for (const JsonReader& id : json.elements())
+        selection.ids.push_back(static_cast<int>(id.integer(0, 1'000'000'000)));
+    if (selection.ids.empty()) json.fail("is empty, where at least one id of an interface node is needed");
+    return selection;
+}
+
+NodesInBox read_box(const JsonReader& json) {
+    const std::vector<double> box = json.numbers(4);
+    if (box[0] > box[2] || box[1] > box[3])
+        json.fail("is " + json.text() + ", where xmin ymin xmax ymax are needed");
+    return {{box[0], box[1], box[2], box[3]}};
+}
+
+NodesNearest read_points(const JsonReader& json) {
+    NodesNearest selection;
+    for (const JsonReader& point : json.elements()) {
+        const std::vector<double> place = point.numbers(2);
+        selection.points.push_back({place[0], place[1]});
+    }
+    if (selection.points.empty()) json.fail("is empty, where at least one point is needed");
+    return selection;
+}
+
+NodesAtSide read_side(const JsonReader& json) {
+    const std::string name = json.choice({"left", "right", "bottom", "top"});
+    const auto place = std::find(kSideNames.begin(), kSideNames.end(), name);
+    return {static_cast<Side>(place - kSideNames.begin())};
+}
+
+Selection read_selection(const JsonReader& json) {
+    const auto nodes = json.find("nodes");
+    const auto box = json.find("box");
+    const auto nearest = json.find("nearest");
+    const auto side = json.find("side");
+    if (nodes.has_value() + box.has_value() + nearest.has_value() + side.has_value() != 1) {
+        json.fail("picks its nodes by exactly one of nodes, box, nearest, side");
+    }
+    if (nodes) return read_ids(*nodes);
+    if (box) return read_box(*box);
+    if (nearest) return read_points(*nearest);
+    return read_side(*side);
+}
+
+void write_selection(const Selection& selection, Json& json) {
+    if (const auto* ids = std::get_if<NodesById>(&selection)) json["nodes"] = ids->ids;
+    if (const auto* box = std::get_if<NodesInBox>(&selection)) json["box"] = box->box;
+    if (const auto* side = std::get_if<NodesAtSide>(&selection))
+        json["side"] = kSideNames[static_cast<std::size_t>(side->side)];
+    if (const auto* nearest = std::get_if<NodesNearest>(&selection)) {
+        for (const pattern::Point2& point : nearest->points) json["nearest"].push_back({point.x, point.y});
+    }
+}
+
+std::optional<Dof> dof_of(const std::string& name) {
+    const auto place = std::find(kDofNames.begin(), kDofNames.end(), name);
+    if (place == kDofNames.end()) return std::nullopt;
+    return static_cast<Dof>(place - kDofNames.begin());
+}
+
+LoadCase::Hold read_hold(const JsonReader& json) {
+    json.allow_only({"nodes", "box", "nearest", "side", "fixed"});
+    LoadCase::Hold hold{read_selection(json), {}};
+    for (const JsonReader& name : json.at("fixed").elements()) {
+        const std::string dof = name.choice({"ux", "uy", "uz", "rx", "ry", "rz"});
+        hold.fixed.contains[static_cast<std::size_t>(*dof_of(dof))] = true;
+    }
+    return hold;
+}
+
+Json hold_json(const LoadCase::Hold& hold) {
+    Json json;
+    write_selection(hold.where, json);
+    json["fixed"] = Json::array();
+    for (std::size_t d = 0; d < kDofNames.size(); ++d) {
+        if (hold.fixed.contains[d]) json["fixed"].push_back(kDofNames[d]);
+    }
+    return json;
+}
+
+LoadCase::Load read_load(const JsonReader& json) {
+    json.allow_only({"nodes", "box", "nearest", "side", "force", "moment", "amount"});
+    if (!json.find("force") && !json.find("moment")) json.fail("has neither a force nor a moment");
+    LoadCase::Load load{read_selection(json), read_vector(json.find("force")),
+                        read_vector(json.find("moment")), LoadCase::Amount::Each};
+    const auto amount = json.find("amount");
+    if (amount && amount->choice({"each", "total"}) == "total") load.amount = LoadCase::Amount::Total;
+    return load;
+}
+
+Json load_json(const LoadCase::Load& load) {
+    Json json;
+    write_selection(load.where, json);
+    if (!load.force.isZero(0)) json["force"] = vector_json(load.force);
+    if (!load.moment.isZero(0)) json["moment"] = vector_json(load.moment);
+    if (load.force.isZero(0) && load.moment.isZero(0)) json["force"] = vector_json(load.force);
+    if (load.amount == LoadCase::Amount::Total) json["amount"] = "total";
+    return json;
+}
+
+/// One entry may prescribe several dofs; each is one Prescribe.
+void read_prescribed(const JsonReader& json, std::vector<LoadCase::Prescribe>& list) {
+    json.allow_only({"nodes", "box", "nearest", "side", "ux", "uy", "uz", "rx", "ry", "rz"});
+    const Selection where = read_selection(json);
+    const std::size_t before = list.size();
+    for (const auto& [key, value] : json.members()) {
+        if (const auto dof = dof_of(key)) list.push_back({where, *dof, value.number()});
+    }
+    if (list.size() == before) json.fail("prescribes nothing: one of ux, uy, uz, rx, ry, rz is needed");
+}
+
+Json prescribed_json(const LoadCase::Prescribe& prescribed) {
+    Json json;
+    write_selection(prescribed.where, json);
+    json[kDofNames[static_cast<std::size_t>(prescribed.dof)]] = prescribed.value;
+    return json;
+}
+
+template <class Value>
+Json list_json(const std::vector<Value>& values, Json (*to_json)(const Value&)) {
+    Json list = Json::array();
+    for (const Value& value : values) list.push_back(to_json(value));
+    return list;
+}
+
+std::vector<JsonReader> elements_of(const JsonReader& json, std::string_view key) {
+    const auto list = json.find(key);
+    return list ? list->elements() : std::vector<JsonReader>{};
+}
+
+}  // namespace
+
+namespace detail {
+
+LoadCase load_case_from_json(const JsonReader& json) {
+    json.expect_format("load-case");
+    json.allow_only({"format", "name", "description", "supports", "loads", "prescribed", "gravity"});
+    LoadCase load_case;
+    load_case.name = json.at("name").string();
+    if (load_case.name.empty()) json.at("name").fail("is empty, where a name is needed");
+    if (const auto description = json.find("description")) load_case.description = description->string();
+    for (const JsonReader& hold : elements_of(json, "supports"))
+        load_case.supports.push_back(read_hold(hold));
+    for (const JsonReader& load : elements_of(json, "loads")) load_case.loads.push_back(read_load(load));
+    for (const JsonReader& entry : elements_of(json, "prescribed"))
+        read_prescribed(entry, load_case.prescribed);
+    load_case.gravity = read_vector(json.find("gravity"));
+    return load_case;
+}
+
+Json load_case_to_json(const LoadCase& load_case) {
+    Json json;
+    json["format"] = "fretwork/load-case/1";
+    json["name"] = load_case.name;
+    json["description"] = load_case.description;
+    json["supports"] = list_json(load_case.supports, hold_json);
+    json["loads"] = list_json(load_case.loads, load_json);
+    json["prescribed"] = list_json(load_case.prescribed, prescribed_json);
+    json["gravity"] = vector_json(load_case.gravity);
+    return json;
+}
+
+}  // namespace detail
+
+LoadCase read_load_case(const std::filesystem::path& path) {
+    return detail::load_case_from_json(JsonReader::from_file(path));
+}
+
+}  // namespace fretwork::simulation

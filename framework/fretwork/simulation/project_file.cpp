@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/base/file.hpp>
+#include <fretwork/base/text.hpp>
+#include <fretwork/simulation/detail/load_case_json.hpp>
+#include <fretwork/simulation/project.hpp>
+#include <fretwork/tiling/tessellation_check.hpp>
+
+namespace fretwork::simulation {
+namespace {
+
+using base::JsonReader;
+using base::detail::Json;
+using pattern::Point2;
+using tiling::Tessellation;
+using tiling::Tile;
+
+constexpr long long kMostOfAKind = 100'000'000;
+
+std::vector<Point2> read_points(const JsonReader& json) {
+    std::vector<Point2> points;
+    for (const JsonReader& element : json.elements()) {
+        const std::vector<double> place = element.numbers(2);
+        points.push_back({place[0], place[1]});
+    }
+    return points;
+}
+
+Json points_json(const std::vector<Point2>& points) {
+    Json list = Json::array();
+    for (const Point2& point : points) list.push_back({point.x, point.y});
+    return list;
+}
+
+template <class Index>
+std::vector<Index> read_indices(const JsonReader& json) {
+    std::vector<Index> indices;
+    for (const JsonReader& element : json.elements()) indices.emplace_back(element.integer(0, kMostOfAKind));
+    return indices;
+}
+
+template <class Index>
+Json indices_json(const std::vector<Index>& indices) {
+    Json list = Json::array();
+    for (const Index index : indices) list.push_back(index.value);
+    return list;
+}
+
+Tile read_tile(const JsonReader& json) {
+    json.allow_only({"vertices", "interface_nodes", "pattern"});
+    return {read_indices<tiling::VertexIndex>(json.at("vertices")),
+            read_indices<tiling::InterfaceIndex>(json.at("interface_nodes")),
+            static_cast<int>(json.at("pattern").integer(-1, kMostOfAKind))};
+}
+
+Json tile_json(const Tile& tile) {
+    return {{"vertices", indices_json(tile.vertices)},
+            {"interface_nodes", indices_json(tile.interface_nodes)},
+            {"pattern", tile.pattern}};
+}
+
+Tessellation read_tessellation(const JsonReader& json) {
+    json.allow_only({"vertices", "interface_nodes", "tiles", "patterns"});
+    Tessellation tessellation;
+    tessellation.vertices = read_points(json.at("vertices"));
+    tessellation.interface_nodes = read_points(json.at("interface_nodes"));
+    for (const JsonReader& tile : json.at("tiles").elements()) tessellation.tiles.push_back(read_tile(tile));
+    for (const JsonReader& id : json.at("patterns").elements()) tessellation.patterns.push_back(id.string());
+    return tessellation;
+}
+
+Json tessellation_json(const Tessellation& tessellation) {
+    Json json;
+    json["patterns"] = tessellation.patterns;
+    json["tiles"] = Json::array();
+    for (const Tile& tile : tessellation.tiles) json["tiles"].push_back(tile_json(tile));
+    json["vertices"] = points_json(tessellation.vertices);
+    json["interface_nodes"] = points_json(tessellation.interface_nodes);
+    return json;
+}
+
+tiling::Outline read_outline_json(const JsonReader& json) {
+    json.allow_only({"boundary", "holes"});
+    std::vector<pattern::Polygon> holes;
+    for (const JsonReader& hole : json.at("holes").elements()) holes.push_back(read_points(hole));
+    return tiling::make_outline(read_points(json.at("boundary")), std::move(holes));
+}
+
+Json outline_json(const tiling::Outline& outline) {
+    Json json;
+    json["boundary"] = points_json(outline.boundary);
+    json["holes"] = Json::array();
+    for (const pattern::Polygon& hole : outline.holes) json["holes"].push_back(points_json(hole));
+    return json;
+}
+
+void read_library_link(const JsonReader& json, Project& project) {
+    json.allow_only({"path", "hash"});
+    project.library_path = json.at("path").string();
+    project.library_hash = json.at("hash").string();
+}
+
+/// Every id of the palette must be a pattern of the project's layout.
+void check_patterns(const JsonReader& json, const Project& project) {
+    for (const JsonReader& id : json.at("tessellation").at("patterns").elements()) {
+        try {
+            (void)pattern::parse_pattern_id(project.layout, id.string());
+        } catch (const base::InputError& error) {
+            id.fail(error.what());
+        }
+    }
+}
+
+/// The checks of other stages know no file; they speak of the tessellation or the outline.
+template <class Read>
+auto in_place(const JsonReader& json, Read&& read) {
+    try {
+        return read(json);
+    } catch (const base::GeometryError& error) {
+        json.fail(error.what());
+    }
+}
+
+void read_load_cases(const JsonReader& json, Project& project) {
+    for (const JsonReader& element : json.elements()) {
+        LoadCase load_case = detail::load_case_from_json(element);
+        for (const LoadCase& other : project.load_cases) {
+            if (other.name == load_case.name)
+                element.at("name").fail("'" + other.name + "' is the name of two load cases");
+        }
+        project.load_cases.push_back(std::move(load_case));
+    }
+}
+
+}  // namespace
+
+Project read_project(const std::filesystem::path& path) {
+    const JsonReader json = JsonReader::from_file(path);
+    json.expect_format("project");
+    json.allow_only({"format", "layout", "library", "outline", "tessellation", "load_cases"});
+    Project project;
+    project.layout = pattern::parse_node_layout(json.at("layout").text(), path.string() + ": /layout");
+    if (const auto library = json.find("library")) read_library_link(*library, project);
+    project.outline = in_place(json.at("outline"), read_outline_json);
+    project.tessellation = read_tessellation(json.at("tessellation"));
+    project.tessellation.layout = project.layout.name();
+    check_patterns(json, project);
+    in_place(json.at("tessellation"), [&](const JsonReader&) {
+        tiling::validate(project.tessellation, project.layout);
+        return 0;
+    });
+    read_load_cases(json.at("load_cases"), project);
+    return project;
+}
+
+void write_project(const Project& project, const std::filesystem::path& path) {
+    Json json;
+    json["format"] = "fretwork/project/1";
+    json["layout"] = Json::parse(pattern::node_layout_text(project.layout));
+    if (!project.library_path.empty())
+        json["library"] = {{"path", project.library_path}, {"hash", project.library_hash}};
+    json["load_cases"] = Json::array();
+    for (const LoadCase& load_case : project.load_cases)
+        json["load_cases"].push_back(detail::load_case_to_json(load_case));
+    json["outline"] = outline_json(project.outline);
+    json["tessellation"] = tessellation_json(project.tessellation);
+    base::write_file_atomically(path, base::detail::json_text(json));
+}
+
+const LoadCase& find_load_case(const Project& project, const std::string& name) {
+    if (name.empty() && project.load_cases.size() == 1) return project.load_cases.front();
+    std::vector<std::string> names;
+    for (const LoadCase& load_case : project.load_cases) {
+        if (load_case.name == name) return load_case;
+        names.push_back(load_case.name);
+    }
+    if (names.empty())
+        throw base::InputError("the project has no load case yet; add one with 'fretwork case add'");
+    if (name.empty())
+        throw base::InputError("the project has several load cases; choose one: " + base::join(names, ", "));
+    throw base::InputError(base::unknown_name_message("load case", name, names));
+}
+
+}  // namespace fretwork::simulation

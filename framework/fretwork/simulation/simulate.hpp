@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/mechanics/result_file.hpp>
+#include <fretwork/simulation/load_case.hpp>
+#include <fretwork/simulation/surface.hpp>
+
+#include <string>
+
+namespace fretwork::simulation {
+
+/// Whether equilibrium is sought in the deformed or in the flat state.
+enum class Analysis { OfTheModel, Linear };
+
+struct SimulationOptions {
+    std::string model = "full";                ///< a row of the model catalogue
+    Analysis analysis = Analysis::OfTheModel;  ///< of the model: what its row says
+    int load_steps = 1;  ///< results at so many equal shares of the load; nonlinear only
+    /// Throws InputError if a value makes no sense.
+    void validate() const;
+};
+
+/// Simulate a surface under a load case. Interface nodes come first in the result, with the same ids in every
+/// model. Paper, Section 6. Throws InputError (load case, model, calibrations), NumericalError (structure not
+/// held).
+mechanics::Result simulate(const Surface& surface, const LoadCase& load_case,
+                           const SimulationOptions& options = {});
+
+}  // namespace fretwork::simulation
