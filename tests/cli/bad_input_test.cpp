@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Bad input, as a person meets it: exit code 2, one line on stderr, nothing on stdout, and no file
+// half-written.
+#include "cli/command.hpp"
+#include "support.hpp"
+#include <algorithm>
+#include <vector>
+
+namespace fretwork::app {
+namespace {
+
+using test::Outcome;
+using test::run_command;
+using test::TemporaryFolder;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+std::size_t files_in(const std::filesystem::path& folder) {
+    return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(folder), {}));
+}
+
+void expect_refused(const std::string& command, const std::filesystem::path& folder,
+                    const std::string& complaint) {
+    run_command("true", folder);  // so that the files of running a command are there before we count
+    const std::size_t files = files_in(folder);
+    const Outcome outcome = run_command(command, folder);
+    EXPECT_EQ(outcome.exit_code, 2) << command << "\n" << outcome.err;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << command << "\n" << outcome.err;
+    EXPECT_THAT(outcome.err, StartsWith("fretwork: ")) << command;
+    EXPECT_THAT(outcome.err, HasSubstr(complaint)) << command;
+    EXPECT_EQ(outcome.out, "") << command;
+    EXPECT_EQ(files_in(folder), files) << command << " left a file behind";
+}
+
+TEST(CommandLine, RefusesWrongUsage) {
+    const TemporaryFolder folder;
+    expect_refused("fretwork", folder.path(), "subcommand");
+    expect_refused("fretwork enumerat", folder.path(), "enumerat");
+    expect_refused("fretwork enumerate --layuot paper7", folder.path(), "--layuot");
+    expect_refused("fretwork enumerate --layout nowhere.json", folder.path(), "nowhere.json");
+    expect_refused("fretwork enumerate --layout paper8", folder.path(), "did you mean 'paper7'?");
+    expect_refused("fretwork enumerate --edges 5..2", folder.path(), "5..2");
+    expect_refused("fretwork enumerate --min-angle nan", folder.path(), "nan");
+    expect_refused("fretwork tile", folder.path(), "required");
+    expect_refused("fretwork solve frame.json --out result.json", folder.path(), "frame.json");
+    expect_refused("fretwork simulate nothing.json --out r.json", folder.path(), "nothing.json");
+    expect_refused("fretwork compare a.json b.json", folder.path(), "a.json");
+    expect_refused("fretwork export nothing.json --to x.svg", folder.path(), "nothing.json");
+    expect_refused("fretwork library list --library none.db", folder.path(), "none.db");
+    expect_refused("fretwork calibrate --library none.db", folder.path(), "none.db");
+}
+
+TEST(CommandLine, RefusesBrokenFiles) {
+    const TemporaryFolder folder;
+    folder.file("truncated.json", R"({"format": "fretwork/frame/1", "nodes": [[0,0)");
+    folder.file("nan.json", R"({"format": "fretwork/frame/1", "nodes": [[NaN,0,0]]})");
+    folder.file("other.json", R"({"format": "fretwork/layout/1"})");
+    folder.file("bow.json", R"({"format": "fretwork/outline/1", "boundary": [[0,0],[1,1],[1,0],[0,1]]})");
+    folder.file("text.db", "this is no library");
+    expect_refused("fretwork solve truncated.json --out r.json", folder.path(), "truncated.json: line 1");
+    expect_refused("fretwork solve nan.json --out r.json", folder.path(), "nan.json: line 1");
+    expect_refused("fretwork solve other.json --out r.json", folder.path(), "fretwork/frame/1");
+    expect_refused("fretwork enumerate --layout other.json", folder.path(), "other.json");
+    expect_refused("fretwork tile bow.json --patterns 0-1+1-6 --out p.json", folder.path(), "bow.json");
+    expect_refused("fretwork tile other.json --patterns 0-1+1-6 --out p.json", folder.path(), "other.json");
+    expect_refused("fretwork library list --library text.db", folder.path(), "text.db");
+}
+
+TEST(CommandLine, RefusesToWriteWhereItCannot) {
+    const TemporaryFolder folder;
+    expect_refused("fretwork enumerate --census nowhere/t.csv", folder.path(), "nowhere/t.csv");
+    expect_refused("fretwork enumerate --census /dev/full", folder.path(), "/dev/full");
+}
+
+}  // namespace
+}  // namespace fretwork::app

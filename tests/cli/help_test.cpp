@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/command.hpp"
+#include "support.hpp"
+
+namespace fretwork::app {
+namespace {
+
+using test::run_command;
+using test::TemporaryFolder;
+using testing::HasSubstr;
+
+TEST(Help, OfEveryVerbHasAnExample) {
+    const TemporaryFolder folder;
+    for (const std::string verb :
+         {"enumerate", "calibrate", "library", "tile", "case", "simulate", "compare", "solve", "export"}) {
+        const auto outcome = run_command("fretwork " + verb + " --help", folder.path());
+        EXPECT_EQ(outcome.exit_code, 0) << verb;
+        EXPECT_THAT(outcome.out, HasSubstr("Example: fretwork " + verb)) << verb;
+        EXPECT_EQ(outcome.err, "") << verb;
+        EXPECT_THAT(run_command("fretwork --help", folder.path()).out, HasSubstr("  " + verb));
+    }
+}
+
+TEST(Help, VersionIsOneLine) {
+    const TemporaryFolder folder;
+    EXPECT_THAT(run_command("fretwork --version", folder.path()).out,
+                testing::MatchesRegex("[0-9]+\\.[0-9]+\\.[0-9]+\n"));
+}
+
+}  // namespace
+}  // namespace fretwork::app

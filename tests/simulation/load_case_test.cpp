@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/simulation/conditions.hpp>
+
+#include "honeycomb.hpp"
+#include "support.hpp"
+
+namespace fretwork::simulation {
+namespace {
+
+using test::complaint_of;
+using test::honeycomb;
+using test::TemporaryFolder;
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+const std::vector<std::string> kStar = {"0-1+1-6"};
+
+std::vector<int> numbers(const std::vector<tiling::InterfaceIndex>& nodes) {
+    std::vector<int> list;
+    for (const auto node : nodes) list.push_back(node.value);
+    return list;
+}
+
+LoadCase read(const std::string& text) {
+    const TemporaryFolder folder;
+    return read_load_case(folder.file("case.json", text));
+}
+
+std::string with(const std::string& members) {
+    return R"({"format": "fretwork/load-case/1", "name": "x")" + (members.empty() ? "" : ", " + members) +
+           "}";
+}
+
+TEST(SelectNodes, ByIdIsSortedAndHasNoRepeats) {
+    const auto project = honeycomb(2, 2, kStar);
+    EXPECT_THAT(numbers(select_nodes(NodesById{{7, 3, 7}}, project.tessellation)), ElementsAre(3, 7));
+    EXPECT_THAT(complaint_of([&] { select_nodes(NodesById{{1000}}, project.tessellation); }),
+                HasSubstr("there is no interface node 1000"));
+}
+
+TEST(SelectNodes, AtASidePicksRimNodesThere) {
+    const auto project = honeycomb(4, 3, kStar);
+    const auto left = select_nodes(NodesAtSide{Side::Left}, project.tessellation);
+    ASSERT_FALSE(left.empty());
+    double lowest = 1.0;
+    for (const auto& node : project.tessellation.interface_nodes) lowest = std::min(lowest, node.x);
+    for (const auto node : left) {
+        EXPECT_LE(project.tessellation.interface_nodes[static_cast<std::size_t>(node)].x, lowest + 0.026);
+    }
+    EXPECT_NE(numbers(left), numbers(select_nodes(NodesAtSide{Side::Right}, project.tessellation)));
+}
+
+TEST(SelectNodes, InABoxIncludesItsRimAndAnEmptyBoxIsRefused) {
+    const auto project = honeycomb(2, 1, kStar);
+    const auto& first = project.tessellation.interface_nodes[0];
+    const auto picked = select_nodes(NodesInBox{{first.x, first.y, first.x, first.y}}, project.tessellation);
+    EXPECT_THAT(numbers(picked), ElementsAre(0));
+    EXPECT_THAT(complaint_of([&] {
+                    select_nodes(NodesInBox{{9, 9, 10, 10}}, project.tessellation);
+                }),
+                HasSubstr("no interface node lies in the box"));
+}
+
+TEST(SelectNodes, NearestTakesOneNodeForEachPoint) {
+    const auto project = honeycomb(2, 1, kStar);
+    const auto& nodes = project.tessellation.interface_nodes;
+    EXPECT_THAT(numbers(select_nodes(NodesNearest{{{nodes[4].x + 1e-4, nodes[4].y}}}, project.tessellation)),
+                ElementsAre(4));
+}
+
+TEST(Conditions, ATotalForceIsSharedAndAnEachForceIsRepeated) {
+    const Surface surface = make_surface(honeycomb(3, 2, kStar), nullptr);
+    LoadCase load_case = test::cantilever({0, 0, -2});
+    const auto sum = [&] {
+        Eigen::Vector3d total = Eigen::Vector3d::Zero();
+        for (const auto& load : resolve(load_case, surface).loads) total += load.force;
+        return total;
+    };
+    EXPECT_NEAR(sum().z(), -2.0, 1e-15);
+    load_case.loads[0].amount = LoadCase::Amount::Each;
+    const auto count = select_nodes(NodesAtSide{Side::Right}, surface.tessellation).size();
+    EXPECT_NEAR(sum().z(), -2.0 * static_cast<double>(count), 1e-12);
+}
+
+TEST(Conditions, GravityIsTheWeightOfAllBeams) {
+    Surface surface = make_surface(honeycomb(3, 2, kStar), nullptr);
+    surface.setting.material.density = 1240;
+    LoadCase load_case;
+    load_case.gravity = {0, 0, -9.81};
+    double length = 0.0;
+    for (const auto& edge : surface.fan.edges) {
+        const auto& a = surface.fan.nodes[static_cast<std::size_t>(edge.nodes[0])];
+        const auto& b = surface.fan.nodes[static_cast<std::size_t>(edge.nodes[1])];
+        length += std::hypot(a.x - b.x, a.y - b.y);
+    }
+    double weight = 0.0;
+    for (const auto& load : resolve(load_case, surface).loads) weight += load.force.z();
+    EXPECT_NEAR(weight, -length * surface.setting.section.area * 1240 * 9.81, 1e-12);
+}
+
+TEST(Conditions, AnEntryThatPicksNothingIsNamed) {
+    const Surface surface = make_surface(honeycomb(2, 1, kStar), nullptr);
+    LoadCase load_case = test::cantilever({0, 0, 1});
+    load_case.loads.push_back({NodesInBox{{5, 5, 6, 6}}, {0, 0, 1}, {0, 0, 0}, LoadCase::Amount::Each});
+    EXPECT_THAT(complaint_of([&] { resolve(load_case, surface); }),
+                AllOf(HasSubstr("load case 'cantilever'"), HasSubstr("/loads/1")));
+}
+
+TEST(LoadCaseFile, ReadsEveryKindOfEntry) {
+    const LoadCase load_case = read(with(R"("description": "d", "gravity": [0, 0, -9.81],
+        "supports": [{"side": "left", "fixed": ["ux", "rz"]}, {"nodes": [1, 2], "fixed": ["uz"]}],
+        "loads": [{"box": [0, 0, 1, 1], "force": [1, 2, 3]}, {"nearest": [[0, 1]], "moment": [4, 5, 6], "amount": "total"}],
+        "prescribed": [{"side": "top", "uz": 0.01, "rx": 0.2}])"));
+    ASSERT_EQ(load_case.supports.size(), 2U);
+    EXPECT_TRUE(load_case.supports[0].fixed[mechanics::Dof::rz]);
+    EXPECT_FALSE(load_case.supports[0].fixed[mechanics::Dof::uz]);
+    EXPECT_EQ(load_case.loads[0].force, Eigen::Vector3d(1, 2, 3));
+    EXPECT_EQ(load_case.loads[1].moment, Eigen::Vector3d(4, 5, 6));
+    EXPECT_EQ(load_case.loads[1].amount, LoadCase::Amount::Total);
+    ASSERT_EQ(load_case.prescribed.size(), 2U);
+    EXPECT_EQ(load_case.prescribed[1].dof, mechanics::Dof::rx);
+    EXPECT_EQ(load_case.gravity, Eigen::Vector3d(0, 0, -9.81));
+}
+
+TEST(LoadCaseFile, RefusesWhatItDoesNotUnderstand) {
+    const std::vector<std::pair<std::string, std::string>> faults = {
+        {R"("load": [])", "/load: unknown key 'load'; did you mean 'loads'?"},
+        {R"("loads": [{"force": [0, 0, 1]}])", "/loads/0: picks its nodes by exactly one of"},
+        {R"("loads": [{"nodes": [1], "side": "left", "force": [0, 0, 1]}])",
+         "/loads/0: picks its nodes by exactly one of"},
+        {R"("loads": [{"nodes": [1]}])", "/loads/0: has neither a force nor a moment"},
+        {R"("loads": [{"nodes": [], "force": [0, 0, 1]}])", "/loads/0/nodes: is empty"},
+        {R"("loads": [{"nodes": [-1], "force": [0, 0, 1]}])", "/loads/0/nodes/0: is -1"},
+        {R"("loads": [{"nodes": [1], "force": [0, 1]}])", "/loads/0/force: has 2 elements"},
+        {R"("supports": [{"side": "lefft", "fixed": []}])", "did you mean 'left'?"},
+        {R"("supports": [{"side": "left", "fixed": ["u"]}])", "/supports/0/fixed/0: unknown choice 'u'"},
+        {R"("supports": [{"box": [1, 0, 0, 1], "fixed": []}])", "/supports/0/box: is [1,0,0,1]"},
+        {R"("prescribed": [{"side": "top"}])", "/prescribed/0: prescribes nothing"},
+        {R"("gravity": 9.81)", "/gravity: is 9.81, where an array is needed"},
+    };
+    for (const auto& [members, complaint] : faults) {
+        EXPECT_THAT(complaint_of([&] { read(with(members)); }), HasSubstr(complaint)) << members;
+    }
+    EXPECT_THAT(complaint_of([] { read(R"({"format": "fretwork/load-case/1"})"); }),
+                HasSubstr("'name' is missing"));
+    EXPECT_THAT(complaint_of([] { read(with("")).name.clear(), read("{"); }), HasSubstr("malformed JSON"));
+    EXPECT_THAT(complaint_of([] { read_load_case("nowhere.json"); }), HasSubstr("nowhere.json"));
+}
+
+}  // namespace
+}  // namespace fretwork::simulation

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/text.hpp>
+#include <fretwork/mechanics/linear_solver.hpp>
+#include <fretwork/simulation/comparison.hpp>
+#include <fretwork/simulation/model_catalogue.hpp>
+#include <fretwork/simulation/simulate.hpp>
+
+#include "honeycomb.hpp"
+#include "support.hpp"
+
+namespace fretwork::simulation {
+namespace {
+
+using mechanics::NodeValues;
+using test::cantilever;
+using test::complaint_of;
+using test::honeycomb;
+using testing::HasSubstr;
+
+/// Patterns with the center and without, with the face node and without.
+const std::vector<std::string> kPatterns = {"0-1+1-6", "0-6", "0-1+1-5+1-6+5-6"};
+
+NodeValues interface_rows(const mechanics::Result& result, const Surface& surface) {
+    return result.solution.displacements.topRows(
+        static_cast<Eigen::Index>(surface.tessellation.interface_nodes.size()));
+}
+
+double relative_difference(const NodeValues& a, const NodeValues& b) {
+    return (a - b).norm() / a.norm();
+}
+
+/// A calibration as good as any for what these tests ask.
+Surface with_parameters(Surface surface) {
+    const auto& section = surface.setting.section;
+    reduction::Calibration calibration;
+    calibration.parameters = {section.area, section.I2, section.I3, section.J, 0.1, 0.01};
+    surface.calibrations.assign(surface.patterns.size(), calibration);
+    return surface;
+}
+
+TEST(Simulate, CondensedEqualsTheLinearFullModelAtTheInterfaceNodes) {
+    const Surface surface = make_surface(honeycomb(4, 3, kPatterns), nullptr);
+    const LoadCase load_case = cantilever({0.1, 0.05, -0.2});
+    const auto full = simulate(surface, load_case, {"full", Analysis::Linear, 1});
+    const auto condensed = simulate(surface, load_case, {"condensed", Analysis::OfTheModel, 1});
+    // Condensation is exact; what is left is rounding, magnified by the condition of the two systems.
+    EXPECT_LT(relative_difference(interface_rows(full, surface), interface_rows(condensed, surface)), 1e-8);
+}
+
+TEST(Simulate, ReactionsOfEveryModelBalanceTheLoad) {
+    const Surface surface = with_parameters(make_surface(honeycomb(3, 2, kPatterns), nullptr));
+    const Eigen::Vector3d force(0.02, 0.01, -0.05);
+    for (const ModelRow& model : model_catalogue()) {
+        const auto result =
+            simulate(surface, cantilever(force), {std::string(model.name), Analysis::OfTheModel, 1});
+        ASSERT_TRUE(result.solution.converged()) << model.name;
+        const Eigen::Vector3d sum = result.solution.reactions.leftCols<3>().colwise().sum();
+        EXPECT_LT((sum + force).norm(), 1e-7 * force.norm()) << model.name;
+    }
+}
+
+TEST(Simulate, NonlinearTendsToLinearAsTheLoadVanishes) {
+    const Surface surface = make_surface(honeycomb(3, 2, kPatterns), nullptr);
+    const auto relative = [&](double force) {
+        const auto nonlinear =
+            simulate(surface, cantilever({0, 0, force}), {"full", Analysis::OfTheModel, 1});
+        const auto linear = simulate(surface, cantilever({0, 0, force}), {"full", Analysis::Linear, 1});
+        return relative_difference(nonlinear.solution.displacements, linear.solution.displacements);
+    };
+    EXPECT_LT(relative(1e-6), 1e-5);
+    EXPECT_GT(relative(0.3), 1e-3);
+}
+
+/// A pattern looks the same after a sixth of a turn, so which vertex of a hexagon is vertex 0 must not
+/// matter.
+TEST(Simulate, DoesNotDependOnWhichVertexOfAHexagonIsTheFirst) {
+    const LoadCase load_case = cantilever({0.1, 0.05, -0.2});
+    const Surface surface = with_parameters(make_surface(honeycomb(3, 2, kPatterns), nullptr));
+    const Surface turned = with_parameters(make_surface(honeycomb(3, 2, kPatterns, 2), nullptr));
+    const auto place = [](const Surface& s, std::size_t i) { return s.tessellation.interface_nodes[i]; };
+    for (const ModelRow& model : model_catalogue()) {
+        const SimulationOptions options{std::string(model.name), Analysis::Linear, 1};
+        const auto a = simulate(surface, load_case, options).solution.displacements;
+        const auto b = simulate(turned, load_case, options).solution.displacements;
+        for (std::size_t i = 0; i < surface.tessellation.interface_nodes.size(); ++i) {
+            const std::size_t j = [&] {
+                for (std::size_t k = 0;; ++k) {
+                    if (std::hypot(place(surface, i).x - place(turned, k).x,
+                                   place(surface, i).y - place(turned, k).y) < 1e-7)
+                        return k;
+                }
+            }();
+            EXPECT_LT((a.row(static_cast<Eigen::Index>(i)) - b.row(static_cast<Eigen::Index>(j))).norm(),
+                      1e-8 * a.norm())
+                << model.name;
+        }
+    }
+}
+
+TEST(Simulate, LoadStepsEndInTheSameState) {
+    const Surface surface = make_surface(honeycomb(3, 2, kPatterns), nullptr);
+    const auto once = simulate(surface, cantilever({0, 0, 0.2}), {"full", Analysis::OfTheModel, 1});
+    const auto steps = simulate(surface, cantilever({0, 0, 0.2}), {"full", Analysis::OfTheModel, 5});
+    ASSERT_EQ(steps.load_steps.size(), 5U);
+    EXPECT_LT(relative_difference(once.solution.displacements, steps.solution.displacements), 1e-7);
+}
+
+TEST(Simulate, ThePaperModelNeedsACalibrationOfEveryPattern) {
+    const Surface surface = make_surface(honeycomb(2, 2, kPatterns), nullptr);
+    EXPECT_THAT(complaint_of([&] {
+                    simulate(surface, cantilever({0, 0, 1}), {"paper6", Analysis::OfTheModel, 1});
+                }),
+                HasSubstr("0-1+1-6"));
+}
+
+TEST(Simulate, ASurfaceThatNothingHoldsIsRefused) {
+    const Surface surface = make_surface(honeycomb(2, 2, kPatterns), nullptr);
+    LoadCase load_case = cantilever({0, 0, 1});
+    load_case.supports.clear();
+    for (const ModelRow& model : model_catalogue()) {
+        if (model.name == "paper6") continue;
+        EXPECT_THROW(simulate(surface, load_case, {std::string(model.name), Analysis::OfTheModel, 1}),
+                     base::Error)
+            << model.name;
+    }
+}
+
+TEST(Simulate, AnUnknownModelAndZeroStepsAreRefused) {
+    const Surface surface = make_surface(honeycomb(2, 1, kPatterns), nullptr);
+    EXPECT_THAT(complaint_of([&] {
+                    simulate(surface, cantilever({0, 0, 1}), {"ful", Analysis::OfTheModel, 1});
+                }),
+                HasSubstr("did you mean 'full'?"));
+    EXPECT_THAT(complaint_of([&] {
+                    simulate(surface, cantilever({0, 0, 1}), {"full", Analysis::OfTheModel, 0});
+                }),
+                HasSubstr("load_steps is 0"));
+}
+
+TEST(FullModelFrame, SolvedOnItsOwnGivesTheSameDisplacements) {
+    const Surface surface = make_surface(honeycomb(3, 2, kPatterns), nullptr);
+    const LoadCase load_case = cantilever({0.1, 0.05, -0.2});
+    const test::TemporaryFolder folder;
+    mechanics::write_frame(full_model_frame(surface, resolve(load_case, surface)),
+                           folder.path() / "frame.json");
+    const auto solution =
+        mechanics::solve_linear(mechanics::assemble(mechanics::read_frame(folder.path() / "frame.json")));
+    const auto result = simulate(surface, load_case, {"full", Analysis::Linear, 1});
+    EXPECT_EQ(relative_difference(result.solution.displacements, solution.displacements), 0.0);
+}
+
+TEST(Compare, OfAResultWithItselfIsZero) {
+    const Surface surface = make_surface(honeycomb(3, 2, kPatterns), nullptr);
+    const auto result = simulate(surface, cantilever({0, 0, 0.2}), {"full", Analysis::OfTheModel, 1});
+    const Comparison comparison = compare(result, result);
+    EXPECT_EQ(comparison.max_translation_error, 0.0);
+    EXPECT_EQ(comparison.relative_l2_error, 0.0);
+    EXPECT_NEAR(comparison.max_rotation_error, 0.0,
+                1e-7);  // acos near 1 knows no better than the root of the rounding
+    EXPECT_GT(comparison.max_displacement, 0.0);
+}
+
+/// Two nodes with errors of 3 and 1 mm: mean 2, sd of the population 1; rotations about x by 0.1 and 0.
+TEST(Compare, MatchesAnExampleByHand) {
+    mechanics::Result full;
+    full.nodes = {{0, {0, 0, 0}, true}, {1, {0.3, 0.2, 0}, true}};
+    full.solution.displacements = NodeValues::Zero(2, 6);
+    full.solution.displacements(0, 2) = 0.004;
+    full.solution.displacements(0, 3) = 0.1;
+    mechanics::Result reduced = full;
+    reduced.solution.displacements(0, 2) = 0.001;
+    reduced.solution.displacements(0, 3) = 0.0;
+    reduced.solution.displacements(1, 1) = 0.001;
+    const Comparison comparison = compare(full, reduced);
+    EXPECT_DOUBLE_EQ(comparison.width, 0.3);
+    EXPECT_DOUBLE_EQ(comparison.height, 0.2);
+    EXPECT_DOUBLE_EQ(comparison.max_displacement, 0.004);
+    EXPECT_DOUBLE_EQ(comparison.max_translation_error, 0.003);
+    EXPECT_DOUBLE_EQ(comparison.mean_translation_error, 0.002);
+    EXPECT_DOUBLE_EQ(comparison.sd_translation_error, 0.001);
+    EXPECT_NEAR(comparison.max_rotation_error, 0.1, 1e-12);
+    EXPECT_NEAR(comparison.mean_rotation_error, 0.05, 1e-12);
+    EXPECT_DOUBLE_EQ(comparison.relative_l2_error, std::sqrt(10.0) / 4.0);
+}
+
+TEST(Compare, RefusesResultsOfDifferentSurfaces) {
+    mechanics::Result full;
+    full.nodes = {{0, {0, 0, 0}, true}, {1, {0.3, 0.2, 0}, true}};
+    full.solution.displacements = NodeValues::Zero(2, 6);
+    mechanics::Result fewer = full;
+    fewer.nodes[1].is_interface = false;
+    EXPECT_THAT(complaint_of([&] { compare(full, fewer); }), HasSubstr("2 and 1 interface nodes"));
+    mechanics::Result moved = full;
+    moved.nodes[1].rest_position.x() = 0.31;
+    EXPECT_THAT(complaint_of([&] { compare(full, moved); }),
+                HasSubstr("interface node 1 lies at different places"));
+    mechanics::Result failed = full;
+    failed.solution.termination = mechanics::Termination::Diverged;
+    EXPECT_THAT(complaint_of([&] { compare(full, failed); }), HasSubstr("did not converge"));
+}
+
+TEST(Comparison, TheRowHasAsManyColumnsAsTheHeader) {
+    EXPECT_EQ(base::split(comparison_header(), ',').size(), base::split(comparison_row("A", {}), ',').size());
+    EXPECT_EQ(comparison_header() + "\n",
+              base::read_text_file(FRETWORK_SOURCE_DIR "/tests/simulation/data/table3_header.csv"));
+}
+
+}  // namespace
+}  // namespace fretwork::simulation
