@@ -73,5 +73,27 @@ TEST(File, AFailedWriteLeavesTheOldFileAndNothingElse) {
     EXPECT_EQ(entries(folder.path()), 1U);
 }
 
+TEST(AtomicFile, AppearsWholeWhenItIsCommittedAndNotBefore) {
+    const TemporaryFolder folder;
+    const auto path = folder.path() / "x";
+    const std::string piece(1000, 'p');
+    AtomicFile file(path);
+    std::string whole;
+    for (int i = 0; i < 200; ++i) {
+        file.write(piece);
+        whole += piece;
+    }
+    EXPECT_FALSE(std::filesystem::exists(path));
+    file.commit();
+    EXPECT_EQ(read_text_file(path), whole);
+    EXPECT_EQ(entries(folder.path()), 1U);
+}
+
+TEST(AtomicFile, WithoutACommitLeavesNoTrace) {
+    const TemporaryFolder folder;
+    { AtomicFile(folder.path() / "x").write(std::string(200000, 'n')); }
+    EXPECT_EQ(entries(folder.path()), 0U);
+}
+
 }  // namespace
 }  // namespace fretwork::base

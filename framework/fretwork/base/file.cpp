@@ -18,13 +18,23 @@ namespace {
     throw IoError(path.string() + ": cannot be written: " + std::strerror(error_number));
 }
 
-/// A file that vanishes again unless it is renamed into place.
+/// A file that vanishes again unless it is renamed into place. Devices and pipes (/dev/stdout) cannot be
+/// replaced, only written.
 class TemporaryFile {
   public:
     explicit TemporaryFile(std::filesystem::path target) : target_(std::move(target)) {
-        path_ = target_.string() + ".XXXXXX";
-        descriptor_ = ::mkstemp(path_.data());
-        if (descriptor_ < 0) fail_to_write(target_, errno);
+        std::error_code ignored;
+        if (std::filesystem::exists(target_, ignored) &&
+            !std::filesystem::is_regular_file(target_, ignored)) {
+            descriptor_ = ::open(target_.c_str(), O_WRONLY | O_CLOEXEC);
+        } else {
+            path_ = target_.string() + ".XXXXXX";
+            descriptor_ = ::mkstemp(path_.data());
+        }
+        if (descriptor_ >= 0) return;
+        const int error_number = errno;
+        path_.clear();
+        fail_to_write(target_, error_number);
     }
     TemporaryFile(const TemporaryFile&) = delete;
     TemporaryFile& operator=(const TemporaryFile&) = delete;
@@ -43,6 +53,7 @@ class TemporaryFile {
     }
 
     void move_into_place() {
+        if (path_.empty()) return close_device();
         if (::fchmod(descriptor_, wanted_mode()) != 0 || ::fsync(descriptor_) != 0)
             fail_to_write(target_, errno);
         const int closed = ::close(descriptor_);
@@ -52,6 +63,12 @@ class TemporaryFile {
     }
 
   private:
+    void close_device() {
+        const int closed = ::close(descriptor_);
+        descriptor_ = -1;
+        if (closed != 0) fail_to_write(target_, errno);
+    }
+
     /// mkstemp makes files that only their owner may read; a result is as open as the umask allows, or as it
     /// was.
     [[nodiscard]] mode_t wanted_mode() const {
@@ -82,20 +99,42 @@ std::string read_text_file(const std::filesystem::path& path) {
     return std::move(content).str();
 }
 
-void write_file_atomically(const std::filesystem::path& path, std::string_view content) {
+struct AtomicFile::Impl {
+    explicit Impl(const std::filesystem::path& target) : file(target) { buffer.reserve(kBufferSize); }
+    void flush() {
+        file.write(buffer);
+        buffer.clear();
+    }
+    static constexpr std::size_t kBufferSize = 1U << 16U;
+    TemporaryFile file;
+    std::string buffer;
+};
+
+AtomicFile::AtomicFile(std::filesystem::path path) {
     std::error_code ignored;
     if (std::filesystem::is_directory(path, ignored)) {
         throw IoError(path.string() + ": is a folder, where a file is to be written");
     }
-    // Devices and pipes (/dev/stdout) cannot be replaced, only written.
-    if (std::filesystem::exists(path, ignored) && !std::filesystem::is_regular_file(path, ignored)) {
-        std::ofstream stream(path, std::ios::binary);
-        if (!(stream << content << std::flush)) fail_to_write(path, errno);
-        return;
-    }
-    TemporaryFile file(path);
+    impl_ = std::make_unique<Impl>(path);
+}
+AtomicFile::AtomicFile(AtomicFile&&) noexcept = default;
+AtomicFile& AtomicFile::operator=(AtomicFile&&) noexcept = default;
+AtomicFile::~AtomicFile() = default;
+
+void AtomicFile::write(std::string_view content) {
+    impl_->buffer += content;
+    if (impl_->buffer.size() >= Impl::kBufferSize) impl_->flush();
+}
+
+void AtomicFile::commit() {
+    impl_->flush();
+    impl_->file.move_into_place();
+}
+
+void write_file_atomically(const std::filesystem::path& path, std::string_view content) {
+    AtomicFile file(path);
     file.write(content);
-    file.move_into_place();
+    file.commit();
 }
 
 }  // namespace fretwork::base

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <string_view>
 
@@ -14,5 +15,25 @@ std::string read_text_file(const std::filesystem::path& path);
 /// to the disk and renamed. Throws IoError (folder missing, no permission, disk full), and then `path` is as
 /// it was.
 void write_file_atomically(const std::filesystem::path& path, std::string_view content);
+
+/// The same for content that comes piece by piece and may be large. What is never committed leaves no trace;
+/// devices and pipes (/dev/stdout) are written at once.
+class AtomicFile {
+  public:
+    /// Throws IoError.
+    explicit AtomicFile(std::filesystem::path path);
+    AtomicFile(AtomicFile&&) noexcept;
+    AtomicFile& operator=(AtomicFile&&) noexcept;
+    ~AtomicFile();
+
+    /// Append. Throws IoError.
+    void write(std::string_view content);
+    /// Put all that was written in the place of the path. Throws IoError, and then the path is as it was.
+    void commit();
+
+  private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
 
 }  // namespace fretwork::base
