@@ -12,6 +12,9 @@ using Place = std::array<Rational, 3>;
 /// Keeps every sum of three coordinates within 64 bits.
 constexpr std::int64_t kLargestDenominator = 1'000'000;
 
+/// So that a set of nodes fits into a machine word.
+constexpr std::size_t kMostNodes = 64;
+
 std::string indexed(const char* key, std::size_t i) {
     return "/" + std::string(key) + "/" + std::to_string(i);
 }
@@ -97,6 +100,8 @@ std::optional<LayoutFault> find_layout_fault(const NodeLayoutDescription& descri
     const std::size_t first_radial = description.center ? 1 : 0;
     const std::size_t first_face = first_radial + 2 * description.radial.size();
     const std::size_t first_interface = first_face + description.face.size();
+    if (first_interface + description.interface.size() > kMostNodes)
+        return LayoutFault{"", "there are more than " + std::to_string(kMostNodes) + " nodes"};
     if (Fault fault = check_name(description.name)) return fault;
     if (description.corners)
         return LayoutFault{

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/parallel.hpp>
+#include <fretwork/pattern/census.hpp>
+#include <fretwork/pattern/detail/rule_test.hpp>
+
+#include <algorithm>
+
+namespace fretwork::pattern {
+namespace {
+
+using detail::Word64;
+
+/// C(n, k).
+GraphCount binomial(int n, int k) {
+    std::vector<GraphCount> row(static_cast<std::size_t>(n) + 1);
+    row[0] = 1;
+    for (int i = 1; i <= n; ++i) {
+        for (int j = i; j >= 1; --j) row[static_cast<std::size_t>(j)] += row[static_cast<std::size_t>(j) - 1];
+    }
+    return row[static_cast<std::size_t>(k)];
+}
+
+/// For each number of edges, how many graphs break each rule, and none.
+struct Tally {
+    Tally(std::size_t edge_count, std::size_t filter_count)
+        : rejected(edge_count + 1, std::vector<std::uint64_t>(filter_count)), valid(edge_count + 1) {}
+    std::vector<std::vector<std::uint64_t>> rejected;
+    std::vector<std::uint64_t> valid;
+
+    void count(int edges, std::uint64_t broken) {
+        const auto k = static_cast<std::size_t>(edges);
+        if (broken == 0) ++valid[k];
+        detail::for_each_bit(broken, [&](int filter) { ++rejected[k][static_cast<std::size_t>(filter)]; });
+    }
+    void add(const Tally& other) {
+        for (std::size_t k = 0; k < valid.size(); ++k) {
+            valid[k] += other.valid[k];
+            for (std::size_t i = 0; i < rejected[k].size(); ++i) rejected[k][i] += other.rejected[k][i];
+        }
+    }
+};
+
+/// Walk every graph of the layout, in pieces of neighbouring numbers.
+Tally tally_all_graphs(const NodeLayout& layout, const std::vector<Filter>& filters,
+                       const EnumerationOptions& options) {
+    constexpr Word64 kPiece = 1 << 12;
+    const std::size_t edge_count = layout.candidate_edges().size();
+    const Word64 end = Word64{1} << edge_count;
+    const Tally nothing(edge_count, filters.size());
+    std::vector<Tally> parts((end + kPiece - 1) / kPiece, nothing);
+    base::parallel_for(parts.size(), options.threads, [&](std::size_t piece) {
+        detail::RuleTest<Word64> test(layout, filters);
+        const Word64 start = piece * kPiece;
+        for (Word64 edges = start; edges < std::min(end, start + kPiece); ++edges) {
+            const int count = detail::bit_count(edges);
+            if (count >= options.edges.least && count <= options.edges.most)
+                parts[piece].count(count, test.broken(edges));
+        }
+    });
+    Tally sum = nothing;
+    for (const Tally& part : parts) sum.add(part);
+    return sum;
+}
+
+}  // namespace
+
+std::string count_text(GraphCount count) {
+    std::string digits;
+    do {
+        digits += static_cast<char>('0' + static_cast<int>(count % 10));
+        count /= 10;
+    } while (count != 0);
+    std::reverse(digits.begin(), digits.end());
+    return digits;
+}
+
+GraphCount Census::valid() const {
+    GraphCount sum = 0;
+    for (const CensusRow& row : rows) sum += row.valid;
+    return sum;
+}
+
+Census take_census(const NodeLayout& layout, const EnumerationOptions& options) {
+    options.validate();
+    const std::vector<Filter> filters = make_filters(layout, options.filters, options.scale);
+    Census census;
+    for (const Filter& filter : filters) census.filters.emplace_back(filter.kind->name);
+    const int edge_count = static_cast<int>(layout.candidate_edges().size());
+    const Tally tally = tally_all_graphs(layout, filters, options);
+    for (int k = options.edges.least; k <= std::min(options.edges.most, edge_count); ++k) {
+        const auto& rejected = tally.rejected[static_cast<std::size_t>(k)];
+        census.rows.push_back({k,
+                               binomial(edge_count, k),
+                               {rejected.begin(), rejected.end()},
+                               tally.valid[static_cast<std::size_t>(k)]});
+    }
+    return census;
+}
+
+std::string census_csv(const Census& census) {
+    std::string text = "edges,patterns";
+    for (const std::string& filter : census.filters) text += "," + filter;
+    text += ",valid\n";
+    for (const CensusRow& row : census.rows) {
+        text += std::to_string(row.edges) + "," + count_text(row.patterns);
+        for (const auto& count : row.rejected) text += "," + (count ? count_text(*count) : std::string());
+        text += "," + count_text(row.valid) + "\n";
+    }
+    return text;
+}
+
+}  // namespace fretwork::pattern

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/pattern/detail/exact_geometry.hpp>
+
+namespace fretwork::pattern::detail {
+
+/// The smallest angle that two beams may enclose, for exact comparisons in the regular hexagon.
+///
+/// The cosine of an angle between rational directions of the hexagon has a rational square q (with the sign
+/// of the cosine, it falls as the angle grows from 0 to 180 degrees). The square of the limit's cosine is
+/// rational only at multiples of 30 and 45 degrees, where it is compared exactly; elsewhere it is enclosed
+/// between two rationals 1e-40 apart, and a q between these two, which has never been met, is an error.
+class AngleLimit {
+  public:
+    /// @param radians  from 0 to pi; within 1e-12 of a multiple of 30 or 45 degrees it is taken for that.
+    /// Throws InputError.
+    explicit AngleLimit(double radians);
+
+    /// True if the two directions enclose less than the limit. They are in affine coordinates of the base
+    /// triangle.
+    [[nodiscard]] bool is_above(const ExactVector& left, const ExactVector& right) const;
+
+  private:
+    ExactNumber lower_;  ///< bounds of the limit's signed cosine square
+    ExactNumber upper_;
+};
+
+}  // namespace fretwork::pattern::detail

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/pattern/pattern.hpp>
+
+#include <utility>
+#include <vector>
+
+namespace fretwork::pattern::detail {
+
+/// Collects the pairs of a ConflictRule.
+class ConflictTable {
+  public:
+    explicit ConflictTable(const NodeLayout& layout) : conflicts_(layout.candidate_edges().size()) {}
+
+    void add(EdgeIndex left, EdgeIndex right) {
+        conflicts_[static_cast<std::size_t>(left)].set(static_cast<std::size_t>(right));
+        conflicts_[static_cast<std::size_t>(right)].set(static_cast<std::size_t>(left));
+    }
+    std::vector<Pattern::Bits> take() { return std::move(conflicts_); }
+
+  private:
+    std::vector<Pattern::Bits> conflicts_;
+};
+
+}  // namespace fretwork::pattern::detail

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/pattern/fan.hpp>
+
+#include <vector>
+
+namespace fretwork::pattern::detail {
+
+// What connectivity means, said by Boost.Graph about the fan itself: the definition of the graph rules, and
+// the judge of the faster test that the search uses.
+
+/// How neighbouring tiles tie a fan's interface nodes together: in a ring around the polygon, or all to one
+/// hub that is no node of its own. Both have the same articulation points among the fan's nodes.
+enum class Outside { Ring, Hub };
+
+/// The component of each fan node; -1 for interface nodes that no beam uses.
+struct FanComponents {
+    int count = 0;
+    std::vector<int> of_node;
+};
+FanComponents fan_components(const Fan& fan);
+
+/// The articulation points of the fan with its outside, ascending.
+std::vector<FanNodeIndex> articulation_nodes(const Fan& fan, Outside outside = Outside::Ring);
+
+/// The beams (positions in Fan::edges) that lie in no block (biconnected component) with the outside: they
+/// hang on an articulation point, or on nothing, and bear no load.
+std::vector<std::size_t> dangling_beams(const Fan& fan);
+
+}  // namespace fretwork::pattern::detail

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/pattern/filter_catalogue.hpp>
+
+namespace fretwork::pattern::detail {
+
+/// The sectors of the reference fan: angles, valence, connectivity and lengths are those in the regular
+/// hexagon, as in the paper.
+inline constexpr int kReferenceSides = 6;
+
+// The factories of the catalogue's rows: one file each in filters/.
+Rule make_intersecting(const NodeLayout& layout, double value, const FabricationScale& scale);
+Rule make_no_interface(const NodeLayout& layout, double value, const FabricationScale& scale);
+Rule make_multiple_components(const NodeLayout& layout, double value, const FabricationScale& scale);
+Rule make_articulation(const NodeLayout& layout, double value, const FabricationScale& scale);
+Rule make_small_angle(const NodeLayout& layout, double value, const FabricationScale& scale);
+Rule make_high_valence(const NodeLayout& layout, double value, const FabricationScale& scale);
+
+}  // namespace fretwork::pattern::detail

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/pattern/pattern.hpp>
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace fretwork::pattern::detail {
+
+/// The reference fan divided by its rotation: one node for each orbit of fan nodes, one edge for each
+/// candidate edge, with the number of sectors by which it advances (its gain).
+///
+/// The fan is the covering graph of this: node (orbit, sector) is joined to (orbit', sector + gain). Only the
+/// center is its own whole orbit.
+class Quotient {
+  public:
+    /// A node of the layout as (orbit, sector) of sector 0.
+    struct Place {
+        int orbit = 0;
+        int shift = 0;  ///< 1 on the right radial side, which is the next sector's left one
+    };
+    struct Link {
+        int first = 0;
+        int second = 0;
+        int gain = 0;  ///< sectors from the first node to the second
+    };
+
+    explicit Quotient(const NodeLayout& layout);
+
+    [[nodiscard]] int orbit_count() const { return orbit_count_; }
+    /// The orbit of the center, or -1.
+    [[nodiscard]] int center() const { return center_; }
+    /// The orbits of the interface nodes, as a bit set.
+    [[nodiscard]] std::uint64_t interface_orbits() const { return interface_orbits_; }
+    [[nodiscard]] const Place& place(LayoutNodeIndex node) const {
+        return places_[static_cast<std::size_t>(node)];
+    }
+    [[nodiscard]] const Link& link(EdgeIndex edge) const { return links_[static_cast<std::size_t>(edge)]; }
+    [[nodiscard]] std::span<const Link> links() const { return links_; }
+
+  private:
+    int orbit_count_ = 0;
+    int center_ = -1;
+    std::uint64_t interface_orbits_ = 0;
+    std::vector<Place> places_;
+    std::vector<Link> links_;
+};
+
+}  // namespace fretwork::pattern::detail

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/base/text.hpp>
+#include <fretwork/pattern/detail/angle_limit.hpp>
+#include <fretwork/pattern/detail/conflicts.hpp>
+#include <fretwork/pattern/detail/filters.hpp>
+#include <fretwork/pattern/detail/hexagon.hpp>
+
+#include <map>
+#include <numbers>
+
+namespace fretwork::pattern::detail {
+namespace {
+
+/// A beam as it leaves a node of the fan.
+struct Departure {
+    EdgeIndex edge;
+    ExactVector direction;
+};
+
+/// Every departure at one node of each orbit; the others are rotations of these.
+std::map<int, std::vector<Departure>> departures_by_node(const NodeLayout& layout) {
+    std::map<int, std::vector<Departure>> departures;
+    for (const PlacedEdge& placed : place_candidates_in_hexagon(layout)) {
+        for (std::size_t end = 0; end < 2; ++end) {
+            const int node = placed.fan_nodes[end];
+            if (node % kReferenceSides != 0) continue;
+            departures[node].push_back({placed.edge, placed.points[1 - end] - placed.points[end]});
+        }
+    }
+    return departures;
+}
+
+}  // namespace
+
+// Paper, Section 4.2, "Fabrication constraints". Two beams that meet in a node of the fan may come from two
+// sectors, and from one edge: an edge and its own rotated copy.
+Rule make_small_angle(const NodeLayout& layout, double value, const FabricationScale&) {
+    const AngleLimit limit(value);
+    ConflictTable table(layout);
+    for (const auto& [node, departures] : departures_by_node(layout)) {
+        for (std::size_t i = 0; i < departures.size(); ++i) {
+            for (std::size_t j = i + 1; j < departures.size(); ++j) {
+                if (limit.is_above(departures[i].direction, departures[j].direction))
+                    table.add(departures[i].edge, departures[j].edge);
+            }
+        }
+    }
+    constexpr double kDegrees = 180.0 / std::numbers::pi;
+    return ConflictRule{table.take(),
+                        "enclose less than " + base::format_number(value * kDegrees) + " degrees"};
+}
+
+}  // namespace fretwork::pattern::detail

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/pattern/verdict.hpp>
+
+#include <functional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace fretwork::pattern {
+
+// The forms in which a filter may state its rule. The form is what the search, the census and the verdict
+// work with: it declares what a rule costs and how far it prunes, so none of them knows any filter by name.
+
+/// Certain pairs of edges may not be chosen together, and certain edges never.
+/// Prunes: what breaks the rule stays broken when edges are added. Cost: one AND per edge.
+struct ConflictRule {
+    std::vector<Pattern::Bits>
+        conflicts;       ///< per edge, symmetric; an edge in conflict with itself is never chosen
+    std::string phrase;  ///< "cross", as in "the edges 0-1 and 2-5 cross"
+};
+
+/// Each resource (such as the valence of a node) bears a load from each chosen edge, up to a limit.
+/// Prunes: what breaks the rule stays broken when edges are added. Cost: one addition per edge.
+struct CapacityRule {
+    struct Resource {
+        std::string name;        ///< "node n2"
+        std::vector<int> loads;  ///< per edge; zero or more
+    };
+    std::vector<Resource> resources;
+    int limit = 0;
+    std::string phrase;  ///< "valence", as in "node n2 has valence 8, above 6"
+};
+
+/// Of each group of edges at least one is chosen.
+/// Prunes from the other side: once no edge of a group can be chosen any more. Cost: one AND per group.
+struct CoverRule {
+    struct Group {
+        std::string name;  ///< "interface node n6"
+        Pattern::Bits edges;
+    };
+    std::vector<Group> groups;
+};
+
+/// A property of the fan in the hexagon as a graph. Boost.Graph is its definition; the search uses an equal
+/// bit-parallel test. Does not prune by itself. Cost: about 0.1 microseconds.
+struct GraphRule {
+    enum class Property {
+        Connected,           ///< one component
+        WithoutArticulation  ///< no articulation point once the interface nodes are tied together from
+                             ///< outside
+    };
+    Property property = Property::Connected;
+};
+
+/// Anything else. Does not prune. Cost: one call.
+struct PredicateRule {
+    std::function<bool(const Pattern&)> is_kept;
+    std::string phrase;  ///< "the pattern is not its own mirror image"
+};
+
+using Rule = std::variant<ConflictRule, CapacityRule, CoverRule, GraphRule, PredicateRule>;
+
+}  // namespace fretwork::pattern
