@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/optimization/evaluator.hpp>
+
+#include <cstdint>
+#include <string_view>
+
+namespace fretwork::optimization {
+
+/// What a method claims: to end in a minimum near its start, to look everywhere, or to draw at random.
+enum class OptimizerClass { Local, Global, Random };
+std::string_view optimizer_class_name(OptimizerClass kind);
+
+/// How a run ended.
+enum class Termination {
+    Converged,    ///< by the method's own criterion
+    BudgetSpent,  ///< an evaluation was refused because the budget does not pay for it
+    Stalled,      ///< the method found no way on before its criterion was met
+    Invalid,      ///< the objective was finite nowhere
+};
+std::string_view termination_name(Termination termination);
+
+/// The options that all methods understand.
+struct OptimizerOptions {
+    int starts = 4;  ///< descents, or repetitions of a method that has none; >= 1
+    std::uint64_t seed = 1;
+    /// Throws InputError if a value makes no sense.
+    void validate() const;
+};
+
+/// How a method left: why, and where it stood, which need not be the best point that it saw.
+struct RunOutcome {
+    Termination termination = Termination::Converged;
+    Eigen::VectorXd final_point;
+};
+
+/// A minimization method. It evaluates through the evaluator only, and stops once an evaluation is refused.
+class Optimizer {
+  public:
+    virtual ~Optimizer() = default;
+    virtual RunOutcome run(Evaluator& evaluator) const = 0;
+};
+
+}  // namespace fretwork::optimization

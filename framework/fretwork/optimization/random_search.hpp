@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/optimization/optimizer.hpp>
+
+#include <memory>
+
+namespace fretwork::optimization {
+
+/// Independent uniform points until the budget is spent. What a better method must beat.
+std::unique_ptr<Optimizer> make_random_search(const OptimizerOptions& options);
+
+}  // namespace fretwork::optimization

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/optimization/random.hpp>
+#include <fretwork/optimization/sampling.hpp>
+#include <fretwork/optimization/simulated_annealing.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace fretwork::optimization {
+namespace {
+
+constexpr double kWantedAcceptance = 0.44;
+
+/// Fold a share back into [0, 1] as if mirrors stood at both ends.
+double reflected(double share) {
+    const double folded = std::fmod(std::abs(share), 2.0);
+    return folded > 1.0 ? 2.0 - folded : folded;
+}
+
+/// One run: the state of the algorithm as published, step by step.
+class Annealing {
+  public:
+    Annealing(const SimulatedAnnealingOptions& options, Evaluator& evaluator, int run)
+        : options_(options),
+          evaluator_(evaluator),
+          random_(options.common.seed, static_cast<std::uint64_t>(run)),
+          shares_(LowDiscrepancySequence(evaluator.bounds().dimension(), options.common.seed).point(run)),
+          scales_(Eigen::VectorXd::Constant(shares_.size(), options.initial_move)),
+          accepted_(Eigen::VectorXd::Zero(shares_.size())),
+          temperature_(options.initial_temperature) {}
+
+    RunOutcome run() {
+        const auto first = evaluator_.value(point());
+        if (!first) return {Termination::BudgetSpent, point()};
+        energy_ = *first;
+        const long frozen_after =
+            static_cast<long>(options_.frozen_adaptations) * options_.sweeps_per_adaptation * shares_.size();
+        for (long move = 0; move < options_.largest_moves; ++move) {
+            const double previous = energy_;
+            if (!try_move(move % shares_.size())) return {Termination::BudgetSpent, point()};
+            adapt_after(move + 1);
+            if (move + 1 > options_.initial_moves) temperature_ *= 1.0 - options_.cooling;
+            still_moves_ = std::abs(energy_ - previous) < options_.tolerance ? still_moves_ + 1 : 0;
+            if (still_moves_ >= frozen_after) return {Termination::Converged, point()};
+        }
+        return {Termination::Stalled, point()};
+    }
+
+  private:
+    [[nodiscard]] Eigen::VectorXd point() const { return evaluator_.bounds().at_shares(shares_); }
+
+    bool try_move(Eigen::Index variable) {
+        const double before = shares_[variable];
+        shares_[variable] = reflected(before + random_.laplace(scales_[variable]));
+        const auto energy = evaluator_.value(point());
+        const double chance = random_.uniform();
+        if (energy && (*energy <= energy_ || chance < std::exp(-(*energy - energy_) / temperature_))) {
+            energy_ = *energy;
+            accepted_[variable] += 1.0;
+        } else {
+            shares_[variable] = before;
+        }
+        return energy.has_value();
+    }
+
+    void adapt_after(long moves) {
+        if (moves % (options_.sweeps_per_adaptation * shares_.size()) != 0) return;
+        for (Eigen::Index i = 0; i < shares_.size(); ++i) {
+            const double acceptance = accepted_[i] / options_.sweeps_per_adaptation;
+            scales_[i] = std::min(scales_[i] * std::exp(options_.gain * (acceptance - kWantedAcceptance)),
+                                  options_.largest_move);
+        }
+        accepted_.setZero();
+    }
+
+    const SimulatedAnnealingOptions& options_;
+    Evaluator& evaluator_;
+    RandomStream random_;
+    Eigen::VectorXd shares_;
+    Eigen::VectorXd scales_;
+    Eigen::VectorXd accepted_;
+    double temperature_;
+    double energy_ = 0.0;
+    long still_moves_ = 0;
+};
+
+class SimulatedAnnealing final : public Optimizer {
+  public:
+    explicit SimulatedAnnealing(const SimulatedAnnealingOptions& options) : options_(options) {}
+
+    RunOutcome run(Evaluator& evaluator) const override {
+        RunOutcome outcome;
+        for (int run = 0; run < options_.common.starts; ++run) {
+            outcome = Annealing(options_, evaluator, run).run();
+            if (outcome.termination == Termination::BudgetSpent) break;
+        }
+        return outcome;
+    }
+
+  private:
+    SimulatedAnnealingOptions options_;
+};
+
+}  // namespace
+
+void SimulatedAnnealingOptions::validate() const {
+    common.validate();
+    const bool counts_make_sense =
+        largest_moves >= 1 && initial_moves >= 0 && sweeps_per_adaptation >= 1 && frozen_adaptations >= 1;
+    const bool scales_make_sense = initial_temperature > 0.0 && cooling >= 0.0 && cooling < 1.0 &&
+                                   tolerance >= 0.0 && initial_move > 0.0 && largest_move > 0.0 &&
+                                   gain >= 0.0;
+    if (!counts_make_sense) throw base::InputError("simulated annealing: a count is out of range");
+    if (!scales_make_sense) throw base::InputError("simulated annealing: a scale is out of range");
+}
+
+std::unique_ptr<Optimizer> make_simulated_annealing(const SimulatedAnnealingOptions& options) {
+    options.validate();
+    return std::make_unique<SimulatedAnnealing>(options);
+}
+
+}  // namespace fretwork::optimization

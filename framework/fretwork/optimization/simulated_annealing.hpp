@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/optimization/optimizer.hpp>
+
+#include <memory>
+
+namespace fretwork::optimization {
+
+/// The defaults are those of ensmallen 2's SA with its exponential schedule [Curtin2021].
+struct SimulatedAnnealingOptions {
+    OptimizerOptions common{};       ///< `starts` runs, one after the other
+    long largest_moves = 1'000'000;  ///< of one run
+    double initial_temperature = 1e4;
+    long initial_moves = 1000;  ///< at the initial temperature
+    double cooling = 1e-3;      ///< T becomes (1 - cooling) T after each later move
+    int sweeps_per_adaptation = 100;
+    double tolerance = 1e-5;     ///< frozen: a smaller change, ..
+    int frozen_adaptations = 3;  ///< .. for so many times sweeps_per_adaptation sweeps
+    double initial_move = 0.3;   ///< scale of the Laplace distributed move, as a share of the box
+    double largest_move = 20.0;
+    double gain = 0.3;
+    /// Throws InputError if a value makes no sense.
+    void validate() const;
+};
+
+/// The annealing that the paper used, as ensmallen publishes it: a move changes one variable, and each
+/// variable's scale is steered to an acceptance of 0.44 [LamDelosme1988]. What ensmallen leaves open is
+/// decided so: variables are shares of the box, starts are low-discrepancy points, and a move beyond a bound
+/// is reflected. The method ends on the last accepted point; the report also has the best one.
+std::unique_ptr<Optimizer> make_simulated_annealing(const SimulatedAnnealingOptions& options);
+
+}  // namespace fretwork::optimization

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/optimization/detail/box_quadratic.hpp>
+#include <fretwork/optimization/optimizer_catalogue.hpp>
+#include <fretwork/optimization/random.hpp>
+#include <fretwork/optimization/simulated_annealing.hpp>
+
+#include <gtest/gtest.h>
+
+#include "analytic_problems.hpp"
+
+namespace fretwork::optimization {
+namespace {
+
+TEST(BoxQuadratic, SatisfiesTheOptimalityConditionsForRandomProblems) {
+    RandomStream random(1, 0);
+    for (int trial = 0; trial < 300; ++trial) {
+        const int n = 1 + trial % 7;
+        Eigen::MatrixXd M(n, n);
+        Eigen::VectorXd g(n);
+        Bounds bounds{Eigen::VectorXd(n), Eigen::VectorXd(n)};
+        for (double& entry : M.reshaped()) entry = random.laplace(1.0);
+        for (double& entry : g) entry = random.laplace(3.0);
+        for (double& entry : bounds.lower) entry = -random.uniform() * (trial % 3);
+        for (double& entry : bounds.upper) entry = random.uniform();
+        const Eigen::MatrixXd H = M.transpose() * M + 1e-3 * Eigen::MatrixXd::Identity(n, n);
+        const Eigen::VectorXd p = detail::minimize_box_quadratic(H, g, bounds);
+        ASSERT_TRUE(bounds.contain(p));
+        // A convex problem: its conditions are sufficient.
+        const Eigen::VectorXd slope = g + H * p;
+        const double tolerance = 1e-9 * (1.0 + g.lpNorm<Eigen::Infinity>());
+        for (int i = 0; i < n; ++i) {
+            EXPECT_TRUE(p[i] == bounds.lower[i] || slope[i] < tolerance) << "trial " << trial;
+            EXPECT_TRUE(p[i] == bounds.upper[i] || slope[i] > -tolerance) << "trial " << trial;
+        }
+    }
+}
+
+/// Three points of a wide triangle: the minimum of the sum of distances is its Fermat point, where the
+/// directions to the corners make 120 degrees.
+TEST(SmoothedMethods, FindTheFermatPoint) {
+    const DistanceSumProblem problem(cube(2, -3.0, 3.0),
+                                     (Eigen::MatrixXd(2, 3) << 0.0, 2.0, 0.5, 0.0, 0.0, 1.5).finished());
+    for (const char* name : {"ceres-multistart", "gauss-newton-multistart"}) {
+        const auto report = minimize(problem, find_optimizer(name), {.starts = 1}, {.cost = 2000});
+        const Eigen::VectorXd slope = problem.gradient(report.point, 0.0).gradient;
+        EXPECT_LT(slope.norm() / report.value, 1e-3) << name;
+        EXPECT_EQ(report.termination, Termination::Converged) << name;
+    }
+}
+
+/// With one angle beyond 120 degrees the minimum is that corner: a kink of the objective.
+TEST(SmoothedMethods, FindAMinimumInAKink) {
+    const DistanceSumProblem problem(cube(2, -3.0, 3.0),
+                                     (Eigen::MatrixXd(2, 3) << 0.0, 2.0, -2.0, 0.0, 0.3, 0.3).finished());
+    const double best = problem.value(Eigen::Vector2d(0.0, 0.0));
+    for (const char* name : {"ceres-multistart", "gauss-newton-multistart"}) {
+        const auto report = minimize(problem, find_optimizer(name), {.starts = 1}, {.cost = 2000});
+        EXPECT_LT(report.value, best * (1.0 + 1e-3)) << name;
+        EXPECT_GE(report.value, best) << name;
+    }
+}
+
+/// Remembers every point at which it was evaluated.
+class RecordedQuadratic final : public Problem {
+  public:
+    [[nodiscard]] std::string name() const override { return "recorded"; }
+    [[nodiscard]] const Bounds& bounds() const override { return bounds_; }
+    [[nodiscard]] double value(const Eigen::VectorXd& x) const override {
+        points.push_back(x);
+        return 10.0 * x.squaredNorm();
+    }
+    mutable std::vector<Eigen::VectorXd> points;
+
+  private:
+    Bounds bounds_ = cube(3, 0.0, 1.0);
+};
+
+TEST(SimulatedAnnealing, MovesOneVariableAtATimeInTurn) {
+    const RecordedQuadratic problem;
+    const auto annealing =
+        make_simulated_annealing({.common = {.starts = 1, .seed = 2}, .initial_temperature = 1e300});
+    (void)minimize(problem, *annealing, {.cost = 200});
+    // At this temperature every move is accepted, so consecutive points differ in one variable.
+    for (std::size_t k = 1; k < problem.points.size(); ++k) {
+        for (Eigen::Index i = 0; i < 3; ++i) {
+            const bool moves = problem.points[k][i] != problem.points[k - 1][i];
+            EXPECT_EQ(moves, i == static_cast<Eigen::Index>((k - 1) % 3));
+        }
+    }
+}
+
+TEST(SimulatedAnnealing, IsFrozenAfterThreeTimesAHundredSweepsWithoutChange) {
+    const ::fretwork::optimization::LeastSquaresProblem flat(
+        "flat", cube(2, 0.0, 1.0), [](const auto&) { return Eigen::VectorXd::Ones(1).eval(); },
+        [](const auto&) { return Eigen::MatrixXd::Zero(1, 2).eval(); });
+    const auto report =
+        minimize(flat, find_optimizer("simulated-annealing"), {.starts = 1}, {.cost = 100000});
+    EXPECT_EQ(report.termination, Termination::Converged);
+    EXPECT_EQ(report.evaluations, 1 + 3 * 100 * 2);
+}
+
+TEST(SimulatedAnnealing, EndsOnItsLastAcceptedPoint) {
+    const auto problem = sphere(2);
+    const auto report =
+        minimize(problem, find_optimizer("simulated-annealing"), {.starts = 1}, {.cost = 900});
+    // Hot as it still is, it wanders: where it stands is not the best that it saw.
+    EXPECT_GT(problem.value(report.final_point), report.value);
+}
+
+}  // namespace
+}  // namespace fretwork::optimization
