@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// fretwork export: a project, and what was computed of it, as a drawing or a file for other programs.
+#include <fretwork/exports/writer_catalogue.hpp>
+
+#include "project_library.hpp"
+#include "verbs.hpp"
+#include <filesystem>
+#include <memory>
+
+namespace fretwork::app {
+namespace {
+
+struct Options {
+    std::string project;
+    std::vector<std::string> to;
+    std::string load_case;
+    std::vector<std::string> results;
+    std::string library;
+    double scale = 1.0;
+};
+
+exports::Scene make_scene(const Options& options) {
+    const simulation::Project project = simulation::read_project(options.project);
+    const auto library = open_project_library(options.project, project, options.library);
+    exports::Scene scene{simulation::make_surface(project, library ? &*library : nullptr)};
+    if (!options.load_case.empty()) {
+        scene.conditions =
+            simulation::resolve(simulation::find_load_case(project, options.load_case), scene.surface);
+    }
+    for (const std::string& file : options.results) {
+        scene.results.push_back({std::filesystem::path(file).stem().string(), mechanics::read_result(file)});
+    }
+    scene.displacement_scale = options.scale;
+    return scene;
+}
+
+void run(const Options& options) {
+    for (const std::string& path : options.to) (void)exports::find_writer(path);
+    const exports::Scene scene = make_scene(options);
+    for (const std::string& path : options.to) exports::write_scene(scene, path);
+}
+
+std::string kinds_help() {
+    std::string text = "File to write; its ending says what kind (repeatable):";
+    for (const exports::WriterRow& writer : exports::writer_catalogue()) {
+        text += "\n  " + std::string(writer.ending) + ": " + std::string(writer.description);
+    }
+    return text;
+}
+
+}  // namespace
+
+void add_export(CLI::App& app, ExitCode&) {
+    CLI::App* verb = app.add_subcommand(
+        "export", "Write a project, and results of it, as drawings and files for other programs");
+    const auto options = std::make_shared<Options>();
+    verb->add_option("project", options->project, "Project file")->required();
+    verb->add_option("--to", options->to, kinds_help())->required()->expected(1);
+    verb->add_option("--case", options->load_case, "Load case whose supports and loads are drawn");
+    verb->add_option("--result", options->results,
+                     "Result file of this project (repeatable: drawn over each other)")
+        ->expected(1);
+    verb->add_option("--library", options->library, "Library with the setting (default: the project's)");
+    verb->add_option("--scale", options->scale, "Factor on the displacements in drawings")
+        ->capture_default_str();
+    verb->footer(
+        "Example: fretwork export project.json --result full.json --result condensed.json --to deformed.svg");
+    verb->callback([options] { run(*options); });
+}
+
+}  // namespace fretwork::app

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+namespace fretwork::exports {
+
+/// The colour of the i-th pattern of a palette, as "#rrggbb". Neighbouring numbers are far apart in hue
+/// (golden angle) and differ in lightness, too, so that they can be told apart in grey and with a colour
+/// vision deficiency.
+std::string pattern_colour(int index);
+
+/// A perceptually even scale from dark blue (0) over green to yellow (1), after viridis; values outside are
+/// clamped.
+std::string scale_colour(double share);
+
+}  // namespace fretwork::exports

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/exports/detail/svg_canvas.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace fretwork::exports::detail {
+namespace {
+
+using pattern::Point2;
+
+/// A micrometre is more than any printer or eye resolves.
+std::string rounded(double value) {
+    char buffer[32];
+    std::snprintf(buffer, sizeof buffer, "%.3f", value);
+    std::string text = buffer;
+    text.erase(text.find_last_not_of('0') + 1);
+    if (text.back() == '.') text.pop_back();
+    return text == "-0" ? "0" : text;
+}
+
+std::string escaped(std::string_view text) {
+    std::string result;
+    for (const char c : text) {
+        switch (c) {
+            case '&':
+                result += "&amp;";
+                break;
+            case '<':
+                result += "&lt;";
+                break;
+            case '>':
+                result += "&gt;";
+                break;
+            case '"':
+                result += "&quot;";
+                break;
+            default:
+                result += c;
+        }
+    }
+    return result;
+}
+
+}  // namespace
+
+Box bounding_box(std::span<const Point2> points, double margin) {
+    if (points.empty()) return {-margin, -margin, margin, margin};
+    Box box{points[0].x, points[0].y, points[0].x, points[0].y};
+    for (const Point2& point : points) {
+        box.xmin = std::min(box.xmin, point.x);
+        box.ymin = std::min(box.ymin, point.y);
+        box.xmax = std::max(box.xmax, point.x);
+        box.ymax = std::max(box.ymax, point.y);
+    }
+    return {box.xmin - margin, box.ymin - margin, box.xmax + margin, box.ymax + margin};
+}
+
+SvgCanvas::SvgCanvas(const Box& box, double scale) : box_(box), units_per_metre_(1000.0 * scale) {}
+
+std::string SvgCanvas::place(const Point2& point) const {
+    return rounded((point.x - box_.xmin) * units_per_metre_) + "," +
+           rounded((box_.ymax - point.y) * units_per_metre_);
+}
+
+std::string SvgCanvas::length(double metres) const {
+    return rounded(metres * units_per_metre_);
+}
+
+std::string SvgCanvas::attributes(const Style& style) const {
+    std::string text = " fill=\"" + style.fill + "\"";
+    if (style.stroke != "none") {
+        text += " stroke=\"" + style.stroke + "\" stroke-width=\"" + length(style.stroke_width) +
+                "\" stroke-linecap=\"round\" stroke-linejoin=\"round\"";
+    }
+    if (style.opacity < 1.0) text += " opacity=\"" + rounded(style.opacity) + "\"";
+    return text;
+}
+
+void SvgCanvas::polygon(std::span<const Point2> points, const Style& style) {
+    body_ += "<polygon points=\"";
+    for (const Point2& point : points) body_ += (&point == points.data() ? "" : " ") + place(point);
+    body_ += "\"" + attributes(style) + "/>\n";
+}
+
+void SvgCanvas::segments(std::span<const std::array<Point2, 2>> lines, const Style& style) {
+    if (lines.empty()) return;
+    body_ += "<path d=\"";
+    for (const auto& line : lines) body_ += "M" + place(line[0]) + "L" + place(line[1]);
+    body_ += "\"" + attributes(style) + "/>\n";
+}
+
+void SvgCanvas::circle(const Point2& center, double radius, const Style& style) {
+    body_ += "<circle cx=\"" + rounded((center.x - box_.xmin) * units_per_metre_) + "\" cy=\"" +
+             rounded((box_.ymax - center.y) * units_per_metre_) + "\" r=\"" + length(radius) + "\"" +
+             attributes(style) + "/>\n";
+}
+
+void SvgCanvas::arrow(const Point2& from, const Point2& to, double head, const Style& style) {
+    const double size = std::hypot(to.x - from.x, to.y - from.y);
+    if (size == 0.0) return;
+    const Point2 along{(to.x - from.x) / size, (to.y - from.y) / size};
+    const double tip = std::min(head, size);
+    const Point2 neck{to.x - tip * along.x, to.y - tip * along.y};
+    const std::array<std::array<Point2, 2>, 1> shaft = {{{from, neck}}};
+    segments(shaft, style);
+    const double half = 0.4 * tip;
+    const std::array<Point2, 3> triangle = {to, Point2{neck.x - half * along.y, neck.y + half * along.x},
+                                            Point2{neck.x + half * along.y, neck.y - half * along.x}};
+    polygon(triangle, {style.stroke, "none", 0.0, style.opacity});
+}
+
+void SvgCanvas::text(const Point2& point, std::string_view text, double height, Anchor anchor) {
+    constexpr const char* kAnchors[] = {"start", "middle", "end"};
+    body_ += "<text x=\"" + rounded((point.x - box_.xmin) * units_per_metre_) + "\" y=\"" +
+             rounded((box_.ymax - point.y) * units_per_metre_) + "\" font-size=\"" + length(height) +
+             "\" text-anchor=\"" + kAnchors[static_cast<int>(anchor)] + "\" fill=\"#333\">" + escaped(text) +
+             "</text>\n";
+}
+
+std::string SvgCanvas::document(std::string_view title) const {
+    const std::string width = rounded(box_.width() * units_per_metre_);
+    const std::string height = rounded(box_.height() * units_per_metre_);
+    return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" +
+           width + "mm\" height=\"" + height + "mm\" viewBox=\"0 0 " + width + " " + height +
+           "\" font-family=\"DejaVu Sans, Helvetica, Arial, sans-serif\">\n<title>" + escaped(title) +
+           "</title>\n<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n" + body_ + "</svg>\n";
+}
+
+}  // namespace fretwork::exports::detail

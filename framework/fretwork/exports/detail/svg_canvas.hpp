@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/pattern/polygon.hpp>
+
+#include <array>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace fretwork::exports::detail {
+
+/// A colour as SVG writes it: "#1b9e77", or "none".
+using Colour = std::string;
+
+/// Part of the plane, metres.
+struct Box {
+    double xmin = 0.0, ymin = 0.0, xmax = 0.0, ymax = 0.0;
+    [[nodiscard]] double width() const { return xmax - xmin; }
+    [[nodiscard]] double height() const { return ymax - ymin; }
+};
+/// The smallest box around some points, wider by `margin` on every side.
+Box bounding_box(std::span<const pattern::Point2> points, double margin);
+
+/// How a shape is drawn. Widths in metres.
+struct Style {
+    Colour fill = "none";
+    Colour stroke = "none";
+    double stroke_width = 0.0;
+    double opacity = 1.0;
+};
+
+enum class Anchor { Start, Middle, End };
+
+/// An SVG drawing: coordinates are metres with y up, the picture is in millimetres at true scale (or `scale`
+/// times it).
+class SvgCanvas {
+  public:
+    SvgCanvas(const Box& box, double scale);
+
+    void polygon(std::span<const pattern::Point2> points, const Style& style);
+    /// Several open lines as one path, with round ends.
+    void segments(std::span<const std::array<pattern::Point2, 2>> lines, const Style& style);
+    void circle(const pattern::Point2& center, double radius, const Style& style);
+    /// An arrow from `from` to `to` with a head as long as `head`.
+    void arrow(const pattern::Point2& from, const pattern::Point2& to, double head, const Style& style);
+    /// One line of text of a given height; `text` may hold any characters.
+    void text(const pattern::Point2& place, std::string_view text, double height,
+              Anchor anchor = Anchor::Start);
+
+    /// The whole document.
+    [[nodiscard]] std::string document(std::string_view title) const;
+
+  private:
+    [[nodiscard]] std::string place(const pattern::Point2& point) const;
+    [[nodiscard]] std::string length(double metres) const;
+    [[nodiscard]] std::string attributes(const Style& style) const;
+
+    Box box_;
+    double units_per_metre_;
+    std::string body_;
+};
+
+}  // namespace fretwork::exports::detail

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/mechanics/frame.hpp>
+#include <fretwork/mechanics/result_file.hpp>
+#include <fretwork/simulation/surface.hpp>
+
+#include <Eigen/Core>
+
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace fretwork::exports {
+
+/// Lines in space with what is known at their nodes and of themselves: what every writer of 3D files takes.
+struct LineSet {
+    std::vector<Eigen::Vector3d> nodes;     ///< rest positions, metres
+    std::vector<std::array<int, 2>> lines;  ///< pairs of nodes
+    std::vector<int> tiles;                 ///< for each line its tile; empty: unknown
+    std::vector<int> patterns;              ///< for each line the index of its pattern; empty: unknown
+    std::optional<mechanics::NodeValues> displacements{};  ///< one row for each node
+};
+
+/// All beams of a surface, undeformed.
+LineSet surface_lines(const simulation::Surface& surface);
+
+/// A result as lines: all beams, if the result has a row for each of the surface's nodes (the full model);
+/// else, for each tile, the closed line through its interface nodes (any reduced model). Throws InputError if
+/// the result is not one of the surface.
+LineSet result_lines(const simulation::Surface& surface, const mechanics::Result& result);
+
+/// The beams of any frame, with the displacements of a result if there are any.
+LineSet frame_lines(const mechanics::Frame& frame);
+
+/// The positions of the nodes with `scale` times their displacements.
+std::vector<Eigen::Vector3d> displaced_nodes(const LineSet& lines, double scale = 1.0);
+
+}  // namespace fretwork::exports

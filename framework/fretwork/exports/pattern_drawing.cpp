@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/exports/colours.hpp>
+#include <fretwork/exports/detail/svg_canvas.hpp>
+#include <fretwork/exports/pattern_drawing.hpp>
+#include <fretwork/pattern/fan.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace fretwork::exports {
+namespace {
+
+using detail::Anchor;
+using detail::SvgCanvas;
+using pattern::NodeLayout;
+using pattern::Pattern;
+using pattern::Point2;
+using pattern::Polygon;
+
+constexpr const char* kBeamColour = "#22303c";
+constexpr const char* kRimColour = "#b8c0c8";
+constexpr const char* kInterfaceColour = "#1b9e77";
+
+std::vector<Point2> moved(std::vector<Point2> points, const Point2& by) {
+    for (Point2& point : points) point = {point.x + by.x, point.y + by.y};
+    return points;
+}
+
+/// A fan around a center, on the polygon's coloured face.
+void draw_fan(SvgCanvas& canvas, const NodeLayout& layout, const Pattern& pattern, const Point2& center,
+              const PatternDrawingOptions& options, const detail::Colour& face) {
+    const Polygon polygon = pattern::regular_polygon(options.sides, options.tile_side);
+    const pattern::Fan fan = pattern::make_fan(layout, pattern, options.sides);
+    const std::vector<Point2> nodes = moved(pattern::place_fan(layout, fan, polygon), center);
+    canvas.polygon(moved(polygon, center), {face, kRimColour, 0.15 * options.beam_width, 1.0});
+    std::vector<std::array<Point2, 2>> beams;
+    for (const auto& edge : fan.edges) {
+        beams.push_back({nodes[static_cast<std::size_t>(edge[0])], nodes[static_cast<std::size_t>(edge[1])]});
+    }
+    canvas.segments(beams, {"none", kBeamColour, options.beam_width, 1.0});
+}
+
+Point2 at(const pattern::LayoutNode& node, const std::array<Point2, 3>& triangle) {
+    Point2 place;
+    for (std::size_t k = 0; k < 3; ++k) {
+        place.x += node.place[k].to_double() * triangle[k].x;
+        place.y += node.place[k].to_double() * triangle[k].y;
+    }
+    return place;
+}
+
+/// The base triangle with all nodes of the layout, numbered, and the chosen edges.
+void draw_base_triangle(SvgCanvas& canvas, const NodeLayout& layout, const Pattern& pattern,
+                        const std::array<Point2, 3>& triangle) {
+    const double size = std::hypot(triangle[2].x - triangle[1].x, triangle[2].y - triangle[1].y);
+    canvas.polygon(triangle, {"#f4f6f8", kRimColour, 0.008 * size, 1.0});
+    std::vector<std::array<Point2, 2>> edges;
+    for (const pattern::EdgeIndex index : pattern.edges()) {
+        const pattern::Edge& edge = layout.candidate_edges()[static_cast<std::size_t>(index)];
+        edges.push_back({at(layout.nodes()[static_cast<std::size_t>(edge.first)], triangle),
+                         at(layout.nodes()[static_cast<std::size_t>(edge.second)], triangle)});
+    }
+    canvas.segments(edges, {"none", kBeamColour, 0.03 * size, 1.0});
+    for (std::size_t i = 0; i < layout.nodes().size(); ++i) {
+        const pattern::LayoutNode& node = layout.nodes()[i];
+        const bool is_interface = node.region == pattern::Region::Interface;
+        const Point2 place = at(node, triangle);
+        canvas.circle(place, 0.03 * size,
+                      {is_interface ? kInterfaceColour : "#ffffff", kBeamColour, 0.008 * size, 1.0});
+        canvas.text({place.x + 0.05 * size, place.y + 0.035 * size}, std::to_string(i), 0.07 * size);
+    }
+}
+
+}  // namespace
+
+std::string pattern_svg(const NodeLayout& layout, const Pattern& pattern,
+                        const PatternDrawingOptions& options) {
+    const double side = options.tile_side;
+    // The triangle stands as sector 0 does in the fan: v0 above, v1 and v2 below, drawn as large as the fan
+    // is high.
+    const std::array<Point2, 3> triangle = {Point2{-2.3 * side, 0.85 * side},
+                                            Point2{-3.3 * side, -0.85 * side},
+                                            Point2{-1.3 * side, -0.85 * side}};
+    SvgCanvas canvas({-3.6 * side, -1.3 * side, 1.2 * side, 1.15 * side}, 1.0);
+    draw_base_triangle(canvas, layout, pattern, triangle);
+    draw_fan(canvas, layout, pattern, {0.0, 0.0}, options, pattern_colour(0));
+    const std::string id = pattern_id(layout, pattern);
+    canvas.text({-1.2 * side, -1.2 * side}, layout.name() + ":" + id, 0.14 * side, Anchor::Middle);
+    return canvas.document("Pattern " + id);
+}
+
+std::string pattern_sheet_svg(const NodeLayout& layout, std::span<const Pattern> patterns,
+                              const PatternDrawingOptions& options) {
+    const auto count = static_cast<int>(patterns.size());
+    const int columns = std::max(1, static_cast<int>(std::ceil(std::sqrt(1.4 * count))));
+    const int rows = std::max(1, (count + columns - 1) / columns);
+    const double step_x = 2.15 * options.tile_side;
+    const double step_y = 2.35 * options.tile_side;
+    SvgCanvas canvas({-0.5 * step_x, -(rows - 0.35) * step_y, (columns - 0.5) * step_x, 0.5 * step_y}, 1.0);
+    for (int i = 0; i < count; ++i) {
+        const Point2 center{(i % columns) * step_x, -(i / columns) * step_y};
+        const Pattern& pattern = patterns[static_cast<std::size_t>(i)];
+        draw_fan(canvas, layout, pattern, center, options, pattern_colour(pattern.edge_count()));
+        const std::string id = pattern_id(layout, pattern);
+        // A long id is set smaller, so that it stays under its own fan.
+        const double height =
+            std::min(0.13 * options.tile_side, 3.2 * options.tile_side / static_cast<double>(id.size() + 1));
+        canvas.text({center.x, center.y - 1.13 * options.tile_side}, id, height, Anchor::Middle);
+    }
+    return canvas.document(std::to_string(count) + " patterns of layout " + layout.name());
+}
+
+}  // namespace fretwork::exports

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/pattern/node_layout.hpp>
+#include <fretwork/pattern/pattern.hpp>
+
+#include <span>
+#include <string>
+
+namespace fretwork::exports {
+
+struct PatternDrawingOptions {
+    double tile_side = 0.025980762113533160;  ///< m, the paper's
+    double beam_width = 0.002;                ///< m
+    int sides = 6;
+};
+
+/// One pattern as an SVG: beside each other the base triangle with the numbered nodes, and the fan with beams
+/// of true width.
+std::string pattern_svg(const pattern::NodeLayout& layout, const pattern::Pattern& pattern,
+                        const PatternDrawingOptions& options = {});
+
+/// Many patterns as a sheet of fans with their ids, as in the paper's Fig. 2.
+std::string pattern_sheet_svg(const pattern::NodeLayout& layout, std::span<const pattern::Pattern> patterns,
+                              const PatternDrawingOptions& options = {});
+
+}  // namespace fretwork::exports

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/exports/line_set.hpp>
+#include <fretwork/simulation/conditions.hpp>
+#include <fretwork/simulation/surface.hpp>
+
+#include <span>
+#include <string>
+
+namespace fretwork::exports {
+
+/// A surface seen from above at true scale: tiles coloured by pattern, beams of true width, and, where
+/// `conditions` are given, supports (red: all dofs, green: translations only, orange: others) and loads
+/// (arrows; forces out of the plane as dots). As in the paper's Figs. 12 to 14.
+std::string surface_svg(const simulation::Surface& surface,
+                        const simulation::Conditions* conditions = nullptr);
+
+/// One of the deformed states that are drawn over each other.
+struct DeformedLayer {
+    std::string label;   ///< for the legend
+    std::string colour;  ///< "#rrggbb"
+    LineSet lines;
+};
+
+struct DeformedViewOptions {
+    double scale = 1.0;      ///< of the displacements; the drawing says it
+    double azimuth = -0.6;   ///< rad, about z: where the viewer stands
+    double elevation = 0.5;  ///< rad above the plane
+};
+
+/// Deformed states in parallel projection, over each other, with a legend and a scale bar.
+std::string deformed_svg(std::span<const DeformedLayer> layers, const DeformedViewOptions& options = {});
+
+/// The displacements' size on the deformed state of one layer, as colours with a legend.
+std::string displacement_svg(const DeformedLayer& layer, const DeformedViewOptions& options = {});
+
+}  // namespace fretwork::exports

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/base/file.hpp>
+#include <fretwork/base/text.hpp>
+#include <fretwork/exports/line_files.hpp>
+#include <fretwork/exports/surface_drawing.hpp>
+#include <fretwork/exports/writer_catalogue.hpp>
+
+#include <array>
+
+namespace fretwork::exports {
+namespace {
+
+LineSet main_lines(const Scene& scene) {
+    return scene.results.empty() ? surface_lines(scene.surface)
+                                 : result_lines(scene.surface, scene.results.front().result);
+}
+
+/// The paper's colours: the full model grey, the reduced one blue; more are told apart by the palette.
+std::string layer_colour(std::size_t index) {
+    constexpr std::array<const char*, 4> kColours = {"#8a8f94", "#2166ac", "#d6604d", "#1b7837"};
+    return kColours[index % kColours.size()];
+}
+
+std::string svg_text(const Scene& scene) {
+    if (scene.results.empty())
+        return surface_svg(scene.surface, scene.conditions ? &*scene.conditions : nullptr);
+    DeformedViewOptions view;
+    view.scale = scene.displacement_scale;
+    std::vector<DeformedLayer> layers;
+    for (const Scene::LabelledResult& entry : scene.results) {
+        layers.push_back(
+            {entry.label, layer_colour(layers.size()), result_lines(scene.surface, entry.result)});
+    }
+    return layers.size() == 1 ? displacement_svg(layers.front(), view) : deformed_svg(layers, view);
+}
+
+constexpr std::array<WriterRow, 5> kWriters = {{
+    {".svg",
+     "drawing: the surface from above; with one result its displacements in colour; with several, these over "
+     "each other",
+     svg_text},
+    {".vtu", "lines for ParaView, with displacements and rotations of the first result",
+     [](const Scene& scene) { return vtu_text(main_lines(scene)); }},
+    {".obj", "line elements, displaced by the first result",
+     [](const Scene& scene) { return obj_text(main_lines(scene)); }},
+    {".ply", "vertices and edges, displaced by the first result",
+     [](const Scene& scene) { return ply_text(main_lines(scene)); }},
+    {".csv", "table of nodes with displacements and rotations of the first result",
+     [](const Scene& scene) { return csv_text(main_lines(scene)); }},
+}};
+
+}  // namespace
+
+std::span<const WriterRow> writer_catalogue() {
+    return kWriters;
+}
+
+const WriterRow& find_writer(const std::filesystem::path& path) {
+    const std::string ending = path.extension().string();
+    std::vector<std::string> endings;
+    for (const WriterRow& writer : kWriters) {
+        if (writer.ending == ending) return writer;
+        endings.emplace_back(writer.ending);
+    }
+    throw base::InputError(path.string(), "", base::unknown_name_message("ending", ending, endings));
+}
+
+void write_scene(const Scene& scene, const std::filesystem::path& path) {
+    base::write_file_atomically(path, find_writer(path).text(scene));
+}
+
+}  // namespace fretwork::exports
