@@ -3,11 +3,8 @@
 
 #include <fretwork/pattern/node_layout.hpp>
 #include <fretwork/tiling/outline.hpp>
+#include <fretwork/tiling/painting.hpp>
 #include <fretwork/tiling/tessellation.hpp>
-
-#include <cstdint>
-#include <span>
-#include <string>
 
 namespace fretwork::tiling {
 
@@ -38,11 +35,5 @@ struct TessellationResult {
 /// Paper, Section 6. Throws GeometryError if the outline is too small for one tile. Deterministic.
 TessellationResult tessellate(const Outline& outline, const pattern::NodeLayout& layout,
                               const TessellationOptions& options);
-
-/// Paint every tile with one of the patterns, evenly by chance. `patterns` are ids; deterministic given the
-/// seed.
-void paint_randomly(Tessellation& tessellation, std::span<const std::string> patterns, std::uint64_t seed);
-/// Paint every tile with the same pattern.
-void paint_uniformly(Tessellation& tessellation, const std::string& pattern);
 
 }  // namespace fretwork::tiling

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/tiling/detail/closed_curve.hpp>
+#include <fretwork/tiling/detail/plane.hpp>
+
+#include <algorithm>
+#include <limits>
+
+namespace fretwork::tiling::detail {
+ClosedCurve::ClosedCurve(Polygon points) : points_(std::move(points)), starts_{0.0} {
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+        starts_.push_back(starts_.back() + distance(points_[i], points_[(i + 1) % points_.size()]));
+    }
+}
+
+Point2 ClosedCurve::at(double place) const {
+    const double rest = place - length() * std::floor(place / length());
+    const auto after = std::upper_bound(starts_.begin() + 1, starts_.end() - 1, rest);
+    const auto i = static_cast<std::size_t>(after - starts_.begin() - 1);
+    const double share = (rest - starts_[i]) / (starts_[i + 1] - starts_[i]);
+    return between(points_[i], points_[(i + 1) % points_.size()], std::clamp(share, 0.0, 1.0));
+}
+
+Point2 ClosedCurve::nearest(Point2 point) const {
+    Point2 best = points_.front();
+    double best_distance = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+        const Point2 candidate = nearest_on_side(points_[i], points_[(i + 1) % points_.size()], point);
+        if (const double d = distance(candidate, point); d < best_distance) {
+            best_distance = d;
+            best = candidate;
+        }
+    }
+    return best;
+}
+
+double ClosedCurve::turn_at(double place, double reach) const {
+    const Point2 here = at(place);
+    return std::abs(turn(here - at(place - reach), at(place + reach) - here));
+}
+
+std::vector<double> ClosedCurve::corners(double reach, double smallest_turn) const {
+    struct Candidate {
+        double place;
+        double turn;
+    };
+    std::vector<Candidate> candidates;
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+        const double turned = turn_at(starts_[i], reach);
+        if (turned > smallest_turn) candidates.push_back({starts_[i], turned});
+    }
+    // The sharpest first; a tiny difference (rounding) does not decide between equals.
+    std::stable_sort(candidates.begin(), candidates.end(),
+                     [](const Candidate& a, const Candidate& b) { return a.turn > b.turn + 1e-9; });
+    std::vector<double> places;
+    for (const Candidate& candidate : candidates) {
+        const bool is_free = std::none_of(places.begin(), places.end(), [&](double place) {
+            const double apart = std::abs(place - candidate.place);
+            return std::min(apart, length() - apart) < 2 * reach;
+        });
+        if (is_free) places.push_back(candidate.place);
+    }
+    std::sort(places.begin(), places.end());
+    return places;
+}
+
+}  // namespace fretwork::tiling::detail

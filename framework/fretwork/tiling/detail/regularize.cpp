@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/tiling/detail/plane.hpp>
+#include <fretwork/tiling/detail/regularize.hpp>
+
+#include <complex>
+#include <numbers>
+
+namespace fretwork::tiling::detail {
+namespace {
+
+using Complex = std::complex<double>;
+
+/// The regular polygon that is nearest to a polygon in the least-squares sense: its mean, and the first
+/// Fourier coefficient of its vertices.
+Polygon nearest_regular_polygon(const Polygon& polygon) {
+    const auto count = static_cast<double>(polygon.size());
+    Complex mean;
+    Complex first;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const Complex place(polygon[i].x, polygon[i].y);
+        mean += place / count;
+        first += place * std::polar(1 / count, -2 * std::numbers::pi * static_cast<double>(i) / count);
+    }
+    Polygon regular;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const Complex place =
+            mean + first * std::polar(1.0, 2 * std::numbers::pi * static_cast<double>(i) / count);
+        regular.push_back({place.real(), place.imag()});
+    }
+    return regular;
+}
+
+}  // namespace
+
+void regularize(Dual& dual, const Rim& rim, int iterations) {
+    for (int iteration = 0; iteration < iterations; ++iteration) {
+        std::vector<Point2> sums(dual.vertices.size());
+        std::vector<int> wishes(dual.vertices.size());
+        for (std::size_t cell = 0; cell < dual.cells.size(); ++cell) {
+            const Polygon wanted = nearest_regular_polygon(polygon_of(dual, cell));
+            for (std::size_t i = 0; i < wanted.size(); ++i) {
+                const auto vertex = static_cast<std::size_t>(dual.cells[cell][i]);
+                sums[vertex] = sums[vertex] + wanted[i];
+                ++wishes[vertex];
+            }
+        }
+        for (std::size_t v = 0; v < dual.vertices.size(); ++v) {
+            DualVertex& vertex = dual.vertices[v];
+            if (wishes[v] == 0 || vertex.is_fixed) continue;
+            vertex.place = (1.0 / wishes[v]) * sums[v];
+            if (vertex.loop >= 0)
+                vertex.place = rim.curves[static_cast<std::size_t>(vertex.loop)].nearest(vertex.place);
+        }
+    }
+}
+
+}  // namespace fretwork::tiling::detail

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/tiling/detail/dual.hpp>
+
+namespace fretwork::tiling::detail {
+
+/// Make the cells as regular as they can be together: again and again, every cell wants its vertices on the
+/// regular polygon nearest to it, and every vertex goes to the mean of its cells' wishes. Vertices of the rim
+/// slide along the outline; its corners stay.
+void regularize(Dual& dual, const Rim& rim, int iterations);
+
+}  // namespace fretwork::tiling::detail

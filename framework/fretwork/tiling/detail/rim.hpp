@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/tiling/detail/closed_curve.hpp>
+#include <fretwork/tiling/outline.hpp>
+
+#include <vector>
+
+namespace fretwork::tiling::detail {
+
+/// A point on the outline.
+struct RimPoint {
+    pattern::Point2 place;
+    int loop = 0;            ///< 0: the boundary; 1, 2, ..: the holes
+    bool is_corner = false;  ///< a corner of the outline: it stays where it is
+};
+
+/// An outline with points on it at even distances: the protected border of the triangulation.
+struct Rim {
+    std::vector<ClosedCurve> curves;  ///< the outline itself, loop by loop
+    std::vector<RimPoint> points;     ///< loop by loop, in the direction of the outline
+    std::vector<int> next;            ///< for each point the next point of the same loop
+};
+
+/// Put points on the outline's corners, and evenly between them at distances near `spacing` (metres). Throws
+/// GeometryError if the polygons through these points cross: the outline is narrower somewhere than its
+/// tiles.
+Rim sample_rim(const Outline& outline, double spacing);
+
+/// True if a point is inside the polygons through the rim's points, at least `margin` (metres) away from
+/// them.
+bool is_inside(const Rim& rim, pattern::Point2 point, double margin);
+
+}  // namespace fretwork::tiling::detail

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/tiling/detail/dual.hpp>
+#include <fretwork/tiling/detail/plane.hpp>
+#include <fretwork/tiling/detail/sites.hpp>
+#include <fretwork/tiling/detail/triangulation.hpp>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/remesh.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <numbers>
+
+namespace fretwork::tiling::detail {
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+namespace pmp = CGAL::Polygon_mesh_processing;
+
+/// Sites nearer to the rim than this make needles.
+constexpr double kMargin = 0.2;  // of the edge
+/// Half a tile's width: a tile at the rim then is about as large as one inside.
+constexpr double kLatticeMargin = 0.45;  // of the edge
+
+Mesh surface_mesh(const Triangulation& triangulation) {
+    Mesh mesh;
+    std::vector<Mesh::Vertex_index> vertices;
+    for (const Point2& point : triangulation.points) {
+        vertices.push_back(mesh.add_vertex(Kernel::Point_3(point.x, point.y, 0)));
+    }
+    const auto vertex = [&](int point) { return vertices[static_cast<std::size_t>(point)]; };
+    for (const auto& [a, b, c] : triangulation.triangles) mesh.add_face(vertex(a), vertex(b), vertex(c));
+    return mesh;
+}
+
+}  // namespace
+
+std::vector<Point2> remeshed_sites(const Rim& rim, double edge, int iterations) {
+    Mesh mesh = surface_mesh(triangulate(rim, {}));
+    auto is_protected = mesh.add_property_map<Mesh::Edge_index, bool>("e:protected", false).first;
+    for (const Mesh::Edge_index e : mesh.edges()) is_protected[e] = mesh.is_border(e);
+    pmp::isotropic_remeshing(mesh.faces(), edge, mesh,
+                             CGAL::parameters::number_of_iterations(static_cast<unsigned>(iterations))
+                                 .edge_is_constrained_map(is_protected)
+                                 .protect_constraints(true));
+    std::vector<Point2> sites;
+    for (const Mesh::Vertex_index v : mesh.vertices()) {
+        const Point2 site{mesh.point(v).x(), mesh.point(v).y()};
+        if (!mesh.is_border(v) && is_inside(rim, site, kMargin * edge)) sites.push_back(site);
+    }
+    return sites;
+}
+
+std::vector<Point2> lattice_sites(const Rim& rim, double edge, double angle) {
+    Point2 low = rim.points.front().place;
+    Point2 high = low;
+    for (const RimPoint& point : rim.points) {
+        low = {std::min(low.x, point.place.x), std::min(low.y, point.place.y)};
+        high = {std::max(high.x, point.place.x), std::max(high.y, point.place.y)};
+    }
+    const Point2 middle = between(low, high, 0.5);
+    const Point2 along{edge * std::cos(angle), edge * std::sin(angle)};
+    const Point2 across{edge * std::cos(angle + std::numbers::pi / 3),
+                        edge * std::sin(angle + std::numbers::pi / 3)};
+    // Rows of a triangular lattice are sqrt(3)/2 apart.
+    const int reach = static_cast<int>(std::ceil(distance(low, high) / edge)) + 1;
+    std::vector<Point2> sites;
+    for (int row = -reach; row <= reach; ++row) {
+        for (int column = -reach; column <= reach; ++column) {
+            const Point2 site =
+                middle + static_cast<double>(column) * along + static_cast<double>(row) * across;
+            if (is_inside(rim, site, kLatticeMargin * edge)) sites.push_back(site);
+        }
+    }
+    return sites;
+}
+
+std::vector<Point2> relax(const Rim& rim, std::vector<Point2> sites, int iterations) {
+    for (int i = 0; i < iterations; ++i) {
+        const Dual dual = dual_of(rim, triangulate(rim, sites));
+        for (std::size_t site = 0; site < sites.size(); ++site) {
+            const Polygon polygon = polygon_of(dual, site);
+            if (polygon.size() < 3) continue;
+            const Point2 target = pattern::centroid(polygon);
+            if (is_inside(rim, target, 0.0)) sites[site] = target;
+        }
+    }
+    return sites;
+}
+
+}  // namespace fretwork::tiling::detail

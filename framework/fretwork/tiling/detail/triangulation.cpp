@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/tiling/detail/triangulation.hpp>
+
+#include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Triangulation_face_base_with_info_2.h>
+#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+
+#include <deque>
+
+namespace fretwork::tiling::detail {
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+struct FaceInfo {
+    int depth = -1;  // rims between the face and infinity: odd is inside
+};
+struct VertexInfo {
+    int point = -1;
+};
+using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<VertexInfo, Kernel>;
+using FaceBase =
+    CGAL::Triangulation_face_base_with_info_2<FaceInfo, Kernel,
+                                              CGAL::Constrained_triangulation_face_base_2<Kernel>>;
+using Delaunay =
+    CGAL::Constrained_Delaunay_triangulation_2<Kernel,
+                                               CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>,
+                                               CGAL::No_constraint_intersection_requiring_constructions_tag>;
+
+/// Count for every face how many rims lie between it and infinity.
+void mark_depths(Delaunay& delaunay) {
+    std::deque<Delaunay::Face_handle> open{delaunay.infinite_face()};
+    delaunay.infinite_face()->info().depth = 0;
+    while (!open.empty()) {
+        const Delaunay::Face_handle face = open.front();
+        open.pop_front();
+        for (int i = 0; i < 3; ++i) {
+            const Delaunay::Face_handle other = face->neighbor(i);
+            if (other->info().depth >= 0) continue;
+            const bool crosses_rim = face->is_constrained(i);
+            other->info().depth = face->info().depth + (crosses_rim ? 1 : 0);
+            // All of one region before the next, so that each face gets its smallest depth.
+            crosses_rim ? open.push_back(other) : open.push_front(other);
+        }
+    }
+}
+
+}  // namespace
+
+Triangulation triangulate(const Rim& rim, const std::vector<pattern::Point2>& sites) {
+    Triangulation result;
+    Delaunay delaunay;
+    result.rim_count = static_cast<int>(rim.points.size());
+    std::vector<Delaunay::Vertex_handle> handles;
+    const auto insert = [&](pattern::Point2 point) {
+        // The last vertex is near the next one: points come loop by loop and site by site.
+        const auto near = handles.empty() ? Delaunay::Face_handle() : handles.back()->face();
+        const Delaunay::Vertex_handle vertex = delaunay.insert(Kernel::Point_2(point.x, point.y), near);
+        if (vertex->info().point < 0) vertex->info().point = static_cast<int>(result.points.size());
+        result.points.push_back(point);
+        handles.push_back(vertex);
+    };
+    for (const RimPoint& point : rim.points) insert(point.place);
+    for (std::size_t i = 0; i < rim.next.size(); ++i) {
+        delaunay.insert_constraint(handles[i], handles[static_cast<std::size_t>(rim.next[i])]);
+    }
+    for (const pattern::Point2& site : sites) insert(site);
+    mark_depths(delaunay);
+    for (const Delaunay::Face_handle face : delaunay.finite_face_handles()) {
+        if (face->info().depth % 2 == 0) continue;
+        result.triangles.push_back(
+            {face->vertex(0)->info().point, face->vertex(1)->info().point, face->vertex(2)->info().point});
+    }
+    return result;
+}
+
+}  // namespace fretwork::tiling::detail

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/tiling/detail/rim.hpp>
+
+#include <array>
+#include <vector>
+
+namespace fretwork::tiling::detail {
+
+/// A triangulation of the inside of a rim. Its points are the rim's, in their order, then the sites.
+struct Triangulation {
+    int rim_count = 0;
+    std::vector<pattern::Point2> points;
+    std::vector<std::array<int, 3>> triangles;  ///< counterclockwise, in an order that only the points decide
+    [[nodiscard]] bool is_rim(int point) const { return point < rim_count; }
+};
+
+/// Constrained Delaunay triangulation: the rim's sides are edges, and no triangle is outside. The sites must
+/// lie strictly inside, each at a place of its own.
+Triangulation triangulate(const Rim& rim, const std::vector<pattern::Point2>& sites);
+
+}  // namespace fretwork::tiling::detail

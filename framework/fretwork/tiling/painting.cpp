@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/detail/json_text.hpp>
+#include <fretwork/base/error.hpp>
+#include <fretwork/base/file.hpp>
+#include <fretwork/base/json_reader.hpp>
+#include <fretwork/pattern/pattern.hpp>
+#include <fretwork/tiling/painting.hpp>
+
+#include <limits>
+
+namespace fretwork::tiling {
+namespace {
+
+/// SplitMix64 (Steele, Lea and Flood 2014): the same numbers on every machine.
+class SplitMix64 {
+  public:
+    explicit SplitMix64(std::uint64_t seed) : state_(seed) {}
+    std::uint64_t next() {
+        state_ += 0x9e3779b97f4a7c15U;
+        std::uint64_t mixed = state_;
+        mixed = (mixed ^ (mixed >> 30U)) * 0xbf58476d1ce4e5b9U;
+        mixed = (mixed ^ (mixed >> 27U)) * 0x94d049bb133111ebU;
+        return mixed ^ (mixed >> 31U);
+    }
+    /// Each number below `count` with the same chance: what would favour small numbers is drawn again.
+    std::uint64_t below(std::uint64_t count) {
+        const std::uint64_t most = std::numeric_limits<std::uint64_t>::max();
+        const std::uint64_t limit = most - most % count;
+        std::uint64_t drawn = next();
+        while (drawn >= limit) drawn = next();
+        return drawn % count;
+    }
+
+  private:
+    std::uint64_t state_;
+};
+
+std::vector<std::string> read_patterns(const base::JsonReader& list, const pattern::NodeLayout& layout) {
+    std::vector<std::string> patterns;
+    for (const base::JsonReader& element : list.elements()) {
+        const std::string id = element.string();
+        try {
+            patterns.push_back(pattern::pattern_id(layout, pattern::parse_pattern_id(layout, id)));
+        } catch (const base::InputError& error) {
+            element.fail(error.what());
+        }
+    }
+    if (patterns.empty()) list.fail("is empty, where at least one pattern is needed");
+    return patterns;
+}
+
+}  // namespace
+
+void paint_randomly(Tessellation& tessellation, std::span<const std::string> patterns, std::uint64_t seed) {
+    if (patterns.empty()) throw base::InputError("there is no pattern to paint with");
+    tessellation.patterns.assign(patterns.begin(), patterns.end());
+    SplitMix64 random(seed);
+    for (Tile& tile : tessellation.tiles) tile.pattern = static_cast<int>(random.below(patterns.size()));
+}
+
+void paint_uniformly(Tessellation& tessellation, const std::string& pattern) {
+    tessellation.patterns = {pattern};
+    for (Tile& tile : tessellation.tiles) tile.pattern = 0;
+}
+
+Painting read_painting(const std::filesystem::path& path, const pattern::NodeLayout& layout) {
+    const auto file = base::JsonReader::from_file(path);
+    file.expect_format("painting");
+    file.allow_only({"format", "layout", "patterns", "tiles"});
+    if (const auto name = file.at("layout"); name.string() != layout.name())
+        name.fail("is " + name.text() + ", where the layout in use is \"" + layout.name() + "\"");
+    Painting painting;
+    painting.patterns = read_patterns(file.at("patterns"), layout);
+    if (const auto tiles = file.find("tiles")) {
+        const auto last = static_cast<long long>(painting.patterns.size()) - 1;
+        for (const base::JsonReader& tile : tiles->elements())
+            painting.tiles.push_back(static_cast<int>(tile.integer(0, last)));
+        if (painting.tiles.empty()) tiles->fail("is empty; leave it out to give a palette");
+    }
+    return painting;
+}
+
+void write_painting(const Painting& painting, const pattern::NodeLayout& layout,
+                    const std::filesystem::path& path) {
+    base::detail::Json json;
+    json["format"] = "fretwork/painting/1";
+    json["layout"] = layout.name();
+    json["patterns"] = painting.patterns;
+    if (!painting.tiles.empty()) json["tiles"] = painting.tiles;
+    base::write_file_atomically(path, base::detail::json_text(json));
+}
+
+void paint(Tessellation& tessellation, const Painting& painting) {
+    if (painting.tiles.size() != tessellation.tiles.size())
+        throw base::InputError("the painting is for " + std::to_string(painting.tiles.size()) +
+                               " tiles, and the tessellation has " +
+                               std::to_string(tessellation.tiles.size()));
+    for (const int pattern : painting.tiles) {
+        if (pattern < 0 || pattern >= static_cast<int>(painting.patterns.size()))
+            throw base::InputError("the painting has no pattern " + std::to_string(pattern));
+    }
+    tessellation.patterns = painting.patterns;
+    for (std::size_t t = 0; t < painting.tiles.size(); ++t) tessellation.tiles[t].pattern = painting.tiles[t];
+}
+
+}  // namespace fretwork::tiling

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/pattern/node_layout.hpp>
+#include <fretwork/tiling/tessellation.hpp>
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace fretwork::tiling {
+
+/// Paint every tile with one of the patterns, evenly by chance. `patterns` are ids; the same seed gives the
+/// same painting on every machine. Throws InputError if there is no pattern to choose from.
+void paint_randomly(Tessellation& tessellation, std::span<const std::string> patterns, std::uint64_t seed);
+
+/// Paint every tile with the same pattern.
+void paint_uniformly(Tessellation& tessellation, const std::string& pattern);
+
+/// What a painting file says: the patterns in use, and for each tile one of them (an index into `patterns`).
+/// A file without tiles is a palette.
+struct Painting {
+    std::vector<std::string> patterns;
+    std::vector<int> tiles;
+};
+
+/// Read a painting:
+///
+///     { "format": "fretwork/painting/1", "layout": "paper7",
+///       "patterns": ["0-1+1-6", "0-5+5-6"], "tiles": [0, 0, 1, 0] }
+///
+/// `tiles` has one entry for each tile, in their order, and may be left out. Throws InputError with file and
+/// JSON pointer; ids are checked against the layout.
+Painting read_painting(const std::filesystem::path& path, const pattern::NodeLayout& layout);
+
+/// Write a painting file; read_painting gives an equal painting.
+void write_painting(const Painting& painting, const pattern::NodeLayout& layout,
+                    const std::filesystem::path& path);
+
+/// Paint every tile as the painting says. Throws InputError if it is for another number of tiles.
+void paint(Tessellation& tessellation, const Painting& painting);
+
+}  // namespace fretwork::tiling
