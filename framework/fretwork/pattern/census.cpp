@@ -62,6 +62,21 @@ Tally tally_all_graphs(const NodeLayout& layout, const std::vector<Filter>& filt
     return sum;
 }
 
+void fill(Census& census, const Tally& tally) {
+    for (CensusRow& row : census.rows) {
+        const auto k = static_cast<std::size_t>(row.edges);
+        row.rejected.assign(tally.rejected[k].begin(), tally.rejected[k].end());
+        row.valid = tally.valid[k];
+    }
+}
+
+void fill(Census& census, const PatternCount& count) {
+    for (CensusRow& row : census.rows) {
+        row.rejected.resize(census.filters.size());
+        row.valid = count.by_edges[static_cast<std::size_t>(row.edges)];
+    }
+}
+
 }  // namespace
 
 std::string count_text(GraphCount count) {
@@ -86,13 +101,12 @@ Census take_census(const NodeLayout& layout, const EnumerationOptions& options) 
     Census census;
     for (const Filter& filter : filters) census.filters.emplace_back(filter.kind->name);
     const int edge_count = static_cast<int>(layout.candidate_edges().size());
-    const Tally tally = tally_all_graphs(layout, filters, options);
-    for (int k = options.edges.least; k <= std::min(options.edges.most, edge_count); ++k) {
-        const auto& rejected = tally.rejected[static_cast<std::size_t>(k)];
-        census.rows.push_back({k,
-                               binomial(edge_count, k),
-                               {rejected.begin(), rejected.end()},
-                               tally.valid[static_cast<std::size_t>(k)]});
+    for (int k = options.edges.least; k <= std::min(options.edges.most, edge_count); ++k)
+        census.rows.push_back({k, binomial(edge_count, k), {}, 0});
+    if (edge_count <= kMostEdgesWalked) {
+        fill(census, tally_all_graphs(layout, filters, options));
+    } else {
+        fill(census, count_patterns(layout, options));
     }
     return census;
 }

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/pattern/census.hpp>
+#include <fretwork/pattern/enumerate.hpp>
+
+#include <gtest/gtest.h>
+
+#include "pattern/small_layouts.hpp"
+#include <algorithm>
+#include <numbers>
+
+namespace fretwork::pattern {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180;
+
+std::vector<std::string> ids(const NodeLayout& layout, const std::vector<Pattern>& patterns) {
+    std::vector<std::string> texts;
+    for (const Pattern& pattern : patterns) texts.push_back(pattern_id(layout, pattern));
+    return texts;
+}
+
+/// Every graph of the layout that the judge accepts, whose verdicts rest on Boost.Graph and on no search.
+std::vector<std::string> accepted_by_the_judge(const NodeLayout& layout, const EnumerationOptions& options) {
+    const std::vector<Filter> filters = make_filters(layout, options.filters, options.scale);
+    std::vector<std::string> accepted;
+    for (unsigned graph = 1; graph < 1u << layout.candidate_edges().size(); ++graph) {
+        const Pattern pattern{Pattern::Bits(graph)};
+        const bool in_range =
+            pattern.edge_count() >= options.edges.least && pattern.edge_count() <= options.edges.most;
+        if (in_range && judge(layout, filters, pattern).accepted)
+            accepted.push_back(pattern_id(layout, pattern));
+    }
+    std::sort(accepted.begin(), accepted.end());
+    return accepted;
+}
+
+std::vector<std::string> sorted(std::vector<std::string> texts) {
+    std::sort(texts.begin(), texts.end());
+    return texts;
+}
+
+// Reference: the paper, Section 7.1.
+TEST(Enumerate, PapersLayoutHas1824ValidPatterns) {
+    const NodeLayout layout = find_node_layout("paper7");
+    EXPECT_EQ(count_patterns(layout).total(), 1824u);
+    EXPECT_EQ(enumerate_patterns(layout).size(), 1824u);
+}
+
+// The star is the one pattern of a single edge, which the paper leaves out.
+TEST(Enumerate, OneEdgeMakesTheStar) {
+    const NodeLayout layout = find_node_layout("paper7");
+    EnumerationOptions options;
+    options.edges = {1, 1};
+    EXPECT_EQ(ids(layout, enumerate_patterns(layout, options)), std::vector<std::string>{"0-6"});
+}
+
+TEST(Enumerate, FindsWhatAPlainFilterOverAllGraphsLeaves) {
+    for (const NodeLayout& layout : small_layouts()) {
+        for (const double angle : {15.0, 28.0}) {
+            EnumerationOptions options;
+            options.edges = {1, kMaxCandidateEdges};
+            options.filters = {{"small_angle", angle * kDegree}, {"high_valence", angle == 15.0 ? 6.0 : 5.0}};
+            EXPECT_EQ(sorted(ids(layout, enumerate_patterns(layout, options))),
+                      accepted_by_the_judge(layout, options))
+                << layout.name();
+        }
+    }
+}
+
+// Counts of an independent program (one-core backtracking over pairwise conflicts, then a depth-first search
+// for articulation points in the whole fan).
+TEST(Enumerate, FourRadialPairsAndTwoFaceNodesGive6540827Patterns) {
+    const auto r = [](const char* text) { return parse_rational(text); };
+    const NodeLayout layout(
+        NodeLayoutDescription{"fifths",
+                              true,
+                              false,
+                              {r("1/5"), r("2/5"), r("3/5"), r("4/5")},
+                              {{r("0.3"), r("0.45"), r("0.25")}, {r("0.45"), r("0.2"), r("0.35")}},
+                              {r("1/2")}});
+    ASSERT_EQ(layout.candidate_edges().size(), 49u);
+    EXPECT_EQ(count_patterns(layout).total(), 6540827u);
+}
+
+TEST(Enumerate, OrderIsLexicographicAndDoesNotDependOnThreads) {
+    const NodeLayout layout = find_node_layout("paper7");
+    EnumerationOptions options;
+    options.threads = 1;
+    const std::vector<Pattern> alone = enumerate_patterns(layout, options);
+    options.threads = 5;
+    EXPECT_EQ(enumerate_patterns(layout, options), alone);
+    EXPECT_TRUE(std::is_sorted(alone.begin(), alone.end(),
+                               [](const Pattern& a, const Pattern& b) { return a.edges() < b.edges(); }));
+}
+
+TEST(Enumerate, CountsAreThoseOfTheStream) {
+    for (const NodeLayout& layout : small_layouts()) {
+        std::vector<std::uint64_t> seen(layout.candidate_edges().size() + 1);
+        const PatternCount told = for_each_pattern(layout, {}, [&](const Pattern& pattern) {
+            ++seen[static_cast<std::size_t>(pattern.edge_count())];
+        });
+        EXPECT_EQ(told.by_edges, seen);
+        EXPECT_EQ(count_patterns(layout).by_edges, seen);
+    }
+}
+
+TEST(Enumerate, AnUpperEndBeyondTheCandidateEdgesIsClipped) {
+    const NodeLayout layout = find_node_layout("paper7");
+    EnumerationOptions options;
+    options.edges = {2, 1000};
+    EXPECT_EQ(count_patterns(layout, options).total(), 1824u);
+}
+
+TEST(Enumerate, RefusesOptionsThatMakeNoSense) {
+    const NodeLayout layout = find_node_layout("paper7");
+    const auto refuses = [&](const auto& spoil) {
+        EnumerationOptions options;
+        spoil(options);
+        EXPECT_THROW(count_patterns(layout, options), base::InputError);
+    };
+    refuses([](auto& options) { options.edges = {0, 3}; });
+    refuses([](auto& options) { options.edges = {4, 3}; });
+    refuses([](auto& options) { options.filters = {{"small_angel", 0.1}}; });
+    refuses([](auto& options) { options.filters = {{"small_angle", 0.1}, {"small_angle", 0.2}}; });
+    refuses([](auto& options) { options.filters = {{"small_angle", -0.1}}; });
+    refuses([](auto& options) { options.filters = {{"small_angle", 3.2}}; });
+    refuses([](auto& options) { options.filters = {{"high_valence", 2.5}}; });
+    refuses([](auto& options) { options.filters = {{"high_valence", 0.0}}; });
+    refuses([](auto& options) { options.scale.tile_side = 0.0; });
+    refuses([](auto& options) { options.threads = -1; });
+}
+
+}  // namespace
+}  // namespace fretwork::pattern
