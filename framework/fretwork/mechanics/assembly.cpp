@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/mechanics/assembly.hpp>
+#include <fretwork/mechanics/detail/beam_element.hpp>
+#include <fretwork/mechanics/detail/frame_check.hpp>
+#include <fretwork/mechanics/detail/hinged_element.hpp>
+
+#include <algorithm>
+
+namespace fretwork::mechanics {
+namespace {
+
+using detail::BeamElement;
+
+/// What each end of a beam releases. Where both ends release the torsion (or the axial force), the beam
+/// passes none of it on; one release says the same and leaves the beam without a free motion of its own.
+std::array<DofSet, 2> released_dofs(const Beam& beam) {
+    std::array<DofSet, 2> free;
+    for (const Release& release : beam.releases) {
+        auto& contains = free[static_cast<std::size_t>(release.end)].contains;
+        for (std::size_t d = 0; d < kDofsPerNode; ++d) contains[d] = contains[d] || release.free.contains[d];
+    }
+    for (const std::size_t along : {std::size_t{0}, std::size_t{3}}) {
+        if (free[0].contains[along]) free[1].contains[along] = false;
+    }
+    return free;
+}
+
+class Assembler {
+  public:
+    Assembler(const Frame& frame, const AssemblyOptions& options) : frame_(frame), options_(options) {}
+
+    Assembly run() {
+        assembly_.nodes = frame_.nodes;
+        assembly_.reported_nodes = static_cast<int>(frame_.nodes.size());
+        assembly_.supports = frame_.supports;
+        assembly_.prescribed = frame_.prescribed;
+        assembly_.elements.reserve(frame_.beams.size());
+        loads_.resize(frame_.nodes.size(), NodeLoad::Zero());
+        for (const Beam& beam : frame_.beams) add_beam(beam);
+        for (const NodalLoad& load : frame_.loads) {
+            load_of(load.node).head<3>() += load.force;
+            load_of(load.node).tail<3>() += load.moment;
+        }
+        assembly_.loads.resize(static_cast<Eigen::Index>(loads_.size()), kDofsPerNode);
+        for (std::size_t i = 0; i < loads_.size(); ++i)
+            assembly_.loads.row(static_cast<Eigen::Index>(i)) = loads_[i].transpose();
+        return std::move(assembly_);
+    }
+
+  private:
+    using NodeLoad = Eigen::Matrix<double, kDofsPerNode, 1>;
+
+    NodeLoad& load_of(NodeIndex node) { return loads_[static_cast<std::size_t>(node.value)]; }
+
+    const Eigen::Vector3d& position(NodeIndex node) const {
+        return assembly_.nodes[static_cast<std::size_t>(node.value)];
+    }
+
+    NodeIndex add_node(const Eigen::Vector3d& at) {
+        assembly_.nodes.push_back(at);
+        loads_.push_back(NodeLoad::Zero());
+        return NodeIndex(assembly_.nodes.size() - 1);
+    }
+
+    void add_beam(const Beam& beam) {
+        const Eigen::Matrix3d axes = detail::beam_axes(frame_, beam);
+        const Eigen::Vector3d start = position(beam.nodes[0]);
+        const Eigen::Vector3d end = position(beam.nodes[1]);
+        const std::array<DofSet, 2> free = released_dofs(beam);
+        NodeIndex from = beam.nodes[0];
+        for (int k = 1; k <= beam.divisions; ++k) {
+            const bool last = k == beam.divisions;
+            const NodeIndex to =
+                last ? beam.nodes[1]
+                     : add_node(start + (end - start) * (static_cast<double>(k) / beam.divisions));
+            const BeamElement::Geometry geometry{{from, to}, (end - start).norm() / beam.divisions, axes};
+            add_element(std::make_unique<BeamElement>(geometry, beam.section, beam.material),
+                        {k == 1 ? free[0] : DofSet{}, last ? free[1] : DofSet{}});
+            add_weight(geometry, beam);
+            from = to;
+        }
+    }
+
+    void add_element(std::unique_ptr<const BeamElement> element, const std::array<DofSet, 2>& free) {
+        if (free[0] == DofSet{} && free[1] == DofSet{}) {
+            assembly_.elements.push_back(std::move(element));
+            return;
+        }
+        std::array<NodeIndex, 2> hinges;
+        for (std::size_t end = 0; end < 2; ++end) {
+            if (free[end] == DofSet{}) continue;
+            hinges[end] = add_node(position(element->geometry().nodes[end]));
+            Support held{hinges[end], free[end]};
+            for (bool& component : held.fixed.contains) component = !component;
+            assembly_.supports.push_back(held);
+        }
+        assembly_.elements.push_back(std::make_unique<detail::HingedElement>(std::move(element), hinges));
+    }
+
+    /// Half of the weight goes to each end; with it the moments by which the ends of a clamped beam resist
+    /// it.
+    void add_weight(const BeamElement::Geometry& geometry, const Beam& beam) {
+        const Eigen::Vector3d line_load = beam.material.density * beam.section.area * frame_.gravity;
+        const double l = geometry.length;
+        const Eigen::Vector3d moment = l * l / 12.0 * geometry.axes.col(0).cross(line_load);
+        for (const NodeIndex node : geometry.nodes) load_of(node).head<3>() += 0.5 * l * line_load;
+        if (options_.lumped_gravity) return;
+        load_of(geometry.nodes[0]).tail<3>() += moment;
+        load_of(geometry.nodes[1]).tail<3>() -= moment;
+    }
+
+    const Frame& frame_;
+    const AssemblyOptions& options_;
+    Assembly assembly_;
+    std::vector<NodeLoad> loads_;
+};
+
+}  // namespace
+
+Assembly assemble(const Frame& frame, const AssemblyOptions& options) {
+    validate(frame);
+    return Assembler(frame, options).run();
+}
+
+}  // namespace fretwork::mechanics

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/mechanics/detail/beam_energy.hpp>
+
+namespace fretwork::mechanics::detail {
+namespace {
+
+constexpr double kThird = 1.0 / 3.0;
+
+}  // namespace
+
+BeamEnergy::BeamEnergy(const Stiffness& s, double length) {
+    const double f2 = 12.0 * s.bending2 * s.shear_flexibility3 / (length * length);
+    const double f3 = 12.0 * s.bending3 * s.shear_flexibility2 / (length * length);
+    const double k2 = 1.0 / (1.0 + f2);
+    const double k3 = 1.0 / (1.0 + f3);
+    stiffness_[kElongation] = s.axial / length;
+    stiffness_[kBow2] = 4.0 * s.bending2 / length;
+    stiffness_[kSway2] = 12.0 * s.bending2 * k2 / length;
+    stiffness_[kBow3] = 4.0 * s.bending3 / length;
+    stiffness_[kSway3] = 12.0 * s.bending3 * k3 / length;
+    stiffness_[kTwist] = s.torsion / length;
+    bow_shortening_ = kThird * length;
+    sway2_shortening_ = (0.2 - f2 * f2) * k2 * k2 * length;
+    sway3_shortening_ = (0.2 - f3 * f3) * k3 * k3 * length;
+    shear2_ = 0.5 * f2 * k2;
+    shear3_ = 0.5 * f3 * k3;
+    twist2_ = 2.0 * k2;
+    twist3_ = 2.0 * k3;
+}
+
+BeamVector BeamEnergy::strains(const BeamVector& d) const {
+    BeamVector e = d;
+    e[kElongation] +=
+        0.5 * (bow_shortening_ * (d[kBow2] * d[kBow2] + d[kBow3] * d[kBow3]) +
+               sway2_shortening_ * d[kSway2] * d[kSway2] + sway3_shortening_ * d[kSway3] * d[kSway3]);
+    e[kBow2] += shear3_ * d[kTwist] * d[kSway3];
+    e[kBow3] -= shear2_ * d[kTwist] * d[kSway2];
+    e[kSway2] += kThird * d[kTwist] * d[kBow3];
+    e[kSway3] -= kThird * d[kTwist] * d[kBow2];
+    e[kTwist] += twist3_ * d[kBow2] * d[kSway3] - twist2_ * d[kBow3] * d[kSway2];
+    return e;
+}
+
+/// Row i holds the derivatives of strain i.
+BeamMatrix BeamEnergy::strain_slopes(const BeamVector& d) const {
+    BeamMatrix s = BeamMatrix::Identity();
+    s(kElongation, kBow2) = bow_shortening_ * d[kBow2];
+    s(kElongation, kBow3) = bow_shortening_ * d[kBow3];
+    s(kElongation, kSway2) = sway2_shortening_ * d[kSway2];
+    s(kElongation, kSway3) = sway3_shortening_ * d[kSway3];
+    s(kBow2, kTwist) = shear3_ * d[kSway3];
+    s(kBow2, kSway3) = shear3_ * d[kTwist];
+    s(kBow3, kTwist) = -shear2_ * d[kSway2];
+    s(kBow3, kSway2) = -shear2_ * d[kTwist];
+    s(kSway2, kTwist) = kThird * d[kBow3];
+    s(kSway2, kBow3) = kThird * d[kTwist];
+    s(kSway3, kTwist) = -kThird * d[kBow2];
+    s(kSway3, kBow2) = -kThird * d[kTwist];
+    s(kTwist, kBow2) = twist3_ * d[kSway3];
+    s(kTwist, kSway3) = twist3_ * d[kBow2];
+    s(kTwist, kBow3) = -twist2_ * d[kSway2];
+    s(kTwist, kSway2) = -twist2_ * d[kBow3];
+    return s;
+}
+
+double BeamEnergy::value(const BeamVector& d) const {
+    const BeamVector e = strains(d);
+    return 0.5 * e.dot(stiffness_.cwiseProduct(e));
+}
+
+BeamVector BeamEnergy::gradient(const BeamVector& d) const {
+    return strain_slopes(d).transpose() * stiffness_.cwiseProduct(strains(d));
+}
+
+BeamMatrix BeamEnergy::hessian(const BeamVector& d) const {
+    const BeamMatrix slopes = strain_slopes(d);
+    const BeamVector stress = stiffness_.cwiseProduct(strains(d));
+    BeamMatrix h = slopes.transpose() * stiffness_.asDiagonal() * slopes;
+    h(kBow2, kBow2) += stress[kElongation] * bow_shortening_;
+    h(kBow3, kBow3) += stress[kElongation] * bow_shortening_;
+    h(kSway2, kSway2) += stress[kElongation] * sway2_shortening_;
+    h(kSway3, kSway3) += stress[kElongation] * sway3_shortening_;
+    const auto add_product = [&h](int i, int j, double coefficient) {
+        h(i, j) += coefficient;
+        h(j, i) += coefficient;
+    };
+    add_product(kTwist, kSway3, stress[kBow2] * shear3_);
+    add_product(kTwist, kSway2, -stress[kBow3] * shear2_);
+    add_product(kTwist, kBow3, stress[kSway2] * kThird);
+    add_product(kTwist, kBow2, -stress[kSway3] * kThird);
+    add_product(kBow2, kSway3, stress[kTwist] * twist3_);
+    add_product(kBow3, kSway2, -stress[kTwist] * twist2_);
+    return h;
+}
+
+}  // namespace fretwork::mechanics::detail

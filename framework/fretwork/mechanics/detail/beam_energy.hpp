@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+
+namespace fretwork::mechanics::detail {
+
+/// The deformations of a beam, all zero under rigid motions. With t1, t2 the rotations of the end sections
+/// against the chord, about the sections' own axes 2 (out of plane, for a flat pattern) and 3 (in plane):
+enum BeamDeformation {
+    kElongation,  ///< change of the chord's length, m
+    kBow2,        ///< (t1 - t2) / 2 about axis 2: the arc of constant curvature
+    kSway2,       ///< (t1 + t2) / 2 about axis 2: the S shape
+    kBow3,        ///< as kBow2, about axis 3
+    kSway3,       ///< as kSway2, about axis 3
+    kTwist,       ///< rotation of end 2 against end 1 about the chord
+    kBeamDeformations
+};
+using BeamVector = Eigen::Matrix<double, kBeamDeformations, 1>;
+using BeamMatrix = Eigen::Matrix<double, kBeamDeformations, kBeamDeformations>;
+
+/// The elastic energy of a beam as a function of its deformations d: sum of stiffness * strain^2 / 2 over six
+/// generalized strains. A strain is the deformation of the same name plus products of two of them:
+///
+///   axial  (e / L + ((bow2^2 + bow3^2) / 3 + q2 sway2^2 + q3 sway3^2) / 2) L    bending shortens the chord
+///   bow2   + f3 k3 twist sway3 / 2        bow3   - f2 k2 twist sway2 / 2        (only with shear)
+///   sway2  + twist bow3 / 3               sway3  - twist bow2 / 3               twist turns the bending
+///   twist  + 2 (k3 bow2 sway3 - k2 bow3 sway2)                                  bending in two planes twists
+///
+/// with the shear ratios f2 = 12 E I2 / (G As3 L^2), f3 = 12 E I3 / (G As2 L^2), k = 1 / (1 + f) and
+/// q = (1/5 - f^2) k^2. Derived by minimizing the energy of the geometrically exact (Simo-Reissner) rod over
+/// all shapes between given ends, to third order in the deformations; written as squares, so that it is never
+/// negative.
+class BeamEnergy {
+  public:
+    /// The stiffness of a beam of length `length`. Stiffnesses in N and N m^2, flexibilities in 1/N.
+    struct Stiffness {
+        double axial = 0.0;               ///< E A
+        double torsion = 0.0;             ///< G J
+        double bending2 = 0.0;            ///< E I2
+        double bending3 = 0.0;            ///< E I3
+        double shear_flexibility2 = 0.0;  ///< 1 / (G As2): shear along axis 2; zero is shear-rigid
+        double shear_flexibility3 = 0.0;  ///< 1 / (G As3)
+    };
+    BeamEnergy(const Stiffness& stiffness, double length);
+
+    [[nodiscard]] double value(const BeamVector& d) const;
+    [[nodiscard]] BeamVector gradient(const BeamVector& d) const;
+    [[nodiscard]] BeamMatrix hessian(const BeamVector& d) const;
+    /// The Hessian at rest, which is diagonal.
+    [[nodiscard]] const BeamVector& rest_hessian() const { return stiffness_; }
+
+  private:
+    [[nodiscard]] BeamVector strains(const BeamVector& d) const;
+    [[nodiscard]] BeamMatrix strain_slopes(const BeamVector& d) const;
+
+    BeamVector stiffness_;
+    // Coefficients of the products in the strains.
+    double bow_shortening_, sway2_shortening_, sway3_shortening_;
+    double shear2_, shear3_;
+    double twist2_, twist3_;
+};
+
+}  // namespace fretwork::mechanics::detail

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/mechanics/frame.hpp>
+
+#include <string>
+
+namespace fretwork::mechanics::detail {
+
+/// What validate() does; `source` names the frame in messages.
+void check_frame(const Frame& frame, const std::string& source);
+
+/// The beam's local axes at rest as the columns of a rotation: 1 along the beam, 2 = 3 x 1, 3 the normal.
+/// Throws GeometryError if the beam has no length or its normal runs along it.
+Eigen::Matrix3d beam_axes(const Frame& frame, const Beam& beam);
+
+}  // namespace fretwork::mechanics::detail

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/mechanics/detail/hinged_element.hpp>
+#include <fretwork/mechanics/detail/rotation.hpp>
+
+namespace fretwork::mechanics::detail {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+/// The state of a beam's end behind a hinge, and what its derivatives need.
+struct HingedEnd {
+    Matrix3d turned_axes;  ///< the beam's axes, turned with the frame's node
+    Vector3d arm;          ///< from the frame's node to the beam's end
+    NodeState state;
+};
+
+HingedEnd compose(const Matrix3d& axes, const NodeState& node, const NodeState& hinge) {
+    HingedEnd end;
+    end.turned_axes = node.rotation.toRotationMatrix() * axes;
+    end.arm = end.turned_axes * hinge.displacement;
+    end.state.displacement = node.displacement + end.arm;
+    const Eigen::Quaterniond frame(axes);
+    end.state.rotation = node.rotation * frame * hinge.rotation * frame.conjugate();
+    end.state.rotation.normalize();
+    return end;
+}
+
+}  // namespace
+
+HingedElement::HingedElement(std::unique_ptr<const BeamElement> beam, const std::array<NodeIndex, 2>& hinges)
+    : beam_(std::move(beam)), nodes_(beam_->nodes().begin(), beam_->nodes().end()) {
+    for (int end = 0; end < 2; ++end) {
+        if (!hinges[static_cast<std::size_t>(end)].is_valid()) continue;
+        hinges_.push_back({end, static_cast<int>(nodes_.size())});
+        nodes_.push_back(hinges[static_cast<std::size_t>(end)]);
+    }
+}
+
+/// From the small motions of this element's nodes to those of the beam's ends.
+Eigen::MatrixXd HingedElement::rest_map() const {
+    Eigen::MatrixXd map = Eigen::MatrixXd::Zero(2 * kDofsPerNode, size());
+    map.leftCols(2 * kDofsPerNode).setIdentity();
+    for (const Hinge& hinge : hinges_) {
+        for (int part = 0; part < 2; ++part)
+            map.block<3, 3>(6 * hinge.end + 3 * part, 6 * hinge.slot + 3 * part) = beam_->geometry().axes;
+    }
+    return map;
+}
+
+void HingedElement::rest_stiffness(Eigen::MatrixXd& stiffness) const {
+    Eigen::MatrixXd own;
+    beam_->rest_stiffness(own);
+    const Eigen::MatrixXd map = rest_map();
+    stiffness = map.transpose() * own * map;
+}
+
+void HingedElement::mass(Eigen::MatrixXd& mass) const {
+    Eigen::MatrixXd own;
+    beam_->mass(own);
+    const Eigen::MatrixXd map = rest_map();
+    mass = map.transpose() * own * map;
+}
+
+void HingedElement::evaluate(std::span<const NodeState> states, Demand demand,
+                             ElementResponse& response) const {
+    const Matrix3d& axes = beam_->geometry().axes;
+    std::array<NodeState, 2> ends = {states[0], states[1]};
+    Eigen::MatrixXd map = rest_map();
+    std::array<HingedEnd, 2> hinged;
+    for (const Hinge& hinge : hinges_) {
+        const auto end = static_cast<std::size_t>(hinge.end);
+        hinged[end] = compose(axes, states[end], states[static_cast<std::size_t>(hinge.slot)]);
+        ends[end] = hinged[end].state;
+        map.block<3, 3>(6 * hinge.end, 6 * hinge.end + 3) = -cross_matrix(hinged[end].arm);
+        for (int part = 0; part < 2; ++part)
+            map.block<3, 3>(6 * hinge.end + 3 * part, 6 * hinge.slot + 3 * part) = hinged[end].turned_axes;
+    }
+    ElementResponse own;
+    beam_->evaluate(ends, demand, own);
+    response.energy = own.energy;
+    response.force = map.transpose() * own.force;
+    if (demand == Demand::Force) return;
+    response.tangent = map.transpose() * own.tangent * map;
+    for (const Hinge& hinge : hinges_) {
+        const auto end = static_cast<std::size_t>(hinge.end);
+        const Vector3d force = own.force.segment<3>(6 * hinge.end);
+        const Vector3d moment = own.force.segment<3>(6 * hinge.end + 3);
+        const Matrix3d& turned = hinged[end].turned_axes;
+        const Vector3d& arm = hinged[end].arm;
+        const int spin = 6 * hinge.end + 3;
+        const int slide = 6 * hinge.slot;
+        // Second order of exp(w) (arm + s) and of exp(w) exp(h), whose commutator is w x h / 2.
+        Matrix3d lever = 0.5 * (force * arm.transpose() + arm * force.transpose());
+        lever.diagonal().array() -= force.dot(arm);
+        response.tangent.block<3, 3>(spin, spin) += lever;
+        const Matrix3d follow = -cross_matrix(force) * turned;
+        response.tangent.block<3, 3>(spin, slide) += follow;
+        response.tangent.block<3, 3>(slide, spin) += follow.transpose();
+        const Matrix3d commute = -0.5 * cross_matrix(moment) * turned;
+        response.tangent.block<3, 3>(spin, slide + 3) += commute;
+        response.tangent.block<3, 3>(slide + 3, spin) += commute.transpose();
+    }
+}
+
+}  // namespace fretwork::mechanics::detail

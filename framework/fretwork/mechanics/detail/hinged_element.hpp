@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/mechanics/detail/beam_element.hpp>
+
+#include <memory>
+#include <vector>
+
+namespace fretwork::mechanics::detail {
+
+/// A beam with hinges. At a hinged end there is one more node, whose displacement and rotation are those of
+/// the beam's end against the frame's node, in the beam's axes at rest as they turn with that node. What is
+/// not released is held at zero there, by supports.
+class HingedElement final : public Element {
+  public:
+    /// @param hinges  the hinge's node at each end; an invalid index where the end is rigid
+    HingedElement(std::unique_ptr<const BeamElement> beam, const std::array<NodeIndex, 2>& hinges);
+
+    [[nodiscard]] std::span<const NodeIndex> nodes() const override { return nodes_; }
+    void rest_stiffness(Eigen::MatrixXd& stiffness) const override;
+    void evaluate(std::span<const NodeState> states, Demand demand, ElementResponse& response) const override;
+    void mass(Eigen::MatrixXd& mass) const override;
+
+  private:
+    struct Hinge {
+        int end;   ///< 0 or 1
+        int slot;  ///< its place in nodes_
+    };
+    [[nodiscard]] Eigen::MatrixXd rest_map() const;
+    [[nodiscard]] Eigen::Index size() const {
+        return static_cast<Eigen::Index>(nodes_.size()) * kDofsPerNode;
+    }
+
+    std::unique_ptr<const BeamElement> beam_;
+    std::vector<NodeIndex> nodes_;
+    std::vector<Hinge> hinges_;
+};
+
+}  // namespace fretwork::mechanics::detail

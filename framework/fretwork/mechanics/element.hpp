@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/mechanics/frame.hpp>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <span>
+
+namespace fretwork::mechanics {
+
+/// Where a node is and how it is turned. The rotation is kept as a rotation, so that turns of any size, and
+/// any number of them, have no singular point.
+struct NodeState {
+    Eigen::Vector3d displacement = Eigen::Vector3d::Zero();        ///< metres
+    Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();  ///< from rest, unit
+};
+
+/// What an element answers to the states of its nodes.
+///
+/// For each node in turn, three components belong to its displacement and three to its spin: an infinitesimal
+/// rotation w in space, R <- exp(w) R. Along spins w_i the energy is, to second order,
+/// E + force . w + w . tangent . w / 2: the force is the gradient and the tangent is symmetric. The plain
+/// derivative of the force along a spin is the tangent - [m]/2 on the rotational diagonal block of each
+/// node, where m is the node's moment and [m] w = m x w; these skew parts add up to the applied moments.
+struct ElementResponse {
+    double energy = 0.0;      ///< J
+    Eigen::VectorXd force;    ///< 6n: N and N m
+    Eigen::MatrixXd tangent;  ///< 6n x 6n, symmetric; only where it was asked for
+};
+
+/// What is wanted of an element.
+enum class Demand { Force, Tangent };
+
+/// A part of a structure with any number of nodes: a beam, a condensed tile. Immutable, so that threads may
+/// share it.
+class Element {
+  public:
+    Element() = default;
+    Element(const Element&) = delete;
+    Element& operator=(const Element&) = delete;
+    virtual ~Element() = default;
+
+    /// The nodes of the assembly that this element connects.
+    [[nodiscard]] virtual std::span<const NodeIndex> nodes() const = 0;
+
+    /// Write the linear stiffness at rest, 6n x 6n: the tangent at zero displacement. The caller owns the
+    /// matrix and passes it again for the next element, so that the loop over elements allocates nothing.
+    virtual void rest_stiffness(Eigen::MatrixXd& stiffness) const = 0;
+
+    /// Write the response to the states of the nodes (in the order of nodes()). As in rest_stiffness, the
+    /// caller owns the buffers.
+    virtual void evaluate(std::span<const NodeState> states, Demand demand,
+                          ElementResponse& response) const = 0;
+
+    /// Write the consistent mass at rest, 6n x 6n (kg, kg m, kg m^2); zero for an element without mass.
+    virtual void mass(Eigen::MatrixXd& mass) const {
+        const auto size = static_cast<Eigen::Index>(nodes().size()) * kDofsPerNode;
+        mass.setZero(size, size);
+    }
+};
+
+}  // namespace fretwork::mechanics

@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/mechanics/detail/cholesky.hpp>
+#include <fretwork/mechanics/detail/constraints.hpp>
+#include <fretwork/mechanics/linear_solver.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace fretwork::mechanics {
+namespace {
+
+using detail::Cholesky;
+using detail::SystemLayout;
+
+constexpr DofSet kInPlane = {{true, true, false, false, false, true}};
+constexpr DofSet kOutOfPlane = {{false, false, true, true, true, false}};
+
+/// One refinement is made where the first solution is less accurate than this.
+constexpr double kGoodResidual = 1e-12;
+
+/// A stiffness entry in the row of a held dof.
+struct HeldEntry {
+    int node, dof, other_node, other_dof;
+    double value;
+};
+
+/// Equations that can be solved on their own: all of a structure, or its half in or out of the plane.
+struct Subsystem {
+    explicit Subsystem(SystemLayout equations)
+        : layout(std::make_unique<SystemLayout>(std::move(equations))),
+          values(layout->row().size(), 0.0),
+          cholesky(*layout) {}
+    std::unique_ptr<SystemLayout> layout;
+    std::vector<double> values;
+    Cholesky cholesky;
+};
+
+bool is_flat(const Assembly& assembly) {
+    return std::all_of(assembly.nodes.begin(), assembly.nodes.end(),
+                       [&](const Eigen::Vector3d& node) { return node.z() == assembly.nodes.front().z(); });
+}
+
+/// Whether an element passes nothing between motions in and out of the plane, up to rounding.
+bool decouples(const Eigen::MatrixXd& stiffness) {
+    constexpr double kRounding = 1e-14;
+    for (Eigen::Index i = 0; i < stiffness.rows(); ++i) {
+        const bool in_plane = kInPlane.contains[static_cast<std::size_t>(i % kDofsPerNode)];
+        for (Eigen::Index j = 0; j < i; ++j) {
+            if (kInPlane.contains[static_cast<std::size_t>(j % kDofsPerNode)] == in_plane) continue;
+            if (std::abs(stiffness(i, j)) > kRounding * std::sqrt(stiffness(i, i) * stiffness(j, j)))
+                return false;
+        }
+    }
+    return true;
+}
+
+}  // namespace
+
+class LinearSolver::Impl {
+  public:
+    explicit Impl(const Assembly& assembly) { build(assembly); }
+
+    void refactorize(const Assembly& assembly) {
+        constraints_ = detail::constraints_of(assembly);
+        loads_ = assembly.loads;
+        if (!assemble(assembly)) return build(assembly);  // what was flat is not any more
+        factorize(assembly);
+    }
+
+    [[nodiscard]] const NodeValues& own_loads() const { return loads_; }
+
+    [[nodiscard]] Solution solve(const NodeValues& loads) {
+        NodeValues displacements = constraints_.values;
+        Solution solution;
+        NodeValues unbalanced = out_of_balance(loads, displacements);
+        for (int pass = 0; pass < 2; ++pass) {
+            correct(unbalanced, displacements);
+            unbalanced = out_of_balance(loads, displacements);
+            ++solution.iterations;
+            solution.residual = relative_residual(loads, unbalanced);
+            if (solution.residual < kGoodResidual) break;
+        }
+        finish(loads, displacements, unbalanced, solution);
+        return solution;
+    }
+
+  private:
+    void build(const Assembly& assembly) {
+        constraints_ = detail::constraints_of(assembly);
+        loads_ = assembly.loads;
+        reported_ = assembly.reported_nodes;
+        length_ = detail::characteristic_length(assembly);
+        const detail::NodeGraph graph = detail::node_graph(assembly);
+        const std::vector<int> order = detail::elimination_order(graph, nodes_with_free_dofs());
+        if (!planar_refused_ && is_flat(assembly)) {
+            lay_out(assembly, graph, order, {kInPlane, kOutOfPlane});
+            if (assemble(assembly)) return factorize(assembly);
+            planar_refused_ = true;
+        }
+        lay_out(assembly, graph, order, {DofSet::all()});
+        assemble(assembly);
+        factorize(assembly);
+    }
+
+    [[nodiscard]] std::vector<bool> nodes_with_free_dofs() const {
+        std::vector<bool> free;
+        free.reserve(constraints_.held.size());
+        for (const DofSet& held : constraints_.held) free.push_back(held != DofSet::all());
+        return free;
+    }
+
+    void lay_out(const Assembly& assembly, const detail::NodeGraph& graph, const std::vector<int>& order,
+                 const std::vector<DofSet>& parts) {
+        systems_.clear();
+        for (const DofSet& part : parts) {
+            std::vector<DofSet> free = constraints_.held;
+            for (DofSet& dofs : free) {
+                for (std::size_t d = 0; d < kDofsPerNode; ++d)
+                    dofs.contains[d] = !dofs.contains[d] && part.contains[d];
+            }
+            SystemLayout layout(assembly, graph, free, order);
+            if (layout.equations() > 0) systems_.emplace_back(std::move(layout));
+        }
+        split_ = parts.size() > 1;
+    }
+
+    /// False if an element couples what was to be solved apart.
+    bool assemble(const Assembly& assembly) {
+        for (Subsystem& system : systems_) std::fill(system.values.begin(), system.values.end(), 0.0);
+        held_entries_.clear();
+        Eigen::MatrixXd stiffness;
+        for (std::size_t e = 0; e < assembly.elements.size(); ++e) {
+            const Element& element = *assembly.elements[e];
+            element.rest_stiffness(stiffness);
+            if (split_ && !decouples(stiffness)) return false;
+            for (Subsystem& system : systems_)
+                system.layout->add(e, element.nodes(), stiffness, system.values);
+            keep_held_rows(element.nodes(), stiffness);
+        }
+        return true;
+    }
+
+    void keep_held_rows(std::span<const NodeIndex> nodes, const Eigen::MatrixXd& stiffness) {
+        for (std::size_t i = 0; i < nodes.size(); ++i) {
+            const DofSet& held = constraints_.held[static_cast<std::size_t>(nodes[i].value)];
+            if (held == DofSet{}) continue;
+            for (int d = 0; d < kDofsPerNode; ++d) {
+                if (held.contains[static_cast<std::size_t>(d)])
+                    keep_row(nodes, static_cast<Eigen::Index>(i) * kDofsPerNode + d, stiffness);
+            }
+        }
+    }
+
+    void keep_row(std::span<const NodeIndex> nodes, Eigen::Index row, const Eigen::MatrixXd& stiffness) {
+        const int node = nodes[static_cast<std::size_t>(row / kDofsPerNode)].value;
+        const int dof = static_cast<int>(row % kDofsPerNode);
+        for (Eigen::Index j = 0; j < stiffness.cols(); ++j) {
+            if (stiffness(row, j) == 0.0) continue;
+            const int other = nodes[static_cast<std::size_t>(j / kDofsPerNode)].value;
+            held_entries_.push_back(
+                {node, dof, other, static_cast<int>(j % kDofsPerNode), stiffness(row, j)});
+        }
+    }
+
+    void factorize(const Assembly& assembly) {
+        for (Subsystem& system : systems_) {
+            const Cholesky::Outcome outcome = system.cholesky.factorize(system.values);
+            if (outcome.positive_definite()) continue;
+            const NodeIndex node = system.layout->node_of(std::max(outcome.zero_pivot, 0));
+            throw base::NumericalError("the structure, as held, can move without strain at " +
+                                       detail::node_text(assembly, node) +
+                                       ": hold it more, or release less of its beams");
+        }
+    }
+
+    /// Loads less internal forces. At held dofs that is the negative reaction.
+    [[nodiscard]] NodeValues out_of_balance(const NodeValues& loads, const NodeValues& displacements) const {
+        NodeValues result = loads;
+        Eigen::VectorXd d, product;
+        NodeValues internal = NodeValues::Zero(loads.rows(), kDofsPerNode);
+        for (const Subsystem& system : systems_) {
+            system.layout->gather(displacements, d);
+            product.setZero(d.size());
+            detail::add_product(*system.layout, system.values, d, product);
+            system.layout->scatter(product, internal);
+        }
+        for (const HeldEntry& entry : held_entries_) {
+            internal(entry.node, entry.dof) += entry.value * displacements(entry.other_node, entry.other_dof);
+            if (!is_held(entry.other_node, entry.other_dof))
+                internal(entry.other_node, entry.other_dof) +=
+                    entry.value * displacements(entry.node, entry.dof);
+        }
+        result -= internal;
+        return result;
+    }
+
+    [[nodiscard]] bool is_held(int node, int dof) const {
+        return constraints_.held[static_cast<std::size_t>(node)].contains[static_cast<std::size_t>(dof)];
+    }
+
+    void correct(const NodeValues& unbalanced, NodeValues& displacements) {
+        NodeValues step = NodeValues::Zero(displacements.rows(), kDofsPerNode);
+        Eigen::VectorXd vector;
+        for (Subsystem& system : systems_) {
+            system.layout->gather(unbalanced, vector);
+            system.cholesky.solve(vector);
+            system.layout->scatter(vector, step);
+        }
+        displacements += step;
+    }
+
+    /// Keep the held rows, negated, or the others.
+    [[nodiscard]] NodeValues reactions_of(const NodeValues& unbalanced) const {
+        NodeValues reactions = NodeValues::Zero(unbalanced.rows(), kDofsPerNode);
+        for (int node = 0; node < static_cast<int>(unbalanced.rows()); ++node) {
+            for (int d = 0; d < kDofsPerNode; ++d) {
+                if (is_held(node, d)) reactions(node, d) = -unbalanced(node, d);
+            }
+        }
+        return reactions;
+    }
+
+    [[nodiscard]] double relative_residual(const NodeValues& loads, const NodeValues& unbalanced) const {
+        const NodeValues reactions = reactions_of(unbalanced);
+        const double scale = detail::force_norm(loads, length_) + detail::force_norm(reactions, length_);
+        return scale > 0 ? detail::force_norm(unbalanced + reactions, length_) / scale : 0.0;
+    }
+
+    void finish(const NodeValues& loads, const NodeValues& displacements, const NodeValues& unbalanced,
+                Solution& solution) const {
+        const NodeValues reactions = reactions_of(unbalanced);
+        solution.energy = 0.5 * (loads + reactions).cwiseProduct(displacements).sum();
+        solution.displacements = displacements.topRows(reported_);
+        solution.reactions = reactions.topRows(reported_);
+    }
+
+    detail::Constraints constraints_;
+    NodeValues loads_;
+    int reported_ = 0;
+    double length_ = 1.0;
+    bool split_ = false;
+    bool planar_refused_ = false;
+    std::vector<Subsystem> systems_;
+    std::vector<HeldEntry> held_entries_;
+};
+
+LinearSolver::LinearSolver(const Assembly& assembly) : impl_(std::make_unique<Impl>(assembly)) {}
+LinearSolver::LinearSolver(LinearSolver&&) noexcept = default;
+LinearSolver& LinearSolver::operator=(LinearSolver&&) noexcept = default;
+LinearSolver::~LinearSolver() = default;
+
+Solution LinearSolver::solve() const {
+    return impl_->solve(impl_->own_loads());
+}
+
+Solution LinearSolver::solve(const NodeValues& loads) const {
+    return impl_->solve(loads);
+}
+
+void LinearSolver::refactorize(const Assembly& assembly) {
+    impl_->refactorize(assembly);
+}
+
+Solution solve_linear(const Assembly& assembly) {
+    return LinearSolver(assembly).solve();
+}
+
+}  // namespace fretwork::mechanics

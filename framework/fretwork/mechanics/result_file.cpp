@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/detail/json_text.hpp>
+#include <fretwork/base/file.hpp>
+#include <fretwork/base/json_reader.hpp>
+#include <fretwork/mechanics/result_file.hpp>
+
+#include <limits>
+
+namespace fretwork::mechanics {
+namespace {
+
+using base::JsonReader;
+using base::detail::Json;
+
+constexpr Termination kTerminations[] = {Termination::Converged, Termination::LimitLoad,
+                                         Termination::Diverged, Termination::IterationsSpent};
+constexpr StabilityTest kStabilityTests[] = {StabilityTest::None, StabilityTest::Tangent,
+                                             StabilityTest::SymmetricPart};
+
+Json rows_json(const NodeValues& values) {
+    Json rows = Json::array();
+    for (Eigen::Index i = 0; i < values.rows(); ++i) {
+        Json row = Json::array();
+        for (int d = 0; d < kDofsPerNode; ++d) row.push_back(values(i, d));
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
+void append_solution(Json& json, const Solution& solution) {
+    json["load_factor"] = solution.load_factor;
+    json["converged"] = solution.converged();
+    json["stable"] = solution.stable;
+    json["stability"] = stability_test_name(solution.stability);
+    json["termination"] = termination_name(solution.termination);
+    json["energy"] = solution.energy;
+    json["residual"] = solution.residual;
+    json["iterations"] = solution.iterations;
+    json["displacements"] = rows_json(solution.displacements);
+    json["reactions"] = rows_json(solution.reactions);
+}
+
+NodeValues read_rows(const JsonReader& reader, std::size_t count) {
+    NodeValues values(static_cast<Eigen::Index>(count), kDofsPerNode);
+    Eigen::Index i = 0;
+    for (const JsonReader& row : reader.elements(count)) {
+        const std::vector<double> numbers = row.numbers(kDofsPerNode);
+        for (int d = 0; d < kDofsPerNode; ++d) values(i, d) = numbers[static_cast<std::size_t>(d)];
+        ++i;
+    }
+    return values;
+}
+
+Termination read_termination(const JsonReader& reader) {
+    const std::string name = reader.choice({"converged", "limit-load", "diverged", "iterations-spent"});
+    for (const Termination termination : kTerminations) {
+        if (termination_name(termination) == name) return termination;
+    }
+    reader.fail("is " + reader.text() + ", which is no way to end");
+}
+
+StabilityTest read_stability(const JsonReader& reader) {
+    const std::string name = reader.choice({"none", "tangent", "symmetric-part"});
+    for (const StabilityTest test : kStabilityTests) {
+        if (stability_test_name(test) == name) return test;
+    }
+    reader.fail("is " + reader.text() + ", which is no test of stability");
+}
+
+Solution read_solution(const JsonReader& reader, std::size_t nodes) {
+    Solution solution;
+    solution.load_factor = reader.at("load_factor").number();
+    solution.termination = read_termination(reader.at("termination"));
+    if (reader.at("converged").boolean() != solution.converged())
+        reader.at("converged").fail("does not agree with the termination");
+    solution.stable = reader.at("stable").boolean();
+    solution.stability = read_stability(reader.at("stability"));
+    solution.energy = reader.at("energy").number();
+    solution.residual = reader.at("residual").number();
+    solution.iterations =
+        static_cast<int>(reader.at("iterations").integer(0, std::numeric_limits<int>::max()));
+    solution.displacements = read_rows(reader.at("displacements"), nodes);
+    solution.reactions = read_rows(reader.at("reactions"), nodes);
+    return solution;
+}
+
+Result::Node read_node(const JsonReader& reader) {
+    reader.allow_only({"id", "rest_position", "interface"});
+    const std::vector<double> position = reader.at("rest_position").numbers(3);
+    return {static_cast<int>(reader.at("id").integer(0, std::numeric_limits<int>::max())),
+            {position[0], position[1], position[2]},
+            reader.at("interface").boolean()};
+}
+
+}  // namespace
+
+void write_result(const Result& result, const std::filesystem::path& path) {
+    Json json = {{"format", "fretwork/result/1"}, {"solver", result.solver}};
+    append_solution(json, result.solution);
+    json["seconds"] = result.seconds;
+    json["nodes"] = Json::array();
+    for (const Result::Node& node : result.nodes) {
+        const Eigen::Vector3d& p = node.rest_position;
+        json["nodes"].push_back(
+            {{"id", node.id}, {"rest_position", {p.x(), p.y(), p.z()}}, {"interface", node.is_interface}});
+    }
+    for (const Solution& step : result.load_steps) {
+        Json step_json = Json::object();
+        append_solution(step_json, step);
+        json["load_steps"].push_back(std::move(step_json));
+    }
+    base::write_file_atomically(path, base::detail::json_text(json));
+}
+
+Result read_result(const std::filesystem::path& path) {
+    const JsonReader document = JsonReader::from_file(path);
+    document.expect_format("result");
+    document.allow_only({"format", "solver", "load_factor", "converged", "stable", "stability", "termination",
+                         "energy", "residual", "iterations", "displacements", "reactions", "seconds", "nodes",
+                         "load_steps"});
+    Result result;
+    result.solver = document.at("solver").string();
+    for (const JsonReader& node : document.at("nodes").elements()) result.nodes.push_back(read_node(node));
+    result.solution = read_solution(document, result.nodes.size());
+    result.seconds = document.at("seconds").number();
+    if (const auto steps = document.find("load_steps")) {
+        for (const JsonReader& step : steps->elements()) {
+            step.allow_only({"load_factor", "converged", "stable", "stability", "termination", "energy",
+                             "residual", "iterations", "displacements", "reactions"});
+            result.load_steps.push_back(read_solution(step, result.nodes.size()));
+        }
+    }
+    return result;
+}
+
+}  // namespace fretwork::mechanics
