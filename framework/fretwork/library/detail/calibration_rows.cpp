@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/base/text.hpp>
+#include <fretwork/library/detail/calibration_rows.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace fretwork::library::detail {
+namespace {
+
+using reduction::Calibration;
+using reduction::Paper6Parameters;
+
+constexpr std::string_view kColumns =
+    "model, optimizer, seed, starts, budget, objective, evaluations, converged, A, I2, I3, J, theta, R, "
+    "at_bound, "
+    "seconds";
+
+bool is_finite(const CalibrationRecord& record) {
+    const Calibration& calibration = record.calibration;
+    const Paper6Parameters& p = calibration.parameters;
+    const auto finite = [](double value) { return std::isfinite(value); };
+    return finite(calibration.objective) && finite(record.seconds) && finite(p.A) && finite(p.I2) &&
+           finite(p.I3) && finite(p.J) && finite(p.theta) && finite(p.R) &&
+           std::ranges::all_of(calibration.scenario_errors, finite);
+}
+
+CalibrationRecord read_row(const Statement& row) {
+    CalibrationRecord record;
+    Calibration& calibration = record.calibration;
+    calibration.model = row.text(0);
+    calibration.optimizer = row.text(1);
+    calibration.seed = static_cast<std::uint64_t>(row.integer(2));
+    calibration.starts = static_cast<int>(row.integer(3));
+    record.budget = static_cast<int>(row.integer(4));
+    calibration.objective = row.real(5);
+    calibration.evaluations = static_cast<long>(row.integer(6));
+    calibration.converged = row.integer(7) != 0;
+    calibration.parameters = {row.real(8),  row.real(9),  row.real(10),
+                              row.real(11), row.real(12), row.real(13)};
+    if (!row.text(14).empty()) calibration.at_bound = base::split(row.text(14), ',');
+    record.seconds = row.real(15);
+    return record;
+}
+
+void read_errors(const Database& database, std::string_view pattern_id, const reduction::Setting& setting,
+                 CalibrationRecord& record) {
+    Statement statement(
+        database,
+        "SELECT error FROM calibration_error WHERE pattern_id = ? AND model = ? AND optimizer = ? "
+        "AND seed = ? AND starts = ? AND budget = ? AND scenario = ?");
+    const CalibrationKey key = record.key();
+    for (const reduction::Scenario& scenario : setting.scenarios) {
+        statement.bind_all(pattern_id, key.model, key.optimizer, static_cast<std::int64_t>(key.seed),
+                           key.starts, key.budget, scenario.name);
+        if (statement.step()) record.calibration.scenario_errors.push_back(statement.real(0));
+    }
+}
+
+void insert_errors(const Database& database, const std::string& pattern_id, const CalibrationRecord& record,
+                   const reduction::Setting& setting) {
+    Statement statement(database, "INSERT INTO calibration_error VALUES (?, ?, ?, ?, ?, ?, ?, ?)");
+    const CalibrationKey key = record.key();
+    const std::vector<double>& errors = record.calibration.scenario_errors;
+    for (std::size_t k = 0; k < errors.size(); ++k) {
+        statement
+            .bind_all(pattern_id, key.model, key.optimizer, static_cast<std::int64_t>(key.seed), key.starts,
+                      key.budget, setting.scenarios[k].name, errors[k])
+            .run();
+    }
+}
+
+}  // namespace
+
+void check_calibration(const Database& database, const std::string& pattern_id,
+                       const CalibrationRecord& record, const reduction::Setting& setting) {
+    const std::string file = database.path().string();
+    const std::string place = "calibration of " + pattern_id;
+    const Calibration& calibration = record.calibration;
+    if (calibration.seed > static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max()))
+        throw base::InputError(
+            file, place,
+            "has the seed " + std::to_string(calibration.seed) + ", where one below 2^63 is needed");
+    const std::size_t errors = calibration.scenario_errors.size();
+    if (errors != 0 && errors != setting.scenarios.size())
+        throw base::InputError(file, place,
+                               "has " + std::to_string(errors) + " errors, where the setting has " +
+                                   std::to_string(setting.scenarios.size()) + " scenarios");
+    if (!is_finite(record)) throw base::NumericalError(file + ": " + place + ": a value is not finite");
+}
+
+void insert_calibration(const Database& database, const std::string& pattern_id,
+                        const CalibrationRecord& record, const reduction::Setting& setting) {
+    Statement statement(database, "INSERT INTO calibration (pattern_id, " + std::string(kColumns) +
+                                      ") VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+    const Calibration& c = record.calibration;
+    const Paper6Parameters& p = c.parameters;
+    statement
+        .bind_all(pattern_id, c.model, c.optimizer, static_cast<std::int64_t>(c.seed), c.starts,
+                  record.budget, c.objective, static_cast<std::int64_t>(c.evaluations), int{c.converged}, p.A,
+                  p.I2, p.I3, p.J, p.theta, p.R, base::join(c.at_bound, ","), record.seconds)
+        .run();
+    insert_errors(database, pattern_id, record, setting);
+}
+
+std::vector<CalibrationRecord> read_calibrations(const Database& database, std::string_view pattern_id,
+                                                 const reduction::Setting& setting) {
+    Statement statement(database, "SELECT " + std::string(kColumns) +
+                                      " FROM calibration WHERE pattern_id = ? "
+                                      "ORDER BY model, optimizer, seed, starts, budget");
+    statement.bind_all(pattern_id);
+    std::vector<CalibrationRecord> records;
+    while (statement.step()) records.push_back(read_row(statement));
+    for (CalibrationRecord& record : records) read_errors(database, pattern_id, setting, record);
+    return records;
+}
+
+bool are_equal(const CalibrationRecord& left, const CalibrationRecord& right) {
+    const Calibration& a = left.calibration;
+    const Calibration& b = right.calibration;
+    const auto parameters = [](const Paper6Parameters& p) {
+        return std::array{p.A, p.I2, p.I3, p.J, p.theta, p.R};
+    };
+    return left.key() == right.key() && a.objective == b.objective &&
+           a.scenario_errors == b.scenario_errors && a.evaluations == b.evaluations &&
+           parameters(a.parameters) == parameters(b.parameters) && a.at_bound == b.at_bound &&
+           a.converged == b.converged;
+}
+
+}  // namespace fretwork::library::detail

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/base/file.hpp>
+#include <fretwork/base/sha256.hpp>
+#include <fretwork/base/text.hpp>
+#include <fretwork/library/detail/content.hpp>
+#include <fretwork/library/detail/schema.hpp>
+
+#include <bit>
+#include <system_error>
+
+namespace fretwork::library::detail {
+namespace {
+
+std::string sorted_rows_query(const Table& table) {
+    const std::vector<std::string> keys(table.keys.begin(), table.keys.end());
+    return "SELECT " + content_columns(table) + " FROM " + std::string(table.name) + " ORDER BY " +
+           base::join(keys, ", ");
+}
+
+/// Least significant byte first, whatever the machine does.
+void update(base::Sha256& hash, std::uint64_t number) {
+    std::string bytes;
+    for (int byte = 0; byte < 8; ++byte) bytes += static_cast<char>(number >> (8 * byte) & 0xffU);
+    hash.update(bytes);
+}
+
+void update(base::Sha256& hash, std::string_view text) {
+    update(hash, static_cast<std::uint64_t>(text.size()));
+    hash.update(text);
+}
+
+void update(base::Sha256& hash, const Statement& row, int column) {
+    switch (row.type(column)) {
+        case SQLITE_INTEGER:
+            hash.update("i");
+            return update(hash, static_cast<std::uint64_t>(row.integer(column)));
+        case SQLITE_FLOAT:
+            hash.update("r");
+            return update(hash, std::bit_cast<std::uint64_t>(row.real(column)));
+        default:
+            hash.update("t");
+            return update(hash, row.text(column));
+    }
+}
+
+/// RFC 4180: quoted where it has to be.
+std::string csv_field(std::string_view text) {
+    if (text.find_first_of(",\"\n\r") == std::string_view::npos) return std::string(text);
+    std::string quoted = "\"";
+    for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
+    return quoted + "\"";
+}
+
+std::string csv_field(const Statement& row, int column) {
+    switch (row.type(column)) {
+        case SQLITE_INTEGER:
+            return std::to_string(row.integer(column));
+        case SQLITE_FLOAT:
+            return base::format_number(row.real(column));
+        default:
+            return csv_field(row.text(column));
+    }
+}
+
+std::string csv_header(const Table& table) {
+    std::string line;
+    for (const char c : content_columns(table)) {
+        if (c != ' ') line += c;
+    }
+    return line + "\n";
+}
+
+void write_csv(const Database& database, const Table& table, const std::filesystem::path& path) {
+    base::AtomicFile file(path);
+    file.write(csv_header(table));
+    Statement rows(database, sorted_rows_query(table));
+    while (rows.step()) {
+        for (int column = 0; column < rows.column_count(); ++column) {
+            if (column > 0) file.write(",");
+            file.write(csv_field(rows, column));
+        }
+        file.write("\n");
+    }
+    file.commit();
+}
+
+void write_json(const Database& database, const std::string& table, const std::filesystem::path& folder) {
+    Statement row(database, "SELECT json FROM " + table);
+    if (row.step()) base::write_file_atomically(folder / (table + ".json"), row.text(0));
+}
+
+bool is_json_table(const Table& table) {
+    return table.name == "layout" || table.name == "setting";
+}
+
+}  // namespace
+
+std::string content_hash(Database& database) {
+    const Transaction snapshot(database, Transaction::Kind::Read);
+    base::Sha256 hash;
+    for (const Table& table : content_tables()) {
+        update(hash, table.name);
+        Statement rows(database, sorted_rows_query(table));
+        while (rows.step()) {
+            for (int column = 0; column < rows.column_count(); ++column) update(hash, rows, column);
+        }
+    }
+    return hash.hexadecimal();
+}
+
+void export_csv(Database& database, const std::filesystem::path& folder) {
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error) throw base::IoError(folder.string() + ": cannot be made: " + error.message());
+    const Transaction snapshot(database, Transaction::Kind::Read);
+    for (const Table& table : content_tables()) {
+        if (is_json_table(table)) {
+            write_json(database, std::string(table.name), folder);
+        } else {
+            write_csv(database, table, folder / (std::string(table.name) + ".csv"));
+        }
+    }
+}
+
+}  // namespace fretwork::library::detail

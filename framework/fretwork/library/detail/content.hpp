@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/library/detail/database.hpp>
+
+#include <filesystem>
+#include <string>
+
+namespace fretwork::library::detail {
+
+/// The SHA-256 of all rows of content, sorted by their keys: each value as its type, its length where it is a
+/// text, and its bytes.
+std::string content_hash(Database& database);
+
+/// Write the content as CSV files, one a table, and the layout and the setting as JSON files.
+void export_csv(Database& database, const std::filesystem::path& folder);
+
+}  // namespace fretwork::library::detail

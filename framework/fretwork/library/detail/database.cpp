@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/library/detail/database.hpp>
+
+namespace fretwork::library::detail {
+namespace {
+
+constexpr int kBusyTimeoutMilliseconds = 10000;
+
+int open_flags(Database::Mode mode) {
+    // A reader, too, opens for writing where it may: it has to be able to roll back what a killed writer
+    // left.
+    const int create = mode == Database::Mode::CreateOrWrite ? SQLITE_OPEN_CREATE : 0;
+    return SQLITE_OPEN_READWRITE | SQLITE_OPEN_EXRESCODE | create;
+}
+
+}  // namespace
+
+Database::Database(const std::filesystem::path& path, Mode mode) : path_(path) {
+    sqlite3* handle = nullptr;
+    // A name that begins with a colon or "file:" would mean something else to SQLite.
+    const std::string name = std::filesystem::absolute(path).string();
+    const int code = sqlite3_open_v2(name.c_str(), &handle, open_flags(mode), nullptr);
+    handle_.reset(handle);
+    if (code != SQLITE_OK) fail(code);
+    sqlite3_busy_timeout(handle, kBusyTimeoutMilliseconds);
+    execute("PRAGMA foreign_keys = ON");
+    if (mode == Mode::Read) execute("PRAGMA query_only = ON");
+}
+
+void Database::execute(const std::string& sql) {
+    const int code = sqlite3_exec(handle_.get(), sql.c_str(), nullptr, nullptr, nullptr);
+    if (code != SQLITE_OK) fail(code);
+}
+
+void Database::fail(int code) const {
+    const int kind = code & 0xff;
+    const std::string what = sqlite3_errstr(code);
+    if (kind == SQLITE_NOTADB) throw base::InputError(path_.string(), "", "is no pattern library");
+    if (kind == SQLITE_CORRUPT) throw base::InputError(path_.string(), "", "is damaged (" + what + ")");
+    if (kind == SQLITE_BUSY || kind == SQLITE_LOCKED)
+        throw base::IoError(path_.string() + ": is in use by another program");
+    if (kind == SQLITE_FULL) throw base::IoError(path_.string() + ": cannot be written: the disk is full");
+    if (kind == SQLITE_IOERR || kind == SQLITE_CANTOPEN || kind == SQLITE_READONLY || kind == SQLITE_PERM)
+        throw base::IoError(path_.string() + ": cannot be read or written: " + what);
+    const std::string detail = handle_ ? sqlite3_errmsg(handle_.get()) : what;
+    throw base::InputError(path_.string(), "", "does not have the tables of a pattern library: " + detail);
+}
+
+Statement::Statement(const Database& database, std::string_view sql) : database_(&database) {
+    sqlite3_stmt* handle = nullptr;
+    check(sqlite3_prepare_v2(database.handle(), sql.data(), static_cast<int>(sql.size()), &handle, nullptr));
+    handle_.reset(handle);
+}
+
+void Statement::check(int code) const {
+    if (code != SQLITE_OK) database_->fail(code);
+}
+
+void Statement::bind(int parameter, std::string_view text) {
+    check(sqlite3_bind_text64(handle_.get(), parameter, text.data() == nullptr ? "" : text.data(),
+                              text.size(), SQLITE_TRANSIENT, SQLITE_UTF8));
+}
+void Statement::bind(int parameter, double value) {
+    check(sqlite3_bind_double(handle_.get(), parameter, value));
+}
+void Statement::bind(int parameter, std::int64_t value) {
+    check(sqlite3_bind_int64(handle_.get(), parameter, value));
+}
+
+bool Statement::step() {
+    const int code = sqlite3_step(handle_.get());
+    if (code == SQLITE_ROW) return true;
+    if (code == SQLITE_DONE) return false;
+    database_->fail(code);
+}
+
+void Statement::run() {
+    while (step()) continue;
+    reset();
+}
+
+void Statement::reset() {
+    sqlite3_reset(handle_.get());  // it repeats the error of the last step, which was thrown already
+}
+
+std::string_view Statement::text(int column) const {
+    const auto* bytes = reinterpret_cast<const char*>(sqlite3_column_text(handle_.get(), column));
+    return {bytes == nullptr ? "" : bytes,
+            static_cast<std::size_t>(sqlite3_column_bytes(handle_.get(), column))};
+}
+
+Transaction::Transaction(Database& database, Kind kind) : database_(&database) {
+    database.execute(kind == Kind::Write ? "BEGIN IMMEDIATE" : "BEGIN");
+}
+
+Transaction::~Transaction() {
+    // SQLite has rolled back by itself after some errors; then there is nothing left to do.
+    if (open_ && sqlite3_get_autocommit(database_->handle()) == 0)
+        sqlite3_exec(database_->handle(), "ROLLBACK", nullptr, nullptr, nullptr);
+}
+
+void Transaction::commit() {
+    database_->execute("COMMIT");
+    open_ = false;
+}
+
+std::optional<std::int64_t> query_integer(const Database& database, std::string_view sql) {
+    Statement statement(database, sql);
+    if (!statement.step()) return std::nullopt;
+    return statement.integer(0);
+}
+
+}  // namespace fretwork::library::detail

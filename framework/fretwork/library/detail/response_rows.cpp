@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/library/detail/response_rows.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace fretwork::library::detail {
+namespace {
+
+using reduction::Response;
+using Sample = Response::Sample;
+
+std::string count_complaint(std::size_t present, std::size_t wanted, const std::string& what) {
+    return "has " + std::to_string(present) + " " + what + ", where " + std::to_string(wanted) +
+           " are needed";
+}
+
+/// What is wrong with a response of the library's shape; empty if nothing is.
+std::string response_fault(const Response& response, const ResponseShape& shape) {
+    const auto steps = static_cast<std::size_t>(shape.setting->magnitudes);
+    if (response.samples.size() != steps) return count_complaint(response.samples.size(), steps, "samples");
+    for (std::size_t k = 0; k < steps; ++k) {
+        const Sample& sample = response.samples[k];
+        if (sample.step != static_cast<int>(k) + 1)
+            return "has step " + std::to_string(sample.step) + " in place " + std::to_string(k + 1);
+        if (!sample.converged) continue;
+        if (sample.displacements.rows() != shape.nodes)
+            return count_complaint(static_cast<std::size_t>(sample.displacements.rows()),
+                                   static_cast<std::size_t>(shape.nodes), "rows of displacements");
+    }
+    return "";
+}
+
+bool is_finite(const Sample& sample) {
+    return std::isfinite(sample.magnitude) && (!sample.converged || sample.displacements.allFinite());
+}
+
+void insert_sample(Statement& states, Statement& rows, const Sample& sample, std::string_view pattern_id,
+                   const std::string& scenario) {
+    states
+        .bind_all(pattern_id, scenario, sample.step, sample.magnitude, int{sample.converged},
+                  int{sample.stable})
+        .run();
+    if (!sample.converged) return;
+    for (int node = 0; node < static_cast<int>(sample.displacements.rows()); ++node) {
+        const auto d = sample.displacements.row(node);
+        rows.bind_all(pattern_id, scenario, sample.step, node, d[0], d[1], d[2], d[3], d[4], d[5]).run();
+    }
+}
+
+std::vector<Sample> read_states(const Database& database, std::string_view pattern_id,
+                                const std::string& scenario) {
+    Statement statement(database,
+                        "SELECT step, magnitude, converged, stable FROM response_state "
+                        "WHERE pattern_id = ? AND scenario = ? ORDER BY step");
+    statement.bind_all(pattern_id, scenario);
+    std::vector<Sample> samples;
+    while (statement.step()) {
+        samples.push_back({static_cast<int>(statement.integer(0)),
+                           statement.real(1),
+                           {},
+                           statement.integer(2) != 0,
+                           statement.integer(3) != 0});
+    }
+    return samples;
+}
+
+void read_displacements(const Database& database, std::string_view pattern_id, Response& response) {
+    Statement statement(database,
+                        "SELECT step, node, ux, uy, uz, rx, ry, rz FROM response "
+                        "WHERE pattern_id = ? AND scenario = ?");
+    statement.bind_all(pattern_id, response.scenario);
+    while (statement.step()) {
+        const auto step = static_cast<std::size_t>(statement.integer(0));
+        const std::int64_t node = statement.integer(1);
+        if (step < 1 || step > response.samples.size() || node < 0 ||
+            node >= response.samples[step - 1].displacements.rows()) {
+            throw base::InputError(database.path().string(), "response of " + std::string(pattern_id),
+                                   "has a row of step " + std::to_string(step) + ", node " +
+                                       std::to_string(node) + ", which its setting does not have");
+        }
+        auto row = response.samples[step - 1].displacements.row(node);
+        for (int dof = 0; dof < mechanics::kDofsPerNode; ++dof) row[dof] = statement.real(2 + dof);
+    }
+}
+
+bool are_equal(const Sample& left, const Sample& right) {
+    return left.step == right.step && left.magnitude == right.magnitude &&
+           left.converged == right.converged && left.stable == right.stable &&
+           (!left.converged || left.displacements == right.displacements);
+}
+
+}  // namespace
+
+void check_responses(const Database& database, const std::string& pattern_id,
+                     const std::vector<Response>& responses, const ResponseShape& shape) {
+    const std::string file = database.path().string();
+    const auto& scenarios = shape.setting->scenarios;
+    if (responses.size() != scenarios.size())
+        throw base::InputError(file, "pattern " + pattern_id,
+                               count_complaint(responses.size(), scenarios.size(), "responses"));
+    for (std::size_t k = 0; k < scenarios.size(); ++k) {
+        const Response& response = responses[k];
+        const std::string place = "pattern " + pattern_id + ", scenario " + response.scenario;
+        if (response.scenario != scenarios[k].name)
+            throw base::InputError(file, place, "stands where the setting has " + scenarios[k].name);
+        if (const std::string fault = response_fault(response, shape); !fault.empty())
+            throw base::InputError(file, place, fault);
+        if (!std::all_of(response.samples.begin(), response.samples.end(), is_finite))
+            throw base::NumericalError(file + ": " + place + ": a displacement is not finite");
+    }
+}
+
+void insert_responses(const Database& database, const std::string& pattern_id,
+                      const std::vector<Response>& responses) {
+    Statement states(database, "INSERT INTO response_state VALUES (?, ?, ?, ?, ?, ?)");
+    Statement rows(database, "INSERT INTO response VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+    for (const Response& response : responses) {
+        for (const Sample& sample : response.samples)
+            insert_sample(states, rows, sample, pattern_id, response.scenario);
+    }
+}
+
+std::vector<Response> read_responses(const Database& database, std::string_view pattern_id,
+                                     const ResponseShape& shape) {
+    std::vector<Response> responses;
+    for (const reduction::Scenario& scenario : shape.setting->scenarios) {
+        Response response{scenario.name, read_states(database, pattern_id, scenario.name)};
+        if (response.samples.empty()) continue;
+        for (Sample& sample : response.samples)
+            sample.displacements = mechanics::NodeValues::Zero(shape.nodes, mechanics::kDofsPerNode);
+        read_displacements(database, pattern_id, response);
+        responses.push_back(std::move(response));
+    }
+    return responses;
+}
+
+bool are_equal(const std::vector<Response>& left, const std::vector<Response>& right) {
+    const auto same_samples = [](const Sample& a, const Sample& b) { return are_equal(a, b); };
+    const auto same = [&](const Response& a, const Response& b) {
+        return a.scenario == b.scenario && std::ranges::equal(a.samples, b.samples, same_samples);
+    };
+    return std::ranges::equal(left, right, same);
+}
+
+}  // namespace fretwork::library::detail

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/base/text.hpp>
+#include <fretwork/library/detail/schema.hpp>
+
+namespace fretwork::library::detail {
+namespace {
+
+constexpr const char* kSchema = R"sql(
+CREATE TABLE layout(
+    name TEXT NOT NULL PRIMARY KEY,
+    json TEXT NOT NULL
+) WITHOUT ROWID;
+
+CREATE TABLE setting(
+    id   INTEGER NOT NULL PRIMARY KEY CHECK (id = 1),
+    json TEXT NOT NULL
+);
+
+CREATE TABLE scenario(
+    name          TEXT NOT NULL PRIMARY KEY,
+    position      INTEGER NOT NULL,
+    weight        REAL NOT NULL,
+    max_magnitude REAL NOT NULL,
+    description   TEXT NOT NULL
+) WITHOUT ROWID;
+
+CREATE TABLE pattern(
+    id     TEXT NOT NULL PRIMARY KEY,
+    layout TEXT NOT NULL REFERENCES layout(name),
+    edges  INTEGER NOT NULL
+) WITHOUT ROWID;
+
+CREATE TABLE response_state(
+    pattern_id TEXT NOT NULL REFERENCES pattern(id),
+    scenario   TEXT NOT NULL REFERENCES scenario(name),
+    step       INTEGER NOT NULL,
+    magnitude  REAL NOT NULL,
+    converged  INTEGER NOT NULL CHECK (converged IN (0, 1)),
+    stable     INTEGER NOT NULL CHECK (stable IN (0, 1)),
+    PRIMARY KEY (pattern_id, scenario, step)
+) WITHOUT ROWID;
+
+CREATE TABLE response(
+    pattern_id TEXT NOT NULL,
+    scenario   TEXT NOT NULL,
+    step       INTEGER NOT NULL,
+    node       INTEGER NOT NULL,
+    ux REAL NOT NULL, uy REAL NOT NULL, uz REAL NOT NULL,
+    rx REAL NOT NULL, ry REAL NOT NULL, rz REAL NOT NULL,
+    PRIMARY KEY (pattern_id, scenario, step, node),
+    FOREIGN KEY (pattern_id, scenario, step) REFERENCES response_state(pattern_id, scenario, step)
+) WITHOUT ROWID;
+
+CREATE TABLE calibration(
+    pattern_id  TEXT NOT NULL REFERENCES pattern(id),
+    model       TEXT NOT NULL,
+    optimizer   TEXT NOT NULL,
+    seed        INTEGER NOT NULL,
+    starts      INTEGER NOT NULL,
+    budget      INTEGER NOT NULL,
+    objective   REAL NOT NULL,
+    evaluations INTEGER NOT NULL,
+    converged   INTEGER NOT NULL CHECK (converged IN (0, 1)),
+    A REAL NOT NULL, I2 REAL NOT NULL, I3 REAL NOT NULL, J REAL NOT NULL,
+    theta REAL NOT NULL, R REAL NOT NULL,
+    at_bound    TEXT NOT NULL,
+    seconds     REAL NOT NULL,
+    PRIMARY KEY (pattern_id, model, optimizer, seed, starts, budget)
+) WITHOUT ROWID;
+
+CREATE TABLE calibration_error(
+    pattern_id TEXT NOT NULL,
+    model      TEXT NOT NULL,
+    optimizer  TEXT NOT NULL,
+    seed       INTEGER NOT NULL,
+    starts     INTEGER NOT NULL,
+    budget     INTEGER NOT NULL,
+    scenario   TEXT NOT NULL REFERENCES scenario(name),
+    error      REAL NOT NULL,
+    PRIMARY KEY (pattern_id, model, optimizer, seed, starts, budget, scenario),
+    FOREIGN KEY (pattern_id, model, optimizer, seed, starts, budget)
+        REFERENCES calibration(pattern_id, model, optimizer, seed, starts, budget)
+) WITHOUT ROWID;
+
+CREATE TABLE property(
+    pattern_id TEXT NOT NULL REFERENCES pattern(id),
+    name       TEXT NOT NULL,
+    value      REAL NOT NULL,
+    PRIMARY KEY (pattern_id, name)
+) WITHOUT ROWID;
+
+CREATE TABLE failure(
+    pattern_id TEXT NOT NULL REFERENCES pattern(id),
+    stage      TEXT NOT NULL,
+    reason     TEXT NOT NULL,
+    PRIMARY KEY (pattern_id, stage)
+) WITHOUT ROWID;
+
+CREATE TABLE provenance(
+    session INTEGER NOT NULL,
+    name    TEXT NOT NULL,
+    value   TEXT NOT NULL,
+    PRIMARY KEY (session, name)
+) WITHOUT ROWID;
+)sql";
+
+std::int64_t header_field(const Database& database, const std::string& name) {
+    return query_integer(database, "PRAGMA " + name).value_or(0);
+}
+
+void set_header_field(Database& database, const std::string& name, std::int64_t value) {
+    database.execute("PRAGMA " + name + " = " + std::to_string(value));
+}
+
+}  // namespace
+
+std::span<const Table> content_tables() {
+    using Columns = std::vector<std::string_view>;
+    static const Columns calibration_key = {"pattern_id", "model", "optimizer", "seed", "starts", "budget"};
+    static const Columns calibration_error_key = {"pattern_id", "model",  "optimizer", "seed",
+                                                  "starts",     "budget", "scenario"};
+    static const std::vector<Table> tables = {
+        {"layout", {"name"}, {"json"}, {}},
+        {"setting", {"id"}, {"json"}, {}},
+        {"scenario", {"name"}, {"position", "weight", "max_magnitude", "description"}, {}},
+        {"pattern", {"id"}, {"layout", "edges"}, {}},
+        {"response_state", {"pattern_id", "scenario", "step"}, {"magnitude", "converged", "stable"}, {}},
+        {"response", {"pattern_id", "scenario", "step", "node"}, {"ux", "uy", "uz", "rx", "ry", "rz"}, {}},
+        {"calibration",
+         calibration_key,
+         {"objective", "evaluations", "converged", "A", "I2", "I3", "J", "theta", "R", "at_bound"},
+         {"seconds"}},
+        {"calibration_error", calibration_error_key, {"error"}, {}},
+        {"property", {"pattern_id", "name"}, {"value"}, {}},
+        {"failure", {"pattern_id", "stage"}, {"reason"}, {}},
+    };
+    return tables;
+}
+
+std::string content_columns(const Table& table) {
+    std::vector<std::string> columns(table.keys.begin(), table.keys.end());
+    columns.insert(columns.end(), table.values.begin(), table.values.end());
+    return base::join(columns, ", ");
+}
+
+void create_schema(Database& database) {
+    database.execute(kSchema);
+    set_header_field(database, "application_id", kApplicationId);
+    set_header_field(database, "user_version", kSchemaVersion);
+}
+
+bool is_empty(const Database& database) {
+    return header_field(database, "application_id") == 0 &&
+           query_integer(database, "SELECT count(*) FROM sqlite_master") == 0;
+}
+
+void check_schema(const Database& database) {
+    const std::string file = database.path().string();
+    if (header_field(database, "application_id") != kApplicationId)
+        throw base::InputError(file, "", "is no pattern library");
+    const std::int64_t version = header_field(database, "user_version");
+    if (version == kSchemaVersion) return;
+    throw base::InputError(file, "",
+                           "is a library of schema version " + std::to_string(version) +
+                               ", where this program reads version " + std::to_string(kSchemaVersion));
+}
+
+}  // namespace fretwork::library::detail

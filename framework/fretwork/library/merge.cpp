@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/base/text.hpp>
+#include <fretwork/library/detail/database.hpp>
+#include <fretwork/library/detail/schema.hpp>
+#include <fretwork/library/library.hpp>
+
+#include <system_error>
+
+namespace fretwork::library {
+namespace {
+
+using detail::Database;
+using detail::Statement;
+using detail::Table;
+using detail::Transaction;
+
+/// "a.x = b.x AND a.y = b.y"
+std::string columns_agree(const std::vector<std::string_view>& columns) {
+    std::vector<std::string> terms;
+    for (const std::string_view column : columns)
+        terms.push_back("a." + std::string(column) + " = b." + std::string(column));
+    return base::join(terms, " AND ");
+}
+
+/// Refuse rows of `other` that have a key in common with the output's and differ in a value.
+void check_agreement(const Database& output, const Table& table, const std::filesystem::path& input) {
+    std::vector<std::string> keys;
+    for (const std::string_view key : table.keys) keys.push_back("a." + std::string(key));
+    const std::string name(table.name);
+    Statement rows(output, "SELECT " + base::join(keys, ", ") + " FROM other." + name + " AS a JOIN main." +
+                               name + " AS b ON " + columns_agree(table.keys) + " WHERE NOT (" +
+                               columns_agree(table.values) + ") LIMIT 1");
+    if (!rows.step()) return;
+    std::vector<std::string> place;
+    for (int column = 0; column < rows.column_count(); ++column)
+        place.push_back(std::string(table.keys[static_cast<std::size_t>(column)]) + " " +
+                        std::string(rows.text(column)));
+    throw base::InputError(input.string(), name + " (" + base::join(place, ", ") + ")",
+                           "differs from the same row of another input");
+}
+
+void copy_rows(Database& output, const Table& table) {
+    std::vector<std::string> columns{detail::content_columns(table)};
+    columns.insert(columns.end(), table.incidental.begin(), table.incidental.end());
+    const std::string list = base::join(columns, ", ");
+    const std::string name(table.name);
+    output.execute("INSERT OR IGNORE INTO main." + name + " (" + list + ") SELECT " + list + " FROM other." +
+                   name);
+}
+
+void copy_provenance(Database& output) {
+    output.execute(
+        "INSERT INTO main.provenance SELECT session + (SELECT coalesce(max(session), 0) FROM "
+        "main.provenance), "
+        "name, value FROM other.provenance");
+}
+
+/// What failed in one input and succeeded in another is no failure.
+void drop_settled_failures(Database& output) {
+    output.execute(
+        "DELETE FROM failure WHERE stage = 'responses' AND pattern_id IN (SELECT pattern_id FROM "
+        "response_state)");
+    output.execute(
+        "DELETE FROM failure WHERE EXISTS (SELECT 1 FROM calibration AS c WHERE c.pattern_id = "
+        "failure.pattern_id "
+        "AND failure.stage = 'calibration ' || c.model || ' ' || c.optimizer || ' seed ' || c.seed || ' "
+        "starts ' "
+        "|| c.starts || ' budget ' || c.budget)");
+}
+
+void add_input(Database& output, const std::filesystem::path& input) {
+    Statement(output, "ATTACH ? AS other").bind_all(std::filesystem::absolute(input).string()).run();
+    {
+        Transaction transaction(output, Transaction::Kind::Write);
+        for (const Table& table : detail::content_tables()) {
+            check_agreement(output, table, input);
+            copy_rows(output, table);
+        }
+        copy_provenance(output);
+        transaction.commit();
+    }
+    output.execute("DETACH other");
+}
+
+void merge_into(const std::filesystem::path& path, std::span<const std::filesystem::path> inputs) {
+    Database output(path, Database::Mode::Write);
+    for (const auto& input : inputs) add_input(output, input);
+    Transaction transaction(output, Transaction::Kind::Write);
+    drop_settled_failures(output);
+    transaction.commit();
+}
+
+/// A library beside the output that vanishes unless it is renamed into its place.
+class Draft {
+  public:
+    explicit Draft(const std::filesystem::path& output)
+        : output_(output), path_(output.string() + ".merging") {
+        remove();
+    }
+    Draft(const Draft&) = delete;
+    Draft& operator=(const Draft&) = delete;
+    ~Draft() { remove(); }
+    [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+    void move_into_place() const {
+        std::error_code error;
+        std::filesystem::rename(path_, output_, error);
+        if (error) throw base::IoError(output_.string() + ": cannot be written: " + error.message());
+    }
+
+  private:
+    void remove() const {
+        std::error_code ignored;
+        std::filesystem::remove(path_, ignored);
+        std::filesystem::remove(path_.string() + "-journal", ignored);
+    }
+    std::filesystem::path output_;
+    std::filesystem::path path_;
+};
+
+}  // namespace
+
+void merge(const std::filesystem::path& output, std::span<const std::filesystem::path> inputs) {
+    std::error_code ignored;
+    if (std::filesystem::exists(output, ignored))
+        throw base::InputError(output.string(), "", "exists already");
+    if (inputs.empty()) throw base::InputError("nothing to merge: name at least one library");
+    const Library first = Library::open(inputs.front());
+    for (const auto& input : inputs.subspan(1)) {
+        const Library other = Library::open(input);
+        other.check_layout(first.layout());
+        other.check_setting(first.setting());
+    }
+    const Draft draft(output);
+    Library::create(draft.path(), first.layout(), first.setting());
+    merge_into(draft.path(), inputs);
+    draft.move_into_place();
+}
+
+}  // namespace fretwork::library
