@@ -3,6 +3,7 @@
 
 #include <fretwork/mechanics/solution.hpp>
 #include <fretwork/pattern/pattern.hpp>
+#include <fretwork/pattern/polygon.hpp>
 #include <fretwork/reduction/setting.hpp>
 
 #include <string>
@@ -23,9 +24,23 @@ struct Response {
     std::vector<Sample> samples;
 };
 
+/// What the beams of a tile are made of.
+struct TileMaterial {
+    mechanics::Section section;
+    mechanics::Material material;
+};
+
+/// The pattern's full model in a convex polygon, without supports and loads; interface node i is node i.
+/// Interface nodes that the pattern does not use have no beam.
+mechanics::Frame pattern_frame(const pattern::NodeLayout& layout, const pattern::Pattern& pattern,
+                               const pattern::Polygon& polygon, const TileMaterial& bars);
+
 /// The pattern's full model in the setting's polygon, without supports and loads; interface node i is node i.
 mechanics::Frame pattern_frame(const pattern::NodeLayout& layout, const pattern::Pattern& pattern,
                                const Setting& setting);
+
+/// A frame of one tile, held and loaded as a scenario says, at its largest magnitude.
+mechanics::Frame scenario_frame(mechanics::Frame tile, const Scenario& scenario);
 
 /// The nonlinear responses of a pattern, one for each scenario of the setting. Paper, Eq. (2).
 std::vector<Response> compute_responses(const pattern::NodeLayout& layout, const pattern::Pattern& pattern,

@@ -11,6 +11,13 @@
 
 namespace fretwork::reduction {
 
+/// What becomes of samples past the first loss of stability.
+enum class Branch {
+    Paper,   ///< kept, as a solver gives them that does not look at stability: the paper must have done so
+    Stable,  ///< left out: the reduced model is fitted to stable states only
+};
+std::string_view branch_name(Branch branch);
+
 /// Under what conditions patterns are loaded and compared: all that a response depends on besides its
 /// pattern.
 struct Setting {
@@ -20,6 +27,10 @@ struct Setting {
     int sides = 6;
     std::vector<Scenario> scenarios;
     int magnitudes = 10;  ///< k = 1..magnitudes, at k / magnitudes of the scenario's largest magnitude
+    Branch branch = Branch::Paper;
+    /// Throws InputError if a value makes no sense, or a scenario does not fit the polygon. `source` names
+    /// the setting in the message.
+    void validate(const std::string& source = "setting") const;
     friend bool operator==(const Setting&, const Setting&) = default;
 };
 
@@ -27,7 +38,8 @@ struct Setting {
 /// scenarios.
 Setting paper_setting();
 
-/// Read a setting file. Throws InputError with file and JSON pointer.
+/// Read a setting file. What is left out is as in paper_setting(); a scenario is an object, the name of one
+/// of the paper's, or {"use": name, "max_magnitude": newtons}. Throws InputError with file and JSON pointer.
 Setting read_setting(const std::filesystem::path& path);
 
 /// The setting as JSON text: what a library stores, and what identifies it.

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/mechanics/condensation.hpp>
+#include <fretwork/reduction/condensed_tile.hpp>
+
+#include <vector>
+
+namespace fretwork::reduction {
+namespace {
+
+void require_beams_at_interface(const mechanics::Frame& tile, int interface_nodes) {
+    std::vector<bool> has_beam(tile.nodes.size(), false);
+    for (const mechanics::Beam& beam : tile.beams) {
+        for (const mechanics::NodeIndex node : beam.nodes)
+            has_beam[static_cast<std::size_t>(node.value)] = true;
+    }
+    for (int i = 0; i < interface_nodes; ++i) {
+        if (has_beam[static_cast<std::size_t>(i)]) continue;
+        throw base::InputError("interface node " + std::to_string(i) +
+                               " has no beam: the pattern does not connect the tile to its neighbours");
+    }
+}
+
+}  // namespace
+
+Eigen::MatrixXd condensed_frame(const mechanics::Frame& tile, int interface_nodes) {
+    require_beams_at_interface(tile, interface_nodes);
+    std::vector<mechanics::NodeIndex> kept;
+    for (int i = 0; i < interface_nodes; ++i) kept.emplace_back(i);
+    return mechanics::condense(mechanics::assemble(tile), kept);
+}
+
+Eigen::MatrixXd condensed_tile(const pattern::NodeLayout& layout, const pattern::Pattern& pattern,
+                               const pattern::Polygon& polygon, const TileMaterial& bars) {
+    const auto interface_nodes = static_cast<int>(polygon.size() * layout.interface_nodes().size());
+    return condensed_frame(pattern_frame(layout, pattern, polygon, bars), interface_nodes);
+}
+
+}  // namespace fretwork::reduction

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/mechanics/equilibrium.hpp>
+#include <fretwork/pattern/fan.hpp>
+#include <fretwork/reduction/response.hpp>
+
+namespace fretwork::reduction {
+namespace {
+
+Eigen::Vector3d to_vector(const std::array<double, 3>& values) {
+    return {values[0], values[1], values[2]};
+}
+
+std::vector<double> load_factors(int magnitudes) {
+    std::vector<double> factors;
+    for (int k = 1; k <= magnitudes; ++k) factors.push_back(static_cast<double>(k) / magnitudes);
+    return factors;
+}
+
+Response::Sample to_sample(const mechanics::Solution& solution, const Setting& setting) {
+    Response::Sample sample;
+    sample.converged = solution.converged();
+    sample.stable = solution.converged() && solution.stable;
+    const int interface_nodes = setting.sides;
+    sample.displacements = mechanics::NodeValues::Zero(interface_nodes, mechanics::kDofsPerNode);
+    if (sample.converged) sample.displacements = solution.displacements.topRows(interface_nodes);
+    return sample;
+}
+
+Response follow_scenario(const mechanics::Frame& tile, const Scenario& scenario, const Setting& setting) {
+    const auto assembly = mechanics::assemble(scenario_frame(tile, scenario));
+    const std::vector<double> factors = load_factors(setting.magnitudes);
+    const auto solutions = mechanics::follow_load_path(assembly, factors);
+    Response response;
+    response.scenario = scenario.name;
+    for (std::size_t i = 0; i < solutions.size(); ++i) {
+        Response::Sample sample = to_sample(solutions[i], setting);
+        sample.step = static_cast<int>(i) + 1;
+        sample.magnitude = factors[i] * scenario.max_magnitude;
+        response.samples.push_back(std::move(sample));
+    }
+    return response;
+}
+
+void require_one_interface_node(const pattern::NodeLayout& layout) {
+    if (layout.interface_nodes().size() == 1) return;
+    throw base::InputError("layout '" + layout.name() + "' has " +
+                           std::to_string(layout.interface_nodes().size()) +
+                           " interface nodes on a side; scenarios are made for one");
+}
+
+}  // namespace
+
+mechanics::Frame pattern_frame(const pattern::NodeLayout& layout, const pattern::Pattern& pattern,
+                               const pattern::Polygon& polygon, const TileMaterial& bars) {
+    const pattern::Fan fan = pattern::make_fan(layout, pattern, static_cast<int>(polygon.size()));
+    mechanics::Frame frame;
+    for (const pattern::Point2& point : pattern::place_fan(layout, fan, polygon)) {
+        frame.nodes.emplace_back(point.x, point.y, 0.0);
+    }
+    for (const auto& [first, second] : fan.edges) {
+        frame.beams.push_back(
+            {.nodes = {mechanics::NodeIndex(first.value), mechanics::NodeIndex(second.value)},
+             .section = bars.section,
+             .material = bars.material});
+    }
+    return frame;
+}
+
+mechanics::Frame pattern_frame(const pattern::NodeLayout& layout, const pattern::Pattern& pattern,
+                               const Setting& setting) {
+    return pattern_frame(layout, pattern, pattern::regular_polygon(setting.sides, setting.tile_side),
+                         {setting.section, setting.material});
+}
+
+mechanics::Frame scenario_frame(mechanics::Frame tile, const Scenario& scenario) {
+    for (const Scenario::Hold& hold : scenario.held) {
+        tile.supports.push_back({mechanics::NodeIndex(hold.interface_node), hold.fixed});
+    }
+    for (const Scenario::Load& load : scenario.loads) {
+        tile.loads.push_back({mechanics::NodeIndex(load.interface_node),
+                              scenario.max_magnitude * to_vector(load.force),
+                              scenario.max_magnitude * to_vector(load.moment)});
+    }
+    return tile;
+}
+
+std::vector<Response> compute_responses(const pattern::NodeLayout& layout, const pattern::Pattern& pattern,
+                                        const Setting& setting) {
+    require_one_interface_node(layout);
+    const mechanics::Frame tile = pattern_frame(layout, pattern, setting);
+    mechanics::validate(scenario_frame(tile, setting.scenarios.front()));
+    std::vector<Response> responses;
+    for (const Scenario& scenario : setting.scenarios) {
+        responses.push_back(follow_scenario(tile, scenario, setting));
+    }
+    return responses;
+}
+
+}  // namespace fretwork::reduction

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/reduction/setting.hpp>
+
+#include <cmath>
+#include <numbers>
+#include <set>
+
+namespace fretwork::reduction {
+namespace {
+
+void check_interface_node(const Setting& setting, int node, const std::string& source,
+                          const std::string& place) {
+    if (node < setting.sides) return;
+    throw base::InputError(source, place,
+                           "there is no interface node " + std::to_string(node) + " in a polygon of " +
+                               std::to_string(setting.sides) + " sides");
+}
+
+void check_scenario(const Setting& setting, std::size_t index, const std::string& source) {
+    const Scenario& scenario = setting.scenarios[index];
+    const std::string place = "/scenarios/" + std::to_string(index);
+    for (std::size_t i = 0; i < scenario.held.size(); ++i) {
+        check_interface_node(setting, scenario.held[i].interface_node, source,
+                             place + "/held/" + std::to_string(i));
+    }
+    for (std::size_t i = 0; i < scenario.loads.size(); ++i) {
+        check_interface_node(setting, scenario.loads[i].interface_node, source,
+                             place + "/loads/" + std::to_string(i));
+    }
+}
+
+}  // namespace
+
+std::string_view branch_name(Branch branch) {
+    return branch == Branch::Paper ? "paper" : "stable";
+}
+
+void Setting::validate(const std::string& source) const {
+    const auto require = [&](bool makes_sense, const char* place, const char* what) {
+        if (!makes_sense) throw base::InputError(source, place, what);
+    };
+    require(std::isfinite(tile_side) && tile_side > 0.0, "/tile_side", "must be a length above zero");
+    require(sides >= 3, "/sides", "a polygon has at least 3 sides");
+    require(magnitudes >= 1, "/magnitudes", "at least 1 is needed");
+    require(!scenarios.empty(), "/scenarios", "at least one is needed");
+    std::set<std::string> names;
+    for (std::size_t i = 0; i < scenarios.size(); ++i) {
+        if (!names.insert(scenarios[i].name).second) {
+            throw base::InputError(source, "/scenarios/" + std::to_string(i),
+                                   "a second scenario is called '" + scenarios[i].name + "'");
+        }
+        check_scenario(*this, i, source);
+    }
+}
+
+Setting paper_setting() {
+    constexpr double kBarWidth = 0.002;
+    constexpr double kCircumdiameter = 0.03 * std::numbers::sqrt3;
+    constexpr double kPlaDensity = 1240.0;  // Section 7.3; no response depends on it
+    Setting setting;
+    setting.material = {.young_modulus = 1e9, .poisson_ratio = 0.3, .density = kPlaDensity};
+    setting.section = mechanics::rectangle_section(kBarWidth, kBarWidth);
+    setting.tile_side = kCircumdiameter / 2.0;
+    setting.scenarios = paper_scenarios();
+    return setting;
+}
+
+}  // namespace fretwork::reduction
