@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "verbs.hpp"
+
 #include <fretwork/base/detail/json_text.hpp>
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/file.hpp>
@@ -6,7 +8,6 @@
 #include <fretwork/base/text.hpp>
 #include <fretwork/pattern/census.hpp>
 
-#include "verbs.hpp"
 #include <charconv>
 #include <cstdio>
 #include <memory>
@@ -30,6 +31,8 @@ struct Wishes {
     std::string min_angle;
     std::string max_valence;
     std::vector<std::string> filters;
+    std::vector<std::string> required;
+    std::vector<std::string> forbidden;
     std::string tile_side;
     std::string beam_width;
     int threads = 0;
@@ -61,13 +64,17 @@ pattern::EnumerationOptions make_options(const Wishes& wishes, const NodeLayout&
     pattern::EnumerationOptions options;
     options.edges = wishes.edges.empty() ? pattern::default_edge_range(layout) : parse_range(wishes.edges);
     for (const std::string& filter : wishes.filters)
-        options.filters.push_back(pattern::parse_filter_choice(filter));
+        options.filters.choices.push_back(pattern::parse_filter_choice(filter));
     if (!wishes.min_angle.empty())
-        options.filters.push_back({"small_angle", base::parse_angle(wishes.min_angle)});
+        options.filters.choices.push_back({"small_angle", base::parse_angle(wishes.min_angle)});
     if (!wishes.max_valence.empty())
-        options.filters.push_back({"high_valence", base::parse_number(wishes.max_valence)});
-    if (!wishes.tile_side.empty()) options.scale.tile_side = base::parse_length(wishes.tile_side);
-    if (!wishes.beam_width.empty()) options.scale.beam_width = base::parse_length(wishes.beam_width);
+        options.filters.choices.push_back({"high_valence", base::parse_number(wishes.max_valence)});
+    if (!wishes.tile_side.empty()) options.filters.scale.tile_side = base::parse_length(wishes.tile_side);
+    if (!wishes.beam_width.empty()) options.filters.scale.beam_width = base::parse_length(wishes.beam_width);
+    for (const std::string& text : wishes.required)
+        options.filters.required.push_back(pattern::parse_edge_group(layout, text));
+    for (const std::string& text : wishes.forbidden)
+        options.filters.forbidden.push_back(pattern::parse_edge_group(layout, text));
     options.threads = wishes.threads;
     options.validate();
     return options;
@@ -177,6 +184,9 @@ void add_enumerate(CLI::App& app, ExitCode&) {
     verb->add_option("--tile-side", wishes->tile_side,
                      "What lengths refer to: the side of the hexagon (default: 25.98mm)");
     verb->add_option("--beam-width", wishes->beam_width, "The width of the beams in it (default: 2mm)");
+    verb->add_option("--require", wishes->required, "Edges (1-6) or nodes (n5) that every pattern uses")
+        ->delimiter(',');
+    verb->add_option("--forbid", wishes->forbidden, "Edges or nodes that no pattern uses")->delimiter(',');
     verb->add_option("--threads", wishes->threads, "Threads to use; 0: all there are");
     verb->add_flag("--count", wishes->count, "Print only how many valid patterns there are");
     verb->add_option("--census", wishes->census_path, "Write the census to this CSV file");

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "pattern/small_layouts.hpp"
+
 #include <fretwork/pattern/detail/connectivity.hpp>
 #include <fretwork/pattern/detail/fan_graph.hpp>
 
 #include <gtest/gtest.h>
-
-#include "pattern/small_layouts.hpp"
 
 namespace fretwork::pattern {
 namespace {

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "pattern/small_layouts.hpp"
+
 #include <fretwork/base/error.hpp>
 #include <fretwork/pattern/census.hpp>
 #include <fretwork/pattern/enumerate.hpp>
 
 #include <gtest/gtest.h>
 
-#include "pattern/small_layouts.hpp"
 #include <algorithm>
 #include <numbers>
 
@@ -22,7 +23,7 @@ std::vector<std::string> ids(const NodeLayout& layout, const std::vector<Pattern
 
 /// Every graph of the layout that the judge accepts, whose verdicts rest on Boost.Graph and on no search.
 std::vector<std::string> accepted_by_the_judge(const NodeLayout& layout, const EnumerationOptions& options) {
-    const std::vector<Filter> filters = make_filters(layout, options.filters, options.scale);
+    const std::vector<Filter> filters = make_filters(layout, options.filters);
     std::vector<std::string> accepted;
     for (unsigned graph = 1; graph < 1u << layout.candidate_edges().size(); ++graph) {
         const Pattern pattern{Pattern::Bits(graph)};
@@ -60,7 +61,8 @@ TEST(Enumerate, FindsWhatAPlainFilterOverAllGraphsLeaves) {
         for (const double angle : {15.0, 28.0}) {
             EnumerationOptions options;
             options.edges = {1, kMaxCandidateEdges};
-            options.filters = {{"small_angle", angle * kDegree}, {"high_valence", angle == 15.0 ? 6.0 : 5.0}};
+            options.filters.choices = {{"small_angle", angle * kDegree},
+                                       {"high_valence", angle == 15.0 ? 6.0 : 5.0}};
             EXPECT_EQ(sorted(ids(layout, enumerate_patterns(layout, options))),
                       accepted_by_the_judge(layout, options))
                 << layout.name();
@@ -68,7 +70,7 @@ TEST(Enumerate, FindsWhatAPlainFilterOverAllGraphsLeaves) {
     }
 }
 
-// Counts of an independent program (one-core backtracking over pairwise conflicts, then a depth-first search
+// The number is that of an independent program: plain backtracking over pairwise conflicts, then filtering.
 // for articulation points in the whole fan).
 TEST(Enumerate, FourRadialPairsAndTwoFaceNodesGive6540827Patterns) {
     const auto r = [](const char* text) { return parse_rational(text); };
@@ -121,13 +123,13 @@ TEST(Enumerate, RefusesOptionsThatMakeNoSense) {
     };
     refuses([](auto& options) { options.edges = {0, 3}; });
     refuses([](auto& options) { options.edges = {4, 3}; });
-    refuses([](auto& options) { options.filters = {{"small_angel", 0.1}}; });
-    refuses([](auto& options) { options.filters = {{"small_angle", 0.1}, {"small_angle", 0.2}}; });
-    refuses([](auto& options) { options.filters = {{"small_angle", -0.1}}; });
-    refuses([](auto& options) { options.filters = {{"small_angle", 3.2}}; });
-    refuses([](auto& options) { options.filters = {{"high_valence", 2.5}}; });
-    refuses([](auto& options) { options.filters = {{"high_valence", 0.0}}; });
-    refuses([](auto& options) { options.scale.tile_side = 0.0; });
+    refuses([](auto& options) { options.filters.choices = {{"small_angel", 0.1}}; });
+    refuses([](auto& options) { options.filters.choices = {{"small_angle", 0.1}, {"small_angle", 0.2}}; });
+    refuses([](auto& options) { options.filters.choices = {{"small_angle", -0.1}}; });
+    refuses([](auto& options) { options.filters.choices = {{"small_angle", 3.2}}; });
+    refuses([](auto& options) { options.filters.choices = {{"high_valence", 2.5}}; });
+    refuses([](auto& options) { options.filters.choices = {{"high_valence", 0.0}}; });
+    refuses([](auto& options) { options.filters.scale.tile_side = 0.0; });
     refuses([](auto& options) { options.threads = -1; });
 }
 

@@ -20,9 +20,10 @@ const NodeLayout& paper7() {
 }
 
 Verdict verdict_of(const char* filter_name, const char* id, std::optional<double> value = {}) {
-    const FilterChoice choice{filter_name, value};
-    for (const Filter& filter : make_filters(paper7(), std::span(&choice, 1))) {
-        if (filter.kind->name == filter_name) return judge(paper7(), filter, parse_pattern_id(paper7(), id));
+    FilterSettings settings;
+    settings.choices.push_back({filter_name, value});
+    for (const Filter& filter : make_filters(paper7(), settings)) {
+        if (filter.name == filter_name) return judge(paper7(), filter, parse_pattern_id(paper7(), id));
     }
     ADD_FAILURE() << filter_name;
     return {};
@@ -119,7 +120,7 @@ TEST(SmallAngle, SeesBeamsOfTheNextSector) {
 
 TEST(FilterCatalogue, ThePapersSixAreAlwaysOnAndInItsOrder) {
     std::vector<std::string> names;
-    for (const Filter& filter : make_filters(paper7())) names.emplace_back(filter.kind->name);
+    for (const Filter& filter : make_filters(paper7())) names.push_back(filter.name);
     EXPECT_EQ(names, (std::vector<std::string>{"intersecting", "no_interface", "multiple_components",
                                                "articulation", "small_angle", "high_valence"}));
 }

@@ -97,9 +97,9 @@ GraphCount Census::valid() const {
 
 Census take_census(const NodeLayout& layout, const EnumerationOptions& options) {
     options.validate();
-    const std::vector<Filter> filters = make_filters(layout, options.filters, options.scale);
+    const std::vector<Filter> filters = make_filters(layout, options.filters);
     Census census;
-    for (const Filter& filter : filters) census.filters.emplace_back(filter.kind->name);
+    for (const Filter& filter : filters) census.filters.push_back(filter.name);
     const int edge_count = static_cast<int>(layout.candidate_edges().size());
     for (int k = options.edges.least; k <= std::min(options.edges.most, edge_count); ++k)
         census.rows.push_back({k, binomial(edge_count, k), {}, 0});

@@ -99,7 +99,7 @@ PatternCount stream(const SearchProblem<Word>& problem, std::size_t candidate_co
 template <class Body>
 PatternCount with_problem(const NodeLayout& layout, const EnumerationOptions& options, const Body& body) {
     options.validate();
-    const std::vector<Filter> filters = make_filters(layout, options.filters, options.scale);
+    const std::vector<Filter> filters = make_filters(layout, options.filters);
     constexpr std::size_t kNarrow = 64;
     if (layout.candidate_edges().size() <= kNarrow)
         return body(SearchProblem<detail::Word64>(layout, filters, options.edges));
@@ -122,7 +122,7 @@ EdgeRange default_edge_range(const NodeLayout& layout) {
 
 void EnumerationOptions::validate() const {
     edges.validate();
-    scale.validate();
+    filters.scale.validate();
     if (threads < 0) throw base::InputError("the number of threads is 0 (all) or more");
 }
 

@@ -21,9 +21,8 @@ struct EdgeRange {
 EdgeRange default_edge_range(const NodeLayout& layout);
 
 struct EnumerationOptions {
-    EdgeRange edges;                    ///< an upper end beyond the number of candidate edges is clipped
-    std::vector<FilterChoice> filters;  ///< values for the paper's six, and others that are switched on
-    FabricationScale scale;
+    EdgeRange edges;  ///< an upper end beyond the number of candidate edges is clipped
+    FilterSettings filters;
     int threads = 0;  ///< 0: all there are; the result and its order do not depend on it
     /// Throws InputError if a value makes no sense.
     void validate() const;

@@ -4,7 +4,7 @@
 #include <fretwork/base/text.hpp>
 #include <fretwork/pattern/detail/filters.hpp>
 
-#include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <numbers>
 
@@ -26,6 +26,14 @@ constexpr FilterKind kCatalogue[] = {
      detail::make_small_angle},
     {"high_valence", "more than this many beams meet in a node", FilterParameter::Count, 6.0, true,
      detail::make_high_valence},
+    {"short_edge", "an edge is shorter than this", FilterParameter::Length, 0.003, false,
+     detail::make_short_edge},
+    {"long_edge", "an edge is longer than this", FilterParameter::Length, 0.02, false,
+     detail::make_long_edge},
+    {"tight_clearance", "two beams that do not meet leave less than this between them",
+     FilterParameter::Length, 0.001, false, detail::make_tight_clearance},
+    {"asymmetric", "the pattern is not its own mirror image", FilterParameter::None, 0.0, false,
+     detail::make_asymmetric},
 };
 
 FilterChoice with_value(const FilterKind& kind, std::string_view text) {
@@ -56,7 +64,45 @@ std::vector<const FilterChoice*> choices_by_row(std::span<const FilterChoice> ch
     return by_row;
 }
 
+Rule forbid(const NodeLayout& layout, std::span<const EdgeGroup> groups) {
+    ConflictRule rule{std::vector<Pattern::Bits>(layout.candidate_edges().size()), "", "is forbidden"};
+    for (const EdgeGroup& group : groups) {
+        for (const EdgeIndex edge : Pattern(group.edges).edges())
+            rule.conflicts[static_cast<std::size_t>(edge)].set(static_cast<std::size_t>(edge));
+    }
+    return rule;
+}
+
+std::optional<LayoutNodeIndex> parse_node(const NodeLayout& layout, std::string_view text) {
+    if (text.starts_with('n')) text.remove_prefix(1);
+    int number = -1;
+    const auto result = std::from_chars(text.data(), text.data() + text.size(), number);
+    const bool is_number = result.ec == std::errc{} && result.ptr == text.data() + text.size();
+    if (!is_number || number < 0 || number >= static_cast<int>(layout.nodes().size())) return std::nullopt;
+    return LayoutNodeIndex(number);
+}
+
 }  // namespace
+
+EdgeGroup parse_edge_group(const NodeLayout& layout, std::string_view text) {
+    EdgeGroup group;
+    if (text.find('-') != std::string_view::npos) {
+        group.name = "edge " + std::string(text);
+        group.edges.set(static_cast<std::size_t>(find_edge(layout, text)));
+        return group;
+    }
+    const std::optional<LayoutNodeIndex> node = parse_node(layout, text);
+    if (!node)
+        throw base::InputError("'" + std::string(text) +
+                               "' is neither an edge, such as 0-1, nor a node, such as n5");
+    group.name = "node n" + std::to_string(node->value);
+    const LayoutNodeIndex in_fan = layout.left_partner(*node);
+    for (std::size_t e = 0; e < layout.candidate_edges().size(); ++e) {
+        const auto& [first, second] = layout.candidate_edges()[e];
+        group.edges.set(e, layout.left_partner(first) == in_fan || layout.left_partner(second) == in_fan);
+    }
+    return group;
+}
 
 void FabricationScale::validate() const {
     if (!(tile_side > 0.0) || !std::isfinite(tile_side))
@@ -87,18 +133,21 @@ FilterChoice parse_filter_choice(std::string_view text) {
     return with_value(kind, text.substr(equals + 1));
 }
 
-std::vector<Filter> make_filters(const NodeLayout& layout, std::span<const FilterChoice> choices,
-                                 const FabricationScale& scale) {
-    scale.validate();
-    const std::vector<const FilterChoice*> by_row = choices_by_row(choices);
+std::vector<Filter> make_filters(const NodeLayout& layout, const FilterSettings& settings) {
+    settings.scale.validate();
+    const std::vector<const FilterChoice*> by_row = choices_by_row(settings.choices);
     std::vector<Filter> filters;
     for (std::size_t row = 0; row < std::size(kCatalogue); ++row) {
         const FilterKind& kind = kCatalogue[row];
         if (!kind.is_of_the_paper && by_row[row] == nullptr) continue;
         const double value =
             by_row[row] == nullptr ? kind.default_value : by_row[row]->value.value_or(kind.default_value);
-        filters.push_back({&kind, value, kind.make_rule(layout, value, scale)});
+        filters.push_back({std::string(kind.name), value, kind.make_rule(layout, value, settings.scale)});
     }
+    if (!settings.required.empty())
+        filters.push_back({"lacks_required", 0.0, CoverRule{settings.required, "the pattern lacks"}});
+    if (!settings.forbidden.empty())
+        filters.push_back({"has_forbidden", 0.0, forbid(layout, settings.forbidden)});
     return filters;
 }
 

@@ -48,17 +48,28 @@ struct FilterChoice {
 /// Read "small_angle=20deg", "short_edge=3mm" or "asymmetric". Throws InputError.
 FilterChoice parse_filter_choice(std::string_view text);
 
+/// Read an edge ("0-1") or a node ("n5": all edges at this node of the fan). Throws InputError.
+EdgeGroup parse_edge_group(const NodeLayout& layout, std::string_view text);
+
+/// What patterns have to be like.
+struct FilterSettings {
+    std::vector<FilterChoice> choices;  ///< values for the paper's six, and others that are switched on
+    std::vector<EdgeGroup> required;    ///< of each, a pattern has at least one edge
+    std::vector<EdgeGroup> forbidden;   ///< of these, a pattern has no edge
+    FabricationScale scale;
+};
+
 /// A filter that is ready for one layout.
 struct Filter {
-    const FilterKind* kind = nullptr;
+    std::string name;
     double value = 0.0;
     Rule rule;
 };
 
 /// The paper's six filters, with the values chosen or the paper's, and any others that are chosen, in the
-/// order of the catalogue. Throws InputError if a name is unknown, chosen twice, or its value makes no sense.
-std::vector<Filter> make_filters(const NodeLayout& layout, std::span<const FilterChoice> choices = {},
-                                 const FabricationScale& scale = {});
+/// order of the catalogue; then "lacks_required" and "has_forbidden", if anything is. Throws InputError if a
+/// name is unknown, chosen twice, or its value makes no sense.
+std::vector<Filter> make_filters(const NodeLayout& layout, const FilterSettings& settings = {});
 
 /// What one filter says of a pattern.
 Verdict judge(const NodeLayout& layout, const Filter& filter, const Pattern& pattern);

@@ -49,9 +49,7 @@ class Judge {
             if (others.edge_count() == 0) continue;
             const EdgeIndex other = others.edges().back();
             if (other == edge)
-                return rejected(
-                    "the edge " + edge_name(layout_, edge) + " and its neighbour copies " + rule.phrase,
-                    {edge});
+                return rejected("the edge " + edge_name(layout_, edge) + " " + rule.self_phrase, {edge});
             return rejected("the edges " + edge_name(layout_, edge) + " and " + edge_name(layout_, other) +
                                 " " + rule.phrase,
                             {edge, other});
@@ -77,8 +75,8 @@ class Judge {
     }
 
     Verdict operator()(const CoverRule& rule) const {
-        for (const CoverRule::Group& group : rule.groups) {
-            if ((group.edges & pattern_.bits()).none()) return rejected("no beam ends at " + group.name, {});
+        for (const EdgeGroup& group : rule.groups) {
+            if ((group.edges & pattern_.bits()).none()) return rejected(rule.phrase + " " + group.name, {});
         }
         return {};
     }
@@ -95,7 +93,7 @@ class Judge {
 
   private:
     [[nodiscard]] Verdict rejected(std::string reason, std::vector<EdgeIndex> guilty) const {
-        return {false, std::string(filter_.kind->name), std::move(reason), std::move(guilty)};
+        return {false, filter_.name, std::move(reason), std::move(guilty)};
     }
 
     /// All components but that of the first interface node in use (or of the first beam) are guilty.

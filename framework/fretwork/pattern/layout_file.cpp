@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "embedded_layouts.hpp"
+
 #include <fretwork/base/detail/json_text.hpp>
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/json_reader.hpp>
@@ -6,7 +8,6 @@
 #include <fretwork/pattern/detail/layout_rules.hpp>
 #include <fretwork/pattern/node_layout.hpp>
 
-#include "embedded_layouts.hpp"
 #include <algorithm>
 
 namespace fretwork::pattern {

@@ -17,8 +17,9 @@ namespace fretwork::pattern {
 /// Prunes: what breaks the rule stays broken when edges are added. Cost: one AND per edge.
 struct ConflictRule {
     std::vector<Pattern::Bits>
-        conflicts;       ///< per edge, symmetric; an edge in conflict with itself is never chosen
-    std::string phrase;  ///< "cross", as in "the edges 0-1 and 2-5 cross"
+        conflicts;            ///< per edge, symmetric; an edge in conflict with itself is never chosen
+    std::string phrase;       ///< "cross", as in "the edges 0-1 and 2-5 cross"
+    std::string self_phrase;  ///< "is forbidden", as in "the edge 0-1 is forbidden"
 };
 
 /// Each resource (such as the valence of a node) bears a load from each chosen edge, up to a limit.
@@ -33,14 +34,17 @@ struct CapacityRule {
     std::string phrase;  ///< "valence", as in "node n2 has valence 8, above 6"
 };
 
+/// A set of edges with a name for people: an edge, or all edges at a node.
+struct EdgeGroup {
+    std::string name;  ///< "node n6"
+    Pattern::Bits edges;
+};
+
 /// Of each group of edges at least one is chosen.
 /// Prunes from the other side: once no edge of a group can be chosen any more. Cost: one AND per group.
 struct CoverRule {
-    struct Group {
-        std::string name;  ///< "interface node n6"
-        Pattern::Bits edges;
-    };
-    std::vector<Group> groups;
+    std::vector<EdgeGroup> groups;
+    std::string phrase;  ///< "no beam ends at", as in "no beam ends at node n6"
 };
 
 /// A property of the fan in the hexagon as a graph. Boost.Graph is its definition; the search uses an equal

@@ -16,5 +16,9 @@ Rule make_multiple_components(const NodeLayout& layout, double value, const Fabr
 Rule make_articulation(const NodeLayout& layout, double value, const FabricationScale& scale);
 Rule make_small_angle(const NodeLayout& layout, double value, const FabricationScale& scale);
 Rule make_high_valence(const NodeLayout& layout, double value, const FabricationScale& scale);
+Rule make_short_edge(const NodeLayout& layout, double value, const FabricationScale& scale);
+Rule make_long_edge(const NodeLayout& layout, double value, const FabricationScale& scale);
+Rule make_tight_clearance(const NodeLayout& layout, double value, const FabricationScale& scale);
+Rule make_asymmetric(const NodeLayout& layout, double value, const FabricationScale& scale);
 
 }  // namespace fretwork::pattern::detail

@@ -13,7 +13,7 @@ std::vector<Word> masks_of(const Rule& rule) {
         for (const Pattern::Bits& bits : conflict->conflicts) masks.push_back(to_word<Word>(bits));
     }
     if (const auto* cover = std::get_if<CoverRule>(&rule)) {
-        for (const CoverRule::Group& group : cover->groups) masks.push_back(to_word<Word>(group.edges));
+        for (const EdgeGroup& group : cover->groups) masks.push_back(to_word<Word>(group.edges));
     }
     return masks;
 }

@@ -45,7 +45,7 @@ void SearchProblem<Word>::add(const CapacityRule& rule) {
 
 template <class Word>
 void SearchProblem<Word>::add(const CoverRule& rule) {
-    for (const CoverRule::Group& group : rule.groups) groups.push_back(to_word<Word>(group.edges));
+    for (const EdgeGroup& group : rule.groups) groups.push_back(to_word<Word>(group.edges));
 }
 
 template <class Word>

@@ -43,7 +43,7 @@ Rule make_intersecting(const NodeLayout& layout, double, const FabricationScale&
             if (intersect(layout, edges[e], edges[f])) table.add(EdgeIndex(e), EdgeIndex(f));
         }
     }
-    return ConflictRule{table.take(), "cross"};
+    return ConflictRule{table.take(), "cross", ""};
 }
 
 }  // namespace fretwork::pattern::detail

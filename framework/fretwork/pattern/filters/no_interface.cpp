@@ -6,9 +6,9 @@ namespace fretwork::pattern::detail {
 // Paper, Section 4.2, "Interface connectivity"; with several interface nodes on a side, every one of them is
 // used, because the neighbour's pattern uses it.
 Rule make_no_interface(const NodeLayout& layout, double, const FabricationScale&) {
-    CoverRule rule;
+    CoverRule rule{{}, "no beam ends at"};
     for (const LayoutNodeIndex node : layout.interface_nodes()) {
-        CoverRule::Group group{"interface node n" + std::to_string(node.value), {}};
+        EdgeGroup group{"interface node n" + std::to_string(node.value), {}};
         for (std::size_t e = 0; e < layout.candidate_edges().size(); ++e) {
             const Edge& edge = layout.candidate_edges()[e];
             group.edges.set(e, edge.first == node || edge.second == node);

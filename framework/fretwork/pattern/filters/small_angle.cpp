@@ -47,8 +47,8 @@ Rule make_small_angle(const NodeLayout& layout, double value, const FabricationS
         }
     }
     constexpr double kDegrees = 180.0 / std::numbers::pi;
-    return ConflictRule{table.take(),
-                        "enclose less than " + base::format_number(value * kDegrees) + " degrees"};
+    const std::string phrase = "enclose less than " + base::format_number(value * kDegrees) + " degrees";
+    return ConflictRule{table.take(), phrase, "and its neighbour copies " + phrase};
 }
 
 }  // namespace fretwork::pattern::detail

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/pattern/pattern.hpp>
+
+#include <optional>
+#include <vector>
+
+namespace fretwork::pattern {
+
+/// The reflection of a layout's base triangle that exchanges v1 and v2. It maps fans to their mirror images.
+class Mirror {
+  public:
+    explicit Mirror(const NodeLayout& layout);
+
+    /// The mirror image of a pattern, if the layout has it: none if the pattern uses a face node without a
+    /// twin.
+    [[nodiscard]] std::optional<Pattern> image(const Pattern& pattern) const;
+    /// True if the pattern is its own mirror image.
+    [[nodiscard]] bool is_symmetric(const Pattern& pattern) const;
+    /// The mirror image of an edge, as the candidate that gives the same fan.
+    [[nodiscard]] std::optional<EdgeIndex> image(EdgeIndex edge) const {
+        return images_[static_cast<std::size_t>(edge)];
+    }
+
+  private:
+    std::vector<std::optional<EdgeIndex>> images_;
+};
+
+}  // namespace fretwork::pattern
