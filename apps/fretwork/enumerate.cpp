@@ -6,10 +6,14 @@
 #include <fretwork/base/file.hpp>
 #include <fretwork/base/quantity.hpp>
 #include <fretwork/base/text.hpp>
+#include <fretwork/exports/pattern_drawing.hpp>
+#include <fretwork/library/library.hpp>
 #include <fretwork/pattern/census.hpp>
+#include <fretwork/reduction/setting.hpp>
 
 #include <charconv>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 
 namespace fretwork::app {
@@ -40,6 +44,8 @@ struct Wishes {
     bool json = false;
     std::string census_path;
     std::string list_path;
+    std::string library_path;
+    std::string svg_path;
 };
 
 int parse_edge_count(std::string_view text, const std::string& all) {
@@ -147,6 +153,25 @@ void write_list(const NodeLayout& layout, const pattern::EnumerationOptions& opt
     file.commit();
 }
 
+std::vector<pattern::Pattern> all_patterns(const NodeLayout& layout,
+                                           const pattern::EnumerationOptions& options) {
+    std::vector<pattern::Pattern> patterns;
+    pattern::for_each_pattern(layout, options,
+                              [&](const pattern::Pattern& found) { patterns.push_back(found); });
+    return patterns;
+}
+
+/// A library that is there keeps its setting; a new one gets the paper's, until it is calibrated with
+/// another.
+void add_to_library(const NodeLayout& layout, const pattern::EnumerationOptions& options,
+                    const std::string& path) {
+    auto library = std::filesystem::exists(path)
+                       ? library::Library::open(path, library::Access::ReadWrite)
+                       : library::Library::create(path, layout, reduction::paper_setting());
+    library.check_layout(layout);
+    library.add_patterns(all_patterns(layout, options));
+}
+
 void enumerate(const Wishes& wishes) {
     const NodeLayout layout = pattern::find_node_layout(wishes.layout);
     const pattern::EnumerationOptions options = make_options(wishes, layout);
@@ -158,6 +183,11 @@ void enumerate(const Wishes& wishes) {
     if (!wishes.list_path.empty()) write_list(layout, options, wishes.list_path);
     if (!wishes.census_path.empty())
         base::write_file_atomically(wishes.census_path, pattern::census_csv(census));
+    if (!wishes.library_path.empty()) add_to_library(layout, options, wishes.library_path);
+    if (!wishes.svg_path.empty()) {
+        base::write_file_atomically(wishes.svg_path,
+                                    exports::pattern_sheet_svg(layout, all_patterns(layout, options)));
+    }
     print_census(layout, census, wishes);
 }
 
@@ -192,6 +222,9 @@ void add_enumerate(CLI::App& app, ExitCode&) {
     verb->add_option("--census", wishes->census_path, "Write the census to this CSV file");
     verb->add_option("--list", wishes->list_path,
                      "Write the ids of the valid patterns to this file, one a line");
+    verb->add_option("--library", wishes->library_path,
+                     "Add the valid patterns to this library (made if it is not there)");
+    verb->add_option("--svg", wishes->svg_path, "Draw the valid patterns on one sheet");
     verb->add_flag("--json", wishes->json, "Print for programs");
     verb->footer(kExample);
     verb->callback([wishes] { enumerate(*wishes); });
