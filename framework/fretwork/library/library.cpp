@@ -209,13 +209,11 @@ Library::~Library() = default;
 
 Library Library::create(const std::filesystem::path& path, const pattern::NodeLayout& layout,
                         const reduction::Setting& setting) {
-    std::error_code ignored;
-    if (std::filesystem::is_regular_file(path, ignored) && std::filesystem::file_size(path, ignored) > 0)
-        throw base::InputError(path.string(), "", "exists already");
     Database database(path, Database::Mode::CreateOrWrite);
     try {
         initialize(database, layout, setting);
     } catch (const base::IoError&) {
+        std::error_code ignored;
         if (std::filesystem::file_size(path, ignored) == 0) std::filesystem::remove(path, ignored);
         throw;
     }
@@ -235,8 +233,11 @@ Library Library::open(const std::filesystem::path& path, Access access) {
 
 Library Library::open_or_create(const std::filesystem::path& path, const pattern::NodeLayout& layout,
                                 const reduction::Setting& setting) {
+    // A process that was killed while it made the file has left an empty one.
     std::error_code ignored;
-    if (!std::filesystem::exists(path, ignored)) return create(path, layout, setting);
+    if (!std::filesystem::exists(path, ignored) || (std::filesystem::is_regular_file(path, ignored) &&
+                                                    detail::is_empty(Database(path, Database::Mode::Write))))
+        return create(path, layout, setting);
     Library library = open(path, Access::ReadWrite);
     library.check_layout(layout);
     library.check_setting(setting);
@@ -257,6 +258,21 @@ void Library::check_setting(const reduction::Setting& wanted) const {
     const std::string difference = reduction::setting_difference(wanted, impl_->setting);
     if (!difference.empty())
         throw base::InputError(path().string(), "", "is of another setting: " + difference);
+}
+
+void Library::adopt_setting(const reduction::Setting& wanted) {
+    const auto transaction = impl_->begin_writing();
+    if (detail::query_integer(impl_->database,
+                              "SELECT 1 FROM response_state UNION SELECT 1 FROM calibration "
+                              "UNION SELECT 1 FROM property UNION SELECT 1 FROM failure")) {
+        check_setting(wanted);
+        return;
+    }
+    Statement(impl_->database, "DELETE FROM scenario").run();
+    Statement(impl_->database, "UPDATE setting SET json = ?").bind_all(reduction::setting_text(wanted)).run();
+    insert_scenarios(impl_->database, wanted);
+    impl_->commit(*transaction);
+    impl_->setting = wanted;
 }
 
 void Library::check_layout(const pattern::NodeLayout& wanted) const {
