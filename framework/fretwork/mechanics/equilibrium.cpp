@@ -1,2 +1,182 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/base/text.hpp>
+#include <fretwork/mechanics/detail/newton.hpp>
 #include <fretwork/mechanics/equilibrium.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace fretwork::mechanics {
+namespace {
+
+using detail::Configuration;
+
+/// Near a limit load the path turns back, and the response to load grows without bound; by the time that
+/// steps have been halved ten times it has grown thirtyfold. Elsewhere a step that fails is divergence.
+constexpr double kLimitLoadGrowth = 8.0;
+
+class LoadPath {
+  public:
+    LoadPath(const Assembly& assembly, const EquilibriumOptions& options)
+        : options_(options), system_(assembly), newton_(system_, options), configuration_(system_.rest()) {
+        system_.evaluate(configuration_, 0.0);
+        const auto outcome = newton_.factorize();
+        if (!outcome.positive_definite()) {
+            throw base::NumericalError(
+                "the structure, as held, can move without strain at " +
+                detail::node_text(assembly, system_.layout().node_of(std::max(outcome.zero_pivot, 0))) +
+                ": hold it more, or release less of its beams");
+        }
+        rate_ = newton_.solve_tangent(system_.load_rate());
+        rest_rate_ = system_.largest_component(rate_);
+    }
+
+    Solution advance_to(double target) {
+        double step = target - factor_;
+        double shortest = step / std::pow(2.0, options_.largest_cut_back);
+        Termination termination = Termination::Converged;
+        while (factor_ < target && termination == Termination::Converged) {
+            const bool reaches = factor_ + step >= target - 0.5 * shortest;
+            termination = try_step(reaches ? target : factor_ + step);
+            if (termination != Termination::Converged && step > 1.5 * shortest) {
+                step *= 0.5;
+                termination = Termination::Converged;
+            }
+        }
+        return solution(termination);
+    }
+
+  private:
+    Termination try_step(double factor) {
+        Configuration trial = configuration_;
+        const Eigen::VectorXd guess = predict(factor - factor_);
+        system_.prescribe(factor, trial);
+        system_.move(guess, trial);
+        const Termination termination = newton_.solve(factor, trial);
+        if (termination == Termination::Converged) accept(factor, std::move(trial));
+        return termination;
+    }
+
+    /// The cubic through the last two equilibria with their rates, continued; at first the tangent.
+    [[nodiscard]] Eigen::VectorXd predict(double step) const {
+        Eigen::VectorXd guess = step * rate_;
+        if (last_step_ > 0.0) {
+            const double ratio = step / last_step_;
+            const Eigen::VectorXd now = last_step_ * rate_;
+            const Eigen::VectorXd before = last_step_ * last_rate_;
+            const Eigen::VectorXd curve = before + 2.0 * now - 3.0 * last_move_;
+            const Eigen::VectorXd twist = before + now - 2.0 * last_move_;
+            guess += ratio * ratio * (curve + ratio * twist);
+        }
+        const double rotation = system_.largest_rotation(guess);
+        if (rotation > options_.largest_rotation_step) guess *= options_.largest_rotation_step / rotation;
+        return guess;
+    }
+
+    void accept(double factor, Configuration trial) {
+        last_move_ = system_.step_between(configuration_, trial);
+        last_rate_ = std::move(rate_);
+        last_step_ = factor - factor_;
+        configuration_ = std::move(trial);
+        factor_ = factor;
+        outcome_ = newton_.factorize();
+        if (outcome_.zero_pivot < 0) {
+            rate_ = newton_.solve_tangent(system_.load_rate());
+        } else {
+            rate_ = last_move_ / last_step_;
+        }
+    }
+
+    [[nodiscard]] Solution solution(Termination termination) {
+        Solution solution;
+        solution.load_factor = factor_;
+        solution.termination = termination;
+        if (termination != Termination::Converged) {
+            if (system_.largest_component(rate_) > kLimitLoadGrowth * rest_rate_)
+                solution.termination = Termination::LimitLoad;
+            system_.evaluate(configuration_, factor_);
+        }
+        if (options_.classify_stability) {
+            solution.stable = outcome_.positive_definite();
+            solution.stability =
+                system_.has_skew_part() ? StabilityTest::SymmetricPart : StabilityTest::Tangent;
+        }
+        solution.energy = system_.energy();
+        solution.residual = system_.relative_residual();
+        solution.iterations = newton_.take_iterations();
+        fill_tables(solution);
+        return solution;
+    }
+
+    void fill_tables(Solution& solution) const {
+        const int rows = system_.assembly().reported_nodes;
+        solution.displacements.resize(rows, kDofsPerNode);
+        for (int node = 0; node < rows; ++node) {
+            const auto index = static_cast<std::size_t>(node);
+            solution.displacements.row(node) << configuration_.states[index].displacement.transpose(),
+                configuration_.rotation_vectors[index].transpose();
+        }
+        solution.reactions = system_.reactions().topRows(rows);
+    }
+
+    const EquilibriumOptions& options_;
+    detail::NonlinearSystem system_;
+    detail::Newton newton_;
+    Configuration configuration_;
+    double factor_ = 0.0;
+    detail::Cholesky::Outcome outcome_;
+    Eigen::VectorXd rate_;  ///< of the unknowns in the load factor
+    double rest_rate_ = 0.0;
+    double last_step_ = 0.0;
+    Eigen::VectorXd last_move_;
+    Eigen::VectorXd last_rate_;
+};
+
+void require(bool good, const std::string& message) {
+    if (!good) throw base::InputError(message);
+}
+
+void check_factors(std::span<const double> factors) {
+    double last = 0.0;
+    for (const double factor : factors) {
+        require(std::isfinite(factor) && factor > last, "load factor " + base::format_number(factor) +
+                                                            " does not lie above the one before it, " +
+                                                            base::format_number(last));
+        last = factor;
+    }
+}
+
+}  // namespace
+
+void EquilibriumOptions::validate() const {
+    require(relative_residual > 0.0 && relative_residual < 1.0, "relative_residual is " +
+                                                                    base::format_number(relative_residual) +
+                                                                    ", where a number in (0, 1) is needed");
+    require(largest_rotation_step > 0.0 && largest_rotation_step < 3.0,
+            "largest_rotation_step is " + base::format_number(largest_rotation_step) +
+                ", where a number in (0, 3) is needed");
+    require(iterations_per_step > 0, "iterations_per_step must be above zero");
+    require(largest_cut_back >= 0 && largest_cut_back <= 30, "largest_cut_back must be from 0 to 30");
+}
+
+std::vector<Solution> follow_load_path(const Assembly& assembly, std::span<const double> load_factors,
+                                       const EquilibriumOptions& options) {
+    options.validate();
+    check_factors(load_factors);
+    std::vector<Solution> solutions;
+    if (load_factors.empty()) return solutions;
+    LoadPath path(assembly, options);
+    for (const double factor : load_factors) {
+        if (solutions.empty() || solutions.back().converged()) {
+            solutions.push_back(path.advance_to(factor));
+        } else {
+            solutions.push_back(solutions.back());
+            solutions.back().iterations = 0;
+        }
+    }
+    return solutions;
+}
+
+}  // namespace fretwork::mechanics

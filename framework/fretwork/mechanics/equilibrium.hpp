@@ -22,8 +22,14 @@ struct EquilibriumOptions {
 };
 
 /// Follow the load path from rest through the given load factors (ascending, > 0; 1 = the full load):
-/// corotational Newton with a consistent tangent. One solution for each factor; once a factor is not reached,
-/// it and those after it say so.
+/// corotational Newton with a consistent tangent, and a predictor from the path so far. One solution for each
+/// factor; once a factor is not reached, it and those after it say so, and hold the last equilibrium that was
+/// found and its factor.
+///
+/// Rotation vectors are continuous along the path: beyond half a turn they go on growing. At nodes with a
+/// held rotation component the reaction's moment is the true moment in space. Throws InputError if the
+/// factors are not ascending, NumericalError that names a node if the structure can move without strain at
+/// rest.
 std::vector<Solution> follow_load_path(const Assembly& assembly, std::span<const double> load_factors,
                                        const EquilibriumOptions& options = {});
 

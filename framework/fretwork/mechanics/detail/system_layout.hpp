@@ -34,6 +34,11 @@ class SystemLayout {
     void add(std::size_t element, std::span<const NodeIndex> nodes, const Eigen::MatrixXd& matrix,
              std::span<double> values) const;
 
+    /// Add a symmetric 6 x 6 block to one node's diagonal.
+    void add_node(int node, const Eigen::Ref<const Eigen::MatrixXd>& block, std::span<double> values) const {
+        add_diagonal(node, block, values);
+    }
+
     /// Pick the equations' components from a table, and put them back into it.
     void gather(const NodeValues& table, Eigen::VectorXd& vector) const;
     void scatter(const Eigen::VectorXd& vector, NodeValues& table) const;

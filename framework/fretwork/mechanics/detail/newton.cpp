@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/mechanics/detail/newton.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace fretwork::mechanics::detail {
+namespace {
+
+/// Accuracy of the solves with the skew part; Newton corrects the rest.
+constexpr double kSkewTolerance = 1e-6;
+constexpr int kMostSkewIterations = 60;
+
+/// A step this small (rotations in rad, displacements in element lengths) changes nothing but rounding ...
+constexpr double kNegligibleStep = 1e-13;
+/// ... and ends the iteration if the residual is below this: its floor, where members are very stiff for the
+/// load.
+constexpr double kResidualFloor = 1e-6;
+
+/// Solve (1 + B) x = b by GMRES, where B is the skew part behind the symmetric part's inverse. Its rank is at
+/// most two for each node with a moment, so a few steps are exact.
+template <class Operator>
+Eigen::VectorXd solve_near_identity(const Operator& b_times, const Eigen::VectorXd& right_side) {
+    const double size = right_side.norm();
+    if (size == 0.0) return right_side;
+    std::vector<Eigen::VectorXd> basis{right_side / size};
+    Eigen::MatrixXd hessenberg = Eigen::MatrixXd::Zero(kMostSkewIterations + 1, kMostSkewIterations);
+    Eigen::VectorXd weights;
+    for (int k = 0; k < kMostSkewIterations; ++k) {
+        Eigen::VectorXd next = basis.back() + b_times(basis.back());
+        for (int i = 0; i <= k; ++i) {
+            hessenberg(i, k) = basis[static_cast<std::size_t>(i)].dot(next);
+            next -= hessenberg(i, k) * basis[static_cast<std::size_t>(i)];
+        }
+        hessenberg(k + 1, k) = next.norm();
+        const auto h = hessenberg.topLeftCorner(k + 2, k + 1);
+        const Eigen::VectorXd target = size * Eigen::VectorXd::Unit(k + 2, 0);
+        weights = h.colPivHouseholderQr().solve(target);
+        if ((h * weights - target).norm() <= kSkewTolerance * size) break;
+        basis.push_back(next / hessenberg(k + 1, k));
+    }
+    Eigen::VectorXd x = Eigen::VectorXd::Zero(right_side.size());
+    for (Eigen::Index i = 0; i < weights.size(); ++i) x += weights[i] * basis[static_cast<std::size_t>(i)];
+    return x;
+}
+
+}  // namespace
+
+Cholesky::Outcome Newton::factorize() {
+    return cholesky_.factorize(system_.tangent());
+}
+
+Eigen::VectorXd Newton::solve_tangent(const Eigen::VectorXd& right_side) {
+    Eigen::VectorXd x = right_side;
+    cholesky_.solve(x);
+    ++iterations_;
+    if (!system_.has_skew_part()) return x;
+    return solve_near_identity(
+        [this](const Eigen::VectorXd& v) {
+            Eigen::VectorXd y = system_.skew_product(v);
+            cholesky_.solve(y);
+            return y;
+        },
+        x);
+}
+
+bool Newton::is_converged(const Eigen::VectorXd& last_step) const {
+    if (system_.relative_residual() <= options_.relative_residual) return true;
+    return last_step.size() > 0 && system_.relative_residual() <= kResidualFloor &&
+           system_.largest_component(last_step) <= kNegligibleStep;
+}
+
+Termination Newton::solve(double load_factor, Configuration& configuration) {
+    Eigen::VectorXd step;
+    for (int iteration = 0;; ++iteration) {
+        system_.evaluate(configuration, load_factor);
+        if (!std::isfinite(system_.relative_residual())) return Termination::Diverged;
+        if (is_converged(step)) return Termination::Converged;
+        if (iteration == options_.iterations_per_step) return Termination::IterationsSpent;
+        if (factorize().zero_pivot >= 0) return Termination::Diverged;
+        step = solve_tangent(system_.unbalanced());
+        const double rotation = system_.largest_rotation(step);
+        if (!std::isfinite(rotation)) return Termination::Diverged;
+        if (rotation > options_.largest_rotation_step) step *= options_.largest_rotation_step / rotation;
+        system_.move(step, configuration);
+    }
+}
+
+}  // namespace fretwork::mechanics::detail

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/mechanics/detail/nonlinear_system.hpp>
+#include <fretwork/mechanics/equilibrium.hpp>
+
+#include <utility>
+
+namespace fretwork::mechanics::detail {
+
+/// Newton's method on a NonlinearSystem, and the linear solves with its tangent.
+class Newton {
+  public:
+    Newton(NonlinearSystem& system, const EquilibriumOptions& options)
+        : system_(system), options_(options), cholesky_(system.layout()) {}
+
+    /// Bring a configuration to equilibrium under this load factor. On Converged the system is evaluated
+    /// there.
+    Termination solve(double load_factor, Configuration& configuration);
+
+    /// Factorize the tangent of the last evaluation. Returns what its symmetric part is.
+    Cholesky::Outcome factorize();
+    /// Solve with the whole tangent of the last factorization, its skew part included.
+    [[nodiscard]] Eigen::VectorXd solve_tangent(const Eigen::VectorXd& right_side);
+
+    /// Linear solves since the last call.
+    int take_iterations() { return std::exchange(iterations_, 0); }
+
+  private:
+    [[nodiscard]] bool is_converged(const Eigen::VectorXd& last_step) const;
+
+    NonlinearSystem& system_;
+    const EquilibriumOptions& options_;
+    Cholesky cholesky_;
+    int iterations_ = 0;
+};
+
+}  // namespace fretwork::mechanics::detail
