@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/text.hpp>
+#include <fretwork/tiling/detail/outline_readers.hpp>
 #include <fretwork/tiling/outline.hpp>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_2_algorithms.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace fretwork::tiling {
@@ -153,6 +155,45 @@ Outline make_outline(Polygon boundary, std::vector<Polygon> holes) {
             outline.holes.push_back(std::move(loops[loop]));
     }
     return outline;
+}
+
+namespace {
+
+struct Reader {
+    std::string_view ending;
+    Outline (*read)(const std::filesystem::path&);
+};
+
+template <auto read_loops>
+Outline outline_of_loops(const std::filesystem::path& path) {
+    return detail::outline_of(read_loops(path));
+}
+
+constexpr std::array<Reader, 6> kReaders = {{{".json", detail::read_json_outline},
+                                             {".svg", outline_of_loops<detail::read_svg_loops>},
+                                             {".dxf", outline_of_loops<detail::read_dxf_loops>},
+                                             {".obj", outline_of_loops<detail::read_mesh_loops>},
+                                             {".ply", outline_of_loops<detail::read_mesh_loops>},
+                                             {".off", outline_of_loops<detail::read_mesh_loops>}}};
+
+}  // namespace
+
+Outline read_outline(const std::filesystem::path& path) {
+    std::string ending = path.extension().string();
+    for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    for (const Reader& reader : kReaders) {
+        if (reader.ending != ending) continue;
+        try {
+            return reader.read(path);
+        } catch (const base::GeometryError& error) {
+            const std::string message = error.what();  // some readers have named the file already
+            if (message.starts_with(path.string())) throw;
+            throw base::GeometryError(path.string(), "", message);
+        }
+    }
+    throw base::InputError(
+        path.string(), "",
+        "an outline is a .json, .svg, .dxf, .obj, .ply or .off file, and this ends in '" + ending + "'");
 }
 
 }  // namespace fretwork::tiling

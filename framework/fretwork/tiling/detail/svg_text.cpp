@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/tiling/detail/svg_text.hpp>
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <numbers>
+
+namespace fretwork::tiling::detail {
+namespace {
+
+using pattern::Point2;
+
+constexpr double kDegree = std::numbers::pi / 180;
+
+bool is_separator(char c) {
+    return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f' || c == ',';
+}
+
+bool is_letter(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+
+/// The arguments of one function of a transform, up to the closing bracket.
+std::vector<double> arguments(SvgText& text) {
+    std::vector<double> values;
+    text.expect('(');
+    while (text.at_number()) values.push_back(text.number());
+    text.expect(')');
+    return values;
+}
+
+Affine rotation(const std::vector<double>& v) {
+    const Affine turn{std::cos(v[0] * kDegree),
+                      std::sin(v[0] * kDegree),
+                      -std::sin(v[0] * kDegree),
+                      std::cos(v[0] * kDegree),
+                      0,
+                      0};
+    if (v.size() == 1) return turn;
+    return Affine{1, 0, 0, 1, v[1], v[2]}.after(turn).after(Affine{1, 0, 0, 1, -v[1], -v[2]});
+}
+
+/// The map of a function, or the identity with `is_known` false.
+Affine function_map(std::string_view name, const std::vector<double>& v, bool& is_known) {
+    is_known = true;
+    if (name == "matrix" && v.size() == 6) return {v[0], v[1], v[2], v[3], v[4], v[5]};
+    if (name == "translate" && (v.size() == 1 || v.size() == 2))
+        return {1, 0, 0, 1, v[0], v.size() == 2 ? v[1] : 0};
+    if (name == "scale" && (v.size() == 1 || v.size() == 2)) return {v[0], 0, 0, v.back(), 0, 0};
+    if (name == "rotate" && (v.size() == 1 || v.size() == 3)) return rotation(v);
+    if (name == "skewX" && v.size() == 1) return {1, 0, std::tan(v[0] * kDegree), 1, 0, 0};
+    if (name == "skewY" && v.size() == 1) return {1, std::tan(v[0] * kDegree), 0, 1, 0, 0};
+    is_known = false;
+    return {};
+}
+
+}  // namespace
+
+void SvgText::skip_separators() {
+    while (next_ < text_.size() && is_separator(text_[next_])) ++next_;
+}
+
+bool SvgText::at_end() {
+    skip_separators();
+    return next_ == text_.size();
+}
+
+bool SvgText::at_number() {
+    return !at_end() && std::string_view("+-.0123456789").find(text_[next_]) != std::string_view::npos;
+}
+
+double SvgText::number() {
+    if (!at_number()) fail("a number is expected");
+    const char* first = text_.data() + next_ + (text_[next_] == '+' ? 1 : 0);
+    double value = 0;
+    const auto [end, error] = std::from_chars(first, text_.data() + text_.size(), value);
+    if (error != std::errc() || !std::isfinite(value)) fail("a number is expected");
+    next_ = static_cast<std::size_t>(end - text_.data());
+    return value;
+}
+
+bool SvgText::flag() {
+    if (at_end() || (text_[next_] != '0' && text_[next_] != '1')) fail("a flag, 0 or 1, is expected");
+    return text_[next_++] == '1';
+}
+
+char SvgText::letter() {
+    if (at_end() || !is_letter(text_[next_])) fail("a letter is expected");
+    return text_[next_++];
+}
+
+std::string_view SvgText::word() {
+    const std::size_t first = next_;
+    while (next_ < text_.size() && (is_letter(text_[next_]) || text_[next_] == '%')) ++next_;
+    return text_.substr(first, next_ - first);
+}
+
+void SvgText::expect(char wanted) {
+    if (at_end() || text_[next_] != wanted) fail(std::string("'") + wanted + "' is expected");
+    ++next_;
+}
+
+void SvgText::fail(const std::string& message) const {
+    constexpr std::size_t kMost = 24;
+    const std::string found =
+        next_ < text_.size() ? "'" + std::string(text_.substr(next_, kMost)) + "'" : "the end";
+    throw base::InputError(message + " at character " + std::to_string(next_ + 1) + ", where there is " +
+                           found);
+}
+
+std::vector<Point2> parse_svg_points(std::string_view text) {
+    SvgText walk(text);
+    std::vector<Point2> points;
+    while (!walk.at_end()) {
+        const double x = walk.number();
+        points.push_back({x, walk.number()});
+    }
+    return points;
+}
+
+Affine parse_svg_transform(std::string_view text) {
+    SvgText walk(text);
+    Affine map;
+    while (!walk.at_end()) {
+        const std::string name = walk.letter() + std::string(walk.word());
+        const std::vector<double> values = arguments(walk);
+        bool is_known = false;
+        map = map.after(function_map(name, values, is_known));
+        if (!is_known)
+            walk.fail("'" + name + "' with " + std::to_string(values.size()) +
+                      " numbers is no transformation, before");
+    }
+    return map;
+}
+
+double parse_svg_length(std::string_view text) {
+    struct Unit {
+        std::string_view name;
+        double pixels;
+    };
+    constexpr double kInch = 96;
+    constexpr std::array<Unit, 8> kUnits = {{{"", 1},
+                                             {"px", 1},
+                                             {"mm", kInch / 25.4},
+                                             {"cm", kInch / 2.54},
+                                             {"in", kInch},
+                                             {"pt", kInch / 72},
+                                             {"pc", kInch / 6},
+                                             {"Q", kInch / 101.6}}};
+    SvgText walk(text);
+    const double value = walk.number();
+    const std::string_view name = walk.word();
+    if (!walk.at_end()) walk.fail("nothing more is expected");
+    for (const Unit& unit : kUnits) {
+        if (unit.name == name) return value * unit.pixels;
+    }
+    walk.fail("the unit '" + std::string(name) + "' is none of px, mm, cm, in, pt, pc, Q, before");
+}
+
+}  // namespace fretwork::tiling::detail
