@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sample.hpp"
+
+#include <sqlite3.h>
+
+namespace fretwork::library {
+namespace {
+
+using namespace test;
+using testing::AllOf;
+using testing::HasSubstr;
+
+class BadLibrary : public testing::Test {
+  protected:
+    [[nodiscard]] std::filesystem::path path() const { return folder_.path() / "lib.db"; }
+    [[nodiscard]] std::string complaint() const {
+        return complaint_of([&] { (void)Library::open(path()); });
+    }
+    /// Change the file behind the library's back.
+    void sql(const std::string& text) const {
+        sqlite3* handle = nullptr;
+        ASSERT_EQ(sqlite3_open(path().c_str(), &handle), SQLITE_OK);
+        EXPECT_EQ(sqlite3_exec(handle, text.c_str(), nullptr, nullptr, nullptr), SQLITE_OK)
+            << sqlite3_errmsg(handle);
+        sqlite3_close(handle);
+    }
+    TemporaryFolder folder_;
+};
+
+TEST_F(BadLibrary, AMissingFileIsNamedAndNotMade) {
+    EXPECT_THAT(complaint(), AllOf(HasSubstr("lib.db"), HasSubstr("no such file")));
+    EXPECT_FALSE(std::filesystem::exists(path()));
+}
+
+TEST_F(BadLibrary, AFolderATextAndAnEmptyFileAreNoLibraries) {
+    EXPECT_THAT(complaint_of([&] { (void)Library::open(folder_.path()); }), HasSubstr("is a folder"));
+    base::write_file_atomically(path(), std::string(5000, 'x'));
+    EXPECT_THAT(complaint(), HasSubstr("is no pattern library"));
+    base::write_file_atomically(path(), "");
+    EXPECT_THAT(complaint(), HasSubstr("is no pattern library"));
+}
+
+TEST_F(BadLibrary, AnotherSqliteFileIsNoLibraryAndIsNotOverwritten) {
+    sql("CREATE TABLE recipe(name TEXT)");
+    EXPECT_THAT(complaint(), HasSubstr("is no pattern library"));
+    EXPECT_THAT(complaint_of([&] { make_library(path()); }), HasSubstr("exists already"));
+}
+
+TEST_F(BadLibrary, ANewerVersionIsRefusedWithBothNumbers) {
+    make_library(path());
+    sql("PRAGMA user_version = 7");
+    EXPECT_THAT(complaint(), AllOf(HasSubstr("version 7"), HasSubstr("reads version 1")));
+}
+
+TEST_F(BadLibrary, ALibraryThatExistsIsNotMadeAgain) {
+    make_library(path());
+    EXPECT_THAT(complaint_of([&] { make_library(path()); }), HasSubstr("exists already"));
+    EXPECT_EQ(Library::open(path()).pattern_count(), sample_ids().size());
+}
+
+TEST_F(BadLibrary, ATruncatedFileIsRefused) {
+    make_library(path()).store(std::vector{sample_data("0-1+1-6", 1.0)});
+    std::filesystem::resize_file(path(), std::filesystem::file_size(path()) / 2);
+    EXPECT_THAT(complaint_of([&] { (void)Library::open(path()).content_hash(); }), HasSubstr("is damaged"));
+}
+
+TEST_F(BadLibrary, MissingTablesAndRowsAreNamed) {
+    make_library(path());
+    sql("DELETE FROM setting");
+    EXPECT_THAT(complaint(), HasSubstr("setting: is missing"));
+    sql("PRAGMA foreign_keys = OFF; DROP TABLE layout");
+    EXPECT_THAT(complaint(), HasSubstr("no such table: layout"));
+}
+
+TEST_F(BadLibrary, RowsThatTheSettingDoesNotHaveAreRefused) {
+    make_library(path()).store(std::vector{sample_data("0-1+1-6", 1.0)});
+    sql("UPDATE response SET node = 17 WHERE node = 5");
+    EXPECT_THAT(complaint_of([&] { (void)Library::open(path()).responses("0-1+1-6"); }),
+                HasSubstr("node 17"));
+}
+
+TEST_F(BadLibrary, APatternThatTheLayoutDoesNotHaveIsRefused) {
+    make_library(path());
+    sql("INSERT INTO pattern VALUES ('0-99', 'paper7', 1)");
+    EXPECT_THAT(complaint_of([&] { (void)Library::open(path()).patterns(); }), HasSubstr("0-99"));
+}
+
+TEST_F(BadLibrary, WritingThroughAReadOnlyLibraryIsRefused) {
+    make_library(path());
+    Library library = Library::open(path());
+    EXPECT_THROW(library.store(std::vector{sample_data("0-1+1-6", 1.0)}), base::IoError);
+}
+
+TEST_F(BadLibrary, AFolderThatIsMissingIsNotMade) {
+    EXPECT_THROW(make_library(folder_.path() / "none" / "lib.db"), base::IoError);
+}
+
+}  // namespace
+}  // namespace fretwork::library

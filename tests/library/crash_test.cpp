@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A writer may be killed, and the disk may fill up, at any moment.
+#include "sample.hpp"
+
+#include <sqlite3.h>
+
+#include <csignal>
+#include <functional>
+#include <sys/resource.h>
+#include <sys/wait.h>
+
+namespace fretwork::library {
+namespace {
+
+using namespace test;
+using testing::HasSubstr;
+
+std::vector<PatternData> whole_batch() {
+    std::vector<PatternData> batch;
+    for (const char* id : {"0-1+1-6", "1-6+3-6", "0-1+1-5+3-6+5-6"})
+        batch.push_back(sample_data(id, static_cast<double>(batch.size()) + 1.0));
+    return batch;
+}
+
+/// The content of the library after an undisturbed run.
+std::string undisturbed_hash() {
+    const TemporaryFolder folder;
+    Library library = make_library(folder.path() / "lib.db");
+    library.store(whole_batch());
+    return library.content_hash();
+}
+
+/// How a process of its own that does `work` ends.
+int status_of(const std::function<void()>& work) {
+    const pid_t child = ::fork();
+    if (child == 0) {
+        work();
+        ::_exit(0);
+    }
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    return status;
+}
+
+/// From now on, no file of this process can grow beyond `bytes`; what happens to the write that would is up
+/// to the signal's handler.
+void limit_files(rlim_t bytes, void (*handler)(int)) {
+    std::signal(SIGXFSZ, handler);
+    const rlimit limit{bytes, bytes};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+}
+
+void expect_whole(const std::filesystem::path& path) {
+    sqlite3* handle = nullptr;
+    ASSERT_EQ(sqlite3_open(path.c_str(), &handle), SQLITE_OK);
+    std::string verdict;
+    const auto keep_row = [](void* target, int, char** values, char**) {
+        *static_cast<std::string*>(target) += values[0];
+        return 0;
+    };
+    sqlite3_exec(handle, "PRAGMA integrity_check", keep_row, &verdict, nullptr);
+    sqlite3_close(handle);
+    EXPECT_EQ(verdict, "ok");
+}
+
+TEST(LibraryCrash, AProcessKilledWhileItWritesABatchLeavesTheBatchOutAndTheRestWhole) {
+    const std::string wanted = undisturbed_hash();
+    for (const rlim_t room : {0U, 4096U, 16384U, 65536U}) {
+        const TemporaryFolder folder;
+        const auto path = folder.path() / "lib.db";
+        const std::string before = make_library(path).content_hash();
+        const rlim_t size = std::filesystem::file_size(path);
+        const int status = status_of([&] {
+            limit_files(size + room, [](int) { ::kill(::getpid(), SIGKILL); });
+            Library::open(path, Access::ReadWrite).store(whole_batch());
+        });
+        ASSERT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL) << room;
+        ASSERT_TRUE(std::filesystem::exists(path.string() + "-journal"))
+            << "killed too early to mean something";
+        EXPECT_EQ(Library::open(path).content_hash(), before) << room;
+        expect_whole(path);
+        Library::open(path, Access::ReadWrite).store(whole_batch());
+        EXPECT_EQ(Library::open(path).content_hash(), wanted) << room;
+    }
+}
+
+TEST(LibraryCrash, AWriterKilledAtAnyTimeCanBeResumedToTheSameContent) {
+    const TemporaryFolder folder;
+    const auto path = folder.path() / "lib.db";
+    make_library(path);
+    const auto write_what_is_left = [&] {
+        Library library = Library::open(path, Access::ReadWrite);
+        for (const PatternData& data : whole_batch()) {
+            for (const PatternEntry& left : library.patterns_without_responses())
+                if (left.id == data.pattern) library.store(std::vector{data});
+        }
+    };
+    for (const useconds_t delay : {2000U, 8000U, 14000U, 20000U, 26000U}) {
+        const pid_t child = ::fork();
+        if (child == 0) {
+            write_what_is_left();
+            ::_exit(0);
+        }
+        ::usleep(delay);
+        ::kill(child, SIGKILL);
+        ::waitpid(child, nullptr, 0);
+        expect_whole(path);
+    }
+    write_what_is_left();
+    EXPECT_EQ(Library::open(path).content_hash(), undisturbed_hash());
+}
+
+TEST(LibraryCrash, AFullDiskIsAnErrorAndLeavesTheFileAsItWas) {
+    const TemporaryFolder folder;
+    const auto path = folder.path() / "lib.db";
+    const std::string before = make_library(path).content_hash();
+    const rlim_t size = std::filesystem::file_size(path);
+    const int status = status_of([&] {
+        limit_files(size + 20000, SIG_IGN);
+        Library library = Library::open(path, Access::ReadWrite);
+        try {
+            library.store(whole_batch());
+        } catch (const base::IoError&) {
+            ::_exit(library.content_hash() == before ? 3 : 4);
+        }
+    });
+    ASSERT_TRUE(WIFEXITED(status));
+    EXPECT_EQ(WEXITSTATUS(status), 3);
+    EXPECT_EQ(Library::open(path).content_hash(), before);
+    expect_whole(path);
+}
+
+TEST(LibraryCrash, CreatingOnAFullDiskLeavesNothing) {
+    const TemporaryFolder folder;
+    const auto path = folder.path() / "lib.db";
+    const int status = status_of([&] {
+        limit_files(8192, SIG_IGN);
+        try {
+            make_library(path);
+        } catch (const base::IoError&) {
+            ::_exit(3);
+        }
+    });
+    ASSERT_TRUE(WIFEXITED(status));
+    EXPECT_EQ(WEXITSTATUS(status), 3);
+    EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
+TEST(LibraryCrash, CreatingAgainAfterAKillDuringCreationWorks) {
+    const TemporaryFolder folder;
+    const auto path = folder.path() / "lib.db";
+    const int status = status_of([&] {
+        limit_files(8192, [](int) { ::kill(::getpid(), SIGKILL); });
+        make_library(path);
+    });
+    ASSERT_TRUE(WIFSIGNALED(status));
+    EXPECT_EQ(Library::open_or_create(path, paper_layout(), reduction::paper_setting()).pattern_count(), 0U);
+}
+
+}  // namespace
+}  // namespace fretwork::library

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sample.hpp"
+
+namespace fretwork::library {
+namespace {
+
+using namespace test;
+using testing::HasSubstr;
+using Paths = std::vector<std::filesystem::path>;
+
+class Merge : public testing::Test {
+  protected:
+    [[nodiscard]] std::filesystem::path path(const std::string& name) const { return folder_.path() / name; }
+    /// A library of all sample patterns with data of some.
+    std::filesystem::path shard(const std::string& name, const std::vector<PatternData>& data,
+                                const std::vector<Failure>& failures = {}) {
+        make_library(path(name)).store(data, failures);
+        return path(name);
+    }
+    [[nodiscard]] std::string hash(const std::string& name) const {
+        return Library::open(path(name)).content_hash();
+    }
+    TemporaryFolder folder_;
+};
+
+TEST_F(Merge, ShardsGiveWhatOneRunGivesInAnyOrder) {
+    const auto first = sample_data("0-1+1-6", 1.0);
+    const auto second = sample_data("1-6+3-6", 2.0);
+    const auto a = shard("a.db", {first});
+    const auto b = shard("b.db", {second}, {{"0-6+1-6+3-6", "responses", "too soft"}});
+    shard("one.db", {second, first}, {{"0-6+1-6+3-6", "responses", "too soft"}});
+    merge(path("ab.db"), Paths{a, b});
+    merge(path("ba.db"), Paths{b, a});
+    EXPECT_EQ(hash("ab.db"), hash("one.db"));
+    EXPECT_EQ(hash("ba.db"), hash("one.db"));
+    Library::open(path("ab.db")).export_csv(path("ab"));
+    Library::open(path("ba.db")).export_csv(path("ba"));
+    EXPECT_EQ(folder_content(path("ab")), folder_content(path("ba")));
+    EXPECT_EQ(ids_of(Library::open(path("ab.db")).patterns()),
+              ids_of(Library::open(path("ba.db")).patterns()));
+}
+
+TEST_F(Merge, IsAssociativeAndEqualRowsDoNotMatter) {
+    const auto first = sample_data("0-1+1-6", 1.0);
+    const auto second = sample_data("1-6+3-6", 2.0);
+    const auto a = shard("a.db", {first});
+    const auto b = shard("b.db", {first, second});
+    merge(path("ab.db"), Paths{a, b});
+    merge(path("abab.db"), Paths{path("ab.db"), a, b, path("ab.db")});
+    EXPECT_EQ(hash("abab.db"), hash("ab.db"));
+    EXPECT_EQ(hash("ab.db"), hash("b.db"));
+}
+
+TEST_F(Merge, WhatFailedHereAndSucceededThereIsNoFailure) {
+    const CalibrationKey key = sample_calibration(1.0).key();
+    const auto a = shard("a.db", {sample_data("0-1+1-6", 1.0)});
+    const auto b = shard("b.db", {},
+                         {{"0-1+1-6", responses_stage(), "killed"},
+                          {"0-1+1-6", calibration_stage(key), "killed"},
+                          {"1-6+3-6", calibration_stage(key), "killed"}});
+    merge(path("ab.db"), Paths{a, b});
+    const auto failures = Library::open(path("ab.db")).failures();
+    ASSERT_EQ(failures.size(), 1U);
+    EXPECT_EQ(failures[0].pattern, "1-6+3-6");
+}
+
+TEST_F(Merge, RowsThatDifferAreRefusedByName) {
+    const auto a = shard("a.db", {sample_data("0-1+1-6", 1.0)});
+    const auto b = shard("b.db", {sample_data("0-1+1-6", 1.5)});
+    const std::string complaint = complaint_of([&] { merge(path("ab.db"), Paths{a, b}); });
+    EXPECT_THAT(complaint, HasSubstr("b.db"));
+    EXPECT_THAT(complaint, HasSubstr("pattern_id 0-1+1-6"));
+    EXPECT_FALSE(std::filesystem::exists(path("ab.db")));
+    EXPECT_EQ(folder_content(folder_.path()).size(), 2U) << "nothing is left beside the inputs";
+}
+
+TEST_F(Merge, SettingsThatDifferAreRefused) {
+    reduction::Setting setting = reduction::paper_setting();
+    setting.tile_side = 0.05;
+    Library::create(path("b.db"), paper_layout(), setting);
+    const auto a = shard("a.db", {});
+    EXPECT_THAT(complaint_of([&] { merge(path("ab.db"), Paths{a, path("b.db")}); }), HasSubstr("tile_side"));
+}
+
+TEST_F(Merge, AnOutputThatExistsIsNeverTouched) {
+    const auto a = shard("a.db", {});
+    const std::string before = base::read_text_file(a);
+    EXPECT_THAT(complaint_of([&] { merge(a, Paths{a}); }), HasSubstr("exists already"));
+    EXPECT_EQ(base::read_text_file(a), before);
+    EXPECT_THAT(complaint_of([&] { merge(path("new.db"), Paths{}); }), HasSubstr("nothing to merge"));
+    EXPECT_THAT(complaint_of([&] { merge(path("no/new.db"), Paths{a}); }), HasSubstr("new.db"));
+}
+
+}  // namespace
+}  // namespace fretwork::library
