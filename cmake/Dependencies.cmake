@@ -17,6 +17,11 @@ if(NOT FRETWORK_ONLY_LIGHT_STAGES)
   add_library(OpenMesh::Core UNKNOWN IMPORTED)
   set_target_properties(OpenMesh::Core PROPERTIES IMPORTED_LOCATION "${OPENMESH_CORE_LIBRARY}"
                                                   INTERFACE_INCLUDE_DIRECTORIES "${OPENMESH_INCLUDE_DIR}")
+  find_library(NAUTY_LIBRARY nauty REQUIRED)                   # pattern: isomorphism classes (no CMake package either)
+  find_path(NAUTY_INCLUDE_DIR nauty/nauty.h REQUIRED)
+  add_library(nauty::nauty UNKNOWN IMPORTED)
+  set_target_properties(nauty::nauty PROPERTIES IMPORTED_LOCATION "${NAUTY_LIBRARY}"
+                                                INTERFACE_INCLUDE_DIRECTORIES "${NAUTY_INCLUDE_DIR}")
 endif()
 
 if(FRETWORK_BUILD_TESTS)

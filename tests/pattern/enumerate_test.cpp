@@ -71,7 +71,6 @@ TEST(Enumerate, FindsWhatAPlainFilterOverAllGraphsLeaves) {
 }
 
 // The number is that of an independent program: plain backtracking over pairwise conflicts, then filtering.
-// for articulation points in the whole fan).
 TEST(Enumerate, FourRadialPairsAndTwoFaceNodesGive6540827Patterns) {
     const auto r = [](const char* text) { return parse_rational(text); };
     const NodeLayout layout(

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/pattern/detail/canonical_form.hpp>
+
+#include <nauty/nauty.h>
+
+#include <algorithm>
+#include <numeric>
+#include <vector>
+
+namespace fretwork::pattern::detail {
+namespace {
+
+/// What nauty's interface asks for, each of the right length.
+struct Workspace {
+    explicit Workspace(int node_count, int words)
+        : graph(static_cast<std::size_t>(node_count) * static_cast<std::size_t>(words)),
+          canonical(graph.size()),
+          labels(static_cast<std::size_t>(node_count)),
+          cells(static_cast<std::size_t>(node_count)),
+          orbits(static_cast<std::size_t>(node_count)) {}
+    std::vector<setword> graph;
+    std::vector<setword> canonical;
+    std::vector<int> labels;
+    std::vector<int> cells;
+    std::vector<int> orbits;
+};
+
+/// Interface nodes, which come first in a fan, are the first colour, all others the second.
+void colour(Workspace& work, int interface_node_count) {
+    std::iota(work.labels.begin(), work.labels.end(), 0);
+    std::fill(work.cells.begin(), work.cells.end(), 1);
+    work.cells[static_cast<std::size_t>(interface_node_count) - 1] = 0;
+    work.cells.back() = 0;
+}
+
+}  // namespace
+
+std::string canonical_form(const Fan& fan) {
+    const int node_count = static_cast<int>(fan.nodes.size());
+    const int words = SETWORDSNEEDED(node_count);
+    Workspace work(node_count, words);
+    for (const auto& [first, second] : fan.edges) {
+        ADDONEEDGE(work.graph.data(), first.value, second.value, words);
+    }
+    colour(work, fan.interface_node_count);
+    DEFAULTOPTIONS_GRAPH(options);
+    options.getcanon = TRUE;
+    options.defaultptn = FALSE;
+    statsblk stats;
+    densenauty(work.graph.data(), work.labels.data(), work.cells.data(), work.orbits.data(), &options, &stats,
+               words, node_count, work.canonical.data());
+    std::string form = std::to_string(fan.interface_node_count) + "/" + std::to_string(node_count) + ":";
+    return form.append(reinterpret_cast<const char*>(work.canonical.data()),
+                       work.canonical.size() * sizeof(setword));
+}
+
+}  // namespace fretwork::pattern::detail

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/pattern/fan.hpp>
+
+#include <string>
+
+namespace fretwork::pattern::detail {
+
+/// A text of bytes that two fans share exactly if they are isomorphic as graphs in which interface nodes have
+/// a colour of their own.
+std::string canonical_form(const Fan& fan);
+
+}  // namespace fretwork::pattern::detail
