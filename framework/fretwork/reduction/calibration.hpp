@@ -24,7 +24,7 @@ struct Paper6Parameters {
 
 struct CalibrationOptions {
     std::string optimizer = "ceres-multistart";  ///< a row of the optimizer catalogue
-    int starts = 8;
+    int starts = 4;
     std::uint64_t seed = 1;
     int budget = 20000;  ///< evaluations of the objective at most
     /// Throws InputError if a value makes no sense.
@@ -43,6 +43,7 @@ struct Calibration {
     long evaluations = 0;
     Paper6Parameters parameters;
     std::vector<std::string> at_bound;  ///< names of the parameters at a bound
+    int samples_left_out = 0;           ///< not converged, or unstable where the setting leaves these out
     bool converged = true;
 };
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "embedded_scenarios.hpp"
+
 #include <fretwork/reduction/detail/scenario_json.hpp>
 #include <fretwork/reduction/scenario.hpp>
 
-#include "embedded_scenarios.hpp"
 #include <algorithm>
 #include <utility>
 

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/reduction/detail/hexagon_blocks.hpp>
+
+#include <Eigen/Core>
+
+namespace fretwork::reduction::detail {
+
+/// Three components of each of the six nodes of a kind, one column a node.
+using NodeColumns = Eigen::Matrix<double, 3, kSectors>;
+/// A stiffness of the six interface nodes in one plane, node by node.
+using PlaneStiffness = Eigen::Matrix<double, 3 * kSectors, 3 * kSectors>;
+
+/// A block-circulant matrix: block (i, j) is blocks[(j - i) mod 6].
+struct BlockCirculant {
+    std::array<Eigen::Matrix3d, kSectors> blocks;
+    [[nodiscard]] NodeColumns apply(const NodeColumns& columns) const;
+};
+
+/// The hexagon of one plane with its ring nodes eliminated. Blocks and columns are in the nodes' own axes.
+class CondensedHexagon {
+  public:
+    explicit CondensedHexagon(const HexagonBlocks& blocks);
+
+    /// The stiffness of the interface nodes, in their own axes.
+    [[nodiscard]] PlaneStiffness stiffness() const;
+    /// What the ring does when the interface nodes are displaced so.
+    [[nodiscard]] NodeColumns ring_displacements(const NodeColumns& interface) const;
+    /// dS u, where dS is how the condensed stiffness changes with the blocks.
+    [[nodiscard]] NodeColumns changed_forces(const HexagonBlocks& change, const NodeColumns& interface,
+                                             const NodeColumns& ring) const;
+
+  private:
+    HexagonBlocks blocks_;
+    BlockCirculant ring_inverse_;
+};
+
+}  // namespace fretwork::reduction::detail

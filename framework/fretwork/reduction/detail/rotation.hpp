@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Geometry>
+
+namespace fretwork::reduction::detail {
+
+/// The rotation of a rotation vector.
+Eigen::Quaterniond rotation_of(const Eigen::Vector3d& vector);
+/// The rotation vector of a rotation, at most pi long.
+Eigen::Vector3d rotation_vector(const Eigen::Quaterniond& rotation);
+/// J with exp(v + dv) = exp(v) exp(J dv) to first order.
+Eigen::Matrix3d right_jacobian(const Eigen::Vector3d& vector);
+
+}  // namespace fretwork::reduction::detail

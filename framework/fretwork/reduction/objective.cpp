@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/reduction/detail/rotation.hpp>
+#include <fretwork/reduction/objective.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace fretwork::reduction {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+bool is_used(const Response::Sample& sample, const Setting& setting) {
+    return sample.converged && (sample.stable || setting.branch == Branch::Paper);
+}
+
+void check_fit(const std::vector<Response>& responses, const Setting& setting) {
+    const bool as_many = responses.size() == setting.scenarios.size();
+    for (std::size_t i = 0; i < setting.scenarios.size(); ++i) {
+        if (as_many && responses[i].scenario == setting.scenarios[i].name) continue;
+        throw base::InputError("the responses lack scenario '" + setting.scenarios[i].name +
+                               "' in its place");
+    }
+    for (const Response& response : responses) {
+        for (const Response::Sample& sample : response.samples) {
+            if (sample.displacements.rows() == setting.sides) continue;
+            throw base::InputError("a response to '" + response.scenario + "' has " +
+                                   std::to_string(sample.displacements.rows()) + " interface nodes, not " +
+                                   std::to_string(setting.sides));
+        }
+    }
+}
+
+/// |a| with its kink rounded off, and what that does to first and second derivatives.
+struct SmoothNorm {
+    double value;
+    Vector3d slope;  ///< by a
+    Matrix3d bend;   ///< by a, twice: positive semidefinite
+};
+
+SmoothNorm smooth_norm(const Vector3d& a, double rounding) {
+    const double value = std::max(std::sqrt(a.squaredNorm() + rounding * rounding), 1e-300);
+    const Vector3d slope = a / value;
+    return {value, slope, (Matrix3d::Identity() - slope * slope.transpose()) / value};
+}
+
+}  // namespace
+
+Objective::Objective(const std::vector<Response>& responses, const Setting& setting,
+                     const ErrorMetric& metric)
+    : metric_(metric), scenario_count_(setting.scenarios.size()) {
+    check_fit(responses, setting);
+    for (std::size_t s = 0; s < responses.size(); ++s) {
+        for (const Response::Sample& sample : responses[s].samples) {
+            if (!is_used(sample, setting)) {
+                ++left_out_;
+                continue;
+            }
+            samples_.push_back(make_sample(sample, setting.scenarios[s].weight, metric));
+            samples_.back().scenario = s;
+        }
+    }
+}
+
+Objective::Sample Objective::make_sample(const Response::Sample& sample, double weight,
+                                         const ErrorMetric& metric) {
+    Sample result{.scenario = 0,
+                  .magnitude = sample.magnitude,
+                  .weight = weight,
+                  .translation_factor = 0.0,
+                  .rotation_factor = 0.0,
+                  .targets = {}};
+    double translations = 0.0;
+    double rotations = 0.0;
+    for (const auto& row : sample.displacements.rowwise()) {
+        const Vector3d translation = row.head<3>();
+        const Eigen::Quaterniond rotation = detail::rotation_of(row.tail<3>());
+        translations += translation.norm();
+        rotations += detail::rotation_vector(rotation).norm();
+        result.targets.push_back({translation, rotation.conjugate()});
+    }
+    result.translation_factor =
+        metric.translation_weight / std::max(translations, metric.smallest_translation);
+    result.rotation_factor = metric.rotation_weight / std::max(rotations, metric.smallest_rotation);
+    return result;
+}
+
+double Objective::sample_error(const Sample& sample, const mechanics::NodeValues& unit) {
+    double translations = 0.0;
+    double rotations = 0.0;
+    for (std::size_t node = 0; node < sample.targets.size(); ++node) {
+        const auto row = unit.row(static_cast<Eigen::Index>(node));
+        const Target& target = sample.targets[node];
+        translations += (sample.magnitude * row.head<3>().transpose() - target.translation).norm();
+        const Eigen::Quaterniond relative =
+            target.inverse_rotation * detail::rotation_of(sample.magnitude * row.tail<3>().transpose());
+        rotations += 2.0 * std::atan2(relative.vec().norm(), std::abs(relative.w()));
+    }
+    return sample.translation_factor * translations + sample.rotation_factor * rotations;
+}
+
+double Objective::value(const UnitDisplacements& model) const {
+    double sum = 0.0;
+    for (const Sample& sample : samples_) {
+        const double error = sample_error(sample, model[sample.scenario]);
+        sum += sample.weight * error * error;
+    }
+    return sum;
+}
+
+std::vector<double> Objective::scenario_errors(const UnitDisplacements& model) const {
+    std::vector<double> errors(scenario_count_, 0.0);
+    for (const Sample& sample : samples_) {
+        const double error = sample_error(sample, model[sample.scenario]);
+        errors[sample.scenario] += sample.weight * error * error;
+    }
+    return errors;
+}
+
+/// One interface node in one sample: how its two smoothed norms depend on the six components of its unit
+/// displacement.
+struct Objective::NodeTerm {
+    NodeTerm(const Sample& sample, std::size_t node, const mechanics::NodeValues& unit,
+             const std::array<double, 2>& rounding) {
+        const Target& target = sample.targets[node];
+        const auto row = unit.row(static_cast<Eigen::Index>(node));
+        const double m = sample.magnitude;
+        const Vector3d difference = m * row.head<3>().transpose() - target.translation;
+        const Vector3d turn = m * row.tail<3>().transpose();
+        const Vector3d angle = detail::rotation_vector(target.inverse_rotation * detail::rotation_of(turn));
+        const SmoothNorm translation = smooth_norm(difference, rounding[0]);
+        const SmoothNorm rotation = smooth_norm(angle, rounding[1]);
+        // The rotation vector `angle` changes by J_r(angle)^-1 J_r(turn) m du. It is itself a fixed vector of
+        // the first factor, so the slope is exact without it; the curvature takes it as the identity.
+        const Matrix3d rate = m * detail::right_jacobian(turn);
+        exact = {difference.norm(), angle.norm()};
+        smoothed = {translation.value, rotation.value};
+        slope << sample.translation_factor * m * translation.slope,
+            sample.rotation_factor * rate.transpose() * rotation.slope;
+        translation_bend = sample.translation_factor * m * m * translation.bend;
+        rotation_bend = sample.rotation_factor * rate.transpose() * rotation.bend * rate;
+    }
+
+    std::array<double, 2> exact;
+    std::array<double, 2> smoothed;
+    Eigen::Matrix<double, 6, 1> slope;  ///< of the node's part of e
+    Matrix3d translation_bend;          ///< second derivatives of the same
+    Matrix3d rotation_bend;
+};
+
+/// Sums up derivatives over the samples. Second derivatives of one node under one scenario are summed over
+/// the magnitudes before they meet the model's derivatives, which all magnitudes share.
+class Objective::Differentiation {
+  public:
+    Differentiation(const Objective& owner, const UnitDisplacementsAndDerivatives& model, double smoothing)
+        : owner_(owner), model_(model), smoothing_(smoothing) {
+        const Eigen::Index parameters = model.derivatives.front().cols();
+        jacobian.resize(static_cast<Eigen::Index>(owner.samples_.size()), parameters);
+        errors.resize(jacobian.rows());
+        bends_.resize(model.displacements.size());
+        for (std::size_t s = 0; s < bends_.size(); ++s) {
+            bends_[s].resize(static_cast<std::size_t>(model.displacements[s].rows()));
+        }
+        for (std::size_t k = 0; k < owner.samples_.size(); ++k) add(k);
+    }
+
+    /// Sum over nodes of the parts of the curvature that come from the norms.
+    [[nodiscard]] Eigen::MatrixXd norm_curvature() const {
+        Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(jacobian.cols(), jacobian.cols());
+        for (std::size_t s = 0; s < bends_.size(); ++s) {
+            for (std::size_t node = 0; node < bends_[s].size(); ++node) {
+                const auto at = static_cast<Eigen::Index>(6 * node);
+                const auto translations = model_.derivatives[s].middleRows<3>(at);
+                const auto rotations = model_.derivatives[s].middleRows<3>(at + 3);
+                const NodeBend& bend = bends_[s][node];
+                sum.noalias() += translations.transpose() * (bend.translation * translations).eval();
+                sum.noalias() += rotations.transpose() * (bend.rotation * rotations).eval();
+            }
+        }
+        return sum;
+    }
+
+    double objective = 0.0;    ///< E itself
+    double value = 0.0;        ///< with smoothed norms
+    Eigen::VectorXd errors;    ///< sqrt(w) e, smoothed, one a sample
+    Eigen::MatrixXd jacobian;  ///< of these
+
+  private:
+    struct NodeBend {
+        Matrix3d translation = Matrix3d::Zero();
+        Matrix3d rotation = Matrix3d::Zero();
+    };
+
+    void add(std::size_t k) {
+        const Sample& sample = owner_.samples_[k];
+        const mechanics::NodeValues& unit = model_.displacements[sample.scenario];
+        const std::array<double, 2> rounding = rounding_of(sample);
+        terms_.clear();
+        slope_.resize(6 * unit.rows());
+        double exact = 0.0;
+        double smoothed = 0.0;
+        for (std::size_t node = 0; node < sample.targets.size(); ++node) {
+            const NodeTerm& term = terms_.emplace_back(sample, node, unit, rounding);
+            exact += sample.translation_factor * term.exact[0] + sample.rotation_factor * term.exact[1];
+            smoothed +=
+                sample.translation_factor * term.smoothed[0] + sample.rotation_factor * term.smoothed[1];
+            slope_.segment<6>(static_cast<Eigen::Index>(6 * node)) = term.slope;
+        }
+        add_bends(sample, smoothed);
+        const double root = std::sqrt(sample.weight);
+        const auto row = static_cast<Eigen::Index>(k);
+        objective += sample.weight * exact * exact;
+        value += sample.weight * smoothed * smoothed;
+        errors[row] = root * smoothed;
+        jacobian.row(row).noalias() = root * (slope_.transpose() * model_.derivatives[sample.scenario]);
+    }
+
+    void add_bends(const Sample& sample, double error) {
+        const double factor = 2.0 * sample.weight * error;
+        for (std::size_t node = 0; node < terms_.size(); ++node) {
+            NodeBend& bend = bends_[sample.scenario][node];
+            bend.translation += factor * terms_[node].translation_bend;
+            bend.rotation += factor * terms_[node].rotation_bend;
+        }
+    }
+
+    [[nodiscard]] std::array<double, 2> rounding_of(const Sample& sample) const {
+        const double share = smoothing_ / static_cast<double>(sample.targets.size());
+        return {share * owner_.metric_.translation_weight / sample.translation_factor,
+                share * owner_.metric_.rotation_weight / sample.rotation_factor};
+    }
+
+    const Objective& owner_;
+    const UnitDisplacementsAndDerivatives& model_;
+    double smoothing_;
+    std::vector<std::vector<NodeBend>> bends_;
+    std::vector<NodeTerm> terms_;
+    Eigen::VectorXd slope_;
+};
+
+optimization::CurvatureEvaluation Objective::curvature(const UnitDisplacementsAndDerivatives& model,
+                                                       double smoothing) const {
+    const Differentiation d(*this, model, smoothing);
+    return {d.objective, d.value, 2.0 * d.jacobian.transpose() * d.errors,
+            2.0 * d.jacobian.transpose() * d.jacobian + d.norm_curvature()};
+}
+
+optimization::ResidualEvaluation Objective::residuals(const UnitDisplacementsAndDerivatives& model,
+                                                      double smoothing) const {
+    const Differentiation d(*this, model, smoothing);
+    return {d.objective, d.errors, d.jacobian};
+}
+
+}  // namespace fretwork::reduction

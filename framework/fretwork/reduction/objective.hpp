@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/optimization/problem.hpp>
+#include <fretwork/reduction/paper6_hexagon.hpp>
+#include <fretwork/reduction/response.hpp>
+
+#include <Eigen/Geometry>
+
+#include <numbers>
+#include <span>
+#include <vector>
+
+namespace fretwork::reduction {
+
+/// How translations and rotations enter the error of a sample: Eqs. (9) to (11), Table 2 and Section 7.1.
+struct ErrorMetric {
+    double translation_weight = 1.2;                            ///< w_trans
+    double rotation_weight = 0.8;                               ///< w_rot
+    double smallest_translation = 0.0003;                       ///< eps_trans, m
+    double smallest_rotation = 0.1 * std::numbers::pi / 180.0;  ///< eps_rot, rad
+};
+
+/// The distance of a linear model from the responses of a pattern: E of Eqs. (8) to (11), exactly as written.
+///
+/// E = sum over scenarios and magnitudes of w e^2, where e is the weighted sum of two normalized sums over
+/// the interface nodes: of |d_p - d_r|, and of the angle between the rotations R_p and R_r. Linear
+/// displacements grow with the magnitude; linear rotations are taken as rotation vectors. Samples that did
+/// not converge are left out; so are unstable ones where the setting's branch policy says so.
+///
+/// E has a kink wherever a norm is zero. With smoothing mu > 0 each norm |a| becomes
+/// sqrt(a^2 + (mu s)^2), where s is the sample's normalizer divided by the number of nodes.
+class Objective {
+  public:
+    /// Throws InputError if the responses do not fit the setting.
+    Objective(const std::vector<Response>& responses, const Setting& setting, const ErrorMetric& metric = {});
+
+    [[nodiscard]] double value(const UnitDisplacements& model) const;
+    /// The parts of E, one for each scenario of the setting.
+    [[nodiscard]] std::vector<double> scenario_errors(const UnitDisplacements& model) const;
+
+    /// Gradient and generalized Gauss-Newton matrix with respect to the model's parameters: the curvature of
+    /// the norms is kept, second derivatives of the displacements are not. Not less than 2 J^T J.
+    [[nodiscard]] optimization::CurvatureEvaluation curvature(const UnitDisplacementsAndDerivatives& model,
+                                                              double smoothing) const;
+    /// One residual sqrt(w) e for each sample, in the order of the responses.
+    [[nodiscard]] optimization::ResidualEvaluation residuals(const UnitDisplacementsAndDerivatives& model,
+                                                             double smoothing) const;
+
+    [[nodiscard]] std::size_t sample_count() const { return samples_.size(); }
+    [[nodiscard]] std::size_t left_out() const { return left_out_; }
+
+  private:
+    /// What a sample says about one interface node.
+    struct Target {
+        Eigen::Vector3d translation;
+        Eigen::Quaterniond inverse_rotation;
+    };
+    struct Sample {
+        std::size_t scenario;
+        double magnitude;
+        double weight;
+        double translation_factor;  ///< w_trans over the normalizer of Eq. (10)
+        double rotation_factor;     ///< w_rot over the normalizer of Eq. (11)
+        std::vector<Target> targets;
+    };
+    struct NodeTerm;
+    class Differentiation;
+
+    static Sample make_sample(const Response::Sample& sample, double weight, const ErrorMetric& metric);
+    static double sample_error(const Sample& sample, const mechanics::NodeValues& unit);
+
+    ErrorMetric metric_;
+    std::size_t scenario_count_ = 0;
+    std::size_t left_out_ = 0;
+    std::vector<Sample> samples_;
+};
+
+}  // namespace fretwork::reduction

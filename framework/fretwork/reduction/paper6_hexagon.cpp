@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/reduction/detail/condensed_hexagon.hpp>
+#include <fretwork/reduction/paper6_hexagon.hpp>
+
+#include <Eigen/Cholesky>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace fretwork::reduction {
+namespace {
+
+using detail::CondensedHexagon;
+using detail::HexagonBlocks;
+using detail::kPlaneParameters;
+using detail::kSectors;
+using detail::NodeColumns;
+using detail::Plane;
+using detail::PlaneParameters;
+using detail::PlaneStiffness;
+
+constexpr int kPlaneDofs = 3 * kSectors;
+/// Matrices of the free dofs live on the stack.
+using FreeMatrix =
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, kPlaneDofs, kPlaneDofs>;
+using FreeVector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, kPlaneDofs, 1>;
+using PlaneVector = Eigen::Matrix<double, kPlaneDofs, 1>;
+
+/// The components of a node in one plane: in the order of the blocks.
+std::array<int, 3> plane_components(Plane plane) {
+    return plane == Plane::InPlane ? std::array{0, 1, 5} : std::array{2, 3, 4};
+}
+/// Which of the six parameters a plane's four are.
+std::array<int, kPlaneParameters> parameter_columns(Plane plane) {
+    return plane == Plane::InPlane ? std::array{0, 2, 4, 5} : std::array{3, 1, 4, 5};
+}
+
+/// Scenarios of one plane that hold the same dofs share a factorization.
+struct SupportGroup {
+    std::vector<Eigen::Index> free_dofs;
+    struct Case {
+        std::size_t scenario;
+        PlaneVector load;  ///< for a magnitude of 1 N
+    };
+    std::vector<Case> cases;
+};
+
+PlaneVector plane_load(const Scenario& scenario, Plane plane) {
+    PlaneVector result = PlaneVector::Zero();
+    for (const Scenario::Load& load : scenario.loads) {
+        const std::array<double, 6> values = {load.force[0],  load.force[1],  load.force[2],
+                                              load.moment[0], load.moment[1], load.moment[2]};
+        const auto components = plane_components(plane);
+        for (int c = 0; c < 3; ++c) result[3 * load.interface_node + c] += values[components[c]];
+    }
+    return result;
+}
+
+std::vector<Eigen::Index> free_dofs(const Scenario& scenario, Plane plane) {
+    std::array<bool, kPlaneDofs> held{};
+    for (const Scenario::Hold& hold : scenario.held) {
+        const auto components = plane_components(plane);
+        for (int c = 0; c < 3; ++c) {
+            bool& is_held = held[3 * hold.interface_node + c];
+            is_held = is_held || hold.fixed.contains[components[c]];
+        }
+    }
+    std::vector<Eigen::Index> result;
+    for (Eigen::Index dof = 0; dof < kPlaneDofs; ++dof) {
+        if (!held[dof]) result.push_back(dof);
+    }
+    return result;
+}
+
+std::vector<SupportGroup> support_groups(const std::vector<Scenario>& scenarios, Plane plane) {
+    std::vector<SupportGroup> groups;
+    for (std::size_t s = 0; s < scenarios.size(); ++s) {
+        const PlaneVector load = plane_load(scenarios[s], plane);
+        if (load.isZero(0.0)) continue;
+        auto free = free_dofs(scenarios[s], plane);
+        auto group = std::ranges::find(groups, free, &SupportGroup::free_dofs);
+        if (group == groups.end()) group = groups.insert(group, SupportGroup{std::move(free), {}});
+        group->cases.push_back({s, load});
+    }
+    return groups;
+}
+
+}  // namespace
+
+class Paper6Hexagon::Impl {
+  public:
+    explicit Impl(const Setting& setting)
+        : material_(setting.material),
+          apothem_(setting.tile_side * std::numbers::sqrt3 / 2.0),
+          scenario_count_(setting.scenarios.size()),
+          groups_{support_groups(setting.scenarios, Plane::InPlane),
+                  support_groups(setting.scenarios, Plane::OutOfPlane)} {
+        for (const Plane plane : kPlanes) {
+            for (int i = 0; i < kSectors; ++i) {
+                turns_[index(plane)][i] = detail::turn_to(plane, std::numbers::pi * (1.5 + i / 3.0));
+            }
+        }
+    }
+
+    [[nodiscard]] UnitDisplacements displacements(const Paper6Parameters& parameters) const {
+        UnitDisplacements result(scenario_count_, mechanics::NodeValues::Zero(kSectors, 6));
+        for (const Plane plane : kPlanes) {
+            const CondensedHexagon hexagon(
+                detail::hexagon_blocks(plane, plane_parameters(plane, parameters), apothem_));
+            const PlaneStiffness stiffness = global_stiffness(plane, hexagon);
+            for (const SupportGroup& group : groups_[index(plane)]) {
+                const Factor factor(stiffness, group);
+                for (const auto& load_case : group.cases) {
+                    write(factor.solve(load_case.load), plane, result[load_case.scenario]);
+                }
+            }
+        }
+        return result;
+    }
+
+    [[nodiscard]] UnitDisplacementsAndDerivatives derivatives(const Paper6Parameters& parameters) const {
+        UnitDisplacementsAndDerivatives result{
+            UnitDisplacements(scenario_count_, mechanics::NodeValues::Zero(kSectors, 6)),
+            std::vector<Eigen::MatrixXd>(scenario_count_, Eigen::MatrixXd::Zero(6 * kSectors, 6))};
+        for (const Plane plane : kPlanes) {
+            const PlaneParameters own = plane_parameters(plane, parameters);
+            const CondensedHexagon hexagon(detail::hexagon_blocks(plane, own, apothem_));
+            const auto changes = detail::hexagon_block_derivatives(plane, own, apothem_);
+            const PlaneStiffness stiffness = global_stiffness(plane, hexagon);
+            for (const SupportGroup& group : groups_[index(plane)]) {
+                const Factor factor(stiffness, group);
+                for (const auto& load_case : group.cases) {
+                    const PlaneVector solution = factor.solve(load_case.load);
+                    write(solution, plane, result.displacements[load_case.scenario]);
+                    differentiate({plane, hexagon, changes, factor}, solution,
+                                  result.derivatives[load_case.scenario]);
+                }
+            }
+        }
+        return result;
+    }
+
+    /// Throws InputError if the scenario leaves the tile free to move.
+    void check_holds(const Scenario& scenario, const Paper6Parameters& parameters) const {
+        for (const Plane plane : kPlanes) {
+            const CondensedHexagon hexagon(
+                detail::hexagon_blocks(plane, plane_parameters(plane, parameters), apothem_));
+            const SupportGroup group{free_dofs(scenario, plane), {}};
+            const PlaneStiffness stiffness = global_stiffness(plane, hexagon);
+            const FreeMatrix free = stiffness(group.free_dofs, group.free_dofs);
+            if (group.free_dofs.empty() || free.ldlt().rcond() > kSmallestConditioning) continue;
+            throw base::InputError("scenario '" + scenario.name + "' lets the tile move freely " +
+                                   (plane == Plane::InPlane ? "in its plane" : "out of its plane"));
+        }
+    }
+
+  private:
+    static constexpr std::array kPlanes = {Plane::InPlane, Plane::OutOfPlane};
+    static constexpr double kSmallestConditioning = 1e-13;
+    static std::size_t index(Plane plane) { return static_cast<std::size_t>(plane); }
+
+    /// The factorized stiffness of the free dofs of one support group.
+    class Factor {
+      public:
+        Factor(const PlaneStiffness& stiffness, const SupportGroup& group)
+            : group_(group), factor_(FreeMatrix(stiffness(group.free_dofs, group.free_dofs))) {}
+
+        [[nodiscard]] PlaneVector solve(const PlaneVector& load) const {
+            PlaneVector result = PlaneVector::Zero();
+            if (factor_.info() != Eigen::Success) {
+                result.setConstant(std::numeric_limits<double>::quiet_NaN());
+                return result;
+            }
+            const FreeVector free_load = load(group_.free_dofs);
+            const FreeVector solution = factor_.solve(free_load);
+            result(group_.free_dofs) = solution;
+            return result;
+        }
+
+      private:
+        const SupportGroup& group_;
+        Eigen::LLT<FreeMatrix> factor_;
+    };
+
+    /// What one plane at given parameters is.
+    struct PlaneState {
+        Plane plane;
+        const CondensedHexagon& hexagon;
+        const std::array<HexagonBlocks, kPlaneParameters>& changes;
+        const Factor& factor;
+    };
+
+    [[nodiscard]] PlaneParameters plane_parameters(Plane plane, const Paper6Parameters& p) const {
+        const double E = material_.young_modulus;
+        if (plane == Plane::InPlane) return {E * p.A, E * p.I3, p.theta, p.R};
+        return {material_.shear_modulus() * p.J, E * p.I2, p.theta, p.R};
+    }
+
+    /// How fast a plane's own four parameters change with those of the model.
+    [[nodiscard]] std::array<double, kPlaneParameters> parameter_rates(Plane plane) const {
+        const double E = material_.young_modulus;
+        return {plane == Plane::InPlane ? E : material_.shear_modulus(), E, 1.0, 1.0};
+    }
+
+    [[nodiscard]] PlaneStiffness global_stiffness(Plane plane, const CondensedHexagon& hexagon) const {
+        PlaneStiffness stiffness = hexagon.stiffness();
+        const auto& turns = turns_[index(plane)];
+        for (int i = 0; i < kSectors; ++i) {
+            for (int j = 0; j < kSectors; ++j) {
+                auto block = stiffness.block<3, 3>(3 * i, 3 * j);
+                block = (turns[i].transpose() * block * turns[j]).eval();
+            }
+        }
+        return stiffness;
+    }
+
+    static void write(const PlaneVector& solution, Plane plane, mechanics::NodeValues& displacements) {
+        const auto components = plane_components(plane);
+        for (int node = 0; node < kSectors; ++node) {
+            for (int c = 0; c < 3; ++c) displacements(node, components[c]) = solution[3 * node + c];
+        }
+    }
+
+    void differentiate(const PlaneState& state, const PlaneVector& solution,
+                       Eigen::MatrixXd& derivatives) const {
+        const auto& turns = turns_[index(state.plane)];
+        NodeColumns interface;
+        for (int i = 0; i < kSectors; ++i) interface.col(i) = turns[i] * solution.segment<3>(3 * i);
+        const NodeColumns ring = state.hexagon.ring_displacements(interface);
+        const auto components = plane_components(state.plane);
+        const auto columns = parameter_columns(state.plane);
+        const auto rates = parameter_rates(state.plane);
+        for (int p = 0; p < kPlaneParameters; ++p) {
+            const NodeColumns forces = state.hexagon.changed_forces(state.changes[p], interface, ring);
+            PlaneVector load;
+            for (int i = 0; i < kSectors; ++i) {
+                load.segment<3>(3 * i) = -rates[p] * (turns[i].transpose() * forces.col(i));
+            }
+            const PlaneVector change = state.factor.solve(load);
+            for (int node = 0; node < kSectors; ++node) {
+                for (int c = 0; c < 3; ++c)
+                    derivatives(6 * node + components[c], columns[p]) = change[3 * node + c];
+            }
+        }
+    }
+
+    mechanics::Material material_;
+    double apothem_;
+    std::size_t scenario_count_;
+    std::array<std::vector<SupportGroup>, 2> groups_;
+    std::array<std::array<Eigen::Matrix3d, kSectors>, 2> turns_;
+};
+
+Paper6Hexagon::Paper6Hexagon(const Setting& setting) {
+    setting.validate();
+    if (setting.sides != kSectors) {
+        throw base::InputError(
+            "the six-parameter model is calibrated in a hexagon; the setting's polygon has " +
+            std::to_string(setting.sides) + " sides");
+    }
+    impl_ = std::make_unique<Impl>(setting);
+    const mechanics::Section& bar = setting.section;
+    for (const Scenario& scenario : setting.scenarios) {
+        impl_->check_holds(scenario, {bar.area, bar.I2, bar.I3, bar.J, 0.0, setting.tile_side / 2.0});
+    }
+}
+Paper6Hexagon::Paper6Hexagon(Paper6Hexagon&&) noexcept = default;
+Paper6Hexagon& Paper6Hexagon::operator=(Paper6Hexagon&&) noexcept = default;
+Paper6Hexagon::~Paper6Hexagon() = default;
+
+UnitDisplacements Paper6Hexagon::displacements(const Paper6Parameters& parameters) const {
+    return impl_->displacements(parameters);
+}
+
+UnitDisplacementsAndDerivatives Paper6Hexagon::derivatives(const Paper6Parameters& parameters) const {
+    return impl_->derivatives(parameters);
+}
+
+}  // namespace fretwork::reduction

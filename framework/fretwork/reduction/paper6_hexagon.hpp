@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/reduction/calibration.hpp>
+
+#include <memory>
+#include <vector>
+
+namespace fretwork::reduction {
+
+/// What a linear model does under each scenario at a magnitude of 1 N: one row for each interface node.
+using UnitDisplacements = std::vector<mechanics::NodeValues>;
+
+/// The same with derivatives: for each scenario 6n rows (node by node) and one column a parameter.
+struct UnitDisplacementsAndDerivatives {
+    UnitDisplacements displacements;
+    std::vector<Eigen::MatrixXd> derivatives;
+};
+
+/// The paper's six-parameter model in the setting's hexagon, made for being solved millions of times: linear
+/// Euler-Bernoulli beams, the two planes apart, the ring eliminated by the hexagon's symmetry. It equals
+/// paper6_tile under mechanics::solve_linear.
+///
+/// One solution for each scenario serves all magnitudes; derivatives (with respect to A, I2, I3, J, theta, R)
+/// come from the same factorization: K dd = -dK d. Immutable and thread-safe.
+class Paper6Hexagon {
+  public:
+    /// Throws InputError unless the setting's polygon is a hexagon and each scenario holds it.
+    explicit Paper6Hexagon(const Setting& setting);
+    Paper6Hexagon(Paper6Hexagon&&) noexcept;
+    Paper6Hexagon& operator=(Paper6Hexagon&&) noexcept;
+    ~Paper6Hexagon();
+
+    /// Not finite where round-off leaves the stiffness indefinite.
+    [[nodiscard]] UnitDisplacements displacements(const Paper6Parameters& parameters) const;
+    [[nodiscard]] UnitDisplacementsAndDerivatives derivatives(const Paper6Parameters& parameters) const;
+
+  private:
+    class Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace fretwork::reduction

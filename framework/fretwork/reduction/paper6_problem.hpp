@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/optimization/problem.hpp>
+#include <fretwork/reduction/objective.hpp>
+
+namespace fretwork::reduction {
+
+/// The bounds of the six parameters: A, I2, I3, J within [0.001, 1000] times the bar's own (Section 5.3);
+/// theta within 30 degrees; R within [0.001, 0.999] of the centroid-to-side distance, since at the whole of
+/// it and theta = 0 the links would vanish (Eq. (7) allows that).
+struct Paper6Bounds {
+    Paper6Parameters lower;
+    Paper6Parameters upper;
+};
+Paper6Bounds paper6_bounds(const Setting& setting);
+
+/// The calibration of the paper's model to one pattern as a problem to be minimized. Variables: the natural
+/// logarithms of A, I2, I3 and J as multiples of the bar's own, theta in radians, and R as a share of the
+/// centroid-to-side distance. An evaluation of any kind costs one factorization of the model's stiffness.
+class Paper6Problem final : public optimization::Problem {
+  public:
+    /// Keeps references to both.
+    Paper6Problem(const Paper6Hexagon& model, const Objective& objective, const Setting& setting);
+
+    [[nodiscard]] std::string name() const override { return "paper6"; }
+    [[nodiscard]] const optimization::Bounds& bounds() const override { return bounds_; }
+    [[nodiscard]] bool offers(optimization::Evaluation) const override { return true; }
+    [[nodiscard]] std::string cost_unit() const override { return "stiffness factorizations"; }
+    [[nodiscard]] bool has_kinks() const override { return true; }
+
+    [[nodiscard]] double value(const Eigen::VectorXd& point) const override;
+    [[nodiscard]] optimization::GradientEvaluation gradient(const Eigen::VectorXd& point,
+                                                            double smoothing) const override;
+    [[nodiscard]] optimization::ResidualEvaluation residuals(const Eigen::VectorXd& point,
+                                                             double smoothing) const override;
+    [[nodiscard]] optimization::CurvatureEvaluation curvature(const Eigen::VectorXd& point,
+                                                              double smoothing) const override;
+
+    [[nodiscard]] Paper6Parameters parameters(const Eigen::VectorXd& point) const;
+    [[nodiscard]] Eigen::VectorXd point(const Paper6Parameters& parameters) const;
+
+  private:
+    [[nodiscard]] UnitDisplacementsAndDerivatives model_at(const Eigen::VectorXd& point) const;
+
+    const Paper6Hexagon& model_;
+    const Objective& objective_;
+    Paper6Parameters unit_;  ///< what the variables are multiples of
+    optimization::Bounds bounds_;
+};
+
+}  // namespace fretwork::reduction
