@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// fretwork solve: any beam structure, from a frame file.
+#include "verbs.hpp"
+
+#include <fretwork/base/detail/json_text.hpp>
+#include <fretwork/mechanics/equilibrium.hpp>
+#include <fretwork/mechanics/linear_solver.hpp>
+#include <fretwork/mechanics/result_file.hpp>
+
+#include <chrono>
+#include <cstdio>
+#include <memory>
+
+namespace fretwork::app {
+namespace {
+
+constexpr const char* kExample = R"(
+Examples:
+  fretwork solve frame.json --out result.json                   nonlinear, to the full load
+  fretwork solve frame.json --solver linear --out result.json
+  fretwork solve frame.json --steps 20 --out result.json        with the 20 equilibria on the way)";
+
+/// Equilibria on the way to the full load where none are asked for: enough that the path is followed and not
+/// jumped from.
+constexpr int kDefaultSteps = 10;
+
+struct Wishes {
+    std::string frame;
+    std::string solver = "newton";
+    std::string out;
+    int steps = 0;
+    bool lumped_gravity = false;
+    bool json = false;
+};
+
+std::vector<mechanics::Solution> follow(const mechanics::Assembly& assembly, int steps) {
+    std::vector<double> factors;
+    for (int k = 1; k <= steps; ++k) factors.push_back(static_cast<double>(k) / steps);
+    return mechanics::follow_load_path(assembly, factors);
+}
+
+mechanics::Result solve(const mechanics::Frame& frame, const Wishes& wishes) {
+    mechanics::Result result;
+    result.solver = wishes.solver;
+    for (std::size_t i = 0; i < frame.nodes.size(); ++i)
+        result.nodes.push_back({static_cast<int>(i), frame.nodes[i], false});
+    const auto start = std::chrono::steady_clock::now();
+    const mechanics::Assembly assembly =
+        mechanics::assemble(frame, {.lumped_gravity = wishes.lumped_gravity});
+    if (wishes.solver == "linear") {
+        result.solution = mechanics::solve_linear(assembly);
+    } else {
+        auto steps = follow(assembly, wishes.steps > 0 ? wishes.steps : kDefaultSteps);
+        result.solution = steps.back();
+        result.solution.iterations = 0;
+        for (const mechanics::Solution& step : steps) result.solution.iterations += step.iterations;
+        if (wishes.steps > 0) result.load_steps = std::move(steps);
+    }
+    result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return result;
+}
+
+base::detail::Json summary_of(const mechanics::Result& result) {
+    const mechanics::Solution& solution = result.solution;
+    return {{"solver", result.solver},
+            {"converged", solution.converged()},
+            {"termination", mechanics::termination_name(solution.termination)},
+            {"load_factor", solution.load_factor},
+            {"stable", solution.stable},
+            {"stability", mechanics::stability_test_name(solution.stability)},
+            {"largest_displacement", solution.displacements.leftCols<3>().rowwise().norm().maxCoeff()},
+            {"largest_rotation", solution.displacements.rightCols<3>().rowwise().norm().maxCoeff()},
+            {"energy", solution.energy},
+            {"residual", solution.residual},
+            {"iterations", solution.iterations},
+            {"seconds", result.seconds}};
+}
+
+std::string stability_text(const mechanics::Solution& solution) {
+    switch (solution.stability) {
+        case mechanics::StabilityTest::None:
+            return "";
+        case mechanics::StabilityTest::Tangent:
+            return solution.stable ? ", stable" : ", unstable";
+        case mechanics::StabilityTest::SymmetricPart:
+            return solution.stable ? ", stable" : ", stability undecided (moments of fixed direction)";
+    }
+    return "";
+}
+
+void print(const mechanics::Result& result, const base::detail::Json& summary) {
+    const mechanics::Solution& solution = result.solution;
+    std::printf("%zu nodes, %s: %s%s\n", result.nodes.size(), result.solver.c_str(),
+                std::string(mechanics::termination_name(solution.termination)).c_str(),
+                stability_text(solution).c_str());
+    if (!solution.converged())
+        std::printf("the path ends at %.6g of the load; the result holds the last equilibrium\n",
+                    solution.load_factor);
+    std::printf("largest displacement %.6g mm, largest rotation %.6g deg\n",
+                1e3 * summary["largest_displacement"].get<double>(),
+                summary["largest_rotation"].get<double>() * 57.29577951308232);
+    std::printf("relative residual %.1e, %d iterations, %.3g s\n", solution.residual, solution.iterations,
+                result.seconds);
+}
+
+ExitCode run(const Wishes& wishes) {
+    const mechanics::Frame frame = mechanics::read_frame(wishes.frame);
+    const mechanics::Result result = solve(frame, wishes);
+    mechanics::write_result(result, wishes.out);
+    const base::detail::Json summary = summary_of(result);
+    if (wishes.json) {
+        std::fputs(base::detail::json_text(summary).c_str(), stdout);
+    } else {
+        print(result, summary);
+        std::printf("wrote %s\n", wishes.out.c_str());
+    }
+    return result.solution.converged() ? ExitCode::Done : ExitCode::DidNotSucceed;
+}
+
+}  // namespace
+
+void add_solve(CLI::App& app, ExitCode& exit_code) {
+    auto wishes = std::make_shared<Wishes>();
+    CLI::App* verb = app.add_subcommand("solve", "Solve any beam structure from a frame file.");
+    verb->footer(kExample);
+    verb->add_option("frame", wishes->frame, "frame file")->required();
+    verb->add_option("--solver", wishes->solver, "linear, or newton: large displacements and rotations")
+        ->check(CLI::IsMember({"linear", "newton"}))
+        ->capture_default_str();
+    verb->add_option("--steps", wishes->steps, "reach the load in so many steps, and write each of them")
+        ->check(CLI::Range(1, 100000));
+    verb->add_flag("--lumped-gravity", wishes->lumped_gravity,
+                   "half of a beam's weight on each end, no moments");
+    verb->add_option("--out", wishes->out, "result file")->required();
+    verb->add_flag("--json", wishes->json, "print a summary for programs");
+    verb->callback([wishes, &exit_code] { exit_code = run(*wishes); });
+}
+
+}  // namespace fretwork::app
