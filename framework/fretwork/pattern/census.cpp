@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/parallel.hpp>
 #include <fretwork/pattern/census.hpp>
+#include <fretwork/pattern/detail/rule_counts.hpp>
 #include <fretwork/pattern/detail/rule_test.hpp>
 
 #include <algorithm>
@@ -9,16 +10,6 @@ namespace fretwork::pattern {
 namespace {
 
 using detail::Word64;
-
-/// C(n, k).
-GraphCount binomial(int n, int k) {
-    std::vector<GraphCount> row(static_cast<std::size_t>(n) + 1);
-    row[0] = 1;
-    for (int i = 1; i <= n; ++i) {
-        for (int j = i; j >= 1; --j) row[static_cast<std::size_t>(j)] += row[static_cast<std::size_t>(j) - 1];
-    }
-    return row[static_cast<std::size_t>(k)];
-}
 
 /// For each number of edges, how many graphs break each rule, and none.
 struct Tally {
@@ -70,10 +61,18 @@ void fill(Census& census, const Tally& tally) {
     }
 }
 
-void fill(Census& census, const PatternCount& count) {
-    for (CensusRow& row : census.rows) {
-        row.rejected.resize(census.filters.size());
-        row.valid = count.by_edges[static_cast<std::size_t>(row.edges)];
+/// What can be said of a layout whose graphs are too many to walk.
+void fill_without_walking(Census& census, const NodeLayout& layout, const std::vector<Filter>& filters,
+                          const EnumerationOptions& options) {
+    const PatternCount valid = count_patterns(layout, options);
+    for (CensusRow& row : census.rows) row.valid = valid.by_edges[static_cast<std::size_t>(row.edges)];
+    for (const Filter& filter : filters) {
+        const auto kept =
+            detail::count_graphs_that_keep(filter.rule, static_cast<int>(layout.candidate_edges().size()));
+        for (CensusRow& row : census.rows) {
+            row.rejected.push_back(std::nullopt);
+            if (kept) row.rejected.back() = row.patterns - (*kept)[static_cast<std::size_t>(row.edges)];
+        }
     }
 }
 
@@ -102,11 +101,11 @@ Census take_census(const NodeLayout& layout, const EnumerationOptions& options) 
     for (const Filter& filter : filters) census.filters.push_back(filter.name);
     const int edge_count = static_cast<int>(layout.candidate_edges().size());
     for (int k = options.edges.least; k <= std::min(options.edges.most, edge_count); ++k)
-        census.rows.push_back({k, binomial(edge_count, k), {}, 0});
+        census.rows.push_back({k, detail::binomial(edge_count, k), {}, 0});
     if (edge_count <= kMostEdgesWalked) {
         fill(census, tally_all_graphs(layout, filters, options));
     } else {
-        fill(census, count_patterns(layout, options));
+        fill_without_walking(census, layout, filters, options);
     }
     return census;
 }

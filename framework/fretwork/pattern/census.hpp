@@ -36,7 +36,8 @@ struct Census {
 inline constexpr int kMostEdgesWalked = 20;
 
 /// Count what each filter rejects and what all of them leave. Up to kMostEdgesWalked candidate edges every
-/// graph is walked.
+/// graph is walked. Beyond, valid patterns are searched for, rules about pairs, loads and groups of edges are
+/// counted in closed form, and the columns of the graph rules stay empty.
 Census take_census(const NodeLayout& layout, const EnumerationOptions& options = {});
 
 /// The table as CSV with LF: edges, patterns, one column for each filter, valid. What could not be counted is
