@@ -39,12 +39,14 @@ std::size_t IndependentSets<Word>::WordHash::operator()(Word word) const {
 
 template <class Word>
 IndependentSets<Word>::IndependentSets(std::vector<Word> conflicts, Word edges, std::size_t most_parts)
-    : conflicts_(std::move(conflicts)), edges_(edges), most_parts_(most_parts) {
+    : conflicts_(std::move(conflicts)), most_parts_(most_parts) {
+    Word possible = edges;
     for_each_bit(edges, [&](int edge) {
         if ((conflicts_[static_cast<std::size_t>(edge)] & single<Word>(edge)) != 0)
-            edges_ &= ~single<Word>(edge);
+            possible &= ~single<Word>(edge);
     });
-    counts_ = count(edges_);
+    all_ = make_forest(possible);
+    numbers_.clear();
 }
 
 /// The edges that chains of conflicts join with the lowest one.
@@ -74,76 +76,63 @@ int IndependentSets<Word>::most_conflicting(Word part) const {
 }
 
 template <class Word>
-CountsBySize IndependentSets<Word>::count(Word edges) {
-    CountsBySize result{1};
+typename IndependentSets<Word>::Forest IndependentSets<Word>::make_forest(Word edges) {
+    Forest forest;
     while (edges != 0 && is_counted_) {
         const Word part = part_of_lowest(edges);
-        result = product(result, count_part(part));
+        forest.parts.push_back(make_part(part));
         edges &= ~part;
     }
-    return result;
+    forest.tails.assign(forest.parts.size() + 1, CountsBySize{1});
+    for (std::size_t i = forest.parts.size(); i-- > 0;)
+        forest.tails[i] = product(parts_[forest.parts[i]].counts, forest.tails[i + 1]);
+    return forest;
 }
 
 template <class Word>
-const CountsBySize& IndependentSets<Word>::count_part(Word part) {
-    if (const auto known = parts_.find(part); known != parts_.end()) return known->second;
-    const int edge = most_conflicting(part);
-    const Word others = part & ~single<Word>(edge);
-    const CountsBySize without = count(others);
-    const CountsBySize with = count(others & ~conflicts_[static_cast<std::size_t>(edge)]);
+std::size_t IndependentSets<Word>::make_part(Word edges) {
+    if (const auto known = numbers_.find(edges); known != numbers_.end()) return known->second;
+    Part part;
+    part.edge = most_conflicting(edges);
+    const Word others = edges & ~single<Word>(part.edge);
+    part.without = make_forest(others);
+    part.with = make_forest(others & ~conflicts_[static_cast<std::size_t>(part.edge)]);
+    part.counts = sum(part.without.tails.front(), part.with.tails.front());
     is_counted_ = is_counted_ && parts_.size() < most_parts_;
-    return parts_.emplace(part, sum(without, with)).first->second;
-}
-
-template <class Word>
-CountsBySize IndependentSets<Word>::known_counts(Word edges) const {
-    CountsBySize result{1};
-    while (edges != 0) {
-        const Word part = part_of_lowest(edges);
-        result = product(result, known_part(part));
-        edges &= ~part;
-    }
-    return result;
+    parts_.push_back(std::move(part));
+    numbers_.emplace(edges, parts_.size() - 1);
+    return parts_.size() - 1;
 }
 
 template <class Word>
 Word IndependentSets<Word>::draw(int size, RandomStream& random) const {
-    return draw_from(edges_, size, random);
+    return draw_from(all_, size, random);
 }
 
-/// Share the members out between the first part and the rest, by how many sets each share allows.
+/// Share the members out between each part and those after it, by how many sets each share allows.
 template <class Word>
-Word IndependentSets<Word>::draw_from(Word edges, int size, RandomStream& random) const {
+Word IndependentSets<Word>::draw_from(const Forest& forest, int size, RandomStream& random) const {
     Word chosen = 0;
-    while (size > 0) {
-        const Word part = part_of_lowest(edges);
-        edges &= ~part;
-        const CountsBySize& here = known_part(part);
-        const CountsBySize rest = known_counts(edges);
-        GraphCount pick = 0;
-        for (int k = 0; k <= size; ++k) pick += entry(here, k) * entry(rest, size - k);
-        pick = random.below(pick);
+    for (std::size_t i = 0; size > 0; ++i) {
+        const Part& part = parts_[forest.parts[i]];
+        const CountsBySize& tail = forest.tails[i + 1];
+        GraphCount pick = random.below(entry(forest.tails[i], size));
         int share = 0;
-        while (pick >= entry(here, share) * entry(rest, size - share)) {
-            pick -= entry(here, share) * entry(rest, size - share);
-            ++share;
-        }
-        chosen |= draw_from_part(part, share, random);
+        for (GraphCount ways = 0; pick >= (ways = entry(part.counts, share) * entry(tail, size - share));
+             ++share)
+            pick -= ways;
+        chosen |= draw_from(part, share, random);
         size -= share;
     }
     return chosen;
 }
 
 template <class Word>
-Word IndependentSets<Word>::draw_from_part(Word part, int size, RandomStream& random) const {
+Word IndependentSets<Word>::draw_from(const Part& part, int size, RandomStream& random) const {
     if (size == 0) return 0;
-    const int edge = most_conflicting(part);
-    const Word others = part & ~single<Word>(edge);
-    const Word compatible = others & ~conflicts_[static_cast<std::size_t>(edge)];
-    const GraphCount with = entry(known_counts(compatible), size - 1);
-    if (random.below(entry(known_part(part), size)) < with)
-        return single<Word>(edge) | draw_from(compatible, size - 1, random);
-    return draw_from(others, size, random);
+    if (random.below(entry(part.counts, size)) < entry(part.with.tails.front(), size - 1))
+        return single<Word>(part.edge) | draw_from(part.with, size - 1, random);
+    return draw_from(part.without, size, random);
 }
 
 template class IndependentSets<Word64>;

@@ -29,29 +29,39 @@ class IndependentSets {
     /// False if counting gave up; then nothing else may be called.
     [[nodiscard]] bool is_counted() const { return is_counted_; }
     /// How many sets there are of each size.
-    [[nodiscard]] const CountsBySize& counts() const { return counts_; }
+    [[nodiscard]] const CountsBySize& counts() const { return all_.tails.front(); }
     /// A set of `size` members, each with the same probability. Pre: counts()[size] > 0.
     [[nodiscard]] Word draw(int size, RandomStream& random) const;
 
   private:
+    /// Parts without conflicts between them. `tails[i]` counts the sets within parts i and after.
+    struct Forest {
+        std::vector<std::size_t> parts;
+        std::vector<CountsBySize> tails;
+    };
+    /// A part, as its most conflicting edge divides it.
+    struct Part {
+        int edge = 0;
+        Forest without;  ///< what is left of the part if the edge is not chosen
+        Forest with;     ///< if it is
+        CountsBySize counts;
+    };
     struct WordHash {
         std::size_t operator()(Word word) const;
     };
     [[nodiscard]] Word part_of_lowest(Word edges) const;
     [[nodiscard]] int most_conflicting(Word part) const;
-    CountsBySize count(Word edges);
-    const CountsBySize& count_part(Word part);
-    [[nodiscard]] CountsBySize known_counts(Word edges) const;
-    [[nodiscard]] const CountsBySize& known_part(Word part) const { return parts_.at(part); }
-    [[nodiscard]] Word draw_from_part(Word part, int size, RandomStream& random) const;
-    [[nodiscard]] Word draw_from(Word edges, int size, RandomStream& random) const;
+    Forest make_forest(Word edges);
+    std::size_t make_part(Word edges);
+    [[nodiscard]] Word draw_from(const Forest& forest, int size, RandomStream& random) const;
+    [[nodiscard]] Word draw_from(const Part& part, int size, RandomStream& random) const;
 
     std::vector<Word> conflicts_;
-    Word edges_;
     std::size_t most_parts_;
     bool is_counted_ = true;
-    std::unordered_map<Word, CountsBySize, WordHash> parts_;
-    CountsBySize counts_;
+    std::vector<Part> parts_;
+    std::unordered_map<Word, std::size_t, WordHash> numbers_;  ///< of the parts that are known
+    Forest all_;
 };
 
 extern template class IndependentSets<Word64>;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <numeric>
 #include <string>
 #include <unordered_map>
 
@@ -48,11 +49,12 @@ std::optional<CountsBySize> count(const CoverRule& rule, int edge_count) {
 /// resource that no later edge loads is forgotten.
 class LoadTable {
   public:
-    explicit LoadTable(const CapacityRule& rule) : rule_(&rule), last_edge_(rule.resources.size(), -1) {
+    /// @param order  in which edges will be offered
+    LoadTable(const CapacityRule& rule, const std::vector<int>& order)
+        : rule_(&rule), last_edge_(rule.resources.size(), -1) {
         for (std::size_t r = 0; r < rule.resources.size(); ++r) {
-            const std::vector<int>& loads = rule.resources[r].loads;
-            for (std::size_t e = 0; e < loads.size(); ++e) {
-                if (loads[e] > 0) last_edge_[r] = static_cast<int>(e);
+            for (const int edge : order) {
+                if (rule.resources[r].loads[static_cast<std::size_t>(edge)] > 0) last_edge_[r] = edge;
             }
         }
         table_[Loads(rule.resources.size(), '\0')] = {1};
@@ -105,11 +107,28 @@ class LoadTable {
     Table table_;
 };
 
+/// All edges that load the first resource, then the others that load the second, and so on: resources are
+/// done with one by one, and the table stays small.
+std::vector<int> elimination_order(const CapacityRule& rule, int edge_count) {
+    const auto first_resource = [&](int edge) {
+        const auto loaded = std::find_if(
+            rule.resources.begin(), rule.resources.end(),
+            [&](const auto& resource) { return resource.loads[static_cast<std::size_t>(edge)] > 0; });
+        return loaded - rule.resources.begin();
+    };
+    std::vector<int> order(static_cast<std::size_t>(edge_count));
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(),
+                     [&](int a, int b) { return first_resource(a) < first_resource(b); });
+    return order;
+}
+
 std::optional<CountsBySize> count(const CapacityRule& rule, int edge_count) {
     constexpr int kMostInAByte = 100;
     if (rule.limit > kMostInAByte) return std::nullopt;
-    LoadTable table(rule);
-    for (int edge = 0; edge < edge_count; ++edge) {
+    const std::vector<int> order = elimination_order(rule, edge_count);
+    LoadTable table(rule, order);
+    for (const int edge : order) {
         table.offer(edge);
         if (table.size() > kMostStates) return std::nullopt;
     }
