@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace fretwork::library {
 namespace {
@@ -58,6 +59,31 @@ bool comes_before(const PatternEntry& left, const PatternEntry& right) {
     const int right_count = right.pattern.edge_count();
     if (left_count != right_count) return left_count < right_count;
     return left.pattern.edges() < right.pattern.edges();
+}
+
+using SummariesById = std::map<std::string, PatternSummary, std::less<>>;
+
+void collect_responses(const Database& database, SummariesById& by_id) {
+    Statement rows(
+        database,
+        "SELECT pattern_id, count(*), sum(converged), sum(converged AND stable) FROM response_state "
+        "GROUP BY pattern_id");
+    while (rows.step()) {
+        PatternSummary& summary = by_id[std::string(rows.text(0))];
+        summary.samples = static_cast<int>(rows.integer(1));
+        summary.converged_samples = static_cast<int>(rows.integer(2));
+        summary.stable_samples = static_cast<int>(rows.integer(3));
+    }
+}
+
+void collect_calibrations(const Database& database, SummariesById& by_id) {
+    Statement rows(database,
+                   "SELECT pattern_id, count(*), min(objective) FROM calibration GROUP BY pattern_id");
+    while (rows.step()) {
+        PatternSummary& summary = by_id[std::string(rows.text(0))];
+        summary.calibrations = static_cast<int>(rows.integer(1));
+        summary.best_objective = rows.real(2);
+    }
 }
 
 }  // namespace
@@ -303,6 +329,21 @@ std::size_t Library::pattern_count() const {
 std::vector<PatternEntry> Library::patterns() const {
     Statement ids(impl_->database, "SELECT id FROM pattern");
     return impl_->select_patterns(ids);
+}
+
+std::vector<PatternSummary> Library::summaries() const {
+    const Transaction snapshot(impl_->database, Transaction::Kind::Read);
+    SummariesById by_id;
+    collect_responses(impl_->database, by_id);
+    collect_calibrations(impl_->database, by_id);
+    for (const Failure& failure : failures()) ++by_id[failure.pattern].failures;
+    std::vector<PatternSummary> list;
+    for (const PatternEntry& entry : patterns()) {
+        list.push_back(by_id[entry.id]);
+        list.back().pattern = entry.id;
+        list.back().edges = entry.pattern.edge_count();
+    }
+    return list;
 }
 
 PatternEntry Library::find_pattern(std::string_view id) const {

@@ -54,6 +54,18 @@ struct PatternData {
     std::vector<std::pair<std::string, double>> properties;  ///< name and value, SI
 };
 
+/// What a library has of one pattern, in numbers.
+struct PatternSummary {
+    std::string pattern;  ///< id
+    int edges = 0;
+    int samples = 0;            ///< of its responses: scenarios times magnitudes; 0: no responses
+    int converged_samples = 0;  ///< of them
+    int stable_samples = 0;     ///< of those that converged
+    int calibrations = 0;
+    std::optional<double> best_objective{};  ///< of them
+    int failures = 0;
+};
+
 /// A pattern on which a computation failed. It is recorded, and does not stop the rest.
 struct Failure {
     std::string pattern;  ///< id
@@ -104,6 +116,8 @@ class Library {
     /// All patterns by number of edges, then by their edges: the order of the enumeration, however they came
     /// in.
     [[nodiscard]] std::vector<PatternEntry> patterns() const;
+    /// One row for each of patterns().
+    [[nodiscard]] std::vector<PatternSummary> summaries() const;
     /// The pattern of an id, given as pattern::parse_pattern_id takes it. Throws InputError that names the
     /// nearest id.
     [[nodiscard]] PatternEntry find_pattern(std::string_view id) const;

@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// fretwork library: look into a pattern library, merge shards, write its tables and meshes.
+#include "verbs.hpp"
+
+#include <fretwork/base/detail/json_text.hpp>
+#include <fretwork/base/error.hpp>
+#include <fretwork/base/text.hpp>
+#include <fretwork/exports/library_meshes.hpp>
+#include <fretwork/library/library.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+namespace fretwork::app {
+namespace {
+
+using base::detail::Json;
+using library::CalibrationRecord;
+using library::Library;
+using library::PatternSummary;
+
+constexpr const char* kExamples = R"(
+Examples:
+  fretwork library list --library lib.db
+  fretwork library show 0-1+1-6 --library lib.db --json
+  fretwork library merge all.db shard1.db shard2.db
+  fretwork library export --library lib.db --csv tables --meshes meshes)";
+
+struct Options {
+    std::string library;
+    std::string pattern;
+    std::string output;
+    std::vector<std::filesystem::path> inputs;
+    std::string csv;
+    std::string meshes;
+    bool ply = false;
+    bool json = false;
+};
+
+Library open_library(const Options& options) {
+    if (options.library.empty()) throw base::InputError("--library", "", "is needed: the library's file");
+    return Library::open(options.library);
+}
+
+void print(const Json& document) {
+    std::fputs(base::detail::json_text(document).c_str(), stdout);
+}
+
+// ---- list ----
+
+Json optional_number(const std::optional<double>& value) {
+    return value ? Json(*value) : Json(nullptr);
+}
+
+Json list_json(const Library& library, const std::vector<PatternSummary>& summaries) {
+    Json patterns = Json::array();
+    for (const PatternSummary& summary : summaries) {
+        patterns.push_back({{"id", summary.pattern},
+                            {"edges", summary.edges},
+                            {"samples", summary.samples},
+                            {"converged_samples", summary.converged_samples},
+                            {"stable_samples", summary.stable_samples},
+                            {"calibrations", summary.calibrations},
+                            {"best_objective", optional_number(summary.best_objective)},
+                            {"failures", summary.failures}});
+    }
+    return {{"layout", library.layout().name()},
+            {"content_hash", library.content_hash()},
+            {"patterns", std::move(patterns)}};
+}
+
+void print_list(const std::vector<PatternSummary>& summaries) {
+    std::size_t width = 2;
+    for (const PatternSummary& summary : summaries) width = std::max(width, summary.pattern.size());
+    std::printf("%-*s  edges  samples  converged  stable  calibrations  best E\n", static_cast<int>(width),
+                "id");
+    for (const PatternSummary& summary : summaries) {
+        std::printf("%-*s  %5d  %7d  %9d  %6d  %12d  ", static_cast<int>(width), summary.pattern.c_str(),
+                    summary.edges, summary.samples, summary.converged_samples, summary.stable_samples,
+                    summary.calibrations);
+        if (summary.best_objective) std::printf("%6.3f", *summary.best_objective);
+        std::printf("%s\n", summary.failures > 0 ? "  failed: library show tells why" : "");
+    }
+}
+
+void print_totals(const Library& library, const std::vector<PatternSummary>& summaries) {
+    const auto count = [&](auto&& predicate) { return std::ranges::count_if(summaries, predicate); };
+    std::printf("\n%zu patterns of the layout %s: %td with responses, %td calibrated, %td with failures\n",
+                summaries.size(), library.layout().name().c_str(),
+                count([](const PatternSummary& s) { return s.samples > 0; }),
+                count([](const PatternSummary& s) { return s.calibrations > 0; }),
+                count([](const PatternSummary& s) { return s.failures > 0; }));
+}
+
+void list(const Options& options) {
+    const Library library = open_library(options);
+    const std::vector<PatternSummary> summaries = library.summaries();
+    if (options.json) {
+        print(list_json(library, summaries));
+        return;
+    }
+    print_list(summaries);
+    print_totals(library, summaries);
+}
+
+// ---- show ----
+
+/// What a pattern does under one scenario, in short.
+struct ScenarioSummary {
+    std::string name;
+    std::size_t converged = 0;
+    std::size_t samples = 0;
+    int first_unstable_step = 0;        ///< 0: none
+    double largest_magnitude = 0.0;     ///< N, that converged
+    double largest_displacement = 0.0;  ///< m, at it
+};
+
+ScenarioSummary summarize(const reduction::Response& response) {
+    ScenarioSummary summary{response.scenario};
+    summary.samples = response.samples.size();
+    for (const auto& sample : response.samples) {
+        if (!sample.converged) continue;
+        ++summary.converged;
+        if (!sample.stable && summary.first_unstable_step == 0) summary.first_unstable_step = sample.step;
+        summary.largest_magnitude = sample.magnitude;
+        summary.largest_displacement = sample.displacements.leftCols<3>().rowwise().norm().maxCoeff();
+    }
+    return summary;
+}
+
+Json calibration_json(const CalibrationRecord& record) {
+    const reduction::Calibration& calibration = record.calibration;
+    const reduction::Paper6Parameters& p = calibration.parameters;
+    return {{"model", calibration.model},
+            {"optimizer", calibration.optimizer},
+            {"seed", calibration.seed},
+            {"starts", calibration.starts},
+            {"budget", record.budget},
+            {"objective", calibration.objective},
+            {"scenario_errors", calibration.scenario_errors},
+            {"evaluations", calibration.evaluations},
+            {"converged", calibration.converged},
+            {"A", p.A},
+            {"I2", p.I2},
+            {"I3", p.I3},
+            {"J", p.J},
+            {"theta", p.theta},
+            {"R", p.R},
+            {"at_bound", calibration.at_bound},
+            {"seconds", record.seconds}};
+}
+
+Json show_json(const Library& library, const library::PatternEntry& entry,
+               const std::vector<library::Failure>& failures) {
+    Json document = {{"id", entry.id},
+                     {"layout", library.layout().name()},
+                     {"edges", entry.pattern.edge_count()},
+                     {"responses", Json::array()},
+                     {"calibrations", Json::array()},
+                     {"properties", Json::object()},
+                     {"failures", Json::array()}};
+    for (const reduction::Response& response : library.responses(entry.id)) {
+        const ScenarioSummary summary = summarize(response);
+        document["responses"].push_back({{"scenario", summary.name},
+                                         {"samples", summary.samples},
+                                         {"converged", summary.converged},
+                                         {"first_unstable_step", summary.first_unstable_step},
+                                         {"largest_magnitude", summary.largest_magnitude},
+                                         {"largest_displacement", summary.largest_displacement}});
+    }
+    for (const CalibrationRecord& record : library.calibrations(entry.id))
+        document["calibrations"].push_back(calibration_json(record));
+    for (const auto& [name, value] : library.properties(entry.id)) document["properties"][name] = value;
+    for (const library::Failure& failure : failures)
+        document["failures"].push_back({{"stage", failure.stage}, {"reason", failure.reason}});
+    return document;
+}
+
+void print_response(const reduction::Response& response) {
+    const ScenarioSummary summary = summarize(response);
+    std::printf("  %-8s %2zu of %2zu converged, %6.2f mm at %.3g N", summary.name.c_str(), summary.converged,
+                summary.samples, 1e3 * summary.largest_displacement, summary.largest_magnitude);
+    if (summary.first_unstable_step > 0)
+        std::printf(", unstable from step %d on", summary.first_unstable_step);
+    std::printf("\n");
+}
+
+void print_calibration(const CalibrationRecord& record) {
+    const reduction::Calibration& calibration = record.calibration;
+    const reduction::Paper6Parameters& p = calibration.parameters;
+    std::printf("  %s by %s, seed %llu, %d starts: E = %.4f after %ld evaluations%s\n",
+                calibration.model.c_str(), calibration.optimizer.c_str(),
+                static_cast<unsigned long long>(calibration.seed), calibration.starts, calibration.objective,
+                calibration.evaluations, calibration.converged ? "" : ", not converged");
+    std::printf("    A %.4g m^2, I2 %.4g m^4, I3 %.4g m^4, J %.4g m^4, theta %.3f deg, R %.4g mm", p.A, p.I2,
+                p.I3, p.J, p.theta * 57.29577951308232, 1e3 * p.R);
+    if (!calibration.at_bound.empty())
+        std::printf("; at a bound: %s", base::join(calibration.at_bound, ", ").c_str());
+    std::printf("\n");
+}
+
+void print_pattern(const Library& library, const library::PatternEntry& entry,
+                   const std::vector<library::Failure>& failures) {
+    std::printf("%s of the layout %s: %d edges\n", entry.id.c_str(), library.layout().name().c_str(),
+                entry.pattern.edge_count());
+    const auto responses = library.responses(entry.id);
+    std::printf("responses:%s\n", responses.empty() ? " none" : "");
+    for (const reduction::Response& response : responses) print_response(response);
+    const auto calibrations = library.calibrations(entry.id);
+    std::printf("calibrations:%s\n", calibrations.empty() ? " none" : "");
+    for (const CalibrationRecord& record : calibrations) print_calibration(record);
+    for (const auto& [name, value] : library.properties(entry.id))
+        std::printf("%s: %.6g\n", name.c_str(), value);
+    for (const library::Failure& failure : failures)
+        std::printf("failed, %s: %s\n", failure.stage.c_str(), failure.reason.c_str());
+}
+
+void show(const Options& options) {
+    const Library library = open_library(options);
+    const library::PatternEntry entry = library.find_pattern(options.pattern);
+    std::vector<library::Failure> failures = library.failures();
+    std::erase_if(failures, [&](const library::Failure& failure) { return failure.pattern != entry.id; });
+    if (options.json) {
+        print(show_json(library, entry, failures));
+    } else {
+        print_pattern(library, entry, failures);
+    }
+}
+
+// ---- merge and export ----
+
+void merge(const Options& options) {
+    library::merge(options.output, options.inputs);
+    const Library merged = Library::open(options.output);
+    if (options.json) {
+        print({{"library", options.output},
+               {"patterns", merged.pattern_count()},
+               {"content_hash", merged.content_hash()}});
+    } else {
+        print_totals(merged, merged.summaries());
+    }
+}
+
+void write_files(const Options& options) {
+    if (options.csv.empty() && options.meshes.empty())
+        throw base::InputError("library export", "", "needs --csv DIR, --meshes DIR, or both");
+    const Library library = open_library(options);
+    if (!options.csv.empty()) library.export_csv(options.csv);
+    if (!options.meshes.empty()) {
+        exports::export_meshes(library, options.meshes,
+                               options.ply ? exports::MeshKind::Ply : exports::MeshKind::Obj);
+    }
+}
+
+using Action = void (*)(const Options&);
+
+CLI::App* add_action(CLI::App* verb, const std::shared_ptr<Options>& options, const char* name,
+                     std::pair<const char*, Action> what) {
+    CLI::App* action = verb->add_subcommand(name, what.first);
+    action->fallthrough();
+    action->callback([options, run = what.second] { run(*options); });
+    return action;
+}
+
+}  // namespace
+
+void add_library(CLI::App& app, ExitCode&) {
+    const auto options = std::make_shared<Options>();
+    CLI::App* verb =
+        app.add_subcommand("library", "Look into a pattern library, merge several, write its tables");
+    verb->require_subcommand(1);
+    verb->footer(kExamples);
+    verb->add_option("--library", options->library, "The library's file (list, show, export)");
+    verb->add_flag("--json", options->json, "Print for programs (list, show, merge)");
+
+    add_action(verb, options, "list", {"List the patterns, and what there is of each", list});
+    add_action(verb, options, "show", {"Show one pattern with its responses and calibrations", show})
+        ->add_option("pattern", options->pattern, "The pattern's id, such as 0-1+1-6")
+        ->required();
+    CLI::App* merging = add_action(verb, options, "merge",
+                                   {"Merge libraries of one layout and setting into a new file", merge});
+    merging->add_option("output", options->output, "The file to make")->required();
+    merging->add_option("inputs", options->inputs, "The libraries")->required();
+    CLI::App* exporting =
+        add_action(verb, options, "export", {"Write tables and meshes for other programs", write_files});
+    exporting->add_option("--csv", options->csv, "Folder for the tables, one CSV file each");
+    exporting->add_option("--meshes", options->meshes,
+                          "Folder for the edge mesh and the reduced model's geometry of each pattern");
+    exporting->add_flag("--ply", options->ply, "Write meshes as PLY rather than OBJ");
+}
+
+}  // namespace fretwork::app

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/base/file.hpp>
+#include <fretwork/exports/library_meshes.hpp>
+#include <fretwork/exports/line_files.hpp>
+#include <fretwork/pattern/fan.hpp>
+#include <fretwork/reduction/paper6_tile.hpp>
+
+#include <system_error>
+
+namespace fretwork::exports {
+
+LineSet pattern_lines(const pattern::NodeLayout& layout, const pattern::Pattern& pattern,
+                      const reduction::Setting& setting) {
+    const pattern::Fan fan = make_fan(layout, pattern, setting.sides);
+    const pattern::Polygon polygon = pattern::regular_polygon(setting.sides, setting.tile_side);
+    LineSet lines;
+    for (const pattern::Point2& node : place_fan(layout, fan, polygon))
+        lines.nodes.emplace_back(node.x, node.y, 0.0);
+    for (const auto& edge : fan.edges) lines.lines.push_back({edge[0].value, edge[1].value});
+    return lines;
+}
+
+std::size_t export_meshes(const library::Library& library, const std::filesystem::path& folder,
+                          MeshKind kind) {
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error) throw base::IoError(folder.string() + ": cannot be made: " + error.message());
+    const std::string ending = kind == MeshKind::Obj ? ".obj" : ".ply";
+    std::size_t files = 0;
+    const auto write = [&](const std::string& name, const LineSet& lines) {
+        base::write_file_atomically(folder / (name + ending),
+                                    kind == MeshKind::Obj ? obj_text(lines) : ply_text(lines));
+        ++files;
+    };
+    for (const library::PatternEntry& entry : library.patterns()) {
+        write(entry.id, pattern_lines(library.layout(), entry.pattern, library.setting()));
+        if (const auto best = library.best_calibration(entry.id)) {
+            write(entry.id + ".paper6",
+                  frame_lines(reduction::paper6_tile(best->calibration.parameters, library.setting())));
+        }
+    }
+    return files;
+}
+
+}  // namespace fretwork::exports

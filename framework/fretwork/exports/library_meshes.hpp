@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/exports/line_set.hpp>
+#include <fretwork/library/library.hpp>
+
+#include <filesystem>
+#include <string_view>
+
+namespace fretwork::exports {
+
+/// The beams of a pattern in the setting's regular polygon.
+LineSet pattern_lines(const pattern::NodeLayout& layout, const pattern::Pattern& pattern,
+                      const reduction::Setting& setting);
+
+/// Kinds of files for meshes of lines.
+enum class MeshKind { Obj, Ply };
+
+/// Write each pattern of a library as an edge mesh in the setting's polygon (`<id>.obj`), and, where it is
+/// calibrated, the geometry of its best reduced model of the paper (`<id>.paper6.obj`). The folder is made if
+/// it is missing. Returns the number of files. Throws IoError.
+std::size_t export_meshes(const library::Library& library, const std::filesystem::path& folder,
+                          MeshKind kind);
+
+}  // namespace fretwork::exports
