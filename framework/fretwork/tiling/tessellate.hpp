@@ -6,23 +6,31 @@
 #include <fretwork/tiling/painting.hpp>
 #include <fretwork/tiling/tessellation.hpp>
 
+#include <string>
+
 namespace fretwork::tiling {
 
 struct TessellationOptions {
     double edge_length = 0.0;  ///< m; wanted mean side of the polygons, such as the setting's tile side
     int remeshing_iterations = 10;
     int relaxation_iterations = 50;  ///< towards a centroidal tessellation
+    int lattice_angles = 12;         ///< so many triangular lattices are tried beside the remeshed triangles
+    int threads = 0;                 ///< 0: all there are; the result does not depend on it
     /// Throws InputError if a value makes no sense.
     void validate() const;
 };
 
-/// What the tiling came out as.
+/// What the tiling came out as. Each side counts once in the statistics of sides, whether one tile or two
+/// have it.
 struct TessellationReport {
-    double mean_side = 0.0;      ///< m
-    double sd_side = 0.0;        ///< m
-    double hexagon_share = 0.0;  ///< of the tiles
-    double covered_share = 0.0;  ///< area of the tiles over area of the outline
+    double mean_side = 0.0;            ///< m
+    double sd_side = 0.0;              ///< m
+    double smallest_side = 0.0;        ///< m
+    double hexagon_share = 0.0;        ///< of the tiles
+    double inner_hexagon_share = 0.0;  ///< of the tiles with no vertex on the outline; 0 if there are none
+    double covered_share = 0.0;        ///< area of the tiles over area of the outline
     int tiles = 0;
+    std::string start;  ///< "remeshing", or "lattice at 15 deg"
 };
 
 /// What `tessellate` gives.
@@ -31,8 +39,18 @@ struct TessellationResult {
     TessellationReport report;
 };
 
-/// Cover an outline with polygons: constrained triangulation and isotropic remeshing, relaxed, then the dual.
-/// Paper, Section 6. Throws GeometryError if the outline is too small for one tile. Deterministic.
+/// Cover an outline with convex polygons that share whole sides: the dual of a triangulation, relaxed towards
+/// a centroidal tessellation. Paper, Section 6.
+///
+/// The triangles come from isotropic remeshing, and from triangular lattices at several angles; of the
+/// tilings whose mean side is the wanted one within 1 % (or as nearly as there is one), the most regular is
+/// taken: most hexagons inside, pentagons and hexagons at the rim, sides of equal length. Deviation from the
+/// paper: it names another remesher, and does not say how the rim is closed. Here sides between tiles end on
+/// the outline, and a tile's side at the rim is the chord between two such ends, or meets the outline's
+/// corner; then every tile is regularized.
+///
+/// Throws GeometryError if the outline is too small for one tile, or somewhere so narrow that the tiles would
+/// fall apart or not be convex. Deterministic.
 TessellationResult tessellate(const Outline& outline, const pattern::NodeLayout& layout,
                               const TessellationOptions& options);
 

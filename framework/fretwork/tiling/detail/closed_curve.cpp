@@ -3,12 +3,21 @@
 #include <fretwork/tiling/detail/plane.hpp>
 
 #include <algorithm>
-#include <limits>
 
 namespace fretwork::tiling::detail {
+namespace {
+
+constexpr std::size_t kSidesPerStretch = 16;
+
+}  // namespace
 ClosedCurve::ClosedCurve(Polygon points) : points_(std::move(points)), starts_{0.0} {
     for (std::size_t i = 0; i < points_.size(); ++i) {
         starts_.push_back(starts_.back() + distance(points_[i], points_[(i + 1) % points_.size()]));
+    }
+    for (std::size_t first = 0; first < points_.size(); first += kSidesPerStretch) {
+        const std::size_t last = std::min(first + kSidesPerStretch, points_.size());
+        const double half = 0.5 * (starts_[last] - starts_[first]);
+        stretches_.push_back({at(starts_[first] + half), half, first, last});
     }
 }
 
@@ -22,12 +31,15 @@ Point2 ClosedCurve::at(double place) const {
 
 Point2 ClosedCurve::nearest(Point2 point) const {
     Point2 best = points_.front();
-    double best_distance = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < points_.size(); ++i) {
-        const Point2 candidate = nearest_on_side(points_[i], points_[(i + 1) % points_.size()], point);
-        if (const double d = distance(candidate, point); d < best_distance) {
-            best_distance = d;
-            best = candidate;
+    double best_distance = distance(best, point);
+    for (const Stretch& stretch : stretches_) {
+        if (distance(stretch.middle, point) - stretch.half_length > best_distance) continue;
+        for (std::size_t i = stretch.first; i < stretch.last; ++i) {
+            const Point2 candidate = nearest_on_side(points_[i], points_[(i + 1) % points_.size()], point);
+            if (const double d = distance(candidate, point); d < best_distance) {
+                best_distance = d;
+                best = candidate;
+            }
         }
     }
     return best;

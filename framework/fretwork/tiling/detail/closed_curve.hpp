@@ -26,6 +26,15 @@ class ClosedCurve {
 
     pattern::Polygon points_;
     std::vector<double> starts_;  // arc length at each point, and at the first again
+
+    /// Sides first .. last - 1; none of their points is farther from `middle` (on them) than half_length.
+    struct Stretch {
+        pattern::Point2 middle;
+        double half_length;
+        std::size_t first;
+        std::size_t last;
+    };
+    std::vector<Stretch> stretches_;
 };
 
 }  // namespace fretwork::tiling::detail

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/text.hpp>
+#include <fretwork/tiling/detail/outline_check.hpp>
 #include <fretwork/tiling/detail/plane.hpp>
 #include <fretwork/tiling/detail/rim.hpp>
 
 #include <algorithm>
 #include <numbers>
+#include <optional>
 
 namespace fretwork::tiling::detail {
 namespace {
@@ -13,6 +15,8 @@ namespace {
 constexpr double kCornerReach = 0.25;  // of the spacing
 constexpr double kCornerTurn =
     40.0 * std::numbers::pi / 180;  // a pentagon's corner is one, an octagon's just so
+
+constexpr double kFinest = 0.1;  // of the spacing
 
 struct Place {
     double along;
@@ -39,24 +43,7 @@ std::vector<Place> sample_places(const ClosedCurve& curve, double spacing) {
     return places;
 }
 
-void check_simple(const Rim& rim, double spacing) {
-    std::vector<Polygon> loops(rim.curves.size());
-    for (const RimPoint& point : rim.points)
-        loops[static_cast<std::size_t>(point.loop)].push_back(point.place);
-    Polygon boundary = std::move(loops.front());
-    loops.erase(loops.begin());
-    try {
-        make_outline(std::move(boundary), std::move(loops));
-    } catch (const base::GeometryError& error) {
-        throw base::GeometryError("the outline is too narrow somewhere for tiles " +
-                                  base::format_number(std::round(spacing * 1e5) / 1e5) +
-                                  " m wide; choose a smaller edge length (" + error.what() + ")");
-    }
-}
-
-}  // namespace
-
-Rim sample_rim(const Outline& outline, double spacing) {
+Rim even_rim(const Outline& outline, double spacing) {
     Rim rim;
     rim.curves.emplace_back(outline.boundary);
     for (const Polygon& hole : outline.holes) rim.curves.emplace_back(hole);
@@ -68,8 +55,28 @@ Rim sample_rim(const Outline& outline, double spacing) {
         }
         rim.next.back() = first;
     }
-    check_simple(rim, spacing);
     return rim;
+}
+
+std::optional<std::string> flaw_of(const Rim& rim) {
+    std::vector<Polygon> loops(rim.curves.size());
+    for (const RimPoint& point : rim.points)
+        loops[static_cast<std::size_t>(point.loop)].push_back(point.place);
+    return outline_flaw(loops);
+}
+
+}  // namespace
+
+Rim sample_rim(const Outline& outline, double spacing) {
+    std::optional<std::string> flaw;
+    for (double finer = spacing; finer > kFinest * spacing; finer /= 2) {
+        Rim rim = even_rim(outline, finer);
+        flaw = flaw_of(rim);
+        if (!flaw) return rim;
+    }
+    throw base::GeometryError("the outline is far too narrow somewhere for tiles " +
+                              base::format_number(std::round(spacing * 1e5) / 1e5) +
+                              " m wide; choose a smaller edge length (" + *flaw + ")");
 }
 
 bool is_inside(const Rim& rim, Point2 point, double margin) {
@@ -77,7 +84,7 @@ bool is_inside(const Rim& rim, Point2 point, double margin) {
     for (std::size_t i = 0; i < rim.points.size(); ++i) {
         const Point2 a = rim.points[i].place;
         const Point2 b = rim.points[static_cast<std::size_t>(rim.next[i])].place;
-        if (distance(nearest_on_side(a, b, point), point) < margin) return false;
+        if (margin > 0 && distance(nearest_on_side(a, b, point), point) < margin) return false;
         const bool is_beside = (a.y > point.y) != (b.y > point.y);
         if (is_beside && (cross(b - a, point - a) > 0) == (b.y > a.y)) inside = !inside;
     }

@@ -22,9 +22,10 @@ struct Rim {
     std::vector<int> next;            ///< for each point the next point of the same loop
 };
 
-/// Put points on the outline's corners, and evenly between them at distances near `spacing` (metres). Throws
-/// GeometryError if the polygons through these points cross: the outline is narrower somewhere than its
-/// tiles.
+/// Put points on the outline's corners, and evenly between them at distances near `spacing` (metres). Where
+/// the polygons through these points cross, the points lie half as far apart, and so on down to an eighth.
+/// Throws GeometryError if that is no help: parts of the outline are much nearer to each other than a tile is
+/// wide.
 Rim sample_rim(const Outline& outline, double spacing);
 
 /// True if a point is inside the polygons through the rim's points, at least `margin` (metres) away from

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/tiling/detail/dual.hpp>
+#include <fretwork/tiling/tessellate.hpp>
+
+#include <optional>
+
+namespace fretwork::tiling::detail {
+
+/// Where the sites come from: isotropic remeshing, or a triangular lattice at an angle (rad).
+struct Start {
+    std::optional<double> lattice_angle{};
+    [[nodiscard]] std::string name() const;
+};
+
+/// A tiling of the outline, one of several to choose from.
+struct Candidate {
+    Dual dual;
+    TessellationReport report;
+    int not_convex = 0;         ///< tiles
+    int pieces = 0;             ///< sets of tiles that hang together by sides
+    double side_error = 0.0;    ///< of the mean side, relative
+    double irregularity = 0.0;  ///< the smaller the better
+};
+
+/// The tiling that comes from a start, at the density that gives it the wanted mean side; no tiles if the
+/// outline is too small.
+Candidate make_candidate(const Outline& outline, const TessellationOptions& options, const Start& start);
+
+/// True if the first is the better choice.
+bool is_better(const Candidate& first, const Candidate& second);
+
+}  // namespace fretwork::tiling::detail

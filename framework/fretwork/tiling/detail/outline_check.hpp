@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/pattern/polygon.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace fretwork::tiling::detail {
+
+/// What keeps loops (the boundary, then the holes) from being an outline, decided exactly: a point that is
+/// not finite, a side without length, two sides that touch or cross, a hole outside the boundary or inside
+/// another.
+std::optional<std::string> outline_flaw(const std::vector<pattern::Polygon>& loops);
+
+}  // namespace fretwork::tiling::detail
