@@ -53,7 +53,6 @@ Calibration calibrate_paper6(const std::vector<Response>& responses, const Setti
     calibration.scenario_errors = objective.scenario_errors(model.displacements(calibration.parameters));
     calibration.evaluations = report.cost;
     calibration.at_bound = parameters_at_bound(problem.bounds(), report.point);
-    calibration.samples_left_out = static_cast<int>(objective.left_out());
     calibration.converged = report.termination == optimization::Termination::Converged;
     return calibration;
 }

@@ -31,7 +31,7 @@ struct CalibrationOptions {
     void validate() const;
 };
 
-/// A reduced model fitted to the responses of one pattern.
+/// A reduced model fitted to, or only compared with, the responses of one pattern.
 struct Calibration {
     std::string model = "paper6";
     std::string optimizer;
@@ -43,7 +43,6 @@ struct Calibration {
     long evaluations = 0;
     Paper6Parameters parameters;
     std::vector<std::string> at_bound;  ///< names of the parameters at a bound
-    int samples_left_out = 0;           ///< not converged, or unstable where the setting leaves these out
     bool converged = true;
 };
 

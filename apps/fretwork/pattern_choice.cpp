@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pattern_choice.hpp"
+
+#include <fretwork/base/error.hpp>
+#include <fretwork/base/text.hpp>
+#include <fretwork/reduction/stratified_sample.hpp>
+
+#include <charconv>
+#include <set>
+#include <string_view>
+
+namespace fretwork::app {
+namespace {
+
+using library::PatternEntry;
+
+std::size_t parse_count(std::string_view text, const char* option, const char* what) {
+    std::size_t number = 0;
+    const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (fault == std::errc{} && end == text.data() + text.size() && number > 0) return number;
+    throw base::InputError(option, "", "'" + std::string(text) + "' is no " + what);
+}
+
+std::vector<PatternEntry> sampled_patterns(std::vector<PatternEntry> patterns, std::size_t size) {
+    std::vector<int> edges;
+    for (const PatternEntry& entry : patterns) edges.push_back(entry.pattern.edge_count());
+    std::vector<PatternEntry> chosen;
+    for (const std::size_t index : reduction::stratified_sample(edges, size))
+        chosen.push_back(patterns[index]);
+    return chosen;
+}
+
+}  // namespace
+
+std::vector<PatternEntry> wanted_patterns(const library::Library& library, const std::string& wish) {
+    if (wish == "all") return library.patterns();
+    if (wish.starts_with("sample:")) {
+        return sampled_patterns(library.patterns(), parse_count(std::string_view(wish).substr(7),
+                                                                "--patterns", "number of patterns"));
+    }
+    std::set<std::string> ids;
+    for (const std::string& id : base::split(wish, ',')) ids.insert(library.find_pattern(id).id);
+    std::vector<PatternEntry> chosen;
+    for (PatternEntry& entry : library.patterns()) {
+        if (ids.contains(entry.id)) chosen.push_back(std::move(entry));
+    }
+    return chosen;
+}
+
+std::vector<PatternEntry> in_shard(std::vector<PatternEntry> patterns, const std::string& shard) {
+    if (shard.empty()) return patterns;
+    const auto parts = base::split(shard, '/');
+    if (parts.size() != 2) throw base::InputError("--shard", "", "'" + shard + "' is no shard, such as 2/4");
+    const std::size_t number = parse_count(parts[0], "--shard", "number of a shard");
+    const std::size_t count = parse_count(parts[1], "--shard", "number of shards");
+    if (number > count) throw base::InputError("--shard", "", "there is no shard " + shard);
+    std::vector<PatternEntry> kept;
+    for (std::size_t i = number - 1; i < patterns.size(); i += count) kept.push_back(std::move(patterns[i]));
+    return kept;
+}
+
+}  // namespace fretwork::app
