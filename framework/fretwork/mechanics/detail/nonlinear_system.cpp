@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace fretwork::mechanics::detail {
 namespace {
@@ -29,6 +30,18 @@ std::unique_ptr<SystemLayout> lay_out(const Assembly& assembly, const Constraint
     return std::make_unique<SystemLayout>(assembly, graph, free, elimination_order(graph, takes_part));
 }
 
+/// What an unloaded structure's forces come to in floating point: rounding of the elements' geometry times
+/// the largest stiffness.
+double rounding_force(const Assembly& assembly, double length) {
+    double largest = 0.0;
+    Eigen::MatrixXd stiffness;
+    for (const auto& element : assembly.elements) {
+        element->rest_stiffness(stiffness);
+        largest = std::max(largest, stiffness.diagonal().head<3>().maxCoeff());
+    }
+    return 4.0 * std::numeric_limits<double>::epsilon() * largest * length;
+}
+
 }  // namespace
 
 NonlinearSystem::NonlinearSystem(const Assembly& assembly)
@@ -50,6 +63,7 @@ NonlinearSystem::NonlinearSystem(const Assembly& assembly)
         if (free >= 2 && !assembly.loads.row(row).tail<3>().isZero(0.0))
             moment_nodes_.push_back(static_cast<int>(node));
     }
+    rounding_force_ = rounding_force(assembly, length_);
     spin_maps_.resize(vector_nodes_.size());
     values_.resize(layout_->row().size());
 }
@@ -209,17 +223,24 @@ void NonlinearSystem::add_moment_terms(const Configuration& configuration, doubl
             Eigen::Matrix<double, kDofsPerNode, kDofsPerNode>::Zero();
         block.bottomRightCorner<3, 3>() = change;
         layout_->add_node(node, block, values_);
-        if (has_prescribed_)
-            prescribed_rate_.row(node).tail<3>() += constraints_.values.row(node).tail<3>() * change;
+        if (!has_prescribed_) continue;
+        const Eigen::Vector3d given = constraints_.values.row(node).tail<3>();
+        const Eigen::Vector3d rate = (change + skew_of_moment(node, load_factor)) * given;
+        prescribed_rate_.row(node).tail<3>() += rate.transpose();
     }
     for (const int node : moment_nodes_) {
-        const Eigen::Vector3d moment = load_factor * assembly_.loads.row(node).tail<3>().transpose();
-        const int slot = vector_slot_[at(node)];
-        Eigen::Matrix3d skew = -0.5 * cross_matrix(moment);
-        if (slot >= 0) skew = (spin_maps_[at(slot)].transpose() * skew * spin_maps_[at(slot)]).eval();
-        skew_.push_back(
-            {{layout_->equation(node, 3), layout_->equation(node, 4), layout_->equation(node, 5)}, skew});
+        skew_.push_back({{layout_->equation(node, 3), layout_->equation(node, 4), layout_->equation(node, 5)},
+                         skew_of_moment(node, load_factor)});
     }
+}
+
+/// The skew part of the tangent that a node's applied moment leaves.
+Eigen::Matrix3d NonlinearSystem::skew_of_moment(int node, double load_factor) const {
+    const Eigen::Vector3d moment = load_factor * assembly_.loads.row(node).tail<3>().transpose();
+    const Eigen::Matrix3d skew = -0.5 * cross_matrix(moment);
+    const int slot = vector_slot_[at(node)];
+    if (slot < 0) return skew;
+    return spin_maps_[at(slot)].transpose() * skew * spin_maps_[at(slot)];
 }
 
 void NonlinearSystem::gather_unbalanced(double load_factor) {
@@ -243,7 +264,8 @@ void NonlinearSystem::gather_unbalanced(double load_factor) {
     }
     const double scale =
         load_factor * force_norm(assembly_.loads, length_) + force_norm(reactions(), length_);
-    relative_residual_ = square == 0.0 ? 0.0 : std::sqrt(square) / scale;
+    const bool only_rounding = scale <= rounding_force_ && std::sqrt(square) <= rounding_force_;
+    relative_residual_ = only_rounding ? 0.0 : std::sqrt(square) / scale;
 }
 
 void NonlinearSystem::evaluate(const Configuration& configuration, double load_factor) {

@@ -73,11 +73,13 @@ class NonlinearSystem {
     void map_to_unknowns(std::span<const NodeIndex> nodes);
     void add_prescribed_rate(std::span<const NodeIndex> nodes, const Eigen::MatrixXd& tangent);
     void add_moment_terms(const Configuration& configuration, double load_factor);
+    [[nodiscard]] Eigen::Matrix3d skew_of_moment(int node, double load_factor) const;
     void gather_unbalanced(double load_factor);
 
     const Assembly& assembly_;
     Constraints constraints_;
     double length_;
+    double rounding_force_ = 0.0;
     std::unique_ptr<SystemLayout> layout_;
     std::vector<int> vector_nodes_;           ///< with held components of the rotation vector
     std::vector<int> vector_slot_;            ///< of each node in vector_nodes_, or -1

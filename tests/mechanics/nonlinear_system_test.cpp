@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sample.hpp"
+
+#include <fretwork/mechanics/detail/nonlinear_system.hpp>
+
+#include <gtest/gtest.h>
+
+namespace fretwork::mechanics::detail {
+namespace {
+
+constexpr double kLength = 0.02;
+
+/// A wheel that exercises every kind of node: clamped, partly held in rotation, freely turning under a
+/// moment, prescribed displacements and rotations, a hinge.
+Frame varied_wheel() {
+    Frame frame = sample::flat_wheel();
+    frame.supports.push_back({NodeIndex(2), {{true, false, true, true, false, true}}});
+    frame.supports.push_back({NodeIndex(7), {{false, false, false, false, true, false}}});
+    frame.prescribed.push_back({NodeIndex(3), Dof::uy, 0.004});
+    frame.prescribed.push_back({NodeIndex(4), Dof::rx, 0.8});
+    frame.prescribed.push_back({NodeIndex(4), Dof::rz, -0.5});
+    for (const int node : {4, 5, 7, 8})
+        frame.loads.push_back({NodeIndex(node), {0.3, 0.1, -0.4}, {0.01, -0.02, 0.015}});
+    frame.beams[5].releases = {{1, {{false, false, false, false, true, true}}}};
+    return frame;
+}
+
+Configuration random_configuration(const NonlinearSystem& system, double load_factor) {
+    sample::Random random(21);
+    Configuration configuration = system.rest();
+    system.prescribe(load_factor, configuration);
+    for (int pass = 0; pass < 3; ++pass) {
+        Eigen::VectorXd step(system.equations());
+        for (double& value : step) value = 0.5 * random.next();
+        NodeValues table =
+            NodeValues::Zero(static_cast<Eigen::Index>(system.assembly().nodes.size()), kDofsPerNode);
+        system.layout().scatter(step, table);
+        table.leftCols<3>() *= 0.2 * kLength;
+        system.layout().gather(table, step);
+        system.move(step, configuration);
+    }
+    return configuration;
+}
+
+Eigen::MatrixXd whole_tangent(const NonlinearSystem& system) {
+    const int size = system.equations();
+    Eigen::MatrixXd tangent(size, size);
+    for (int i = 0; i < size; ++i) {
+        const Eigen::VectorXd unit = Eigen::VectorXd::Unit(size, i);
+        Eigen::VectorXd column = system.skew_product(unit);
+        add_product(system.layout(), system.tangent(), unit, column);
+        tangent.col(i) = column;
+    }
+    return tangent;
+}
+
+/// At an equilibrium of these forces, where the parts that are left out by choice vanish.
+TEST(NonlinearSystem, TangentIsTheDerivativeOfTheUnbalancedForces) {
+    Assembly assembly = assemble(varied_wheel());
+    NonlinearSystem first(assembly);
+    const Configuration configuration = random_configuration(first, 1.0);
+    // Loads that hold this configuration: then the residual vanishes at freely turning nodes.
+    first.evaluate(configuration, 0.0);
+    NodeValues holding = NodeValues::Zero(assembly.loads.rows(), kDofsPerNode);
+    first.layout().scatter(-first.unbalanced(), holding);
+    for (Eigen::Index node = 0; node < holding.rows(); ++node) {
+        const bool free = first.layout().equation(static_cast<int>(node), 3) >= 0 &&
+                          first.layout().equation(static_cast<int>(node), 4) >= 0 &&
+                          first.layout().equation(static_cast<int>(node), 5) >= 0;
+        if (free) assembly.loads.row(node) = holding.row(node);
+    }
+    NonlinearSystem system(assembly);
+    system.evaluate(configuration, 1.0);
+    const Eigen::MatrixXd tangent = whole_tangent(system);
+    Eigen::MatrixXd difference(tangent.rows(), tangent.cols());
+    constexpr double kStep = 1e-6;
+    for (int i = 0; i < system.equations(); ++i) {
+        const Eigen::VectorXd step = kStep * Eigen::VectorXd::Unit(system.equations(), i);
+        Configuration moved = configuration;
+        system.move(step, moved);
+        system.evaluate(moved, 1.0);
+        const Eigen::VectorXd plus = system.unbalanced();
+        moved = configuration;
+        system.move(-step, moved);
+        system.evaluate(moved, 1.0);
+        difference.col(i) = (system.unbalanced() - plus) / (2.0 * kStep);
+    }
+    for (int i = 0; i < system.equations(); ++i)
+        EXPECT_LT((tangent.col(i) - difference.col(i)).norm(), 3e-6 * difference.col(i).norm()) << i;
+}
+
+TEST(NonlinearSystem, LoadRateIsTheDerivativeInTheLoadFactor) {
+    const Assembly assembly = assemble(varied_wheel());
+    NonlinearSystem system(assembly);
+    const Configuration configuration = random_configuration(system, 1.0);
+    system.evaluate(configuration, 1.0);
+    const Eigen::VectorXd rate = system.load_rate();
+    constexpr double kStep = 1e-6;
+    Configuration moved = configuration;
+    system.prescribe(1.0 + kStep, moved);
+    system.evaluate(moved, 1.0 + kStep);
+    const Eigen::VectorXd plus = system.unbalanced();
+    system.prescribe(1.0 - kStep, moved);
+    system.evaluate(moved, 1.0 - kStep);
+    const Eigen::VectorXd difference = (plus - system.unbalanced()) / (2.0 * kStep);
+    EXPECT_LT((rate - difference).norm(), 1e-6 * difference.norm());
+}
+
+TEST(NonlinearSystem, StepBetweenUndoesAMove) {
+    const Assembly assembly = assemble(varied_wheel());
+    const NonlinearSystem system(assembly);
+    const Configuration from = random_configuration(system, 1.0);
+    Eigen::VectorXd step(system.equations());
+    sample::Random random(22);
+    for (double& value : step) value = 0.3 * random.next();
+    Configuration to = from;
+    system.move(step, to);
+    EXPECT_LT((system.step_between(from, to) - step).norm(), 1e-13);
+}
+
+}  // namespace
+}  // namespace fretwork::mechanics::detail

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/base/file.hpp>
+#include <fretwork/mechanics/result_file.hpp>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <limits>
+
+namespace fretwork::mechanics {
+namespace {
+
+using testing::HasSubstr;
+
+Solution some_solution() {
+    Solution solution;
+    solution.load_factor = 0.7;
+    solution.termination = Termination::LimitLoad;
+    solution.stable = false;
+    solution.stability = StabilityTest::SymmetricPart;
+    solution.displacements = NodeValues::Constant(2, kDofsPerNode, 1.0 / 3.0);
+    solution.reactions = NodeValues::Constant(2, kDofsPerNode, -1e-17);
+    solution.energy = 2.5;
+    solution.residual = 3e-10;
+    solution.iterations = 17;
+    return solution;
+}
+
+Result some_result() {
+    Result result;
+    result.solver = "newton";
+    result.nodes = {{4, {0.1, 0.2, 0.3}, true}, {9, {0.0, -0.2, 0.3}, false}};
+    result.solution = some_solution();
+    result.load_steps = {some_solution(), some_solution()};
+    result.load_steps[0].termination = Termination::Converged;
+    result.seconds = 0.25;
+    return result;
+}
+
+class ResultFile : public testing::Test {
+  protected:
+    ResultFile() : path_(std::filesystem::path(testing::TempDir()) / "fretwork_result_file_test.json") {}
+    ~ResultFile() override { std::filesystem::remove(path_); }
+    std::string complaint(const std::string& piece, const std::string& by) {
+        write_result(some_result(), path_);
+        std::string text = base::read_text_file(path_);
+        const auto place = text.find(piece);
+        EXPECT_NE(place, std::string::npos) << piece;
+        std::ofstream(path_) << text.replace(place, piece.size(), by);
+        try {
+            read_result(path_);
+        } catch (const base::InputError& error) {
+            return error.what();
+        }
+        return "";
+    }
+    std::filesystem::path path_;
+};
+
+TEST_F(ResultFile, WhatIsWrittenIsReadBackExactly) {
+    const Result written = some_result();
+    write_result(written, path_);
+    const Result read = read_result(path_);
+    EXPECT_EQ(read.solver, written.solver);
+    ASSERT_EQ(read.nodes.size(), 2u);
+    EXPECT_EQ(read.nodes[0].id, 4);
+    EXPECT_TRUE(read.nodes[0].is_interface);
+    EXPECT_EQ(read.nodes[1].rest_position, written.nodes[1].rest_position);
+    EXPECT_EQ(read.solution.displacements, written.solution.displacements);
+    EXPECT_EQ(read.solution.reactions, written.solution.reactions);
+    EXPECT_EQ(read.solution.termination, Termination::LimitLoad);
+    EXPECT_EQ(read.solution.stability, StabilityTest::SymmetricPart);
+    EXPECT_FALSE(read.solution.stable);
+    EXPECT_EQ(read.solution.iterations, 17);
+    ASSERT_EQ(read.load_steps.size(), 2u);
+    EXPECT_EQ(read.load_steps[0].termination, Termination::Converged);
+    EXPECT_EQ(read.load_steps[1].energy, 2.5);
+}
+
+TEST_F(ResultFile, ANumberThatIsNotFiniteIsNotWritten) {
+    Result result = some_result();
+    write_result(result, path_);
+    const std::string before = base::read_text_file(path_);
+    result.solution.displacements(1, 2) = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_THROW(write_result(result, path_), base::NumericalError);
+    EXPECT_EQ(base::read_text_file(path_), before);
+}
+
+TEST_F(ResultFile, BadFilesAreRefusedWithTheirPlace) {
+    EXPECT_THAT(complaint("\"converged\": false", "\"converged\": true"), HasSubstr("/converged"));
+    EXPECT_THAT(complaint("limit-load", "limit-loaded"), HasSubstr("/termination"));
+    EXPECT_THAT(complaint("\"symmetric-part\"", "\"guess\""), HasSubstr("/stability"));
+    EXPECT_THAT(complaint("\"energy\"", "\"enrgy\""), HasSubstr("energy"));
+    EXPECT_THAT(complaint("0.3333333333333333,", ""), HasSubstr("/displacements/0"));
+    EXPECT_THAT(complaint("0.3333333333333333", "null"), HasSubstr("/displacements/0/0"));
+    EXPECT_THAT(complaint("\"id\": 4", "\"id\": -4"), HasSubstr("/nodes/0/id"));
+    EXPECT_THAT(complaint("}", ""), HasSubstr("line"));
+}
+
+TEST_F(ResultFile, AMissingFileIsNamed) {
+    EXPECT_THROW(read_result("/nowhere/result.json"), base::InputError);
+}
+
+}  // namespace
+}  // namespace fretwork::mechanics
