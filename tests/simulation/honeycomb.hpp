@@ -41,8 +41,8 @@ inline simulation::Project honeycomb(int columns, int rows, std::vector<std::str
     PointSet interface_nodes;
     for (int row = 0; row < rows; ++row) {
         for (int column = 0; column < columns; ++column) {
-            const double x = std::sqrt(3.0) * side * (column + 0.5 * (row % 2));
-            const double y = 1.5 * side * row;
+            const double x = 1.5 * side * column;
+            const double y = std::sqrt(3.0) * side * (row + 0.5 * (column % 2));
             tiling::Tile tile;
             tile.pattern = static_cast<int>(tessellation.tiles.size() % tessellation.patterns.size());
             for (int k = 0; k < 6; ++k) {
@@ -57,8 +57,8 @@ inline simulation::Project honeycomb(int columns, int rows, std::vector<std::str
     }
     tessellation.vertices = vertices.points;
     tessellation.interface_nodes = interface_nodes.points;
-    const double w = std::sqrt(3.0) * side * (columns + 1);
-    const double h = 1.5 * side * (rows + 1);
+    const double w = 1.5 * side * (columns + 1);
+    const double h = std::sqrt(3.0) * side * (rows + 1);
     project.outline = tiling::make_outline({{-w, -h}, {w, -h}, {w, h}, {-w, h}}, {});
     return project;
 }

@@ -118,7 +118,7 @@ class Assembler {
 }  // namespace
 
 Assembly assemble(const Frame& frame, const AssemblyOptions& options) {
-    validate(frame);
+    detail::check_parts(frame);
     return Assembler(frame, options).run();
 }
 

@@ -25,7 +25,8 @@ struct AssemblyOptions {
     bool lumped_gravity = false;  ///< half of a beam's weight on each end, without the consistent moments
 };
 
-/// Turn every beam into corotational Euler-Bernoulli (or, with shear areas, Timoshenko) elements.
+/// Turn every beam into corotational Euler-Bernoulli (or, with shear areas, Timoshenko) elements. Throws as
+/// validate(), but a structure that is not held is one, too: solvers refuse it, condensation does not mind.
 Assembly assemble(const Frame& frame, const AssemblyOptions& options = {});
 
 }  // namespace fretwork::mechanics

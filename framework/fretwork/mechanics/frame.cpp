@@ -28,7 +28,7 @@ class FrameCheck {
   public:
     FrameCheck(const Frame& frame, const std::string& source) : frame_(frame), source_(source) {}
 
-    void run() const {
+    void check_parts() const {
         if (frame_.nodes.empty()) fail("/nodes", "a frame needs at least one node");
         if (frame_.beams.empty()) fail("/beams", "a frame needs at least one beam");
         check_nodes();
@@ -37,7 +37,19 @@ class FrameCheck {
         check_prescribed();
         check_loads();
         if (!frame_.gravity.allFinite()) fail("/gravity", "is not finite");
-        check_held();
+    }
+
+    void check_held() const {
+        const auto held = detail::held_dofs(frame_);
+        for (const detail::FreeMotion& motion : detail::free_rigid_motions(frame_, held)) {
+            const std::string where = place("nodes", static_cast<std::size_t>(motion.node.value));
+            if (motion.has_beam) {
+                fail(where, "the part of the structure at node " + std::to_string(motion.node.value) +
+                                " is not held enough: it can still " + motion.description);
+            }
+            fail(where, "node " + std::to_string(motion.node.value) +
+                            " has no beam and is not held; remove it or fix its six components");
+        }
     }
 
   private:
@@ -138,19 +150,6 @@ class FrameCheck {
         }
     }
 
-    void check_held() const {
-        const auto held = detail::held_dofs(frame_);
-        for (const detail::FreeMotion& motion : detail::free_rigid_motions(frame_, held)) {
-            const std::string where = place("nodes", static_cast<std::size_t>(motion.node.value));
-            if (motion.has_beam) {
-                fail(where, "the part of the structure at node " + std::to_string(motion.node.value) +
-                                " is not held enough: it can still " + motion.description);
-            }
-            fail(where, "node " + std::to_string(motion.node.value) +
-                            " has no beam and is not held; remove it or fix its six components");
-        }
-    }
-
     const Frame& frame_;
     const std::string& source_;
 };
@@ -163,8 +162,14 @@ void validate(const Frame& frame) {
 
 namespace detail {
 
+void check_parts(const Frame& frame) {
+    FrameCheck(frame, "frame").check_parts();
+}
+
 void check_frame(const Frame& frame, const std::string& source) {
-    FrameCheck(frame, source).run();
+    const FrameCheck check(frame, source);
+    check.check_parts();
+    check.check_held();
 }
 
 Eigen::Matrix3d beam_axes(const Frame& frame, const Beam& beam) {

@@ -7,6 +7,9 @@
 
 namespace fretwork::mechanics::detail {
 
+/// All of it but whether every part is held: a tile that is to be condensed is a frame without supports.
+void check_parts(const Frame& frame);
+
 /// What validate() does; `source` names the frame in messages.
 void check_frame(const Frame& frame, const std::string& source);
 
