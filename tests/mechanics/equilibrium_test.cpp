@@ -302,11 +302,16 @@ TEST(Equilibrium, ALimitLoadEndsThePathAndIsReportedAsSuch) {
         limit = std::max(limit, 2.0 * 1e5 * (rest_length - length) / rest_length * (kRise - w) / length);
     }
     frame.loads.push_back({NodeIndex(1), {0.0, 0.0, -limit}});
-    const double factors[] = {0.5, 0.9, 0.9999};
-    for (const Solution& solution : follow_load_path(assemble(frame), factors)) {
-        EXPECT_TRUE(solution.converged());
-        EXPECT_TRUE(solution.stable);
+    const double factors[] = {0.5, 0.9, 0.9999, 1.1};
+    const auto path = follow_load_path(assemble(frame), factors);
+    for (std::size_t k = 0; k < 3; ++k) {
+        EXPECT_TRUE(path[k].converged());
+        EXPECT_TRUE(path[k].stable);
     }
+    // Beyond, there is an equilibrium only where the truss has snapped through.
+    EXPECT_EQ(path[3].termination, Termination::LimitLoad);
+    EXPECT_NEAR(path[3].load_factor, 1.0, 2e-4);
+    EXPECT_LE(path[3].residual, 1e-9);
 }
 
 TEST(Equilibrium, BadOptionsAndFactorsAreRefused) {

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <utility>
 
 namespace fretwork::mechanics {
 namespace {
@@ -16,6 +16,11 @@ using detail::Configuration;
 /// Near a limit load the path turns back, and the response to load grows without bound; by the time that
 /// steps have been halved ten times it has grown thirtyfold. Elsewhere a step that fails is divergence.
 constexpr double kLimitLoadGrowth = 8.0;
+
+/// An equilibrium this many times farther than the rates account for is on another branch, unless it is near
+/// anyhow (in rad and element lengths).
+constexpr double kJump = 3.0;
+constexpr double kSmallMove = 0.1;
 
 class LoadPath {
   public:
@@ -53,10 +58,30 @@ class LoadPath {
         Configuration trial = configuration_;
         const Eigen::VectorXd guess = predict(factor - factor_);
         system_.prescribe(factor, trial);
-        system_.move(guess, trial);
+        system_.move(capped(guess), trial);
         const Termination termination = newton_.solve(factor, trial);
-        if (termination == Termination::Converged) accept(factor, std::move(trial));
-        return termination;
+        if (termination != Termination::Converged) return termination;
+        const Eigen::VectorXd move = system_.step_between(configuration_, trial);
+        const auto outcome = newton_.factorize();
+        Eigen::VectorXd rate = outcome.zero_pivot < 0 ? newton_.solve_tangent(system_.load_rate())
+                                                      : Eigen::VectorXd(move / (factor - factor_));
+        if (is_jump(factor - factor_, move, rate)) return Termination::LimitLoad;
+        last_move_ = move;
+        last_rate_ = std::exchange(rate_, std::move(rate));
+        last_step_ = factor - factor_;
+        configuration_ = std::move(trial);
+        factor_ = factor;
+        outcome_ = outcome;
+        return Termination::Converged;
+    }
+
+    /// Newton's method may find an equilibrium on a far branch, to which the structure would snap. On one
+    /// path a move is about the step times the rate: between the rates at its ends where these change
+    /// steadily, less than their geometric mean on the way into a limit load.
+    [[nodiscard]] bool is_jump(double step, const Eigen::VectorXd& move, const Eigen::VectorXd& rate) const {
+        const double moved = system_.largest_component(move);
+        const double rates = system_.largest_component(rate_) * system_.largest_component(rate);
+        return moved > kSmallMove && moved > kJump * step * std::sqrt(rates);
     }
 
     /// The cubic through the last two equilibria with their rates, continued; at first the tangent.
@@ -70,23 +95,12 @@ class LoadPath {
             const Eigen::VectorXd twist = before + now - 2.0 * last_move_;
             guess += ratio * ratio * (curve + ratio * twist);
         }
-        const double rotation = system_.largest_rotation(guess);
-        if (rotation > options_.largest_rotation_step) guess *= options_.largest_rotation_step / rotation;
         return guess;
     }
 
-    void accept(double factor, Configuration trial) {
-        last_move_ = system_.step_between(configuration_, trial);
-        last_rate_ = std::move(rate_);
-        last_step_ = factor - factor_;
-        configuration_ = std::move(trial);
-        factor_ = factor;
-        outcome_ = newton_.factorize();
-        if (outcome_.zero_pivot < 0) {
-            rate_ = newton_.solve_tangent(system_.load_rate());
-        } else {
-            rate_ = last_move_ / last_step_;
-        }
+    [[nodiscard]] Eigen::VectorXd capped(const Eigen::VectorXd& guess) const {
+        const double rotation = system_.largest_rotation(guess);
+        return guess * std::min(1.0, options_.largest_rotation_step / std::max(rotation, 1e-300));
     }
 
     [[nodiscard]] Solution solution(Termination termination) {
