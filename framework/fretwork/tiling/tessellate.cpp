@@ -16,20 +16,54 @@ namespace {
 using detail::Candidate;
 using detail::Start;
 
-/// A triangular lattice is the same again after 60 degrees.
-std::vector<Start> all_starts(int lattice_angles) {
-    std::vector<Start> starts{Start{}};
-    for (int i = 0; i < lattice_angles; ++i) starts.push_back({std::numbers::pi / 3 * i / lattice_angles});
+constexpr int kMostTiles = 100000;
+constexpr double kTilesInFinal =
+    1500;  // so many are made in all, about: a small outline can be tried in more ways
+
+/// About how many tiles an outline needs.
+double estimated_tiles(const Outline& outline, const TessellationOptions& options) {
+    const double hexagon = 1.5 * std::numbers::sqrt3 * options.edge_length * options.edge_length;
+    return std::abs(pattern::signed_area(outline.boundary)) / hexagon;
+}
+
+/// The lattices whose first sketches are the most regular, best first. A triangular lattice is the same again
+/// after 60 degrees.
+std::vector<Start> best_lattices(const Outline& outline, const TessellationOptions& options) {
+    const auto count = static_cast<std::size_t>(options.lattice_angles);
+    std::vector<std::pair<double, std::size_t>> ranking(count);
+    const auto lattice = [&](std::size_t i) {
+        return Start{std::numbers::pi / 3 * static_cast<double>(i) / static_cast<double>(count)};
+    };
+    base::parallel_for(count, options.threads, [&](std::size_t i) {
+        ranking[i] = {detail::rough_irregularity(outline, options, lattice(i)), i};
+    });
+    std::sort(ranking.begin(), ranking.end());
+    std::vector<Start> starts;
+    const double affordable = std::max(3.0, kTilesInFinal / estimated_tiles(outline, options));
+    for (const auto& [irregularity, i] : ranking) {
+        if (static_cast<double>(starts.size()) < affordable) starts.push_back(lattice(i));
+    }
     return starts;
 }
 
 Candidate best_candidate(const Outline& outline, const TessellationOptions& options) {
-    const std::vector<Start> starts = all_starts(options.lattice_angles);
+    std::vector<Start> starts = best_lattices(outline, options);
+    starts.emplace_back();  // remeshing
     std::vector<Candidate> candidates(starts.size());
     base::parallel_for(starts.size(), options.threads, [&](std::size_t i) {
         candidates[i] = detail::make_candidate(outline, options, starts[i]);
     });
     return std::move(*std::min_element(candidates.begin(), candidates.end(), detail::is_better));
+}
+
+/// A slip of units should not fill the memory.
+void check_size(const Outline& outline, const TessellationOptions& options) {
+    const double tiles = estimated_tiles(outline, options);
+    if (tiles <= kMostTiles) return;
+    throw base::InputError("tiles with sides of " + base::format_number(options.edge_length) +
+                           " m are so small that the outline would need about " +
+                           base::format_number(std::round(tiles)) + ", where " + std::to_string(kMostTiles) +
+                           " are the most; is the unit of the outline right?");
 }
 
 /// Refuse what could not be painted or simulated.
@@ -64,6 +98,7 @@ void TessellationOptions::validate() const {
 TessellationResult tessellate(const Outline& outline, const pattern::NodeLayout& layout,
                               const TessellationOptions& options) {
     options.validate();
+    check_size(outline, options);
     const Candidate best = best_candidate(outline, options);
     check(best, options);
     return {detail::number(best.dual, layout), best.report};

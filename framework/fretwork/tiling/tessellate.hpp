@@ -26,6 +26,7 @@ struct TessellationReport {
     double mean_side = 0.0;            ///< m
     double sd_side = 0.0;              ///< m
     double smallest_side = 0.0;        ///< m
+    double smallest_angle = 0.0;       ///< rad, of a tile
     double hexagon_share = 0.0;        ///< of the tiles
     double inner_hexagon_share = 0.0;  ///< of the tiles with no vertex on the outline; 0 if there are none
     double covered_share = 0.0;        ///< area of the tiles over area of the outline
@@ -44,10 +45,10 @@ struct TessellationResult {
 ///
 /// The triangles come from isotropic remeshing, and from triangular lattices at several angles; of the
 /// tilings whose mean side is the wanted one within 1 % (or as nearly as there is one), the most regular is
-/// taken: most hexagons inside, pentagons and hexagons at the rim, sides of equal length. Deviation from the
-/// paper: it names another remesher, and does not say how the rim is closed. Here sides between tiles end on
-/// the outline, and a tile's side at the rim is the chord between two such ends, or meets the outline's
-/// corner; then every tile is regularized.
+/// taken: most hexagons inside, pentagons and hexagons at the rim, equal sides, equal areas, no sharp angles.
+/// Deviation from the paper: it names another remesher, and does not say how the rim is closed. Here sides
+/// between tiles end on the outline, and a tile's side at the rim is the chord between two such ends, or
+/// meets the outline's corner; then every tile is regularized.
 ///
 /// Throws GeometryError if the outline is too small for one tile, or somewhere so narrow that the tiles would
 /// fall apart or not be convex. Deterministic.

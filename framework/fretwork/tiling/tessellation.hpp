@@ -15,7 +15,10 @@ using VertexIndex = base::Index<struct VertexTag>;
 /// An interface node of the tessellation: the same number in every model of it.
 using InterfaceIndex = base::Index<struct InterfaceTag>;
 
-/// A convex polygon of the tessellation. Its first vertex is vertex 0, and so the orientation of its pattern.
+/// A convex polygon of the tessellation. Its first vertex is vertex 0, and so the orientation of its pattern:
+/// the first side faces down (against y), as in pattern::regular_polygon, as nearly as a direction within 30
+/// degrees of that allows which the sides of most hexagons face; so neighbours in a regular region have the
+/// same orientation.
 struct Tile {
     std::vector<VertexIndex> vertices;  ///< counterclockwise
     std::vector<InterfaceIndex>
@@ -23,7 +26,8 @@ struct Tile {
     int pattern = -1;     ///< index into Tessellation::patterns; -1: not painted
 };
 
-/// A flat surface of polygons that share interface nodes, each painted with a pattern.
+/// A flat surface of polygons that share interface nodes, each painted with a pattern. `tessellate` numbers
+/// tiles from left to right by their centroids, and vertices and interface nodes as the tiles come to them.
 struct Tessellation {
     std::string layout;                     ///< name of the node layout whose interface nodes it has
     std::vector<pattern::Point2> vertices;  ///< metres

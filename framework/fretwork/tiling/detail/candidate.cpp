@@ -15,9 +15,13 @@ namespace fretwork::tiling::detail {
 namespace {
 
 constexpr int kSearchRounds = 8;
-constexpr double kGoodSideError = 0.002;     // ends the search for the density
+constexpr double kGoodSideError = 0.005;     // ends the search for the density
 constexpr double kAcceptedSideError = 0.01;  // below, regularity decides
 constexpr int kRegularizingIterations = 100;
+constexpr double kRoughEdge =
+    1.6;  // of the wanted side: between where the searches for lattices and meshes end
+constexpr int kRoughIterations = 20;
+constexpr double kSlenderAngle = 30 * std::numbers::pi / 180;
 
 /// The sides of the cells, as pairs of vertices, and the cells that have them.
 std::map<std::pair<int, int>, std::vector<std::size_t>> sides_of(const Dual& dual) {
@@ -77,40 +81,88 @@ double area(const Outline& outline) {
     return sum;
 }
 
+double smallest_angle(const Polygon& polygon) {
+    double smallest = std::numbers::pi;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const Point2 here = polygon[(i + 1) % polygon.size()];
+        const Point2 next = polygon[(i + 2) % polygon.size()];
+        smallest = std::min(smallest, std::abs(turn(next - here, polygon[i] - here)));
+    }
+    return smallest;
+}
+
 /// Count shapes, and judge them: the share of tiles with another number of sides than they should have (six;
-/// at the rim also five), and the relative spread of the sides.
+/// at the rim also five), and the relative spreads of sides and areas.
 void measure_shapes(const Outline& outline, Candidate& candidate) {
     TessellationReport& report = candidate.report;
-    int hexagons = 0;
+    report.smallest_angle = std::numbers::pi;
+    report.tiles = static_cast<int>(candidate.dual.cells.size());
+    const auto count = static_cast<double>(report.tiles);
     int inner = 0;
     int inner_hexagons = 0;
-    int fitting = 0;
+    int misfits = 0;
+    double sum_of_squared_areas = 0.0;
     for (std::size_t c = 0; c < candidate.dual.cells.size(); ++c) {
         const Polygon polygon = polygon_of(candidate.dual, c);
         const bool at_rim = is_at_rim(candidate.dual, candidate.dual.cells[c]);
         const bool is_hexagon = polygon.size() == 6;
-        hexagons += is_hexagon ? 1 : 0;
+        const double share = pattern::signed_area(polygon) / area(outline);
+        report.hexagon_share += is_hexagon ? 1 / count : 0;
         inner += at_rim ? 0 : 1;
         inner_hexagons += !at_rim && is_hexagon ? 1 : 0;
-        fitting += is_hexagon || (at_rim && polygon.size() == 5) ? 1 : 0;
+        misfits += is_hexagon || (at_rim && polygon.size() == 5) ? 0 : 1;
+        report.smallest_angle = std::min(report.smallest_angle, smallest_angle(polygon));
+        report.covered_share += share;
+        sum_of_squared_areas += share * share;
         candidate.not_convex += pattern::is_convex(polygon) ? 0 : 1;
-        report.covered_share += pattern::signed_area(polygon) / area(outline);
+        candidate.slender += smallest_angle(polygon) < kSlenderAngle ? 1 : 0;
     }
-    report.tiles = static_cast<int>(candidate.dual.cells.size());
-    report.hexagon_share = static_cast<double>(hexagons) / report.tiles;
     report.inner_hexagon_share = inner > 0 ? static_cast<double>(inner_hexagons) / inner : 0.0;
-    candidate.irregularity =
-        1 - static_cast<double>(fitting) / report.tiles + report.sd_side / report.mean_side;
+    const double mean_share = report.covered_share / count;
+    const double area_spread =
+        std::sqrt(std::max(0.0, sum_of_squared_areas / count / (mean_share * mean_share) - 1));
+    candidate.irregularity = misfits / count + report.sd_side / report.mean_side + area_spread;
+}
+
+/// Looks for the distance of the sites at which the mean side is the wanted one. The mean side grows with the
+/// distance, but in jumps, since the number of tiles is a whole number.
+class EdgeSearch {
+  public:
+    explicit EdgeSearch(double edge) : edge_(edge) {}
+    [[nodiscard]] double edge() const { return edge_; }
+    /// @param ratio  the mean side at edge() over the wanted one
+    void learn(double ratio) {
+        (ratio < 1 ? low_ : high_) = edge_;
+        const double guess = edge_ / ratio;
+        const bool is_bracketed = low_ > 0 && high_ > 0;
+        edge_ = is_bracketed && (guess <= std::min(low_, high_) || guess >= std::max(low_, high_))
+                    ? std::sqrt(low_ * high_)
+                    : guess;
+    }
+
+  private:
+    double edge_;
+    double low_ = 0.0;   // the last at which sides were too short
+    double high_ = 0.0;  // the last at which sides were too long
+};
+
+Dual tiles_around(const Rim& rim, const std::vector<Point2>& sites) {
+    Dual dual = dual_of(rim, triangulate(rim, sites));
+    std::erase_if(dual.cells, [](const std::vector<int>& cell) { return cell.size() < 3; });
+    return dual;
+}
+
+std::vector<Point2> sites_at(const Rim& rim, const TessellationOptions& options, const Start& start,
+                             double edge) {
+    return start.lattice_angle ? lattice_sites(rim, edge, *start.lattice_angle)
+                               : remeshed_sites(rim, edge, options.remeshing_iterations);
 }
 
 /// The tiles around sites at distances near `edge` (metres).
 Dual tiles_at(const Outline& outline, const TessellationOptions& options, const Start& start, double edge) {
     const Rim rim = sample_rim(outline, edge);
-    std::vector<Point2> sites = start.lattice_angle ? lattice_sites(rim, edge, *start.lattice_angle)
-                                                    : remeshed_sites(rim, edge, options.remeshing_iterations);
-    sites = relax(rim, std::move(sites), options.relaxation_iterations);
-    Dual dual = dual_of(rim, triangulate(rim, sites));
-    std::erase_if(dual.cells, [](const std::vector<int>& cell) { return cell.size() < 3; });
+    const auto sites = relax(rim, sites_at(rim, options, start, edge), options.relaxation_iterations);
+    Dual dual = tiles_around(rim, sites);
     regularize(dual, rim, kRegularizingIterations);
     return dual;
 }
@@ -123,23 +175,35 @@ std::string Start::name() const {
            base::format_number(std::round(*lattice_angle * 180 / std::numbers::pi * 10) / 10) + " deg";
 }
 
+double rough_irregularity(const Outline& outline, const TessellationOptions& options, const Start& start) {
+    const double edge = kRoughEdge * options.edge_length;
+    const Rim rim = sample_rim(outline, edge);
+    const int iterations = std::min(kRoughIterations, options.relaxation_iterations);
+    Candidate candidate;
+    candidate.dual = tiles_around(rim, relax(rim, sites_at(rim, options, start, edge), iterations));
+    if (candidate.dual.cells.empty()) return std::numeric_limits<double>::infinity();
+    measure_sides(candidate.dual, candidate.report);
+    measure_shapes(outline, candidate);
+    return candidate.irregularity;
+}
+
 Candidate make_candidate(const Outline& outline, const TessellationOptions& options, const Start& start) {
     Candidate best;
     best.side_error = std::numeric_limits<double>::infinity();
-    double edge =
-        std::numbers::sqrt3 * options.edge_length;  // regular hexagons have their centers so far apart
+    EdgeSearch search(std::numbers::sqrt3 *
+                      options.edge_length);  // the distance of regular hexagons' centers
     for (int round = 0; round < kSearchRounds && best.side_error > kGoodSideError; ++round) {
         Candidate candidate;
-        candidate.dual = tiles_at(outline, options, start, edge);
+        candidate.dual = tiles_at(outline, options, start, search.edge());
         if (candidate.dual.cells.empty()) {
-            edge /= 1.5;
+            search.learn(1.5);
             continue;
         }
         measure_sides(candidate.dual, candidate.report);
         const double ratio = candidate.report.mean_side / options.edge_length;
+        search.learn(ratio);
         candidate.side_error = std::abs(ratio - 1);
         if (candidate.side_error < best.side_error) best = std::move(candidate);
-        edge /= ratio;
     }
     if (best.dual.cells.empty()) return best;
     measure_shapes(outline, best);
@@ -151,7 +215,7 @@ Candidate make_candidate(const Outline& outline, const TessellationOptions& opti
 bool is_better(const Candidate& first, const Candidate& second) {
     const auto key = [](const Candidate& candidate) {
         const int missing = candidate.dual.cells.empty() ? 1 : 0;
-        return std::tuple(missing, candidate.pieces, candidate.not_convex,
+        return std::tuple(missing, candidate.pieces, candidate.not_convex, candidate.slender,
                           std::max(candidate.side_error, kAcceptedSideError), candidate.irregularity);
     };
     return key(first) < key(second);

@@ -19,10 +19,15 @@ struct Candidate {
     Dual dual;
     TessellationReport report;
     int not_convex = 0;         ///< tiles
+    int slender = 0;            ///< tiles with an angle below 30 degrees
     int pieces = 0;             ///< sets of tiles that hang together by sides
     double side_error = 0.0;    ///< of the mean side, relative
     double irregularity = 0.0;  ///< the smaller the better
 };
+
+/// How irregular the tiling from a start will be, judged by a first sketch of it: cheap, and good enough to
+/// leave the worst aside.
+double rough_irregularity(const Outline& outline, const TessellationOptions& options, const Start& start);
 
 /// The tiling that comes from a start, at the density that gives it the wanted mean side; no tiles if the
 /// outline is too small.

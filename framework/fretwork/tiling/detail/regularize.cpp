@@ -10,21 +10,37 @@ namespace {
 
 using Complex = std::complex<double>;
 
+/// exp(2 pi i k / count) for each k, made once for each count.
+class RootsOfUnity {
+  public:
+    const std::vector<Complex>& of(std::size_t count) {
+        if (roots_.size() <= count) roots_.resize(count + 1);
+        std::vector<Complex>& roots = roots_[count];
+        for (std::size_t k = roots.size(); k < count; ++k) {
+            const double turns = static_cast<double>(k) / static_cast<double>(count);
+            roots.push_back(std::polar(1.0, 2 * std::numbers::pi * turns));
+        }
+        return roots;
+    }
+
+  private:
+    std::vector<std::vector<Complex>> roots_;
+};
+
 /// The regular polygon that is nearest to a polygon in the least-squares sense: its mean, and the first
 /// Fourier coefficient of its vertices.
-Polygon nearest_regular_polygon(const Polygon& polygon) {
-    const auto count = static_cast<double>(polygon.size());
+Polygon nearest_regular_polygon(const Polygon& polygon, const std::vector<Complex>& roots) {
     Complex mean;
     Complex first;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
         const Complex place(polygon[i].x, polygon[i].y);
-        mean += place / count;
-        first += place * std::polar(1 / count, -2 * std::numbers::pi * static_cast<double>(i) / count);
+        mean += place;
+        first += place * std::conj(roots[i]);
     }
+    const double share = 1.0 / static_cast<double>(polygon.size());
     Polygon regular;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
-        const Complex place =
-            mean + first * std::polar(1.0, 2 * std::numbers::pi * static_cast<double>(i) / count);
+        const Complex place = share * (mean + first * roots[i]);
         regular.push_back({place.real(), place.imag()});
     }
     return regular;
@@ -33,11 +49,13 @@ Polygon nearest_regular_polygon(const Polygon& polygon) {
 }  // namespace
 
 void regularize(Dual& dual, const Rim& rim, int iterations) {
+    RootsOfUnity roots;
     for (int iteration = 0; iteration < iterations; ++iteration) {
         std::vector<Point2> sums(dual.vertices.size());
         std::vector<int> wishes(dual.vertices.size());
         for (std::size_t cell = 0; cell < dual.cells.size(); ++cell) {
-            const Polygon wanted = nearest_regular_polygon(polygon_of(dual, cell));
+            const Polygon polygon = polygon_of(dual, cell);
+            const Polygon wanted = nearest_regular_polygon(polygon, roots.of(polygon.size()));
             for (std::size_t i = 0; i < wanted.size(); ++i) {
                 const auto vertex = static_cast<std::size_t>(dual.cells[cell][i]);
                 sums[vertex] = sums[vertex] + wanted[i];

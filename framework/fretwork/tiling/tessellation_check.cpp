@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/base/text.hpp>
+#include <fretwork/pattern/pattern.hpp>
+#include <fretwork/tiling/detail/plane.hpp>
+#include <fretwork/tiling/tessellation_check.hpp>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace fretwork::tiling {
+namespace {
+
+using namespace detail;
+
+/// An interface node may be off its place by so much of the side: what rounding does to coordinates.
+constexpr double kPlaceTolerance = 1e-6;
+
+class Checker {
+  public:
+    Checker(const Tessellation& tessellation, const pattern::NodeLayout& layout)
+        : tessellation_(tessellation), layout_(layout) {
+        for (const pattern::Rational& place : layout.description().interface)
+            places_.push_back(place.to_double());
+    }
+
+    void run() {
+        if (tessellation_.layout != layout_.name())
+            throw base::InputError("the tessellation is for the node layout '" + tessellation_.layout +
+                                   "', and not for '" + layout_.name() + "'");
+        check_places(tessellation_.vertices, "vertex");
+        check_places(tessellation_.interface_nodes, "interface node");
+        for (const std::string& id : tessellation_.patterns) (void)pattern::parse_pattern_id(layout_, id);
+        for (std::size_t t = 0; t < tessellation_.tiles.size(); ++t) {
+            check_indices(t);
+            check_shape(t);
+            check_sides(t);
+        }
+        check_all_used();
+    }
+
+  private:
+    /// A side in the direction of its tile.
+    struct Side {
+        std::size_t tile;
+        std::vector<InterfaceIndex> nodes;
+    };
+
+    [[noreturn]] static void fail(std::size_t tile, const std::string& message) {
+        throw base::InputError("tile " + std::to_string(tile) + " " + message);
+    }
+    [[nodiscard]] Point2 vertex(VertexIndex index) const {
+        return tessellation_.vertices[static_cast<std::size_t>(index.value)];
+    }
+
+    static void check_places(const std::vector<Point2>& places, const std::string& what) {
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            if (!std::isfinite(places[i].x) || !std::isfinite(places[i].y))
+                throw base::InputError(what + " " + std::to_string(i) + " is not finite");
+        }
+    }
+
+    void check_indices(std::size_t t) const {
+        const Tile& tile = tessellation_.tiles[t];
+        const auto check = [&](int index, std::size_t count, const std::string& what) {
+            if (index < 0 || static_cast<std::size_t>(index) >= count)
+                fail(t, "names the " + what + " " + std::to_string(index) + ", and there are " +
+                            std::to_string(count));
+        };
+        if (tile.vertices.size() < 3)
+            fail(t, "has " + std::to_string(tile.vertices.size()) + " vertices, where at least 3 are needed");
+        const std::size_t wanted = tile.vertices.size() * places_.size();
+        if (tile.interface_nodes.size() != wanted)
+            fail(t, "has " + std::to_string(tile.interface_nodes.size()) + " interface nodes, where " +
+                        std::to_string(wanted) + " are needed");
+        for (const VertexIndex index : tile.vertices) check(index, tessellation_.vertices.size(), "vertex");
+        for (const InterfaceIndex index : tile.interface_nodes)
+            check(index, tessellation_.interface_nodes.size(), "interface node");
+        if (tile.pattern != -1) check(tile.pattern, tessellation_.patterns.size(), "pattern");
+    }
+
+    void check_shape(std::size_t t) const {
+        if (!pattern::is_convex(tile_polygon(tessellation_, TileIndex(t))))
+            throw base::GeometryError("tile " + std::to_string(t) + " is not convex and counterclockwise");
+    }
+
+    void check_sides(std::size_t t) {
+        const Tile& tile = tessellation_.tiles[t];
+        for (std::size_t i = 0; i < tile.vertices.size(); ++i) {
+            const VertexIndex from = tile.vertices[i];
+            const VertexIndex to = tile.vertices[(i + 1) % tile.vertices.size()];
+            const auto first = tile.interface_nodes.begin() + static_cast<std::ptrdiff_t>(i * places_.size());
+            Side side{t, {first, first + static_cast<std::ptrdiff_t>(places_.size())}};
+            check_on_side(side, vertex(from), vertex(to));
+            check_neighbor(side, from, to);
+            sides_[{from, to}] = std::move(side);
+        }
+    }
+
+    void check_on_side(const Side& side, Point2 from, Point2 to) const {
+        for (std::size_t k = 0; k < places_.size(); ++k) {
+            const Point2 wanted = between(from, to, places_[k]);
+            const Point2 there = tessellation_.interface_nodes[static_cast<std::size_t>(side.nodes[k].value)];
+            if (distance(wanted, there) > kPlaceTolerance * distance(from, to))
+                fail(side.tile, "has the interface node " + std::to_string(side.nodes[k].value) +
+                                    " away from its place on the side, which is (" +
+                                    base::format_number(wanted.x) + ", " + base::format_number(wanted.y) +
+                                    ")");
+        }
+    }
+
+    /// The neighbour runs through the side the other way; where there is none, the interface nodes are new.
+    void check_neighbor(const Side& side, VertexIndex from, VertexIndex to) {
+        if (const auto same = sides_.find({from, to}); same != sides_.end())
+            fail(side.tile, "lies on the same side of a side as tile " + std::to_string(same->second.tile));
+        const auto other = sides_.find({to, from});
+        if (other == sides_.end()) {
+            for (const InterfaceIndex node : side.nodes) {
+                if (!used_.insert(node).second)
+                    fail(side.tile, "has the interface node " + std::to_string(node.value) +
+                                        ", which is on another side");
+            }
+        } else if (!std::equal(side.nodes.begin(), side.nodes.end(), other->second.nodes.rbegin())) {
+            fail(side.tile, "and tile " + std::to_string(other->second.tile) +
+                                " share a side and do not agree about its interface nodes");
+        }
+    }
+
+    void check_all_used() const {
+        for (std::size_t node = 0; node < tessellation_.interface_nodes.size(); ++node) {
+            if (!used_.contains(InterfaceIndex(node)))
+                throw base::InputError("interface node " + std::to_string(node) + " is on no tile");
+        }
+    }
+
+    const Tessellation& tessellation_;
+    const pattern::NodeLayout& layout_;
+    std::vector<double> places_;  // of interface nodes, as shares of a side
+    std::map<std::pair<VertexIndex, VertexIndex>, Side> sides_;
+    std::set<InterfaceIndex> used_;
+};
+
+}  // namespace
+
+void validate(const Tessellation& tessellation, const pattern::NodeLayout& layout) {
+    Checker(tessellation, layout).run();
+}
+
+}  // namespace fretwork::tiling
