@@ -20,23 +20,38 @@ std::string hex(const Rgb& rgb) {
     return buffer;
 }
 
-/// Hue in turns, saturation and lightness from 0 to 1.
-Rgb from_hsl(double hue, double saturation, double lightness) {
-    const double chroma = saturation * std::min(lightness, 1.0 - lightness);
-    const auto channel = [&](double offset) {
-        const double k = std::fmod(offset + 12.0 * hue, 12.0);
-        return lightness - chroma * std::max(-1.0, std::min({k - 3.0, 9.0 - k, 1.0}));
+/// OKLCH (Ottosson 2020): lightness and chroma as the eye sees them; hue in turns. Values out of the screen's
+/// range are clamped.
+Rgb from_oklch(double lightness, double chroma, double hue) {
+    constexpr double kTwoPi = 6.283185307179586;
+    const double a = chroma * std::cos(kTwoPi * hue);
+    const double b = chroma * std::sin(kTwoPi * hue);
+    const auto cube = [](double x) { return x * x * x; };
+    const double l = cube(lightness + 0.3963377774 * a + 0.2158037573 * b);
+    const double m = cube(lightness - 0.1055613458 * a - 0.0638541728 * b);
+    const double s = cube(lightness - 0.0894841775 * a - 1.2914855480 * b);
+    const auto gamma = [](double x) {
+        return x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1.0 / 2.4) - 0.055;
     };
-    return {channel(0.0), channel(8.0), channel(4.0)};
+    return {gamma(4.0767416621 * l - 3.3077115913 * m + 0.2309699292 * s),
+            gamma(-1.2684380046 * l + 2.6097574011 * m - 0.3413193965 * s),
+            gamma(-0.0041960863 * l - 0.7034186147 * m + 1.7076147010 * s)};
 }
 
 }  // namespace
 
 std::string pattern_colour(int index) {
+    // The first nine are the "light" scheme of Paul Tol (2021), made for filled areas and for colour-blind
+    // readers.
+    constexpr std::array<const char*, 9> kFirst = {"#77aadd", "#eedd88", "#44bb99", "#ffaabb", "#bbcc33",
+                                                   "#ee8866", "#99ddff", "#aaaa00", "#dddddd"};
+    if (index < 0) return "#f4f6f8";
+    const auto place = static_cast<std::size_t>(index);
+    if (place < kFirst.size()) return kFirst[place];
     constexpr double kGoldenTurn = 0.3819660112501051;
-    constexpr std::array<double, 3> kLightness = {0.74, 0.84, 0.64};
-    const double turns = 0.08 + kGoldenTurn * index;
-    return hex(from_hsl(turns - std::floor(turns), 0.55, kLightness[static_cast<std::size_t>(index % 3)]));
+    constexpr std::array<double, 3> kLightness = {0.87, 0.78, 0.70};
+    const double turns = kGoldenTurn * index;
+    return hex(from_oklch(kLightness[place % kLightness.size()], 0.085, turns - std::floor(turns)));
 }
 
 std::string scale_colour(double share) {

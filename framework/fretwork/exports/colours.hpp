@@ -5,9 +5,9 @@
 
 namespace fretwork::exports {
 
-/// The colour of the i-th pattern of a palette, as "#rrggbb". Neighbouring numbers are far apart in hue
-/// (golden angle) and differ in lightness, too, so that they can be told apart in grey and with a colour
-/// vision deficiency.
+/// The colour of the i-th pattern of a palette, as "#rrggbb": light, so that beams stand out. The first nine
+/// can be told apart with a colour vision deficiency; further ones are far apart in hue (golden angle) and
+/// differ in lightness. A negative number (not painted) is nearly white.
 std::string pattern_colour(int index);
 
 /// A perceptually even scale from dark blue (0) over green to yellow (1), after viridis; values outside are

@@ -1,109 +1,84 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fretwork/exports/colours.hpp>
-#include <fretwork/exports/detail/svg_canvas.hpp>
+#include <fretwork/exports/detail/panels.hpp>
 #include <fretwork/exports/surface_drawing.hpp>
 
 #include <algorithm>
-#include <cmath>
-#include <vector>
+#include <map>
+#include <utility>
 
 namespace fretwork::exports {
 namespace {
 
 using detail::SvgCanvas;
-using mechanics::Dof;
-using pattern::Point2;
 using simulation::Conditions;
 using simulation::Surface;
 
-constexpr const char* kBeamColour = "#22303c";
-constexpr const char* kLoadColour = "#20419a";
-
-double mean_side(const Surface& surface) {
-    double sum = 0.0;
-    for (std::size_t t = 0; t < surface.tessellation.tiles.size(); ++t) {
-        sum += pattern::mean_side(tiling::tile_polygon(surface.tessellation, tiling::TileIndex(t)));
-    }
-    return sum / static_cast<double>(surface.tessellation.tiles.size());
+std::string surface_title(const Surface& surface) {
+    return "Tessellation with " + std::to_string(surface.tessellation.tiles.size()) + " tiles and " +
+           std::to_string(surface.tessellation.patterns.size()) + " patterns";
 }
 
-/// The width of a beam as seen from above: that of a square of the section's area.
-double beam_width(const Surface& surface) {
-    return std::sqrt(surface.setting.section.area);
-}
-
-void draw_tiles(SvgCanvas& canvas, const Surface& surface) {
-    for (std::size_t t = 0; t < surface.tessellation.tiles.size(); ++t) {
-        const auto polygon = tiling::tile_polygon(surface.tessellation, tiling::TileIndex(t));
-        canvas.polygon(polygon, {pattern_colour(surface.tessellation.tiles[t].pattern), "#ffffff",
-                                 0.2 * beam_width(surface), 1.0});
+/// Panels below each other, each in the middle.
+SvgCanvas stacked(std::span<const SvgCanvas> panels) {
+    detail::Box box;
+    for (const SvgCanvas& panel : panels) {
+        box.xmax = std::max(box.xmax, panel.box().width());
+        box.ymin -= panel.box().height();
     }
-}
-
-void draw_beams(SvgCanvas& canvas, const Surface& surface) {
-    std::vector<std::array<Point2, 2>> beams;
-    for (const auto& edge : surface.fan.edges) {
-        beams.push_back({surface.fan.nodes[static_cast<std::size_t>(edge.nodes[0])],
-                         surface.fan.nodes[static_cast<std::size_t>(edge.nodes[1])]});
+    SvgCanvas sheet(box, 1.0);
+    double top = 0.0;
+    for (const SvgCanvas& panel : panels) {
+        sheet.embed(panel, {0.5 * (box.xmax - panel.box().width()), top});
+        top -= panel.box().height();
     }
-    canvas.segments(beams, {"none", kBeamColour, beam_width(surface), 1.0});
-}
-
-detail::Colour support_colour(const mechanics::DofSet& fixed) {
-    if (fixed == mechanics::DofSet::all()) return "#d7301f";
-    if (fixed == mechanics::DofSet::translations()) return "#1a9850";
-    return "#f28e2b";
-}
-
-/// Forces in the plane are arrows that end at the node; forces out of it a ring, with a dot if they come up
-/// to the viewer.
-void draw_load(SvgCanvas& canvas, const Point2& node, const Eigen::Vector3d& force, double length) {
-    const double across = force.head<2>().norm();
-    const double size = length * force.norm();
-    if (across >= 0.2 * force.norm() && across > 0) {
-        const Point2 tail{node.x - length * force.x(), node.y - length * force.y()};
-        canvas.arrow(tail, node, 0.35 * size, {"none", kLoadColour, 0.08 * size, 1.0});
-        return;
-    }
-    const double radius = 0.3 * size;
-    canvas.circle(node, radius, {"#ffffff", kLoadColour, 0.25 * radius, 1.0});
-    if (force.z() > 0) {
-        canvas.circle(node, 0.35 * radius, {kLoadColour, "none", 0.0, 1.0});
-    } else {
-        const double arm = 0.7 * radius;
-        const std::array<std::array<Point2, 2>, 2> cross = {
-            {{{{node.x - arm, node.y - arm}, {node.x + arm, node.y + arm}}},
-             {{{node.x - arm, node.y + arm}, {node.x + arm, node.y - arm}}}}};
-        canvas.segments(cross, {"none", kLoadColour, 0.25 * radius, 1.0});
-    }
-}
-
-void draw_conditions(SvgCanvas& canvas, const Surface& surface, const Conditions& conditions) {
-    const auto place = [&](mechanics::NodeIndex node) {
-        return surface.tessellation.interface_nodes[static_cast<std::size_t>(node)];
-    };
-    const double side = mean_side(surface);
-    for (const mechanics::Support& support : conditions.supports) {
-        canvas.circle(place(support.node), 0.16 * side,
-                      {support_colour(support.fixed), "#ffffff", 0.03 * side, 1.0});
-    }
-    double largest = 0.0;
-    for (const mechanics::NodalLoad& load : conditions.loads) largest = std::max(largest, load.force.norm());
-    for (const mechanics::NodalLoad& load : conditions.loads) {
-        if (load.force.norm() > 0) draw_load(canvas, place(load.node), load.force, 1.2 * side / largest);
-    }
+    return sheet;
 }
 
 }  // namespace
 
+LineSet rim_lines(const Surface& surface) {
+    std::map<std::pair<int, int>, int> uses;
+    for (const tiling::Tile& tile : surface.tessellation.tiles) {
+        for (std::size_t k = 0; k < tile.vertices.size(); ++k) {
+            const int a = tile.vertices[k];
+            const int b = tile.vertices[(k + 1) % tile.vertices.size()];
+            ++uses[std::minmax(a, b)];
+        }
+    }
+    LineSet rim;
+    for (const pattern::Point2& vertex : surface.tessellation.vertices)
+        rim.nodes.emplace_back(vertex.x, vertex.y, 0.0);
+    for (const auto& [side, count] : uses) {
+        if (count == 1) rim.lines.push_back({side.first, side.second});
+    }
+    return rim;
+}
+
 std::string surface_svg(const Surface& surface, const Conditions* conditions) {
-    SvgCanvas canvas(detail::bounding_box(surface.tessellation.vertices, 0.8 * mean_side(surface)), 1.0);
-    draw_tiles(canvas, surface);
-    draw_beams(canvas, surface);
-    if (conditions != nullptr) draw_conditions(canvas, surface, *conditions);
-    return canvas.document("Tessellation with " + std::to_string(surface.tessellation.tiles.size()) +
-                           " tiles and " + std::to_string(surface.tessellation.patterns.size()) +
-                           " patterns");
+    return detail::surface_panel(surface, conditions).document(surface_title(surface));
+}
+
+std::string setup_svg(const Surface& surface, const Conditions& conditions, const ViewOptions& view) {
+    return detail::setup_panel(surface, conditions, view).document("Simulation setup");
+}
+
+std::string deformed_svg(std::span<const DeformedLayer> layers, const DeformedViewOptions& options) {
+    return detail::deformed_panel(layers, options)
+        .document("Deformed state, " + detail::scale_note(options.scale));
+}
+
+std::string displacement_svg(const DeformedLayer& layer, const DeformedViewOptions& options) {
+    return detail::displacement_panel(layer, options)
+        .document("Displacements of " + layer.label + ", " + detail::scale_note(options.scale));
+}
+
+std::string figure_svg(const Surface& surface, const Conditions& conditions,
+                       std::span<const DeformedLayer> layers, const DeformedViewOptions& options) {
+    std::vector<SvgCanvas> panels = {detail::surface_panel(surface, nullptr),
+                                     detail::setup_panel(surface, conditions, options.view)};
+    if (layers.size() == 1) panels.push_back(detail::displacement_panel(layers.front(), options));
+    if (layers.size() > 1) panels.push_back(detail::deformed_panel(layers, options));
+    return stacked(panels).document(surface_title(surface) + ": setup and deformed state");
 }
 
 }  // namespace fretwork::exports

@@ -10,11 +10,23 @@
 
 namespace fretwork::exports {
 
+/// Where the viewer of a parallel projection stands.
+struct ViewOptions {
+    double azimuth = -0.6;   ///< rad, about z
+    double elevation = 0.6;  ///< rad above the plane
+};
+
 /// A surface seen from above at true scale: tiles coloured by pattern, beams of true width, and, where
 /// `conditions` are given, supports (red: all dofs, green: translations only, orange: others) and loads
-/// (arrows; forces out of the plane as dots). As in the paper's Figs. 12 to 14.
+/// (arrows; forces out of the plane as rings). With a legend and a scale bar. As in the paper's Figs. 12
+/// to 14.
 std::string surface_svg(const simulation::Surface& surface,
                         const simulation::Conditions* conditions = nullptr);
+
+/// The simulation setup in parallel projection: the flat surface, balls where it is held, and forces as
+/// arrows as long as they are large (moments: with two heads). As in the paper's Figs. 12 to 14.
+std::string setup_svg(const simulation::Surface& surface, const simulation::Conditions& conditions,
+                      const ViewOptions& view = {});
 
 /// One of the deformed states that are drawn over each other.
 struct DeformedLayer {
@@ -24,15 +36,23 @@ struct DeformedLayer {
 };
 
 struct DeformedViewOptions {
-    double scale = 1.0;      ///< of the displacements; the drawing says it
-    double azimuth = -0.6;   ///< rad, about z: where the viewer stands
-    double elevation = 0.5;  ///< rad above the plane
+    double scale = 1.0;  ///< of the displacements; the drawing says it
+    ViewOptions view{};
+    LineSet rest{};  ///< drawn dashed below everything, such as rim_lines()
 };
+
+/// The rim of a surface at rest.
+LineSet rim_lines(const simulation::Surface& surface);
 
 /// Deformed states in parallel projection, over each other, with a legend and a scale bar.
 std::string deformed_svg(std::span<const DeformedLayer> layers, const DeformedViewOptions& options = {});
 
 /// The displacements' size on the deformed state of one layer, as colours with a legend.
 std::string displacement_svg(const DeformedLayer& layer, const DeformedViewOptions& options = {});
+
+/// All of it below each other on one sheet, as the paper's Figs. 12 to 14: from above, the setup, the
+/// deformed states.
+std::string figure_svg(const simulation::Surface& surface, const simulation::Conditions& conditions,
+                       std::span<const DeformedLayer> layers, const DeformedViewOptions& options = {});
 
 }  // namespace fretwork::exports

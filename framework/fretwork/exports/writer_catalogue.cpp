@@ -23,22 +23,24 @@ std::string layer_colour(std::size_t index) {
 }
 
 std::string svg_text(const Scene& scene) {
-    if (scene.results.empty())
-        return surface_svg(scene.surface, scene.conditions ? &*scene.conditions : nullptr);
-    DeformedViewOptions view;
-    view.scale = scene.displacement_scale;
+    DeformedViewOptions options;
+    options.scale = scene.displacement_scale;
+    options.rest = rim_lines(scene.surface);
     std::vector<DeformedLayer> layers;
     for (const Scene::LabelledResult& entry : scene.results) {
         layers.push_back(
             {entry.label, layer_colour(layers.size()), result_lines(scene.surface, entry.result)});
     }
-    return layers.size() == 1 ? displacement_svg(layers.front(), view) : deformed_svg(layers, view);
+    if (scene.conditions && layers.empty()) return surface_svg(scene.surface, &*scene.conditions);
+    if (scene.conditions) return figure_svg(scene.surface, *scene.conditions, layers, options);
+    if (layers.empty()) return surface_svg(scene.surface);
+    return layers.size() == 1 ? displacement_svg(layers.front(), options) : deformed_svg(layers, options);
 }
 
 constexpr std::array<WriterRow, 5> kWriters = {{
     {".svg",
      "drawing: the surface from above; with one result its displacements in colour; with several, these over "
-     "each other",
+     "each other; with a load case and results all of it on one sheet",
      svg_text},
     {".vtu", "lines for ParaView, with displacements and rotations of the first result",
      [](const Scene& scene) { return vtu_text(main_lines(scene)); }},

@@ -74,6 +74,7 @@ std::string SvgCanvas::attributes(const Style& style) const {
         text += " stroke=\"" + style.stroke + "\" stroke-width=\"" + length(style.stroke_width) +
                 "\" stroke-linecap=\"round\" stroke-linejoin=\"round\"";
     }
+    if (style.dash > 0.0) text += " stroke-dasharray=\"" + length(style.dash) + "\"";
     if (style.opacity < 1.0) text += " opacity=\"" + rounded(style.opacity) + "\"";
     return text;
 }
@@ -95,6 +96,12 @@ void SvgCanvas::circle(const Point2& center, double radius, const Style& style) 
     body_ += "<circle cx=\"" + rounded((center.x - box_.xmin) * units_per_metre_) + "\" cy=\"" +
              rounded((box_.ymax - center.y) * units_per_metre_) + "\" r=\"" + length(radius) + "\"" +
              attributes(style) + "/>\n";
+}
+
+void SvgCanvas::ball(const Point2& center, double radius, const Colour& colour) {
+    circle(center, radius, {colour, "#ffffff", 0.15 * radius, 1.0});
+    circle({center.x - 0.3 * radius, center.y + 0.35 * radius}, 0.28 * radius,
+           {"#ffffff", "none", 0.0, 0.65});
 }
 
 void SvgCanvas::arrow(const Point2& from, const Point2& to, double head, const Style& style) {
@@ -119,13 +126,33 @@ void SvgCanvas::text(const Point2& point, std::string_view text, double height, 
              "</text>\n";
 }
 
-std::string SvgCanvas::document(std::string_view title) const {
+void SvgCanvas::layer(std::string_view name) {
+    body_ += std::string(in_layer_ ? "</g>\n" : "") + "<g id=\"" + escaped(name) + "\">\n";
+    in_layer_ = true;
+}
+
+std::string SvgCanvas::body() const {
+    return body_ + (in_layer_ ? "</g>\n" : "");
+}
+
+std::string SvgCanvas::size(std::string_view unit) const {
     const std::string width = rounded(box_.width() * units_per_metre_);
     const std::string height = rounded(box_.height() * units_per_metre_);
-    return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" +
-           width + "mm\" height=\"" + height + "mm\" viewBox=\"0 0 " + width + " " + height +
-           "\" font-family=\"DejaVu Sans, Helvetica, Arial, sans-serif\">\n<title>" + escaped(title) +
-           "</title>\n<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n" + body_ + "</svg>\n";
+    return "width=\"" + width + std::string(unit) + "\" height=\"" + height + std::string(unit) +
+           "\" viewBox=\"0 0 " + width + " " + height + "\"";
+}
+
+void SvgCanvas::embed(const SvgCanvas& drawing, const Point2& top_left) {
+    body_ += "<svg x=\"" + rounded((top_left.x - box_.xmin) * units_per_metre_) + "\" y=\"" +
+             rounded((box_.ymax - top_left.y) * units_per_metre_) + "\" " + drawing.size("") + ">\n" +
+             drawing.body() + "</svg>\n";
+}
+
+std::string SvgCanvas::document(std::string_view title) const {
+    return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" " +
+           size("mm") + " font-family=\"DejaVu Sans, Helvetica, Arial, sans-serif\">\n<title>" +
+           escaped(title) + "</title>\n<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n" + body() +
+           "</svg>\n";
 }
 
 }  // namespace fretwork::exports::detail

@@ -28,6 +28,7 @@ struct Style {
     Colour stroke = "none";
     double stroke_width = 0.0;
     double opacity = 1.0;
+    double dash = 0.0;  ///< length of dashes and gaps, metres; 0: none
 };
 
 enum class Anchor { Start, Middle, End };
@@ -38,10 +39,18 @@ class SvgCanvas {
   public:
     SvgCanvas(const Box& box, double scale);
 
+    /// What follows belongs to a layer of this name, which drawing programs show; it ends where the next
+    /// begins.
+    void layer(std::string_view name);
+    /// Put another drawing, as large as it is, with its top left corner at a place.
+    void embed(const SvgCanvas& drawing, const pattern::Point2& top_left);
+
     void polygon(std::span<const pattern::Point2> points, const Style& style);
     /// Several open lines as one path, with round ends.
     void segments(std::span<const std::array<pattern::Point2, 2>> lines, const Style& style);
     void circle(const pattern::Point2& center, double radius, const Style& style);
+    /// A circle that is shaded as a ball.
+    void ball(const pattern::Point2& center, double radius, const Colour& colour);
     /// An arrow from `from` to `to` with a head as long as `head`.
     void arrow(const pattern::Point2& from, const pattern::Point2& to, double head, const Style& style);
     /// One line of text of a given height; `text` may hold any characters.
@@ -50,15 +59,21 @@ class SvgCanvas {
 
     /// The whole document.
     [[nodiscard]] std::string document(std::string_view title) const;
+    [[nodiscard]] const Box& box() const { return box_; }
 
   private:
     [[nodiscard]] std::string place(const pattern::Point2& point) const;
     [[nodiscard]] std::string length(double metres) const;
     [[nodiscard]] std::string attributes(const Style& style) const;
+    /// The size as attributes, with or without a unit behind the numbers.
+    [[nodiscard]] std::string size(std::string_view unit) const;
+    /// The shapes with the last layer closed.
+    [[nodiscard]] std::string body() const;
 
     Box box_;
     double units_per_metre_;
     std::string body_;
+    bool in_layer_ = false;
 };
 
 }  // namespace fretwork::exports::detail

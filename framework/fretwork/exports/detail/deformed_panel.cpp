@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/text.hpp>
+#include <fretwork/exports/colours.hpp>
+#include <fretwork/exports/detail/furniture.hpp>
+#include <fretwork/exports/detail/panels.hpp>
+#include <fretwork/exports/detail/projection.hpp>
+
+#include <algorithm>
+#include <limits>
+
+namespace fretwork::exports::detail {
+namespace {
+
+using pattern::Point2;
+using Segments = std::vector<std::array<Point2, 2>>;
+
+constexpr int kBands = 16;  ///< colours of a scale: lines of one colour are one path, and the file is small
+
+Segments segments_of(const LineSet& lines, const std::vector<Point2>& points) {
+    Segments segments;
+    for (const auto& line : lines.lines)
+        segments.push_back(
+            {points[static_cast<std::size_t>(line[0])], points[static_cast<std::size_t>(line[1])]});
+    return segments;
+}
+
+/// The sizes of all displacements; zeros where there are none.
+std::vector<double> displacement_sizes(const LineSet& lines) {
+    std::vector<double> sizes(lines.nodes.size(), 0.0);
+    for (std::size_t i = 0; i < sizes.size() && lines.displacements; ++i)
+        sizes[i] = lines.displacements->row(static_cast<Eigen::Index>(i)).head<3>().norm();
+    return sizes;
+}
+
+double largest_displacement(const LineSet& lines) {
+    const std::vector<double> sizes = displacement_sizes(lines);
+    return sizes.empty() ? 0.0 : *std::ranges::max_element(sizes);
+}
+
+/// A deformed view before its furniture: projected lines, and the box with room for a legend above and a
+/// scale bar below.
+struct View {
+    std::vector<std::vector<Point2>> points;  ///< for each layer
+    std::vector<Point2> rest;
+    Box box;
+};
+
+View make_view(std::span<const DeformedLayer> layers, const DeformedViewOptions& options, int legend_lines) {
+    const Projection projection(options.view);
+    View view;
+    view.rest = projection.all(options.rest.nodes);
+    std::vector<Point2> all = view.rest;
+    for (const DeformedLayer& layer : layers) {
+        view.points.push_back(projection.all(displaced_nodes(layer.lines, options.scale)));
+        all.insert(all.end(), view.points.back().begin(), view.points.back().end());
+    }
+    const Box subject = bounding_box(all, 0.0);
+    const double margin = 0.03 * subject.width();
+    view.box = {subject.xmin - margin, subject.ymin - margin, subject.xmax + margin, subject.ymax + margin};
+    const double text = text_height(view.box.width());
+    view.box.ymax += 1.7 * text * legend_lines;
+    view.box.ymin -= 2.0 * text;
+    return view;
+}
+
+double line_width(const Box& box) {
+    return 0.0018 * box.width();
+}
+
+Style rest_style(const Box& box) {
+    return {"none", "#9aa4ae", 0.7 * line_width(box), 1.0, 3.0 * line_width(box)};
+}
+
+/// A line of the legend, from the top left corner of the box down.
+Point2 legend_place(const Box& box, int line) {
+    const double text = text_height(box.width());
+    return {box.xmin + text, box.ymax - 1.7 * text * (line + 1)};
+}
+
+void draw_rest(SvgCanvas& canvas, const View& view, const DeformedViewOptions& options) {
+    canvas.layer("at rest");
+    canvas.segments(segments_of(options.rest, view.rest), rest_style(view.box));
+}
+
+/// The last lines of every legend. Returns nothing to add: `line` is the first free one.
+void draw_notes(SvgCanvas& canvas, const DeformedViewOptions& options, int line) {
+    const double text = text_height(canvas.box().width());
+    if (!options.rest.lines.empty()) {
+        const Point2 place =
+            draw_line_sample(canvas, legend_place(canvas.box(), line++), rest_style(canvas.box()));
+        canvas.text(place, "rim at rest", text);
+    }
+    canvas.text(legend_place(canvas.box(), line), scale_note(options.scale), text);
+    draw_scale_bar(canvas, {canvas.box().xmin + text, canvas.box().ymin + text});
+}
+
+void draw_colour_bar(SvgCanvas& canvas, const Point2& start, double width) {
+    const double text = text_height(canvas.box().width());
+    const double step = width / kBands;
+    for (int band = 0; band < kBands; ++band) {
+        const double x = start.x + band * step;
+        // Each reaches under the next: no seams where renderers smooth edges.
+        const double end = band + 1 < kBands ? x + 1.5 * step : x + step;
+        const std::array<Point2, 4> swatch = {Point2{x, start.y}, Point2{end, start.y},
+                                              Point2{end, start.y + text}, Point2{x, start.y + text}};
+        canvas.polygon(swatch, {scale_colour((band + 0.5) / kBands), "none", 0.0, 1.0});
+    }
+}
+
+void draw_coloured_lines(SvgCanvas& canvas, const LineSet& lines, const std::vector<Point2>& points,
+                         double largest) {
+    const std::vector<double> sizes = displacement_sizes(lines);
+    std::vector<Segments> bands(kBands);
+    for (const auto& line : lines.lines) {
+        const auto a = static_cast<std::size_t>(line[0]);
+        const auto b = static_cast<std::size_t>(line[1]);
+        const double share = 0.5 * (sizes[a] + sizes[b]) / largest;
+        bands[std::min<std::size_t>(static_cast<std::size_t>(kBands * share), kBands - 1)].push_back(
+            {points[a], points[b]});
+    }
+    for (int band = 0; band < kBands; ++band) {
+        canvas.segments(bands[static_cast<std::size_t>(band)],
+                        {"none", scale_colour((band + 0.5) / kBands), 1.6 * line_width(canvas.box()), 1.0});
+    }
+}
+
+}  // namespace
+
+std::string scale_note(double scale) {
+    return scale == 1.0 ? "displacements at true scale"
+                        : "displacements " + base::format_number(scale) + " times as large";
+}
+
+SvgCanvas deformed_panel(std::span<const DeformedLayer> layers, const DeformedViewOptions& options) {
+    const int notes = options.rest.lines.empty() ? 1 : 2;
+    const View view = make_view(layers, options, static_cast<int>(layers.size()) + notes);
+    SvgCanvas canvas(view.box, 1.0);
+    const double text = text_height(view.box.width());
+    draw_rest(canvas, view, options);
+    for (std::size_t i = 0; i < layers.size(); ++i) {
+        canvas.layer(layers[i].label);
+        canvas.segments(segments_of(layers[i].lines, view.points[i]),
+                        {"none", layers[i].colour, line_width(view.box), 1.0});
+    }
+    canvas.layer("legend");
+    int line = 0;
+    for (const DeformedLayer& layer : layers) {
+        const Point2 place = draw_line_sample(canvas, legend_place(view.box, line++),
+                                              {"none", layer.colour, 0.25 * text, 1.0});
+        canvas.text(place, layer.label + ": at most " + millimetres(largest_displacement(layer.lines)), text);
+    }
+    draw_notes(canvas, options, line);
+    return canvas;
+}
+
+SvgCanvas displacement_panel(const DeformedLayer& layer, const DeformedViewOptions& options) {
+    const int notes = options.rest.lines.empty() ? 1 : 2;
+    const View view = make_view(std::span(&layer, 1), options, 3 + notes);
+    SvgCanvas canvas(view.box, 1.0);
+    const double text = text_height(view.box.width());
+    const double largest = largest_displacement(layer.lines);
+    draw_rest(canvas, view, options);
+    canvas.layer(layer.label);
+    draw_coloured_lines(canvas, layer.lines, view.points.front(),
+                        std::max(largest, std::numeric_limits<double>::min()));
+    canvas.layer("legend");
+    canvas.text(legend_place(view.box, 0), layer.label + ": size of the displacement", text);
+    const Point2 bar = legend_place(view.box, 1);
+    const double width = 0.3 * view.box.width();
+    draw_colour_bar(canvas, bar, width);
+    const double below = legend_place(view.box, 2).y + 0.4 * text;
+    canvas.text({bar.x, below}, "0", 0.9 * text);
+    canvas.text({bar.x + 0.5 * width, below}, millimetres(0.5 * largest), 0.9 * text, Anchor::Middle);
+    canvas.text({bar.x + width, below}, millimetres(largest), 0.9 * text, Anchor::End);
+    draw_notes(canvas, options, 3);
+    return canvas;
+}
+
+}  // namespace fretwork::exports::detail

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/exports/surface_drawing.hpp>
+
+namespace fretwork::exports::detail {
+
+/// Parallel projection onto the plane across the line of sight.
+class Projection {
+  public:
+    explicit Projection(const ViewOptions& view);
+    /// From above: x and y stay as they are.
+    static Projection from_above();
+
+    [[nodiscard]] pattern::Point2 operator()(const Eigen::Vector3d& point) const;
+    /// A point of the plane z = 0.
+    [[nodiscard]] pattern::Point2 operator()(const pattern::Point2& point) const;
+    [[nodiscard]] std::vector<pattern::Point2> all(std::span<const pattern::Point2> points) const;
+    [[nodiscard]] std::vector<pattern::Point2> all(std::span<const Eigen::Vector3d> points) const;
+
+  private:
+    Projection(const Eigen::Vector3d& right, const Eigen::Vector3d& up) : right_(right), up_(up) {}
+    Eigen::Vector3d right_;
+    Eigen::Vector3d up_;
+};
+
+}  // namespace fretwork::exports::detail

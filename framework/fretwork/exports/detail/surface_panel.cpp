@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/exports/colours.hpp>
+#include <fretwork/exports/detail/furniture.hpp>
+#include <fretwork/exports/detail/panels.hpp>
+#include <fretwork/exports/detail/surface_parts.hpp>
+#include <fretwork/pattern/fan.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace fretwork::exports::detail {
+namespace {
+
+using pattern::Point2;
+using simulation::Conditions;
+using simulation::Surface;
+
+/// The patterns of a surface in columns: a small fan, its colour, its id.
+class PatternLegend {
+  public:
+    PatternLegend(const Surface& surface, double width) : surface_(&surface), text_(text_height(width)) {
+        std::size_t longest = 1;
+        for (const std::string& id : surface.tessellation.patterns) longest = std::max(longest, id.size());
+        column_width_ = 5.0 * text_ + text_width(std::string(longest, ' '), text_);
+        columns_ = std::max(1, static_cast<int>(width / column_width_));
+    }
+    [[nodiscard]] double height() const {
+        const int count = static_cast<int>(surface_->tessellation.patterns.size());
+        return row_height() * ((count + columns_ - 1) / columns_);
+    }
+    void draw(SvgCanvas& canvas, const Point2& top_left) const {
+        canvas.layer("legend of patterns");
+        const int count = static_cast<int>(surface_->tessellation.patterns.size());
+        for (int i = 0; i < count; ++i) {
+            const Point2 middle{top_left.x + (i % columns_) * column_width_ + 1.7 * text_,
+                                top_left.y - (i / columns_ + 0.5) * row_height()};
+            draw_icon(canvas, static_cast<std::size_t>(i), middle);
+            canvas.text({middle.x + 2.2 * text_, middle.y - 0.35 * text_},
+                        surface_->tessellation.patterns[static_cast<std::size_t>(i)], text_);
+        }
+    }
+
+  private:
+    [[nodiscard]] double row_height() const { return 3.5 * text_; }
+
+    void draw_icon(SvgCanvas& canvas, std::size_t index, const Point2& middle) const {
+        const double side = 1.65 * text_;
+        const auto move = [&](std::vector<Point2> points) {
+            for (Point2& point : points) point = {point.x + middle.x, point.y + middle.y};
+            return points;
+        };
+        const pattern::Polygon hexagon = pattern::regular_polygon(6, side);
+        const pattern::Fan fan = pattern::make_fan(surface_->layout, surface_->patterns[index], 6);
+        const auto nodes = move(pattern::place_fan(surface_->layout, fan, hexagon));
+        canvas.polygon(move(hexagon), {pattern_colour(static_cast<int>(index)), "none", 0.0, 1.0});
+        std::vector<std::array<Point2, 2>> beams;
+        for (const auto& edge : fan.edges)
+            beams.push_back(
+                {nodes[static_cast<std::size_t>(edge[0])], nodes[static_cast<std::size_t>(edge[1])]});
+        canvas.segments(beams, {"none", kBeamColour, 0.06 * side, 1.0});
+    }
+
+    const Surface* surface_;
+    double text_;
+    double column_width_ = 0.0;
+    int columns_ = 1;
+};
+
+/// One line that says what balls and arrows mean.
+class ConditionLegend {
+  public:
+    ConditionLegend(const std::vector<SupportMark>& supports, const Conditions& conditions) {
+        for (const SupportMark& mark : supports) {
+            const auto same = [&](const SupportMark& other) { return other.meaning == mark.meaning; };
+            if (std::ranges::none_of(supports_, same)) supports_.push_back(mark);
+        }
+        for (const mechanics::NodalLoad& load : conditions.loads) {
+            largest_force_ = std::max(largest_force_, load.force.norm());
+            largest_moment_ = std::max(largest_moment_, load.moment.norm());
+        }
+    }
+    void draw(SvgCanvas& canvas, Point2 place) const {
+        canvas.layer("legend of conditions");
+        const double text = text_height(canvas.box().width());
+        for (SupportMark mark : supports_) {
+            mark.place = {place.x + 0.6 * text, place.y + 0.35 * text};
+            draw_support(canvas, mark, 0.6 * text);
+            place = write(canvas, {place.x + 1.8 * text, place.y}, mark.meaning);
+        }
+        if (largest_force_ > 0)
+            place = draw_load_entry(canvas, place, LoadMark::Kind::Force,
+                                    "forces, the largest " + short_number(largest_force_) + " N");
+        if (largest_moment_ > 0)
+            draw_load_entry(canvas, place, LoadMark::Kind::Moment,
+                            "moments, the largest " + short_number(1e3 * largest_moment_) + " N mm");
+    }
+
+  private:
+    static Point2 write(SvgCanvas& canvas, const Point2& place, const std::string& words) {
+        const double text = text_height(canvas.box().width());
+        canvas.text(place, words, text);
+        return {place.x + text_width(words, text) + 1.5 * text, place.y};
+    }
+    static Point2 draw_load_entry(SvgCanvas& canvas, const Point2& place, LoadMark::Kind kind,
+                                  const std::string& words) {
+        const double text = text_height(canvas.box().width());
+        const double middle = place.y + 0.35 * text;
+        draw_load(
+            canvas,
+            {kind, LoadMark::Shape::Arrow, {place.x, middle}, {place.x + 2.6 * text, middle}, 2.6 * text});
+        return write(canvas, {place.x + 3.2 * text, place.y}, words);
+    }
+
+    std::vector<SupportMark> supports_;
+    double largest_force_ = 0.0;
+    double largest_moment_ = 0.0;
+};
+
+/// The surface with what is drawn on it, and the part of the plane that this takes.
+struct Subject {
+    Projection projection;
+    std::vector<SupportMark> supports;
+    std::vector<LoadMark> loads;
+    Box box;
+};
+
+Subject make_subject(const Surface& surface, const Conditions* conditions, const Projection& projection,
+                     double reach) {
+    Subject subject{projection, {}, {}, {}};
+    std::vector<Point2> points = projection.all(surface.tessellation.vertices);
+    if (conditions != nullptr) {
+        subject.supports = support_marks(surface, *conditions, projection);
+        subject.loads = load_marks(surface, *conditions, projection, reach);
+    }
+    for (const LoadMark& mark : subject.loads) {
+        points.push_back(mark.from);
+        points.push_back(mark.to);
+    }
+    subject.box = bounding_box(points, 0.5 * mean_side(surface));
+    return subject;
+}
+
+void draw_subject(SvgCanvas& canvas, const Surface& surface, const Subject& subject) {
+    draw_tiles(canvas, surface, subject.projection);
+    draw_beams(canvas, surface, subject.projection);
+    canvas.layer("supports");
+    for (const SupportMark& mark : subject.supports) draw_support(canvas, mark, 0.16 * mean_side(surface));
+    canvas.layer("loads");
+    for (const LoadMark& mark : subject.loads) draw_load(canvas, mark);
+}
+
+}  // namespace
+
+SvgCanvas surface_panel(const Surface& surface, const Conditions* conditions) {
+    const Subject subject =
+        make_subject(surface, conditions, Projection::from_above(), 1.6 * mean_side(surface));
+    const double text = text_height(subject.box.width());
+    const PatternLegend legend(surface, subject.box.width() - 2.0 * text);
+    const double legend_top = subject.box.ymin - text;
+    const double foot = legend_top - legend.height() - 3.0 * text;
+    Box box = subject.box;
+    box.ymin = foot - (conditions != nullptr ? 3.0 : 1.0) * text;
+    SvgCanvas canvas(box, 1.0);
+    draw_subject(canvas, surface, subject);
+    legend.draw(canvas, {box.xmin + text, legend_top});
+    if (conditions != nullptr)
+        ConditionLegend(subject.supports, *conditions).draw(canvas, {box.xmin + text, foot - 2.0 * text});
+    canvas.layer("scale");
+    draw_scale_bar(canvas, {box.xmin + text, foot + 0.6 * text});
+    return canvas;
+}
+
+SvgCanvas setup_panel(const Surface& surface, const Conditions& conditions, const ViewOptions& view) {
+    const Subject subject = make_subject(surface, &conditions, Projection(view), 2.5 * mean_side(surface));
+    const double text = text_height(subject.box.width());
+    Box box = subject.box;
+    box.ymin -= 3.0 * text;
+    SvgCanvas canvas(box, 1.0);
+    draw_subject(canvas, surface, subject);
+    ConditionLegend(subject.supports, conditions).draw(canvas, {box.xmin + text, box.ymin + text});
+    return canvas;
+}
+
+}  // namespace fretwork::exports::detail

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/exports/colours.hpp>
+#include <fretwork/exports/detail/furniture.hpp>
+#include <fretwork/exports/detail/surface_parts.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace fretwork::exports::detail {
+namespace {
+
+using pattern::Point2;
+using simulation::Conditions;
+using simulation::Surface;
+
+constexpr const char* kForceColour = "#20419a";
+constexpr const char* kMomentColour = "#7b3294";
+
+Point2 node_place(const Surface& surface, mechanics::NodeIndex node) {
+    return surface.tessellation.interface_nodes[static_cast<std::size_t>(node)];
+}
+
+LoadMark load_mark(const Point2& place, const Eigen::Vector3d& arrow, const Projection& projection) {
+    const Eigen::Vector3d node(place.x, place.y, 0.0);
+    const Eigen::Vector3d tail = arrow.z() > 0.2 * arrow.norm() ? node : Eigen::Vector3d(node - arrow);
+    LoadMark mark{LoadMark::Kind::Force, LoadMark::Shape::Arrow, projection(tail),
+                  projection(Eigen::Vector3d(tail + arrow)), arrow.norm()};
+    const double seen = std::hypot(mark.to.x - mark.from.x, mark.to.y - mark.from.y);
+    if (seen < 0.2 * arrow.norm()) {
+        mark.shape = arrow.z() > 0 ? LoadMark::Shape::TowardsViewer : LoadMark::Shape::AwayFromViewer;
+        mark.from = mark.to = projection(node);
+    }
+    return mark;
+}
+
+void draw_ring(SvgCanvas& canvas, const LoadMark& mark, const Colour& colour) {
+    const double radius = 0.14 * mark.size;
+    const Style line{"none", colour, 0.22 * radius, 1.0};
+    canvas.circle(mark.from, radius, {"#ffffff", colour, line.stroke_width, 1.0});
+    if (mark.shape == LoadMark::Shape::TowardsViewer) {
+        canvas.circle(mark.from, 0.35 * radius, {colour, "none", 0.0, 1.0});
+        return;
+    }
+    const double arm = 0.6 * radius;
+    const Point2& c = mark.from;
+    const std::array<std::array<Point2, 2>, 2> cross = {
+        {{Point2{c.x - arm, c.y - arm}, Point2{c.x + arm, c.y + arm}},
+         {Point2{c.x - arm, c.y + arm}, Point2{c.x + arm, c.y - arm}}}};
+    canvas.segments(cross, line);
+}
+
+}  // namespace
+
+double mean_side(const Surface& surface) {
+    double sum = 0.0;
+    for (std::size_t t = 0; t < surface.tessellation.tiles.size(); ++t)
+        sum += pattern::mean_side(tiling::tile_polygon(surface.tessellation, tiling::TileIndex(t)));
+    return sum / static_cast<double>(surface.tessellation.tiles.size());
+}
+
+double beam_width(const Surface& surface) {
+    return std::sqrt(surface.setting.section.area);
+}
+
+void draw_tiles(SvgCanvas& canvas, const Surface& surface, const Projection& projection) {
+    canvas.layer("tiles");
+    for (std::size_t t = 0; t < surface.tessellation.tiles.size(); ++t) {
+        const auto polygon = projection.all(tiling::tile_polygon(surface.tessellation, tiling::TileIndex(t)));
+        canvas.polygon(polygon, {pattern_colour(surface.tessellation.tiles[t].pattern), "#ffffff",
+                                 0.2 * beam_width(surface), 1.0});
+    }
+}
+
+void draw_beams(SvgCanvas& canvas, const Surface& surface, const Projection& projection) {
+    canvas.layer("beams");
+    const std::vector<Point2> nodes = projection.all(surface.fan.nodes);
+    std::vector<std::array<Point2, 2>> beams;
+    for (const auto& edge : surface.fan.edges)
+        beams.push_back(
+            {nodes[static_cast<std::size_t>(edge.nodes[0])], nodes[static_cast<std::size_t>(edge.nodes[1])]});
+    canvas.segments(beams, {"none", kBeamColour, beam_width(surface), 1.0});
+}
+
+std::vector<SupportMark> support_marks(const Surface& surface, const Conditions& conditions,
+                                       const Projection& projection) {
+    std::vector<SupportMark> marks;
+    for (const mechanics::Support& support : conditions.supports) {
+        const Point2 place = projection(node_place(surface, support.node));
+        if (support.fixed == mechanics::DofSet::all()) {
+            marks.push_back({place, "#d7301f", "all components held"});
+        } else if (support.fixed == mechanics::DofSet::translations()) {
+            marks.push_back({place, "#1a9850", "displacements held"});
+        } else {
+            marks.push_back({place, "#f28e2b", "some components held"});
+        }
+    }
+    return marks;
+}
+
+std::vector<LoadMark> load_marks(const Surface& surface, const Conditions& conditions,
+                                 const Projection& projection, double reach) {
+    double largest_force = 0.0;
+    double largest_moment = 0.0;
+    for (const mechanics::NodalLoad& load : conditions.loads) {
+        largest_force = std::max(largest_force, load.force.norm());
+        largest_moment = std::max(largest_moment, load.moment.norm());
+    }
+    std::vector<LoadMark> marks;
+    for (const mechanics::NodalLoad& load : conditions.loads) {
+        const Point2 place = node_place(surface, load.node);
+        if (load.force.norm() > 0.0)
+            marks.push_back(load_mark(place, load.force * (reach / largest_force), projection));
+        if (load.moment.norm() > 0.0) {
+            marks.push_back(load_mark(place, load.moment * (reach / largest_moment), projection));
+            marks.back().kind = LoadMark::Kind::Moment;
+        }
+    }
+    return marks;
+}
+
+void draw_support(SvgCanvas& canvas, const SupportMark& mark, double radius) {
+    canvas.ball(mark.place, radius, mark.colour);
+}
+
+void draw_load(SvgCanvas& canvas, const LoadMark& mark) {
+    const bool is_force = mark.kind == LoadMark::Kind::Force;
+    const Colour colour = is_force ? kForceColour : kMomentColour;
+    if (mark.shape != LoadMark::Shape::Arrow) return draw_ring(canvas, mark, colour);
+    const double head = 0.26 * mark.size;
+    const Style style{"none", colour, 0.05 * mark.size, 1.0};
+    canvas.arrow(mark.from, mark.to, head, style);
+    if (is_force) return;
+    // A moment has a second head behind the first.
+    const double back =
+        0.75 * head / std::max(std::hypot(mark.to.x - mark.from.x, mark.to.y - mark.from.y), head);
+    canvas.arrow(mark.from,
+                 {mark.to.x + back * (mark.from.x - mark.to.x), mark.to.y + back * (mark.from.y - mark.to.y)},
+                 head, style);
+}
+
+}  // namespace fretwork::exports::detail

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What drawings of a surface consist of.
+#pragma once
+
+#include <fretwork/exports/detail/projection.hpp>
+#include <fretwork/exports/detail/svg_canvas.hpp>
+
+#include <string>
+#include <vector>
+
+namespace fretwork::exports::detail {
+
+/// The mean side of all tiles, metres.
+double mean_side(const simulation::Surface& surface);
+/// The width of a beam as seen from above: that of a square of the section's area.
+double beam_width(const simulation::Surface& surface);
+
+void draw_tiles(SvgCanvas& canvas, const simulation::Surface& surface, const Projection& projection);
+void draw_beams(SvgCanvas& canvas, const simulation::Surface& surface, const Projection& projection);
+
+/// A support as it is drawn, and as a legend calls it.
+struct SupportMark {
+    pattern::Point2 place;
+    Colour colour;
+    std::string meaning;
+};
+std::vector<SupportMark> support_marks(const simulation::Surface& surface,
+                                       const simulation::Conditions& conditions,
+                                       const Projection& projection);
+
+/// A force or a moment as it is drawn: an arrow, or, where it would point at the viewer or away, a ring.
+struct LoadMark {
+    enum class Kind { Force, Moment };
+    enum class Shape { Arrow, TowardsViewer, AwayFromViewer };
+    Kind kind = Kind::Force;
+    Shape shape = Shape::Arrow;
+    pattern::Point2 from;  ///< tail of the arrow, or center of the ring
+    pattern::Point2 to;    ///< head
+    double size = 0.0;     ///< of the arrow in space, metres
+};
+/// Marks for all loads, the largest force and the largest moment as large as `reach`. An arrow that comes
+/// from above or lies in the plane ends at its node; one that goes up starts there.
+std::vector<LoadMark> load_marks(const simulation::Surface& surface, const simulation::Conditions& conditions,
+                                 const Projection& projection, double reach);
+
+void draw_support(SvgCanvas& canvas, const SupportMark& mark, double radius);
+void draw_load(SvgCanvas& canvas, const LoadMark& mark);
+
+}  // namespace fretwork::exports::detail
