@@ -1,32 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "enumerate_output.hpp"
 #include "verbs.hpp"
 
-#include <fretwork/base/detail/json_text.hpp>
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/file.hpp>
 #include <fretwork/base/quantity.hpp>
-#include <fretwork/base/text.hpp>
-#include <fretwork/exports/pattern_drawing.hpp>
-#include <fretwork/library/library.hpp>
-#include <fretwork/pattern/census.hpp>
-#include <fretwork/reduction/setting.hpp>
+#include <fretwork/exports/rejection_drawing.hpp>
+#include <fretwork/pattern/rejections.hpp>
 
 #include <charconv>
-#include <cstdio>
-#include <filesystem>
 #include <memory>
+#include <optional>
 
 namespace fretwork::app {
 namespace {
 
-using base::detail::Json;
 using pattern::NodeLayout;
 
 constexpr const char* kExample = R"(
 Examples:
   fretwork enumerate                                    the paper's Table 1
   fretwork enumerate --layout my.json --edges 3..8 --min-angle 20 --count
-  fretwork enumerate --layout paper7 --census table1.csv --list patterns.txt)";
+  fretwork enumerate --layout paper7 --census table1.csv --list patterns.txt --classes classes.csv
+  fretwork enumerate --edges 4 --svg sheet.svg
+  fretwork enumerate --svg rejected.svg --reasons
+  fretwork enumerate --layout huge.json --estimate 100000
+  fretwork enumerate --layout huge.json --sample 20 --seed 7)";
 
 /// What a person asks for.
 struct Wishes {
@@ -46,6 +45,11 @@ struct Wishes {
     std::string list_path;
     std::string library_path;
     std::string svg_path;
+    bool reasons = false;
+    std::string classes_path;
+    std::size_t sample = 0;
+    std::uint64_t estimate = 0;
+    std::uint64_t seed = 1;
 };
 
 int parse_edge_count(std::string_view text, const std::string& all) {
@@ -86,109 +90,88 @@ pattern::EnumerationOptions make_options(const Wishes& wishes, const NodeLayout&
     return options;
 }
 
-/// The census as columns under their names, each as wide as it needs.
-std::string census_table(const pattern::Census& census) {
-    std::vector<std::vector<std::string>> rows;
-    for (const std::string& line : base::split(pattern::census_csv(census), '\n')) {
-        if (!line.empty()) rows.push_back(base::split(line, ','));
-    }
-    std::vector<std::size_t> widths(rows.front().size());
-    for (const auto& row : rows) {
-        for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
-    }
-    std::string text;
-    for (const auto& row : rows) {
-        for (std::size_t i = 0; i < row.size(); ++i)
-            text += std::string(widths[i] - row[i].size() + (i == 0 ? 0 : 2), ' ') + row[i];
-        text += "\n";
-    }
-    return text;
+Audience audience_of(const Wishes& wishes) {
+    return wishes.json ? Audience::Programs : Audience::People;
 }
 
-/// Numbers of any size: beyond 2^53 as text, since JSON readers keep no more.
-Json json_count(pattern::GraphCount count) {
-    constexpr pattern::GraphCount kLargestExact = pattern::GraphCount{1} << 53;
-    if (count > kLargestExact) return pattern::count_text(count);
-    return static_cast<std::uint64_t>(count);
+bool is_wanted(const std::string& path) {
+    return !path.empty();
 }
 
-Json census_json(const NodeLayout& layout, const pattern::Census& census) {
-    Json rows = Json::array();
-    for (const pattern::CensusRow& row : census.rows) {
-        Json entry = {{"edges", row.edges}, {"patterns", json_count(row.patterns)}};
-        for (std::size_t i = 0; i < census.filters.size(); ++i)
-            entry[census.filters[i]] = row.rejected[i] ? json_count(*row.rejected[i]) : Json(nullptr);
-        entry["valid"] = json_count(row.valid);
-        rows.push_back(std::move(entry));
+/// The patterns that files are made of: all, or a sample.
+std::vector<pattern::Pattern> find_patterns(const NodeLayout& layout,
+                                            const pattern::EnumerationOptions& options,
+                                            const Wishes& wishes) {
+    if (wishes.sample > 0) return pattern::PatternSampler(layout, options, wishes.seed).draw(wishes.sample);
+    return pattern::enumerate_patterns(layout, options);
+}
+
+/// Written as they are found: a list of millions is not kept.
+void write_list(const NodeLayout& layout, const pattern::EnumerationOptions& options, const Wishes& wishes) {
+    base::AtomicFile file(wishes.list_path);
+    const auto write = [&](const pattern::Pattern& found) { file.write(pattern_id(layout, found) + "\n"); };
+    if (wishes.sample > 0) {
+        for (const pattern::Pattern& found : find_patterns(layout, options, wishes)) write(found);
+    } else {
+        pattern::for_each_pattern(layout, options, write);
     }
-    return {{"layout", layout.name()},
-            {"candidate_edges", layout.candidate_edges().size()},
-            {"valid", json_count(census.valid())},
-            {"census", std::move(rows)}};
-}
-
-void print_count(const NodeLayout& layout, const pattern::EnumerationOptions& options, const Wishes& wishes) {
-    const std::uint64_t total = pattern::count_patterns(layout, options).total();
-    const std::string text = std::to_string(total);
-    const Json document = {{"layout", layout.name()}, {"count", json_count(total)}};
-    std::fputs(wishes.json ? base::detail::json_text(document).c_str() : (text + "\n").c_str(), stdout);
-}
-
-void print_census(const NodeLayout& layout, const pattern::Census& census, const Wishes& wishes) {
-    if (wishes.json) {
-        std::fputs(base::detail::json_text(census_json(layout, census)).c_str(), stdout);
-        return;
-    }
-    std::fputs(census_table(census).c_str(), stdout);
-    std::printf("\n%s valid patterns of the layout %s\n", pattern::count_text(census.valid()).c_str(),
-                layout.name().c_str());
-}
-
-void write_list(const NodeLayout& layout, const pattern::EnumerationOptions& options,
-                const std::string& path) {
-    base::AtomicFile file(path);
-    pattern::for_each_pattern(layout, options, [&](const pattern::Pattern& found) {
-        file.write(pattern::pattern_id(layout, found) + "\n");
-    });
     file.commit();
 }
 
-std::vector<pattern::Pattern> all_patterns(const NodeLayout& layout,
-                                           const pattern::EnumerationOptions& options) {
-    std::vector<pattern::Pattern> patterns;
-    pattern::for_each_pattern(layout, options,
-                              [&](const pattern::Pattern& found) { patterns.push_back(found); });
-    return patterns;
+void write_sheet(const NodeLayout& layout, const pattern::EnumerationOptions& options, const Wishes& wishes) {
+    constexpr std::size_t kRejectedPerFilter = 8;
+    exports::PatternDrawingOptions drawing;
+    drawing.tile_side = options.filters.scale.tile_side;
+    drawing.beam_width = options.filters.scale.beam_width;
+    if (wishes.reasons) {
+        const auto rejections = pattern::find_rejections(layout, options, kRejectedPerFilter);
+        base::write_file_atomically(wishes.svg_path,
+                                    exports::rejection_sheet_svg(layout, rejections, drawing));
+        return;
+    }
+    check_sheet_size(wishes.sample > 0 ? wishes.sample : pattern::count_patterns(layout, options).total());
+    base::write_file_atomically(
+        wishes.svg_path, exports::pattern_sheet_svg(layout, find_patterns(layout, options, wishes), drawing));
 }
 
-/// A library that is there keeps its setting; a new one gets the paper's, until it is calibrated with
-/// another.
-void add_to_library(const NodeLayout& layout, const pattern::EnumerationOptions& options,
-                    const std::string& path) {
-    auto library = std::filesystem::exists(path)
-                       ? library::Library::open(path, library::Access::ReadWrite)
-                       : library::Library::create(path, layout, reduction::paper_setting());
-    library.check_layout(layout);
-    library.add_patterns(all_patterns(layout, options));
+std::optional<pattern::SamenessReport> write_classes(const NodeLayout& layout,
+                                                     const pattern::EnumerationOptions& options,
+                                                     const Wishes& wishes) {
+    if (!is_wanted(wishes.classes_path)) return std::nullopt;
+    const std::vector<pattern::Pattern> patterns = pattern::enumerate_patterns(layout, options);
+    pattern::SamenessReport report = pattern::find_sameness(layout, patterns, options.threads);
+    base::write_file_atomically(wishes.classes_path, pattern::sameness_csv(layout, patterns, report));
+    return report;
+}
+
+void write_files(const NodeLayout& layout, const pattern::EnumerationOptions& options, const Wishes& wishes) {
+    if (is_wanted(wishes.list_path)) write_list(layout, options, wishes);
+    if (is_wanted(wishes.library_path))
+        add_to_library(layout, find_patterns(layout, options, wishes), wishes.library_path);
+    if (is_wanted(wishes.svg_path)) write_sheet(layout, options, wishes);
 }
 
 void enumerate(const Wishes& wishes) {
     const NodeLayout layout = pattern::find_node_layout(wishes.layout);
     const pattern::EnumerationOptions options = make_options(wishes, layout);
     if (wishes.count) {
-        print_count(layout, options, wishes);
+        print_count(layout, pattern::count_patterns(layout, options).total(), audience_of(wishes));
+        return;
+    }
+    if (wishes.estimate > 0) {
+        const pattern::PatternSampler sampler(layout, options, wishes.seed);
+        print_estimate(layout, sampler.estimate(wishes.estimate), audience_of(wishes));
+        return;
+    }
+    write_files(layout, options, wishes);
+    if (wishes.sample > 0) {
+        print_ids(layout, find_patterns(layout, options, wishes), audience_of(wishes));
         return;
     }
     const pattern::Census census = pattern::take_census(layout, options);
-    if (!wishes.list_path.empty()) write_list(layout, options, wishes.list_path);
-    if (!wishes.census_path.empty())
+    if (is_wanted(wishes.census_path))
         base::write_file_atomically(wishes.census_path, pattern::census_csv(census));
-    if (!wishes.library_path.empty()) add_to_library(layout, options, wishes.library_path);
-    if (!wishes.svg_path.empty()) {
-        base::write_file_atomically(wishes.svg_path,
-                                    exports::pattern_sheet_svg(layout, all_patterns(layout, options)));
-    }
-    print_census(layout, census, wishes);
+    print_census(layout, census, write_classes(layout, options, wishes), audience_of(wishes));
 }
 
 std::string filter_help() {
@@ -225,6 +208,23 @@ void add_enumerate(CLI::App& app, ExitCode&) {
     verb->add_option("--library", wishes->library_path,
                      "Add the valid patterns to this library (made if it is not there)");
     verb->add_option("--svg", wishes->svg_path, "Draw the valid patterns on one sheet");
+    CLI::Option* svg = verb->get_option("--svg");
+    verb->add_flag("--reasons", wishes->reasons, "Draw rejected ones instead, the guilty beams in red")
+        ->needs(svg);
+    verb->add_option("--classes", wishes->classes_path,
+                     "Write symmetry, mirror partner and isomorphism class of each pattern to this CSV file");
+    verb->add_option("--sample", wishes->sample,
+                     "Draw this many valid patterns at random instead of all, each equally likely")
+        ->check(CLI::Range(1, 1'000'000'000))
+        ->excludes("--count")
+        ->excludes("--census")
+        ->excludes("--classes");
+    verb->add_option("--estimate", wishes->estimate,
+                     "Only estimate how many there are, from this many random trials")
+        ->check(CLI::Range(1, 1'000'000'000))
+        ->excludes("--count")
+        ->excludes("--sample");
+    verb->add_option("--seed", wishes->seed, "What randomness starts from")->capture_default_str();
     verb->add_flag("--json", wishes->json, "Print for programs");
     verb->footer(kExample);
     verb->callback([wishes] { enumerate(*wishes); });

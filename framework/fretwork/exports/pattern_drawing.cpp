@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/exports/colours.hpp>
-#include <fretwork/exports/detail/svg_canvas.hpp>
+#include <fretwork/exports/detail/fan_drawing.hpp>
 #include <fretwork/exports/pattern_drawing.hpp>
-#include <fretwork/pattern/fan.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -16,30 +15,10 @@ using detail::SvgCanvas;
 using pattern::NodeLayout;
 using pattern::Pattern;
 using pattern::Point2;
-using pattern::Polygon;
 
 constexpr const char* kBeamColour = "#22303c";
 constexpr const char* kRimColour = "#b8c0c8";
 constexpr const char* kInterfaceColour = "#1b9e77";
-
-std::vector<Point2> moved(std::vector<Point2> points, const Point2& by) {
-    for (Point2& point : points) point = {point.x + by.x, point.y + by.y};
-    return points;
-}
-
-/// A fan around a center, on the polygon's coloured face.
-void draw_fan(SvgCanvas& canvas, const NodeLayout& layout, const Pattern& pattern, const Point2& center,
-              const PatternDrawingOptions& options, const detail::Colour& face) {
-    const Polygon polygon = pattern::regular_polygon(options.sides, options.tile_side);
-    const pattern::Fan fan = pattern::make_fan(layout, pattern, options.sides);
-    const std::vector<Point2> nodes = moved(pattern::place_fan(layout, fan, polygon), center);
-    canvas.polygon(moved(polygon, center), {face, kRimColour, 0.15 * options.beam_width, 1.0});
-    std::vector<std::array<Point2, 2>> beams;
-    for (const auto& edge : fan.edges) {
-        beams.push_back({nodes[static_cast<std::size_t>(edge[0])], nodes[static_cast<std::size_t>(edge[1])]});
-    }
-    canvas.segments(beams, {"none", kBeamColour, options.beam_width, 1.0});
-}
 
 Point2 at(const pattern::LayoutNode& node, const std::array<Point2, 3>& triangle) {
     Point2 place;
@@ -84,7 +63,7 @@ std::string pattern_svg(const NodeLayout& layout, const Pattern& pattern,
                                             Point2{-1.3 * side, -0.85 * side}};
     SvgCanvas canvas({-3.6 * side, -1.3 * side, 1.2 * side, 1.15 * side}, 1.0);
     draw_base_triangle(canvas, layout, pattern, triangle);
-    draw_fan(canvas, layout, pattern, {0.0, 0.0}, options, pattern_colour(0));
+    detail::draw_fan(canvas, layout, pattern, {{0.0, 0.0}, pattern_colour(0)}, options);
     const std::string id = pattern_id(layout, pattern);
     canvas.text({-1.2 * side, -1.2 * side}, layout.name() + ":" + id, 0.14 * side, Anchor::Middle);
     return canvas.document("Pattern " + id);
@@ -101,7 +80,7 @@ std::string pattern_sheet_svg(const NodeLayout& layout, std::span<const Pattern>
     for (int i = 0; i < count; ++i) {
         const Point2 center{(i % columns) * step_x, -(i / columns) * step_y};
         const Pattern& pattern = patterns[static_cast<std::size_t>(i)];
-        draw_fan(canvas, layout, pattern, center, options, pattern_colour(pattern.edge_count()));
+        detail::draw_fan(canvas, layout, pattern, {center, pattern_colour(pattern.edge_count())}, options);
         const std::string id = pattern_id(layout, pattern);
         // A long id is set smaller, so that it stays under its own fan.
         const double height =

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/pattern/detail/rule_test.hpp>
+#include <fretwork/pattern/rejections.hpp>
+
+#include <algorithm>
+#include <bit>
+
+namespace fretwork::pattern {
+namespace {
+
+using detail::Word128;
+
+constexpr std::size_t kMostGraphs = 1'000'000;
+
+/// Call visit(graph) for every set of `size` edges, in lexicographic order, until it returns false.
+template <class Visit>
+bool for_each_of_size(int edge_count, int size, const Visit& visit) {
+    std::vector<int> edges(static_cast<std::size_t>(size));
+    for (int i = 0; i < size; ++i) edges[static_cast<std::size_t>(i)] = i;
+    for (;;) {
+        Word128 graph = 0;
+        for (const int edge : edges) graph |= detail::single<Word128>(edge);
+        if (!visit(graph)) return false;
+        int i = size - 1;
+        while (i >= 0 && edges[static_cast<std::size_t>(i)] == edge_count - size + i) --i;
+        if (i < 0) return true;
+        ++edges[static_cast<std::size_t>(i)];
+        for (int j = i + 1; j < size; ++j)
+            edges[static_cast<std::size_t>(j)] = edges[static_cast<std::size_t>(j) - 1] + 1;
+    }
+}
+
+/// The graphs that break exactly one rule, by rule, from the sizes at which a rule has any first.
+class Collector {
+  public:
+    Collector(const NodeLayout& layout, const std::vector<Filter>& filters)
+        : test_(layout, filters), found_(filters.size()), is_done_(filters.size(), false) {}
+
+    void collect(int edge_count, const EdgeRange& range) {
+        for (int size = range.least; size <= std::min(range.most, edge_count); ++size) {
+            const bool goes_on =
+                for_each_of_size(edge_count, size, [&](Word128 graph) { return look_at(graph); });
+            if (!goes_on) return;
+            for (std::size_t i = 0; i < found_.size(); ++i) is_done_[i] = !found_[i].empty();
+            if (std::find(is_done_.begin(), is_done_.end(), false) == is_done_.end()) return;
+        }
+    }
+    /// At most `count` of a rule's graphs, evenly spread over all of them.
+    [[nodiscard]] std::vector<Pattern> spread(std::size_t rule, std::size_t count) const {
+        const std::vector<Word128>& graphs = found_[rule];
+        std::vector<Pattern> chosen;
+        const std::size_t taken = std::min(count, graphs.size());
+        for (std::size_t i = 0; i < taken; ++i)
+            chosen.push_back(detail::to_pattern(graphs[i * graphs.size() / taken]));
+        return chosen;
+    }
+
+  private:
+    bool look_at(Word128 graph) {
+        const std::uint64_t broken = test_.broken(graph);
+        const auto rule = static_cast<std::size_t>(std::countr_zero(broken));
+        if (std::has_single_bit(broken) && !is_done_[rule]) found_[rule].push_back(graph);
+        return ++seen_ < kMostGraphs;
+    }
+
+    detail::RuleTest<Word128> test_;
+    std::vector<std::vector<Word128>> found_;
+    std::vector<bool> is_done_;
+    std::size_t seen_ = 0;
+};
+
+}  // namespace
+
+std::vector<Rejection> find_rejections(const NodeLayout& layout, const EnumerationOptions& options,
+                                       std::size_t per_filter) {
+    options.validate();
+    const std::vector<Filter> filters = make_filters(layout, options.filters);
+    Collector collector(layout, filters);
+    collector.collect(static_cast<int>(layout.candidate_edges().size()), options.edges);
+    std::vector<Rejection> rejections;
+    for (std::size_t i = 0; i < filters.size(); ++i) {
+        for (const Pattern& pattern : collector.spread(i, per_filter))
+            rejections.push_back({pattern, judge(layout, filters[i], pattern)});
+    }
+    return rejections;
+}
+
+}  // namespace fretwork::pattern
