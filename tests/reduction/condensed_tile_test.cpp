@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fixtures.hpp"
+
+#include <fretwork/base/error.hpp>
+#include <fretwork/mechanics/linear_solver.hpp>
+#include <fretwork/reduction/model_catalogue.hpp>
+#include <fretwork/reduction/objective.hpp>
+
+#include <Eigen/Eigenvalues>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace fretwork::reduction {
+namespace {
+
+TileMaterial paper_bars() {
+    return {paper_setting().section, paper_setting().material};
+}
+
+TEST(CondensedTile, IsSymmetricSemidefiniteOfRank6nMinus6InAnyPolygon) {
+    const pattern::Polygon irregular = {
+        {0.0, 0.0}, {0.03, -0.004}, {0.05, 0.02}, {0.035, 0.045}, {-0.002, 0.03}};
+    for (const auto& polygon :
+         {pattern::regular_polygon(6, 0.026), pattern::regular_polygon(3, 0.03), irregular}) {
+        const auto K = condensed_tile(paper_layout(), paper_pattern("0-1+1-6"), polygon, paper_bars());
+        const auto size = static_cast<Eigen::Index>(6 * polygon.size());
+        ASSERT_EQ(K.rows(), size);
+        EXPECT_LT((K - K.transpose()).norm(), 1e-12 * K.norm());
+        // Rotations in units of a bar's length, so that the eigenvalues can be compared.
+        Eigen::VectorXd scale = Eigen::VectorXd::Ones(size);
+        for (Eigen::Index i = 0; i < size; ++i) scale[i] = i % 6 < 3 ? 1.0 : 100.0;
+        const Eigen::MatrixXd scaled = scale.asDiagonal() * K * scale.asDiagonal();
+        const Eigen::VectorXd values = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(scaled).eigenvalues();
+        EXPECT_LT(values.head(6).cwiseAbs().maxCoeff(), 1e-9 * values.maxCoeff());
+        EXPECT_GT(values[6], 1e-7 * values.maxCoeff());
+    }
+}
+
+TEST(CondensedTile, AnswersEveryScenarioAsTheWholeFrameDoes) {
+    const Setting setting = paper_setting();
+    for (const char* id : {"0-1+1-6", "1-6+3-6"}) {
+        const auto pattern = paper_pattern(id);
+        const auto K = condensed_tile(paper_layout(), pattern, pattern::regular_polygon(6, setting.tile_side),
+                                      paper_bars());
+        const auto model = stiffness_displacements(K, setting);
+        const auto tile = pattern_frame(paper_layout(), pattern, setting);
+        for (std::size_t s = 0; s < 5; ++s) {
+            Scenario unit = setting.scenarios[s];
+            unit.max_magnitude = 1.0;
+            const auto whole = mechanics::solve_linear(mechanics::assemble(scenario_frame(tile, unit)));
+            EXPECT_LT(relative_difference(model[s], whole.displacements.topRows(6)), 1e-7)
+                << id << " " << unit.name;
+        }
+    }
+}
+
+TEST(CondensedTile, ErrorVanishesWithTheLoads) {
+    Setting setting = paper_setting();
+    const auto pattern = paper_pattern("0-1+1-6");
+    const auto error_at = [&](double factor) {
+        Setting scaled = setting;
+        for (Scenario& scenario : scaled.scenarios) scenario.max_magnitude *= factor;
+        const auto responses = compute_responses(paper_layout(), pattern, scaled);
+        return find_reduced_model("condensed")
+            .prepare({paper_layout(), pattern, scaled, responses}, {})
+            .objective;
+    };
+    EXPECT_LT(error_at(1e-3), 1e-4 * error_at(1.0));
+}
+
+TEST(CondensedTile, RefusesAPatternThatLeavesInterfaceNodesFree) {
+    try {
+        (void)condensed_tile(paper_layout(), paper_pattern("0-1"), pattern::regular_polygon(6, 0.026),
+                             paper_bars());
+        FAIL();
+    } catch (const base::InputError& error) {
+        EXPECT_THAT(error.what(), testing::HasSubstr("interface node 0"));
+    }
+}
+
+TEST(ReducedModels, SolveOnlyWhatIsHeld) {
+    Setting setting = paper_setting();
+    setting.scenarios[4].held.clear();
+    const auto K = condensed_tile(paper_layout(), paper_pattern("0-1+1-6"),
+                                  pattern::regular_polygon(6, setting.tile_side), paper_bars());
+    EXPECT_THROW((void)stiffness_displacements(K, setting), base::NumericalError);
+}
+
+TEST(ReducedModels, AreFoundByName) {
+    EXPECT_EQ(find_reduced_model("paper6").preparation, Preparation::Calibration);
+    EXPECT_EQ(find_reduced_model("condensed").preparation, Preparation::None);
+    EXPECT_THROW((void)find_reduced_model("papr6"), base::InputError);
+}
+
+/// Every row answers for a real pattern, with an objective that is the sum of its parts.
+TEST(ReducedModels, AllGiveAnObjectiveThatAddsUp) {
+    const Setting setting = paper_setting();
+    const auto pattern = paper_pattern("0-1+1-6");
+    const auto responses = compute_responses(paper_layout(), pattern, setting);
+    for (const auto& row : reduced_model_catalogue()) {
+        const Calibration result = row.prepare({paper_layout(), pattern, setting, responses}, {});
+        EXPECT_EQ(result.model, row.name);
+        double sum = 0.0;
+        for (const double part : result.scenario_errors) sum += part;
+        EXPECT_NEAR(sum, result.objective, 1e-12 * sum);
+        EXPECT_GT(result.objective, 0.0);
+    }
+}
+
+}  // namespace
+}  // namespace fretwork::reduction

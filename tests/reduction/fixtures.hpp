@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/optimization/random.hpp>
+#include <fretwork/pattern/node_layout.hpp>
+#include <fretwork/pattern/pattern.hpp>
+#include <fretwork/reduction/paper6_problem.hpp>
+#include <fretwork/reduction/response.hpp>
+
+#include <cmath>
+#include <numbers>
+
+namespace fretwork::reduction {
+
+inline const pattern::NodeLayout& paper_layout() {
+    static const pattern::NodeLayout layout = pattern::find_node_layout("paper7");
+    return layout;
+}
+
+inline pattern::Pattern paper_pattern(std::string_view id) {
+    return pattern::parse_pattern_id(paper_layout(), id);
+}
+
+/// Parameters anywhere between the given shares of the bounds; sections on a logarithmic scale.
+inline Paper6Parameters random_parameters(const Setting& setting, optimization::RandomStream& random,
+                                          double lowest = 0.2, double highest = 0.8) {
+    const auto [low, high] = paper6_bounds(setting);
+    const auto share = [&] { return lowest + (highest - lowest) * random.uniform(); };
+    const auto logarithmic = [&](double a, double b) { return a * std::pow(b / a, share()); };
+    const auto linear = [&](double a, double b) { return a + (b - a) * share(); };
+    return {logarithmic(low.A, high.A), logarithmic(low.I2, high.I2),  logarithmic(low.I3, high.I3),
+            logarithmic(low.J, high.J), linear(low.theta, high.theta), linear(low.R, high.R)};
+}
+
+/// Responses that a linear model would give, as if they were a pattern's.
+inline std::vector<Response> linear_responses(const UnitDisplacements& model, const Setting& setting) {
+    std::vector<Response> responses;
+    for (std::size_t s = 0; s < setting.scenarios.size(); ++s) {
+        Response& response = responses.emplace_back();
+        response.scenario = setting.scenarios[s].name;
+        for (int k = 1; k <= setting.magnitudes; ++k) {
+            const double magnitude = setting.scenarios[s].max_magnitude * k / setting.magnitudes;
+            response.samples.push_back(
+                {.step = k, .magnitude = magnitude, .displacements = magnitude * model[s]});
+        }
+    }
+    return responses;
+}
+
+/// The largest entry of a difference, relative to the largest entry.
+template <class Left, class Right>
+double relative_difference(const Left& left, const Right& right) {
+    return (left - right).cwiseAbs().maxCoeff() / right.cwiseAbs().maxCoeff();
+}
+
+}  // namespace fretwork::reduction

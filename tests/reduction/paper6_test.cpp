@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fixtures.hpp"
+
+#include <fretwork/base/error.hpp>
+#include <fretwork/mechanics/linear_solver.hpp>
+#include <fretwork/reduction/condensed_tile.hpp>
+#include <fretwork/reduction/model_catalogue.hpp>
+#include <fretwork/reduction/paper6_tile.hpp>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace fretwork::reduction {
+namespace {
+
+/// The tile as any other frame, solved by the general solver, for 1 N.
+mechanics::NodeValues solved_tile(const Paper6Parameters& parameters, const Setting& setting, std::size_t s) {
+    Scenario scenario = setting.scenarios[s];
+    scenario.max_magnitude = 1.0;
+    const auto frame = scenario_frame(paper6_tile(parameters, setting), scenario);
+    return mechanics::solve_linear(mechanics::assemble(frame)).displacements.topRows(6);
+}
+
+TEST(Paper6Hexagon, EqualsTheTileUnderTheGeneralSolver) {
+    const Setting setting = paper_setting();
+    const Paper6Hexagon hexagon(setting);
+    optimization::RandomStream random(1, 0);
+    for (int trial = 0; trial < 40; ++trial) {
+        const Paper6Parameters parameters = random_parameters(setting, random);
+        const UnitDisplacements fast = hexagon.displacements(parameters);
+        for (std::size_t s = 0; s < 5; ++s) {
+            // Both are backward stable; stiffnesses differ by up to 1e9 here.
+            EXPECT_LT(relative_difference(fast[s], solved_tile(parameters, setting, s)), 1e-7)
+                << "trial " << trial << ", " << setting.scenarios[s].name;
+        }
+    }
+}
+
+TEST(Paper6Hexagon, StaysAccurateAtTheBounds) {
+    const Setting setting = paper_setting();
+    const Paper6Hexagon hexagon(setting);
+    const auto [low, high] = paper6_bounds(setting);
+    const mechanics::Section& bar = setting.section;
+    struct Corner {
+        Paper6Parameters parameters;
+        double tolerance;
+    };
+    // Links or ring beams of a hundredth of the usual length are 1e6 times as stiff, of a thousandth 1e9
+    // times: what round-off leaves of the soft modes shrinks accordingly, in either solver.
+    const Corner corners[] = {
+        {{high.A, low.I2, low.I3, low.J, high.theta, 0.5 * high.R}, 1e-7},
+        {{low.A, high.I2, high.I3, high.J, low.theta, 0.5 * high.R}, 1e-7},
+        {{bar.area, bar.I2, bar.I3, bar.J, high.theta, 10.0 * low.R}, 1e-7},
+        {{bar.area, bar.I2, bar.I3, bar.J, 0.0, high.R}, 1e-4},
+    };
+    for (const auto& [parameters, tolerance] : corners) {
+        const UnitDisplacements fast = hexagon.displacements(parameters);
+        for (std::size_t s = 0; s < 5; ++s) {
+            EXPECT_LT(relative_difference(fast[s], solved_tile(parameters, setting, s)), tolerance);
+        }
+    }
+}
+
+TEST(Paper6Hexagon, DerivativesAgreeWithFiniteDifferences) {
+    const Setting setting = paper_setting();
+    const Paper6Hexagon hexagon(setting);
+    optimization::RandomStream random(2, 0);
+    for (int trial = 0; trial < 5; ++trial) {
+        const Paper6Parameters center = random_parameters(setting, random);
+        const auto exact = hexagon.derivatives(center);
+        for (int p = 0; p < 6; ++p) {
+            const auto displaced = [&](double share) {
+                Paper6Parameters moved = center;
+                double* values[] = {&moved.A, &moved.I2, &moved.I3, &moved.J, &moved.theta, &moved.R};
+                *values[p] += share * (p == 4 ? 1.0 : *values[p]);
+                return hexagon.displacements(moved);
+            };
+            const double scale[] = {center.A, center.I2, center.I3, center.J, 1.0, center.R};
+            constexpr double kStep = 1e-5;
+            const auto ahead = displaced(kStep);
+            const auto behind = displaced(-kStep);
+            for (std::size_t s = 0; s < 5; ++s) {
+                const mechanics::NodeValues slope = (ahead[s] - behind[s]) / (2.0 * kStep);
+                const Eigen::VectorXd flat = slope.reshaped<Eigen::RowMajor>();
+                const Eigen::VectorXd analytic = exact.derivatives[s].col(p) * scale[p];
+                EXPECT_LT((flat - analytic).norm(), 1e-5 * (exact.displacements[s].norm() + analytic.norm()))
+                    << "parameter " << Paper6Parameters::names[static_cast<std::size_t>(p)];
+            }
+        }
+    }
+}
+
+TEST(Paper6Hexagon, DerivativesComeWithTheSameDisplacements) {
+    const Setting setting = paper_setting();
+    const Paper6Hexagon hexagon(setting);
+    optimization::RandomStream random(3, 0);
+    const Paper6Parameters parameters = random_parameters(setting, random);
+    const auto plain = hexagon.displacements(parameters);
+    const auto both = hexagon.derivatives(parameters);
+    for (std::size_t s = 0; s < 5; ++s) EXPECT_EQ(plain[s], both.displacements[s]);
+}
+
+TEST(Paper6Hexagon, RefusesWhatItIsNotMadeFor) {
+    Setting setting = paper_setting();
+    setting.scenarios[2].held.resize(1);
+    setting.scenarios[2].held[0].fixed = mechanics::DofSet::translations();
+    try {
+        const Paper6Hexagon hexagon(setting);
+        FAIL() << "bending about a single hinge";
+    } catch (const base::InputError& error) {
+        EXPECT_THAT(error.what(), testing::HasSubstr("bending"));
+    }
+    setting = paper_setting();
+    setting.sides = 7;
+    EXPECT_THROW(Paper6Hexagon{setting}, base::InputError);
+}
+
+TEST(Paper6Tile, StiffnessIsInvariantUnderATurnBy60Degrees) {
+    const Setting setting = paper_setting();
+    optimization::RandomStream random(4, 0);
+    const Eigen::MatrixXd K = condensed_frame(paper6_tile(random_parameters(setting, random), setting), 6);
+    const Eigen::Matrix3d turn = Eigen::AngleAxisd(std::numbers::pi / 3.0, Eigen::Vector3d::UnitZ()).matrix();
+    // Node i goes to node i + 1, and its components turn.
+    Eigen::MatrixXd T = Eigen::MatrixXd::Zero(36, 36);
+    for (int node = 0; node < 6; ++node) {
+        T.block<3, 3>(6 * ((node + 1) % 6), 6 * node) = turn;
+        T.block<3, 3>(6 * ((node + 1) % 6) + 3, 6 * node + 3) = turn;
+    }
+    EXPECT_LT(relative_difference(T * K * T.transpose(), K), 1e-9);
+}
+
+TEST(Paper6Tile, RingLiesAtThetaAndRInTheHexagon) {
+    const Setting setting = paper_setting();
+    const Paper6Parameters parameters{1e-6, 1e-12, 1e-12, 1e-12, 0.3, 0.011};
+    const auto frame = paper6_tile(parameters, setting);
+    ASSERT_EQ(frame.nodes.size(), 12U);
+    ASSERT_EQ(frame.beams.size(), 12U);
+    for (int k = 0; k < 6; ++k) {
+        const double angle = (270.0 + 60.0 * k) * std::numbers::pi / 180.0 + 0.3;
+        const Eigen::Vector3d expected(0.011 * std::cos(angle), 0.011 * std::sin(angle), 0.0);
+        EXPECT_LT((frame.nodes[static_cast<std::size_t>(6 + k)] - expected).norm(), 1e-15);
+    }
+}
+
+/// Barycentric places are affine: a stretched hexagon has the stretched ring.
+TEST(Paper6Tile, KeepsItsBarycentricPlaceInOtherPolygons) {
+    const Setting setting = paper_setting();
+    const Paper6Parameters parameters{1e-6, 1e-12, 1e-12, 1e-12, -0.2, 0.015};
+    const auto regular = paper6_tile(parameters, setting);
+    auto polygon = pattern::regular_polygon(6, setting.tile_side);
+    const auto stretch = [](double x, double y) {
+        return pattern::Point2{1.3 * x + 0.2 * y + 5.0, 0.9 * y - 2.0};
+    };
+    for (auto& point : polygon) point = stretch(point.x, point.y);
+    const auto stretched = paper6_tile(parameters, setting, polygon);
+    for (std::size_t i = 0; i < 12; ++i) {
+        const auto expected = stretch(regular.nodes[i].x(), regular.nodes[i].y());
+        EXPECT_NEAR(stretched.nodes[i].x(), expected.x, 1e-12);
+        EXPECT_NEAR(stretched.nodes[i].y(), expected.y, 1e-12);
+    }
+    EXPECT_EQ(paper6_tile(parameters, setting, pattern::regular_polygon(5, 0.02)).beams.size(), 10U);
+}
+
+TEST(Paper6Tile, RefusesAPolygonThatIsNotConvex) {
+    const pattern::Polygon dart = {{0, 0}, {2, -1}, {1, 0}, {2, 1}};
+    EXPECT_THROW((void)paper6_tile({1e-6, 1e-12, 1e-12, 1e-12, 0, 0.01}, paper_setting(), dart),
+                 base::GeometryError);
+}
+
+}  // namespace
+}  // namespace fretwork::reduction

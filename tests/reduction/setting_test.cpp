@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/reduction/setting.hpp>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace fretwork::reduction {
+namespace {
+
+using testing::HasSubstr;
+
+TEST(PaperSetting, IsThatOfSection71) {
+    const Setting setting = paper_setting();
+    EXPECT_DOUBLE_EQ(2.0 * setting.tile_side, 0.03 * std::sqrt(3.0))
+        << "a hexagon's circumradius is its side";
+    EXPECT_EQ(setting.material.young_modulus, 1e9);
+    EXPECT_EQ(setting.material.poisson_ratio, 0.3);
+    EXPECT_DOUBLE_EQ(setting.section.area, 4e-6);
+    EXPECT_DOUBLE_EQ(setting.section.I2, 16e-12 / 12.0);
+    // Saint-Venant's constant of a square, 0.140577 a^4 (Timoshenko and Goodier, table in 109).
+    EXPECT_NEAR(setting.section.J, 0.140577 * 16e-12, 1e-6 * 16e-12);
+    EXPECT_EQ(setting.magnitudes, 10);
+    EXPECT_EQ(setting.branch, Branch::Paper);
+}
+
+TEST(PaperSetting, IsTheFileOfTheExperiments) {
+    const Setting from_file =
+        read_setting(std::string(FRETWORK_SOURCE_DIR) + "/experiments/settings/paper.json");
+    EXPECT_EQ(setting_difference(from_file, paper_setting()), "");
+    EXPECT_EQ(from_file, paper_setting());
+}
+
+TEST(SettingText, ReadsBackAsTheSameSetting) {
+    Setting setting = paper_setting();
+    setting.branch = Branch::Stable;
+    setting.tile_side = 0.1 / 3.0;
+    setting.material.given_shear_modulus = 3.7e8;
+    setting.section.shear_area2 = 3.3e-6;
+    setting.scenarios.pop_back();
+    EXPECT_EQ(parse_setting(setting_text(setting), "round trip"), setting);
+}
+
+TEST(SettingDifference, NamesThePlaceAndBothValues) {
+    Setting other = paper_setting();
+    EXPECT_EQ(setting_difference(other, paper_setting()), "");
+    other.section.J = 2.5e-12;
+    const std::string difference = setting_difference(other, paper_setting());
+    EXPECT_THAT(difference, HasSubstr("/section/J"));
+    EXPECT_THAT(difference, HasSubstr("2.5e-12"));
+    other = paper_setting();
+    other.scenarios.pop_back();
+    EXPECT_THAT(setting_difference(other, paper_setting()), HasSubstr("/scenarios"));
+    other = paper_setting();
+    other.material.given_shear_modulus = 4e8;
+    EXPECT_THAT(setting_difference(other, paper_setting()), HasSubstr("/material/shear_modulus"));
+}
+
+TEST(SettingFile, LeavesOutWhatIsAsInThePaper) {
+    const Setting setting = parse_setting(
+        R"({"format": "fretwork/setting/1", "section": {"type": "circle", "diameter": 0.003},
+            "scenarios": ["dome", {"use": "axial", "max_magnitude": 7}]})",
+        "mine.json");
+    EXPECT_EQ(setting.tile_side, paper_setting().tile_side);
+    EXPECT_EQ(setting.section, mechanics::circle_section(0.003));
+    ASSERT_EQ(setting.scenarios.size(), 2U);
+    EXPECT_EQ(setting.scenarios[0], paper_scenarios()[3]);
+    EXPECT_EQ(setting.scenarios[1].max_magnitude, 7.0);
+    EXPECT_EQ(setting.scenarios[1].loads, paper_scenarios()[0].loads);
+}
+
+std::string complaint(const std::string& members) {
+    try {
+        (void)parse_setting(R"({"format": "fretwork/setting/1", )" + members + "}", "mine.json");
+    } catch (const base::InputError& error) {
+        return error.what();
+    }
+    return "no complaint";
+}
+
+TEST(SettingFile, BadInputIsRefusedByItsPlace) {
+    EXPECT_THAT(complaint(R"("tile_sid": 1)"), HasSubstr("tile_side"));
+    EXPECT_THAT(complaint(R"("tile_side": -1)"), HasSubstr("/tile_side"));
+    EXPECT_THAT(complaint(R"("tile_side": 1e999)"), HasSubstr("mine.json"));
+    EXPECT_THAT(complaint(R"("sides": 2)"), HasSubstr("/sides"));
+    EXPECT_THAT(complaint(R"("magnitudes": 0)"), HasSubstr("/magnitudes"));
+    EXPECT_THAT(complaint(R"("branch": "unstable")"), HasSubstr("/branch"));
+    EXPECT_THAT(complaint(R"("scenarios": [])"), HasSubstr("/scenarios"));
+    EXPECT_THAT(complaint(R"("scenarios": ["axail"])"), HasSubstr("axial"));
+    EXPECT_THAT(complaint(R"("scenarios": ["axial", "axial"])"), HasSubstr("/scenarios/1"));
+    EXPECT_THAT(complaint(R"("sides": 4)"), HasSubstr("/scenarios/0/loads/1"));
+    EXPECT_THAT(complaint(R"("section": {"type": "rectangle", "width": 0.002})"), HasSubstr("height"));
+    EXPECT_THAT(complaint(R"("section": {"type": "tube", "outer_diameter": 1, "inner_diameter": 2})"),
+                HasSubstr("/section/inner_diameter"));
+    EXPECT_THAT(complaint(R"("material": {"young_modulus": 1e9, "poisson_ratio": 0.7})"),
+                HasSubstr("/material/poisson_ratio"));
+    EXPECT_THAT(complaint(R"("material": {"young_modulus": 0, "poisson_ratio": 0.3})"),
+                HasSubstr("/material/young_modulus"));
+    EXPECT_THROW((void)read_setting("/nowhere/setting.json"), base::InputError);
+}
+
+}  // namespace
+}  // namespace fretwork::reduction
