@@ -1,0 +1,56 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The main job: from the paper's node layout to a simulated, drawn surface. Results go to out/. Usage: scripts/demo.sh
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+say() { printf '\n\033[1m%s\033[0m\n' "$*"; }
+[[ -t 1 ]] || say() { printf '\n%s\n' "$*"; }
+
+say "Building (the first time takes some minutes)"
+scripts/build.sh
+
+program=build/release/apps/fretwork/fretwork
+outline=experiments/outlines/example_a.svg
+out=out
+rm -rf "$out"
+mkdir -p "$out"
+started=$SECONDS
+
+say "1. Enumerate the patterns of the paper's layout (its Table 1)"
+"$program" enumerate --layout paper7 --census "$out/table1.csv" --library "$out/library.db"
+
+say "2. Calibrate the reduced model of 24 patterns across edge counts"
+"$program" calibrate --library "$out/library.db" --patterns sample:24
+
+say "3. Tile the outline $outline and paint it with the calibrated patterns"
+"$program" tile "$outline" --patterns random:1 --library "$out/library.db" --out "$out/project.json"
+"$program" case add "$out/project.json" experiments/cases/cantilever.json
+
+say "4. Simulate it: every beam, nonlinear; then the two reduced models"
+for model in full paper6 condensed; do
+  "$program" simulate "$out/project.json" --model "$model" --out "$out/$model.json"
+done
+
+say "5. Compare the reduced models with the full one (the columns of the paper's Table 3)"
+"$program" compare "$out/full.json" "$out/paper6.json" --name paper6 | tee "$out/comparison.csv"
+"$program" compare "$out/full.json" "$out/condensed.json" --name condensed | tail -n 1 | tee -a "$out/comparison.csv"
+
+say "6. Draw it"
+"$program" export "$out/project.json" --case cantilever --to "$out/surface.svg"
+"$program" export "$out/project.json" --result "$out/full.json" --result "$out/paper6.json" --to "$out/deformed.svg"
+"$program" export "$out/project.json" --result "$out/full.json" --to "$out/displacement.svg" --to "$out/full.vtu"
+for picture in surface deformed displacement; do
+  rsvg-convert --width 1600 --output "$out/$picture.png" "$out/$picture.svg"
+done
+
+say "Done in $((SECONDS - started)) s. Look at:"
+cat <<END
+  $out/surface.png       the tessellation with its supports and loads      (also .svg)
+  $out/deformed.png      full model (grey) and the paper's reduced model (blue)  (also .svg)
+  $out/displacement.png  how far every beam moves                          (also .svg)
+  $out/full.vtu          the full model's displacements, for ParaView
+  $out/project.json      the project: outline, tessellation, painting, load case
+  $out/library.db        patterns, responses and calibrations (SQLite)
+  $out/table1.csv, $out/comparison.csv
+END
