@@ -5,6 +5,12 @@ namespace fretwork::mechanics::detail {
 namespace {
 
 constexpr double kThird = 1.0 / 3.0;
+constexpr double kTwelfth = 1.0 / 12.0;
+
+/// What bending leaves of a twist between the ends: the end sections' directions differ by the bend as well.
+double twist_share(const BeamVector& d) {
+    return 1.0 / (1.0 + d[kBow2] * d[kBow2] + d[kBow3] * d[kBow3]);
+}
 
 }  // namespace
 
@@ -33,10 +39,12 @@ BeamVector BeamEnergy::strains(const BeamVector& d) const {
     e[kElongation] +=
         0.5 * (bow_shortening_ * (d[kBow2] * d[kBow2] + d[kBow3] * d[kBow3]) +
                sway2_shortening_ * d[kSway2] * d[kSway2] + sway3_shortening_ * d[kSway3] * d[kSway3]);
-    e[kBow2] += shear3_ * d[kTwist] * d[kSway3];
-    e[kBow3] -= shear2_ * d[kTwist] * d[kSway2];
+    const double square = kTwelfth * d[kTwist] * d[kTwist];
+    e[kBow2] += square * d[kBow2] + shear3_ * d[kTwist] * d[kSway3];
+    e[kBow3] += square * d[kBow3] - shear2_ * d[kTwist] * d[kSway2];
     e[kSway2] += kThird * d[kTwist] * d[kBow3];
     e[kSway3] -= kThird * d[kTwist] * d[kBow2];
+    e[kTwist] *= twist_share(d);
     e[kTwist] += twist3_ * d[kBow2] * d[kSway3] - twist2_ * d[kBow3] * d[kSway2];
     return e;
 }
@@ -48,17 +56,22 @@ BeamMatrix BeamEnergy::strain_slopes(const BeamVector& d) const {
     s(kElongation, kBow3) = bow_shortening_ * d[kBow3];
     s(kElongation, kSway2) = sway2_shortening_ * d[kSway2];
     s(kElongation, kSway3) = sway3_shortening_ * d[kSway3];
-    s(kBow2, kTwist) = shear3_ * d[kSway3];
+    const double square = kTwelfth * d[kTwist] * d[kTwist];
+    const double share = twist_share(d);
+    const double loss = -2.0 * d[kTwist] * share * share;
+    s(kBow2, kBow2) = s(kBow3, kBow3) = 1.0 + square;
+    s(kBow2, kTwist) = 2.0 * kTwelfth * d[kTwist] * d[kBow2] + shear3_ * d[kSway3];
     s(kBow2, kSway3) = shear3_ * d[kTwist];
-    s(kBow3, kTwist) = -shear2_ * d[kSway2];
+    s(kBow3, kTwist) = 2.0 * kTwelfth * d[kTwist] * d[kBow3] - shear2_ * d[kSway2];
     s(kBow3, kSway2) = -shear2_ * d[kTwist];
     s(kSway2, kTwist) = kThird * d[kBow3];
     s(kSway2, kBow3) = kThird * d[kTwist];
     s(kSway3, kTwist) = -kThird * d[kBow2];
     s(kSway3, kBow2) = -kThird * d[kTwist];
-    s(kTwist, kBow2) = twist3_ * d[kSway3];
+    s(kTwist, kTwist) = share;
+    s(kTwist, kBow2) = loss * d[kBow2] + twist3_ * d[kSway3];
     s(kTwist, kSway3) = twist3_ * d[kBow2];
-    s(kTwist, kBow3) = -twist2_ * d[kSway2];
+    s(kTwist, kBow3) = loss * d[kBow3] - twist2_ * d[kSway2];
     s(kTwist, kSway2) = -twist2_ * d[kBow3];
     return s;
 }
@@ -70,6 +83,23 @@ double BeamEnergy::value(const BeamVector& d) const {
 
 BeamVector BeamEnergy::gradient(const BeamVector& d) const {
     return strain_slopes(d).transpose() * stiffness_.cwiseProduct(strains(d));
+}
+
+/// The second derivatives of the terms of third order.
+void BeamEnergy::add_helix_terms(const BeamVector& d, const BeamVector& stress, BeamMatrix& h) {
+    const double share = twist_share(d);
+    const double loss = -2.0 * stress[kTwist] * share * share;
+    const Eigen::Vector2d bow(d[kBow2], d[kBow3]);
+    const Eigen::Vector2d bow_stress(stress[kBow2], stress[kBow3]);
+    const Eigen::Vector2d mixed = 2.0 * kTwelfth * d[kTwist] * bow_stress + loss * bow;
+    constexpr int kBow[2] = {kBow2, kBow3};
+    for (int i = 0; i < 2; ++i) {
+        h(kBow[i], kTwist) += mixed[i];
+        h(kTwist, kBow[i]) += mixed[i];
+        h(kBow[i], kBow[i]) += loss * d[kTwist];
+        for (int j = 0; j < 2; ++j) h(kBow[i], kBow[j]) -= 4.0 * loss * d[kTwist] * share * bow[i] * bow[j];
+    }
+    h(kTwist, kTwist) += 2.0 * kTwelfth * bow.dot(bow_stress);
 }
 
 BeamMatrix BeamEnergy::hessian(const BeamVector& d) const {
@@ -84,6 +114,7 @@ BeamMatrix BeamEnergy::hessian(const BeamVector& d) const {
         h(i, j) += coefficient;
         h(j, i) += coefficient;
     };
+    add_helix_terms(d, stress, h);
     add_product(kTwist, kSway3, stress[kBow2] * shear3_);
     add_product(kTwist, kSway2, -stress[kBow3] * shear2_);
     add_product(kTwist, kBow3, stress[kSway2] * kThird);

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One thread. The honeycombs are flat, clamped on their left side and loaded on their right one; the sizes
+// are those at which other programs have been measured (508, 2,044, 9,938 and 49,926 nodes, as near as whole
+// rows come).
+#include <fretwork/mechanics/condensation.hpp>
+#include <fretwork/mechanics/equilibrium.hpp>
+#include <fretwork/mechanics/linear_solver.hpp>
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <set>
+
+namespace fretwork::mechanics {
+namespace {
+
+constexpr double kSide = 0.01;  // m
+const Section kBar = rectangle_section(0.002, 0.002);
+constexpr Material kPlastic{.young_modulus = 1e9, .poisson_ratio = 0.3};
+
+/// Merges nodes that lie at the same place, and beams that join the same nodes.
+class FrameBuilder {
+  public:
+    int node(double x, double y) {
+        const auto key = std::pair(std::lround(x / kSide * 1e4), std::lround(y / kSide * 1e4));
+        const auto [place, is_new] = numbers_.try_emplace(key, static_cast<int>(frame_.nodes.size()));
+        if (is_new) frame_.nodes.emplace_back(x, y, 0.0);
+        return place->second;
+    }
+    void beam(int from, int to) {
+        if (!joined_.insert(std::minmax(from, to)).second) return;
+        frame_.beams.push_back(
+            {.nodes = {NodeIndex(from), NodeIndex(to)}, .section = kBar, .material = kPlastic});
+    }
+    Frame take() { return std::move(frame_); }
+
+  private:
+    Frame frame_;
+    std::map<std::pair<long, long>, int> numbers_;
+    std::set<std::pair<int, int>> joined_;
+};
+
+Frame honeycomb(int columns, int rows) {
+    FrameBuilder builder;
+    for (int j = 0; j < rows; ++j) {
+        for (int i = 0; i < columns; ++i) {
+            const double x = kSide * std::sqrt(3.0) * (i + 0.5 * (j % 2));
+            const double y = kSide * 1.5 * j;
+            int corner[6];
+            for (int k = 0; k < 6; ++k) {
+                const double angle = std::numbers::pi * (1.0 + 2.0 * k) / 6.0;
+                corner[k] = builder.node(x + kSide * std::cos(angle), y + kSide * std::sin(angle));
+            }
+            for (int k = 0; k < 6; ++k) builder.beam(corner[k], corner[(k + 1) % 6]);
+        }
+    }
+    return builder.take();
+}
+
+/// Held at its left side, pulled and pushed out of its plane at its right one.
+Frame held_honeycomb(int columns, int rows) {
+    Frame frame = honeycomb(columns, rows);
+    const auto by_x = [](const auto& a, const auto& b) { return a.x() < b.x(); };
+    const double left = std::min_element(frame.nodes.begin(), frame.nodes.end(), by_x)->x();
+    const double right = std::max_element(frame.nodes.begin(), frame.nodes.end(), by_x)->x();
+    for (std::size_t i = 0; i < frame.nodes.size(); ++i) {
+        if (frame.nodes[i].x() < left + 0.1 * kSide) frame.supports.push_back({NodeIndex(i), DofSet::all()});
+        if (frame.nodes[i].x() > right - 0.1 * kSide)
+            frame.loads.push_back({NodeIndex(i), Eigen::Vector3d(2e-4, 0.0, 2e-4)});
+    }
+    return frame;
+}
+
+/// A pattern's hexagon of middling size: 48 beams; the interface nodes are the first six.
+Frame hexagon() {
+    FrameBuilder builder;
+    const double apothem = 0.0225;
+    const auto ring = [&](double radius, double degrees) {
+        std::array<int, 6> nodes{};
+        for (int i = 0; i < 6; ++i) {
+            const double angle = (degrees + 60.0 * i) * std::numbers::pi / 180.0;
+            nodes[static_cast<std::size_t>(i)] =
+                builder.node(radius * std::cos(angle), radius * std::sin(angle));
+        }
+        return nodes;
+    };
+    const auto tips = ring(apothem, 270.0);
+    const auto middle = ring(0.55 * apothem, 278.0);
+    const auto outer = ring(0.0173, 300.0);
+    const auto inner = ring(0.0087, 300.0);
+    for (std::size_t i = 0; i < 6; ++i) {
+        const std::size_t next = (i + 1) % 6;
+        builder.beam(tips[i], middle[i]);
+        builder.beam(middle[i], outer[i]);
+        builder.beam(tips[i], outer[i]);
+        builder.beam(outer[i], tips[next]);
+        builder.beam(middle[i], inner[i]);
+        builder.beam(inner[i], middle[next]);
+        builder.beam(inner[i], inner[next]);
+        builder.beam(inner[i], outer[i]);
+    }
+    return builder.take();
+}
+
+Frame bent_hexagon() {
+    Frame frame = hexagon();
+    for (const int node : {0, 1, 2}) frame.supports.push_back({NodeIndex(node), DofSet::all()});
+    for (const int node : {3, 4, 5}) frame.loads.push_back({NodeIndex(node), {0.0, 0.0, 2.0}});
+    return frame;
+}
+
+Frame domed_hexagon() {
+    Frame frame = hexagon();
+    frame.supports = {{NodeIndex(0), {{true, true, true, false, true, false}}},
+                      {NodeIndex(3), {{true, false, true, false, true, false}}}};
+    frame.loads.push_back({NodeIndex(3), {0.0, -3.0, 0.0}});
+    for (const int node : {1, 2, 4, 5}) {
+        const double angle = (270.0 + 60.0 * node) * std::numbers::pi / 180.0;
+        frame.loads.push_back({NodeIndex(node),
+                               Eigen::Vector3d::Zero(),
+                               {-0.03 * std::sin(angle), 0.03 * std::cos(angle), 0.0}});
+    }
+    return frame;
+}
+
+void report_size(benchmark::State& state, const Frame& frame) {
+    state.counters["nodes"] = static_cast<double>(frame.nodes.size());
+    state.counters["beams"] = static_cast<double>(frame.beams.size());
+}
+
+void linear_from_frame_to_displacements(benchmark::State& state) {
+    const Frame frame = held_honeycomb(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)));
+    for (auto _ : state) benchmark::DoNotOptimize(solve_linear(assemble(frame)).displacements.data());
+    report_size(state, frame);
+}
+
+void linear_another_load(benchmark::State& state) {
+    const Frame frame = held_honeycomb(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)));
+    const Assembly assembly = assemble(frame);
+    const LinearSolver solver(assembly);
+    for (auto _ : state) benchmark::DoNotOptimize(solver.solve(assembly.loads).displacements.data());
+    report_size(state, frame);
+}
+
+void linear_other_sections(benchmark::State& state) {
+    const Frame frame = held_honeycomb(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)));
+    const Assembly assembly = assemble(frame);
+    LinearSolver solver(assembly);
+    for (auto _ : state) solver.refactorize(assembly);
+    report_size(state, frame);
+}
+
+void hexagon_path(benchmark::State& state, Frame (*make)()) {
+    const Frame frame = make();
+    std::vector<double> factors;
+    for (int k = 1; k <= 10; ++k) factors.push_back(k / 10.0);
+    for (auto _ : state) {
+        const auto path = follow_load_path(assemble(frame), factors);
+        if (!path.back().converged()) state.SkipWithError("not converged");
+    }
+    report_size(state, frame);
+}
+
+void condense_hexagon(benchmark::State& state) {
+    const Frame frame = bent_hexagon();
+    const Assembly assembly = assemble(frame);
+    std::vector<NodeIndex> tips;
+    for (int i = 0; i < 6; ++i) tips.emplace_back(i);
+    for (auto _ : state) benchmark::DoNotOptimize(condense(assembly, tips).data());
+    report_size(state, frame);
+}
+
+/// As many beams as 500 tiles of forty, to a deflection of a third of the length.
+void nonlinear_surface(benchmark::State& state) {
+    const Frame frame = held_honeycomb(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)));
+    const double factors[] = {0.5, 1.0};
+    double deflection = 0.0;
+    for (auto _ : state) {
+        const auto path = follow_load_path(assemble(frame), factors);
+        if (!path.back().converged()) state.SkipWithError("not converged");
+        deflection = path.back().displacements.leftCols<3>().rowwise().norm().maxCoeff();
+    }
+    report_size(state, frame);
+    state.counters["deflection_m"] = deflection;
+}
+
+BENCHMARK(linear_from_frame_to_displacements)
+    ->Args({15, 15})
+    ->Args({31, 31})
+    ->Args({69, 70})
+    ->Args({155, 160})
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK(linear_another_load)->Args({69, 70})->Unit(benchmark::kMillisecond);
+BENCHMARK(linear_other_sections)->Args({69, 70})->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(hexagon_path, bending, bent_hexagon)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(hexagon_path, dome, domed_hexagon)->Unit(benchmark::kMillisecond);
+BENCHMARK(condense_hexagon)->Unit(benchmark::kMicrosecond);
+BENCHMARK(nonlinear_surface)->Args({80, 83})->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace fretwork::mechanics
