@@ -29,9 +29,17 @@ Point2 at(const pattern::LayoutNode& node, const std::array<Point2, 3>& triangle
     return place;
 }
 
-/// The base triangle with all nodes of the layout, numbered, and the chosen edges.
+/// How the edges on a base triangle are drawn; `width` as a share of the triangle's side.
+struct EdgeStyle {
+    const char* colour;
+    double width;
+};
+constexpr EdgeStyle kChosenEdges{kBeamColour, 0.03};
+constexpr EdgeStyle kCandidateEdges{"#8fa3b5", 0.006};
+
+/// The base triangle with all nodes of the layout, numbered, and the edges of a pattern.
 void draw_base_triangle(SvgCanvas& canvas, const NodeLayout& layout, const Pattern& pattern,
-                        const std::array<Point2, 3>& triangle) {
+                        const std::array<Point2, 3>& triangle, const EdgeStyle& style) {
     const double size = std::hypot(triangle[2].x - triangle[1].x, triangle[2].y - triangle[1].y);
     canvas.polygon(triangle, {"#f4f6f8", kRimColour, 0.008 * size, 1.0});
     std::vector<std::array<Point2, 2>> edges;
@@ -40,7 +48,7 @@ void draw_base_triangle(SvgCanvas& canvas, const NodeLayout& layout, const Patte
         edges.push_back({at(layout.nodes()[static_cast<std::size_t>(edge.first)], triangle),
                          at(layout.nodes()[static_cast<std::size_t>(edge.second)], triangle)});
     }
-    canvas.segments(edges, {"none", kBeamColour, 0.03 * size, 1.0});
+    canvas.segments(edges, {"none", style.colour, style.width * size, 1.0});
     for (std::size_t i = 0; i < layout.nodes().size(); ++i) {
         const pattern::LayoutNode& node = layout.nodes()[i];
         const bool is_interface = node.region == pattern::Region::Interface;
@@ -49,6 +57,16 @@ void draw_base_triangle(SvgCanvas& canvas, const NodeLayout& layout, const Patte
                       {is_interface ? kInterfaceColour : "#ffffff", kBeamColour, 0.008 * size, 1.0});
         canvas.text({place.x + 0.05 * size, place.y + 0.035 * size}, std::to_string(i), 0.07 * size);
     }
+}
+
+/// The base triangle with all candidate edges, around the origin and as large as a fan.
+void draw_layout(SvgCanvas& canvas, const NodeLayout& layout, double side) {
+    Pattern::Bits candidates;
+    for (std::size_t e = 0; e < layout.candidate_edges().size(); ++e) candidates.set(e);
+    const std::array<Point2, 3> triangle = {Point2{0.0, 0.8 * side}, Point2{-0.92 * side, -0.8 * side},
+                                            Point2{0.92 * side, -0.8 * side}};
+    draw_base_triangle(canvas, layout, Pattern(candidates), triangle, kCandidateEdges);
+    canvas.text({0.0, -1.13 * side}, layout.name(), 0.13 * side, Anchor::Middle);
 }
 
 }  // namespace
@@ -62,7 +80,7 @@ std::string pattern_svg(const NodeLayout& layout, const Pattern& pattern,
                                             Point2{-3.3 * side, -0.85 * side},
                                             Point2{-1.3 * side, -0.85 * side}};
     SvgCanvas canvas({-3.6 * side, -1.3 * side, 1.2 * side, 1.15 * side}, 1.0);
-    draw_base_triangle(canvas, layout, pattern, triangle);
+    draw_base_triangle(canvas, layout, pattern, triangle, kChosenEdges);
     detail::draw_fan(canvas, layout, pattern, {{0.0, 0.0}, pattern_colour(0)}, options);
     const std::string id = pattern_id(layout, pattern);
     canvas.text({-1.2 * side, -1.2 * side}, layout.name() + ":" + id, 0.14 * side, Anchor::Middle);
@@ -72,13 +90,16 @@ std::string pattern_svg(const NodeLayout& layout, const Pattern& pattern,
 std::string pattern_sheet_svg(const NodeLayout& layout, std::span<const Pattern> patterns,
                               const PatternDrawingOptions& options) {
     const auto count = static_cast<int>(patterns.size());
-    const int columns = std::max(1, static_cast<int>(std::ceil(std::sqrt(1.4 * count))));
-    const int rows = std::max(1, (count + columns - 1) / columns);
+    const int cells = count + 1;  // the first is the layout's
+    const int columns = static_cast<int>(std::ceil(std::sqrt(1.4 * cells)));
+    const int rows = (cells + columns - 1) / columns;
     const double step_x = 2.15 * options.tile_side;
     const double step_y = 2.35 * options.tile_side;
     SvgCanvas canvas({-0.5 * step_x, -(rows - 0.35) * step_y, (columns - 0.5) * step_x, 0.5 * step_y}, 1.0);
+    draw_layout(canvas, layout, options.tile_side);
     for (int i = 0; i < count; ++i) {
-        const Point2 center{(i % columns) * step_x, -(i / columns) * step_y};
+        const int cell = i + 1;
+        const Point2 center{(cell % columns) * step_x, -(cell / columns) * step_y};
         const Pattern& pattern = patterns[static_cast<std::size_t>(i)];
         detail::draw_fan(canvas, layout, pattern, {center, pattern_colour(pattern.edge_count())}, options);
         const std::string id = pattern_id(layout, pattern);

@@ -20,7 +20,8 @@ struct PatternDrawingOptions {
 std::string pattern_svg(const pattern::NodeLayout& layout, const pattern::Pattern& pattern,
                         const PatternDrawingOptions& options = {});
 
-/// Many patterns as a sheet of fans with their ids, as in the paper's Fig. 2.
+/// The layout with its candidate edges, and many patterns as a sheet of fans with their ids, as in the
+/// paper's Fig. 3b and Fig. 2.
 std::string pattern_sheet_svg(const pattern::NodeLayout& layout, std::span<const pattern::Pattern> patterns,
                               const PatternDrawingOptions& options = {});
 

@@ -30,26 +30,26 @@ bool for_each_of_size(int edge_count, int size, const Visit& visit) {
     }
 }
 
-/// The graphs that break exactly one rule, by rule, from the sizes at which a rule has any first.
+/// The graphs that break exactly one rule, by rule, from the smallest sizes that hold enough of them.
 class Collector {
   public:
-    Collector(const NodeLayout& layout, const std::vector<Filter>& filters)
-        : test_(layout, filters), found_(filters.size()), is_done_(filters.size(), false) {}
+    Collector(const NodeLayout& layout, const std::vector<Filter>& filters, std::size_t wanted)
+        : test_(layout, filters), wanted_(wanted), found_(filters.size()), is_done_(filters.size(), false) {}
 
     void collect(int edge_count, const EdgeRange& range) {
         for (int size = range.least; size <= std::min(range.most, edge_count); ++size) {
             const bool goes_on =
                 for_each_of_size(edge_count, size, [&](Word128 graph) { return look_at(graph); });
             if (!goes_on) return;
-            for (std::size_t i = 0; i < found_.size(); ++i) is_done_[i] = !found_[i].empty();
+            for (std::size_t i = 0; i < found_.size(); ++i) is_done_[i] = found_[i].size() >= wanted_;
             if (std::find(is_done_.begin(), is_done_.end(), false) == is_done_.end()) return;
         }
     }
-    /// At most `count` of a rule's graphs, evenly spread over all of them.
-    [[nodiscard]] std::vector<Pattern> spread(std::size_t rule, std::size_t count) const {
+    /// As many of a rule's graphs as are wanted, evenly spread over all that were found.
+    [[nodiscard]] std::vector<Pattern> spread(std::size_t rule) const {
         const std::vector<Word128>& graphs = found_[rule];
         std::vector<Pattern> chosen;
-        const std::size_t taken = std::min(count, graphs.size());
+        const std::size_t taken = std::min(wanted_, graphs.size());
         for (std::size_t i = 0; i < taken; ++i)
             chosen.push_back(detail::to_pattern(graphs[i * graphs.size() / taken]));
         return chosen;
@@ -64,6 +64,7 @@ class Collector {
     }
 
     detail::RuleTest<Word128> test_;
+    std::size_t wanted_;
     std::vector<std::vector<Word128>> found_;
     std::vector<bool> is_done_;
     std::size_t seen_ = 0;
@@ -75,11 +76,11 @@ std::vector<Rejection> find_rejections(const NodeLayout& layout, const Enumerati
                                        std::size_t per_filter) {
     options.validate();
     const std::vector<Filter> filters = make_filters(layout, options.filters);
-    Collector collector(layout, filters);
+    Collector collector(layout, filters, per_filter);
     collector.collect(static_cast<int>(layout.candidate_edges().size()), options.edges);
     std::vector<Rejection> rejections;
     for (std::size_t i = 0; i < filters.size(); ++i) {
-        for (const Pattern& pattern : collector.spread(i, per_filter))
+        for (const Pattern& pattern : collector.spread(i))
             rejections.push_back({pattern, judge(layout, filters[i], pattern)});
     }
     return rejections;

@@ -14,8 +14,8 @@ struct Rejection {
 };
 
 /// Examples of rejected graphs: for each filter, in the order of the census, up to `per_filter` graphs that
-/// break its rule and no other. They have as few edges as possible, and are spread over all such graphs of as
-/// many edges. A filter is left out where the simplest million graphs hold no example.
+/// break its rule and no other, spread over all such graphs of the smallest sizes that hold enough of them. A
+/// filter has fewer, or none, where the simplest million graphs hold no more.
 std::vector<Rejection> find_rejections(const NodeLayout& layout, const EnumerationOptions& options,
                                        std::size_t per_filter);
 

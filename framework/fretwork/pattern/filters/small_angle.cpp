@@ -6,6 +6,7 @@
 #include <fretwork/pattern/detail/filters.hpp>
 #include <fretwork/pattern/detail/hexagon.hpp>
 
+#include <cmath>
 #include <map>
 #include <numbers>
 
@@ -31,6 +32,12 @@ std::map<int, std::vector<Departure>> departures_by_node(const NodeLayout& layou
     return departures;
 }
 
+/// 15 degrees are 14.999999999999998 once they have been radians; nobody means the last digits.
+std::string degrees_text(double radians) {
+    constexpr double kDigits = 1e9;
+    return base::format_number(std::round(radians * 180.0 / std::numbers::pi * kDigits) / kDigits);
+}
+
 }  // namespace
 
 // Paper, Section 4.2, "Fabrication constraints". Two beams that meet in a node of the fan may come from two
@@ -46,8 +53,7 @@ Rule make_small_angle(const NodeLayout& layout, double value, const FabricationS
             }
         }
     }
-    constexpr double kDegrees = 180.0 / std::numbers::pi;
-    const std::string phrase = "enclose less than " + base::format_number(value * kDegrees) + " degrees";
+    const std::string phrase = "enclose less than " + degrees_text(value) + " degrees";
     return ConflictRule{table.take(), phrase, "and its neighbour copies " + phrase};
 }
 
