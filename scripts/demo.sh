@@ -25,7 +25,7 @@ say "2. Calibrate the reduced model of 24 patterns across edge counts"
 
 say "3. Tile the outline $outline and paint it with the calibrated patterns"
 "$program" tile "$outline" --patterns random:1 --library "$out/library.db" --out "$out/project.json"
-"$program" case add "$out/project.json" experiments/cases/cantilever.json
+"$program" case add "$out/project.json" experiments/cases/bridge.json
 
 say "4. Simulate it: every beam, nonlinear; then the two reduced models"
 for model in full paper6 condensed; do
@@ -37,7 +37,7 @@ say "5. Compare the reduced models with the full one (the columns of the paper's
 "$program" compare "$out/full.json" "$out/condensed.json" --name condensed | tail -n 1 | tee -a "$out/comparison.csv"
 
 say "6. Draw it"
-"$program" export "$out/project.json" --case cantilever --to "$out/surface.svg"
+"$program" export "$out/project.json" --case bridge --to "$out/surface.svg"
 "$program" export "$out/project.json" --result "$out/full.json" --result "$out/paper6.json" --to "$out/deformed.svg"
 "$program" export "$out/project.json" --result "$out/full.json" --to "$out/displacement.svg" --to "$out/full.vtu"
 for picture in surface deformed displacement; do

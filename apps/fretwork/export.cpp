@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fretwork export: a project, and what was computed of it, as a drawing or a file for other programs.
-#include <fretwork/exports/writer_catalogue.hpp>
-
 #include "project_library.hpp"
 #include "verbs.hpp"
+
+#include <fretwork/exports/writer_catalogue.hpp>
+
 #include <filesystem>
 #include <memory>
 
@@ -55,11 +56,11 @@ void add_export(CLI::App& app, ExitCode&) {
         "export", "Write a project, and results of it, as drawings and files for other programs");
     const auto options = std::make_shared<Options>();
     verb->add_option("project", options->project, "Project file")->required();
-    verb->add_option("--to", options->to, kinds_help())->required()->expected(1);
+    verb->add_option("--to", options->to, kinds_help())->required()->allow_extra_args(false);
     verb->add_option("--case", options->load_case, "Load case whose supports and loads are drawn");
     verb->add_option("--result", options->results,
                      "Result file of this project (repeatable: drawn over each other)")
-        ->expected(1);
+        ->allow_extra_args(false);
     verb->add_option("--library", options->library, "Library with the setting (default: the project's)");
     verb->add_option("--scale", options->scale, "Factor on the displacements in drawings")
         ->capture_default_str();
