@@ -72,14 +72,7 @@ TEST(Enumerate, FindsWhatAPlainFilterOverAllGraphsLeaves) {
 
 // The number is that of an independent program: plain backtracking over pairwise conflicts, then filtering.
 TEST(Enumerate, FourRadialPairsAndTwoFaceNodesGive6540827Patterns) {
-    const auto r = [](const char* text) { return parse_rational(text); };
-    const NodeLayout layout(
-        NodeLayoutDescription{"fifths",
-                              true,
-                              false,
-                              {r("1/5"), r("2/5"), r("3/5"), r("4/5")},
-                              {{r("0.3"), r("0.45"), r("0.25")}, {r("0.45"), r("0.2"), r("0.35")}},
-                              {r("1/2")}});
+    const NodeLayout layout = find_node_layout("fifths12");
     ASSERT_EQ(layout.candidate_edges().size(), 49u);
     EXPECT_EQ(count_patterns(layout).total(), 6540827u);
 }

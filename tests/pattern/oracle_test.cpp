@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The same counts from a formulation that shares no code with the search: an answer set program over the
+// whole fan, solved by clingo, with geometry in plain doubles.
+#include "pattern/small_layouts.hpp"
+
+#include <fretwork/base/file.hpp>
+#include <fretwork/pattern/enumerate.hpp>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <complex>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <numbers>
+#include <sstream>
+#include <string>
+#include <unistd.h>
+
+namespace fretwork::pattern {
+namespace {
+
+using Point = std::complex<double>;
+
+constexpr int kSides = 6;
+constexpr double kTolerance = 1e-9;
+
+/// A copy of a candidate edge in the fan of a unit hexagon; nodes of the fan have the names of their places.
+struct Beam {
+    std::size_t edge;
+    int sector;
+    std::array<Point, 2> ends;
+};
+
+double cross(const Point& a, const Point& b) {
+    return a.real() * b.imag() - a.imag() * b.real();
+}
+
+std::vector<Beam> beams_of(const NodeLayout& layout) {
+    std::vector<Beam> beams;
+    for (int t = 0; t < kSides; ++t) {
+        const auto place = [&](LayoutNodeIndex node) {
+            const auto& b = layout.nodes()[static_cast<std::size_t>(node)].place;
+            return b[1].to_double() * std::polar(1.0, t * std::numbers::pi / 3) +
+                   b[2].to_double() * std::polar(1.0, (t + 1) * std::numbers::pi / 3);
+        };
+        for (std::size_t e = 0; e < layout.candidate_edges().size(); ++e) {
+            const Edge& edge = layout.candidate_edges()[e];
+            beams.push_back({e, t, {place(edge.first), place(edge.second)}});
+        }
+    }
+    return beams;
+}
+
+std::string name_of(const Point& point) {
+    const auto digits = [](double x) {
+        const long scaled = std::lround(x * 1e6);
+        return (scaled < 0 ? "m" : "p") + std::to_string(std::labs(scaled));
+    };
+    return digits(point.real()) + digits(point.imag());
+}
+
+bool same(const Point& a, const Point& b) {
+    return std::abs(a - b) < kTolerance;
+}
+
+bool cross_inside(const Beam& left, const Beam& right) {
+    const auto side = [](const Beam& beam, const Point& point) {
+        return cross(beam.ends[1] - beam.ends[0], point - beam.ends[0]);
+    };
+    const double a = side(left, right.ends[0]) * side(left, right.ends[1]);
+    const double b = side(right, left.ends[0]) * side(right, left.ends[1]);
+    return a < -kTolerance && b < -kTolerance;
+}
+
+bool enclose_less_than_15_degrees(const Beam& left, const Beam& right) {
+    for (std::size_t i = 0; i < 2; ++i) {
+        for (std::size_t j = 0; j < 2; ++j) {
+            if (!same(left.ends[i], right.ends[j])) continue;
+            const double angle =
+                std::abs(std::arg((left.ends[1 - i] - left.ends[i]) / (right.ends[1 - j] - right.ends[j])));
+            if (angle < std::numbers::pi / 12 && angle > kTolerance) return true;
+        }
+    }
+    return false;
+}
+
+void write_facts(const NodeLayout& layout, std::ostream& out) {
+    const std::vector<Beam> beams = beams_of(layout);
+    for (const Beam& beam : beams)
+        out << "beam(" << beam.edge << "," << name_of(beam.ends[0]) << "," << name_of(beam.ends[1]) << ").\n";
+    for (const Beam& left : beams) {
+        for (const Beam& right : beams) {
+            if (left.sector == 0 && (cross_inside(left, right) || enclose_less_than_15_degrees(left, right)))
+                out << "conflict(" << left.edge << "," << right.edge << ").\n";
+        }
+    }
+    const double inradius = std::sqrt(3.0) / 2;
+    for (const Beam& beam : beams) {
+        for (const Point& end : beam.ends) {
+            const double along = std::arg(end) * 3 / std::numbers::pi;
+            const double middle = (std::floor(along) + 0.5) * std::numbers::pi / 3;
+            const bool is_outside = (end * std::polar(1.0, -middle)).real() > inradius - kTolerance;
+            out << "weight(" << name_of(end) << "," << (is_outside ? 2 : 1) << ").\n";
+            if (is_outside) out << "interface(" << name_of(end) << ").\n";
+        }
+    }
+}
+
+constexpr const char* kRules = R"(
+edge(E) :- beam(E,_,_).
+{ chosen(E) } :- edge(E).
+:- conflict(E,F), chosen(E), chosen(F).
+joined(U,V,E) :- beam(E,U,V), chosen(E).
+joined(V,U,E) :- beam(E,U,V), chosen(E).
+joined(U,V) :- joined(U,V,_).
+used(U) :- joined(U,_).
+:- weight(U,W), #sum { W,V,E : joined(U,V,E) } > 6.
+:- interface(U), not used(U).
+start(U) :- U = #min { V : interface(V) }.
+reached(U) :- start(U).
+reached(V) :- reached(U), joined(U,V).
+:- used(V), not reached(V).
+node(U) :- weight(U,_).
+without(X,U) :- node(X), interface(U), U != X.
+without(X,V) :- without(X,U), joined(U,V), V != X.
+:- used(X), used(V), V != X, not without(X,V).
+#show chosen/1.
+)";
+
+/// The number of answer sets for each number of edges.
+std::vector<std::uint64_t> count_by_clingo(const NodeLayout& layout) {
+    std::ostringstream program;
+    write_facts(layout, program);
+    program << kRules;
+    const auto path = std::filesystem::temp_directory_path() /
+                      ("fretwork_oracle_" + layout.name() + "_" + std::to_string(::getpid()) + ".lp");
+    base::write_file_atomically(path, program.str());
+    const std::string command = "clingo 0 --verbose=0 " + path.string() + " 2>/dev/null";
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> pipe(::popen(command.c_str(), "r"), ::pclose);
+    std::string text;
+    std::array<char, 4096> buffer{};
+    while (const std::size_t got = std::fread(buffer.data(), 1, buffer.size(), pipe.get()))
+        text.append(buffer.data(), got);
+    std::filesystem::remove(path);
+    std::vector<std::uint64_t> counts(layout.candidate_edges().size() + 1);
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+        std::size_t edges = 0;
+        for (auto at = line.find("chosen("); at != std::string::npos; at = line.find("chosen(", at + 1))
+            ++edges;
+        if (edges > 0) ++counts[edges];
+    }
+    return counts;
+}
+
+TEST(Oracle, AnswerSetProgramCountsTheSamePatterns) {
+    if (std::system("clingo --version >/dev/null 2>&1") != 0)
+        GTEST_SKIP() << "clingo (package gringo) is not installed";
+    for (const NodeLayout& layout : small_layouts()) {
+        EnumerationOptions options;
+        options.edges = {1, kMaxCandidateEdges};
+        EXPECT_EQ(count_patterns(layout, options).by_edges, count_by_clingo(layout)) << layout.name();
+    }
+}
+
+}  // namespace
+}  // namespace fretwork::pattern
