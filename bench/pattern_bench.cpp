@@ -3,6 +3,8 @@
 #include <fretwork/pattern/detail/rule_test.hpp>
 #include <fretwork/pattern/enumerate.hpp>
 #include <fretwork/pattern/fan.hpp>
+#include <fretwork/pattern/sameness.hpp>
+#include <fretwork/pattern/sample.hpp>
 
 #include <benchmark/benchmark.h>
 
@@ -20,15 +22,7 @@ const NodeLayout& paper7() {
 
 /// Four radial pairs, two face nodes: 49 candidate edges, 6,540,827 valid patterns.
 const NodeLayout& fifths() {
-    static const NodeLayout layout = [] {
-        NodeLayoutDescription description;
-        description.name = "fifths";
-        for (int i = 1; i < 5; ++i) description.radial.emplace_back(i, 5);
-        description.face = {{Rational(3, 10), Rational(9, 20), Rational(1, 4)},
-                            {Rational(9, 20), Rational(1, 5), Rational(7, 20)}};
-        description.interface = {Rational(1, 2)};
-        return NodeLayout(description);
-    }();
+    static const NodeLayout layout = find_node_layout("fifths12");
     return layout;
 }
 
@@ -106,6 +100,18 @@ void count_fifths_by_plain_backtracking(benchmark::State& state) {
     for (auto _ : state) require(state, PlainBacktracking(fifths()).count(), 6540827);
 }
 BENCHMARK(count_fifths_by_plain_backtracking)->Iterations(1)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+void estimate_fifths_from_10000_trials(benchmark::State& state) {
+    const PatternSampler sampler(fifths(), {}, 1);
+    for (auto _ : state) benchmark::DoNotOptimize(sampler.estimate(10'000));
+}
+BENCHMARK(estimate_fifths_from_10000_trials)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+void classify_paper7(benchmark::State& state) {
+    const std::vector<Pattern> patterns = enumerate_patterns(paper7());
+    for (auto _ : state) benchmark::DoNotOptimize(find_sameness(paper7(), patterns));
+}
+BENCHMARK(classify_paper7)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 void place_a_fan(benchmark::State& state) {
     const Fan fan = make_fan(paper7(), parse_pattern_id(paper7(), "0-1+1-5+2-6+4-6+5-6"), 6);

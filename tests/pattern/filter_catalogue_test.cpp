@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
-#include <fretwork/pattern/filter_catalogue.hpp>
+#include <fretwork/pattern/enumerate.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numbers>
 
 namespace fretwork::pattern {
@@ -116,6 +117,107 @@ TEST(SmallAngle, SeesBeamsOfTheNextSector) {
     // 1-5 leaves node 1 into its sector, 3-5 leaves the same node of the fan into the one before.
     EXPECT_TRUE(verdict_of("small_angle", "1-5+3-5", 40 * kDegree).accepted);
     EXPECT_FALSE(verdict_of("small_angle", "1-5+3-5", 178 * kDegree).accepted);
+}
+
+// By hand, in the unit hexagon: 0-1 and 1-2 are 1/3 long, 1-3 too (an equilateral triangle), 0-6 sqrt(3)/2.
+TEST(EdgeLength, IsThatInTheHexagon) {
+    constexpr double kSide = 0.025980762113533160;
+    EXPECT_TRUE(verdict_of("short_edge", "0-1+1-2+1-3", kSide / 3 * (1 - 1e-9)).accepted);
+    EXPECT_FALSE(verdict_of("short_edge", "1-3", kSide / 3 * (1 + 1e-9)).accepted);
+    EXPECT_TRUE(verdict_of("long_edge", "0-6", kSide * std::sqrt(3.0) / 2 * (1 + 1e-9)).accepted);
+    const Verdict verdict = verdict_of("long_edge", "0-6", 0.02);
+    EXPECT_EQ(verdict.reason, "the edge 0-6 is longer than 20 mm");
+    EXPECT_EQ(guilty_of(verdict), "0-6");
+}
+
+// By hand: the rings 1-3 and 2-4 are parallel, sqrt(3)/6 of the side apart; beams of 2 mm leave 5.5 mm
+// between them.
+TEST(TightClearance, IsBetweenTheFlanksOfBeamsThatDoNotMeet) {
+    const double gap = 0.025980762113533160 * std::sqrt(3.0) / 6 - 0.002;
+    EXPECT_TRUE(verdict_of("tight_clearance", "1-3+2-4", gap - 1e-9).accepted);
+    EXPECT_FALSE(verdict_of("tight_clearance", "1-3+2-4", gap + 1e-9).accepted);
+    EXPECT_TRUE(verdict_of("tight_clearance", "0-1+1-2", gap).accepted)
+        << "beams that meet are left to small_angle";
+}
+
+// By hand: copies of 1-2 lie on neighbouring radii; the inner end of one is side / 3 sin 60 away from the
+// next.
+TEST(TightClearance, SeesCopiesInOtherSectors) {
+    const double gap = 0.025980762113533160 / 3 * std::sqrt(3.0) / 2 - 0.002;
+    EXPECT_TRUE(verdict_of("tight_clearance", "1-2", gap - 1e-9).accepted);
+    const Verdict verdict = verdict_of("tight_clearance", "1-2", 0.006);
+    EXPECT_THAT(verdict.reason, HasSubstr("the edge 1-2 and its copies leave less than 6 mm between them"));
+}
+
+TEST(TightClearance, OfZeroDistanceCountsCrossings) {
+    EXPECT_FALSE(verdict_of("tight_clearance", "0-6+1-3", 0.0).accepted);
+}
+
+TEST(Asymmetric, RejectsWhatIsNotItsOwnMirrorImage) {
+    EXPECT_TRUE(verdict_of("asymmetric", "1-6+3-6").accepted);
+    EXPECT_FALSE(verdict_of("asymmetric", "1-6").accepted);
+    EXPECT_FALSE(verdict_of("asymmetric", "5-6").accepted);
+}
+
+TEST(EdgeGroups, AreEdgesOrAllEdgesAtANodeOfTheFan) {
+    EXPECT_EQ(parse_edge_group(paper7(), "1-6").edges.count(), 1u);
+    EXPECT_EQ(parse_edge_group(paper7(), "n5").edges, parse_edge_group(paper7(), "5").edges);
+    EXPECT_EQ(parse_edge_group(paper7(), "n5").edges.count(), 6u);
+    EXPECT_EQ(parse_edge_group(paper7(), "n3").edges, parse_edge_group(paper7(), "n1").edges)
+        << "one node of the fan";
+    for (const char* text : {"", "n", "n7", "x", "0-2", "-1", "n-1", "1.5"})
+        EXPECT_THROW(parse_edge_group(paper7(), text), base::InputError) << text;
+}
+
+TEST(EdgeGroups, RequiredAndForbiddenOnesAreKept) {
+    FilterSettings settings;
+    settings.required = {parse_edge_group(paper7(), "n5")};
+    settings.forbidden = {parse_edge_group(paper7(), "0-6")};
+    const std::vector<Filter> filters = make_filters(paper7(), settings);
+    EXPECT_EQ(judge(paper7(), filters, parse_pattern_id(paper7(), "1-3+1-6+3-6")).reason,
+              "the pattern lacks node n5");
+    EXPECT_EQ(judge(paper7(), filters.back(), parse_pattern_id(paper7(), "0-6")).reason,
+              "the edge 0-6 is forbidden");
+}
+
+// Of the 1,824 patterns, 210 do not use node 5.
+TEST(EdgeGroups, SplitTheWholeInTwo) {
+    EnumerationOptions with;
+    with.filters.required = {parse_edge_group(paper7(), "n5")};
+    EnumerationOptions without;
+    without.filters.forbidden = with.filters.required;
+    EXPECT_EQ(count_patterns(paper7(), with).total(), 1824u - 210u);
+    EXPECT_EQ(count_patterns(paper7(), without).total(), 210u);
+}
+
+TEST(FilterCatalogue, EveryFilterTakesItsDefaultAndRejectsNonsense) {
+    for (const FilterKind& kind : filter_catalogue()) {
+        FilterSettings settings;
+        settings.choices = {{std::string(kind.name), std::nullopt}};
+        EXPECT_NO_THROW(make_filters(paper7(), settings)) << kind.name;
+        if (kind.parameter == FilterParameter::None) continue;
+        settings.choices.front().value = -1.0;
+        EXPECT_THROW(make_filters(paper7(), settings), base::InputError) << kind.name;
+        settings.choices.front().value = std::nan("");
+        EXPECT_THROW(make_filters(paper7(), settings), base::InputError) << kind.name;
+    }
+}
+
+// What a rule says it prunes by must hold: conflicts and loads stay broken when edges are added.
+TEST(FilterCatalogue, RulesThatPruneAreMonotone) {
+    FilterSettings settings;
+    settings.choices = {{"short_edge", {}}, {"long_edge", {}}, {"tight_clearance", {}}};
+    const std::vector<Filter> filters = make_filters(paper7(), settings);
+    for (unsigned graph = 1; graph < 1u << 17; graph += 97) {
+        const Pattern pattern{Pattern::Bits(graph)};
+        const Pattern larger{Pattern::Bits(graph | (graph * 2654435761u) % (1u << 17))};
+        for (const Filter& filter : filters) {
+            const bool prunes = std::holds_alternative<ConflictRule>(filter.rule) ||
+                                std::holds_alternative<CapacityRule>(filter.rule);
+            if (!prunes || judge(paper7(), filter, pattern).accepted) continue;
+            EXPECT_FALSE(judge(paper7(), filter, larger).accepted) << filter.name;
+        }
+    }
 }
 
 TEST(FilterCatalogue, ThePapersSixAreAlwaysOnAndInItsOrder) {
