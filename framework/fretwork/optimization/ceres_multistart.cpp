@@ -7,6 +7,9 @@
 #include <ceres/ceres.h>
 
 #include <cmath>
+#include <functional>
+#include <optional>
+#include <vector>
 
 namespace fretwork::optimization {
 namespace {
@@ -103,6 +106,85 @@ bool descend(const ceres::Solver::Options& options, RememberingCost& cost, const
     return summary.termination_type == ceres::CONVERGENCE;
 }
 
+/// One stage of the continuation. Ceres cuts its unconstrained step off at the bounds, and creeps where a
+/// bound is active; so variables that are pressed against a bound are taken out of what it sees, and let in
+/// again when the gradient turns.
+class Stage {
+  public:
+    Stage(Evaluator& evaluator, const ContinuationOptions& options, double smoothing)
+        : evaluator_(evaluator),
+          smoothing_(smoothing),
+          options_(solver_options(
+              smoothing == options.smoothing.back() ? options.tolerance : options.loose_tolerance,
+              options.largest_iterations)) {}
+
+    Termination run(Eigen::VectorXd& point) {
+        // Each pass changes what is held; two variables that keep changing places are left as they are.
+        const Eigen::Index passes = 2 * point.size();
+        std::vector<Eigen::Index> free;
+        bool converged = true;
+        for (Eigen::Index pass = 0; pass < passes; ++pass) {
+            auto now_free = free_variables(point);
+            if (!last_) return Termination::BudgetSpent;
+            if (now_free == free || now_free.empty()) break;
+            free = std::move(now_free);
+            converged = descend_in(free, point);
+            if (is_refused_) return Termination::BudgetSpent;
+        }
+        return converged ? Termination::Converged : Termination::Stalled;
+    }
+
+  private:
+    /// The model at a point; the last one is kept. Nothing, once the budget is spent.
+    const std::optional<CurvatureEvaluation>& model_at(const Eigen::VectorXd& point) {
+        if (!last_ || last_point_ != point) {
+            last_ = evaluator_.curvature(point, smoothing_);
+            last_point_ = point;
+            is_refused_ = !last_;
+        }
+        return last_;
+    }
+
+    std::vector<Eigen::Index> free_variables(const Eigen::VectorXd& point) {
+        std::vector<Eigen::Index> free;
+        const auto& model = model_at(point);
+        if (!model) return free;
+        const Bounds& bounds = evaluator_.bounds();
+        for (Eigen::Index i = 0; i < point.size(); ++i) {
+            const bool is_pressed = (point[i] <= bounds.lower[i] && model->gradient[i] > 0.0) ||
+                                    (point[i] >= bounds.upper[i] && model->gradient[i] < 0.0);
+            if (!is_pressed) free.push_back(i);
+        }
+        return free;
+    }
+
+    bool descend_in(const std::vector<Eigen::Index>& free, Eigen::VectorXd& point) {
+        const auto size = static_cast<int>(free.size());
+        RememberingCost cost(
+            [&](const Eigen::VectorXd& at) -> std::optional<Linearization> {
+                Eigen::VectorXd whole = point;
+                whole(free) = at;
+                const auto& model = model_at(whole);
+                if (!model) return std::nullopt;
+                return embed(
+                    {model->objective, model->value, model->gradient(free), model->curvature(free, free)});
+            },
+            size + 1, size);
+        const Bounds& bounds = evaluator_.bounds();
+        Eigen::VectorXd free_point = point(free);
+        const bool converged = descend(options_, cost, {bounds.lower(free), bounds.upper(free)}, free_point);
+        point(free) = free_point;
+        return converged;
+    }
+
+    Evaluator& evaluator_;
+    double smoothing_;
+    ceres::Solver::Options options_;
+    std::optional<CurvatureEvaluation> last_;
+    Eigen::VectorXd last_point_;
+    bool is_refused_ = false;
+};
+
 class CeresMultistart final : public Optimizer {
   public:
     explicit CeresMultistart(const CeresMultistartOptions& options) : options_(options) {}
@@ -120,24 +202,12 @@ class CeresMultistart final : public Optimizer {
 
   private:
     Termination follow_smoothing(Evaluator& evaluator, Eigen::VectorXd& point) const {
-        const ContinuationOptions& stages = options_.continuation;
-        bool converged = true;
-        for (const double smoothing : stages.smoothing) {
-            const double tolerance =
-                smoothing == stages.smoothing.back() ? stages.tolerance : stages.loose_tolerance;
-            const auto size = static_cast<int>(point.size());
-            RememberingCost cost(
-                [&](const Eigen::VectorXd& at) -> std::optional<Linearization> {
-                    const auto model = evaluator.curvature(at, smoothing);
-                    if (!model) return std::nullopt;
-                    return embed(*model);
-                },
-                size + 1, size);
-            converged = descend(solver_options(tolerance, stages.largest_iterations), cost,
-                                evaluator.bounds(), point);
-            if (!evaluator.can_afford(Evaluation::Curvature)) return Termination::BudgetSpent;
+        Termination termination = Termination::Converged;
+        for (const double smoothing : options_.continuation.smoothing) {
+            termination = Stage(evaluator, options_.continuation, smoothing).run(point);
+            if (termination == Termination::BudgetSpent) break;
         }
-        return converged ? Termination::Converged : Termination::Stalled;
+        return termination;
     }
 
     CeresMultistartOptions options_;
