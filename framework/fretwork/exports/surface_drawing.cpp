@@ -18,18 +18,24 @@ std::string surface_title(const Surface& surface) {
            std::to_string(surface.tessellation.patterns.size()) + " patterns";
 }
 
+struct NamedPanel {
+    std::string name;
+    SvgCanvas canvas;
+};
+
 /// Panels below each other, each in the middle.
-SvgCanvas stacked(std::span<const SvgCanvas> panels) {
+SvgCanvas stacked(std::span<const NamedPanel> panels) {
     detail::Box box;
-    for (const SvgCanvas& panel : panels) {
-        box.xmax = std::max(box.xmax, panel.box().width());
-        box.ymin -= panel.box().height();
+    for (const NamedPanel& panel : panels) {
+        box.xmax = std::max(box.xmax, panel.canvas.box().width());
+        box.ymin -= panel.canvas.box().height();
     }
     SvgCanvas sheet(box, 1.0);
     double top = 0.0;
-    for (const SvgCanvas& panel : panels) {
-        sheet.embed(panel, {0.5 * (box.xmax - panel.box().width()), top});
-        top -= panel.box().height();
+    for (const NamedPanel& panel : panels) {
+        const detail::Box& size = panel.canvas.box();
+        sheet.embed(panel.canvas, {0.5 * (box.xmax - size.width()), top}, panel.name);
+        top -= size.height();
     }
     return sheet;
 }
@@ -74,10 +80,11 @@ std::string displacement_svg(const DeformedLayer& layer, const DeformedViewOptio
 
 std::string figure_svg(const Surface& surface, const Conditions& conditions,
                        std::span<const DeformedLayer> layers, const DeformedViewOptions& options) {
-    std::vector<SvgCanvas> panels = {detail::surface_panel(surface, nullptr),
-                                     detail::setup_panel(surface, conditions, options.view)};
-    if (layers.size() == 1) panels.push_back(detail::displacement_panel(layers.front(), options));
-    if (layers.size() > 1) panels.push_back(detail::deformed_panel(layers, options));
+    std::vector<NamedPanel> panels = {{"surface", detail::surface_panel(surface, nullptr)},
+                                      {"setup", detail::setup_panel(surface, conditions, options.view)}};
+    if (layers.size() == 1)
+        panels.push_back({"deformed", detail::displacement_panel(layers.front(), options)});
+    if (layers.size() > 1) panels.push_back({"deformed", detail::deformed_panel(layers, options)});
     return stacked(panels).document(surface_title(surface) + ": setup and deformed state");
 }
 

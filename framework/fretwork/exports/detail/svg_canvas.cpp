@@ -2,6 +2,7 @@
 #include <fretwork/exports/detail/svg_canvas.hpp>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdio>
 
@@ -18,6 +19,15 @@ std::string rounded(double value) {
     text.erase(text.find_last_not_of('0') + 1);
     if (text.back() == '.') text.pop_back();
     return text == "-0" ? "0" : text;
+}
+
+constexpr std::string_view kLayerStart = "<g id=\"";
+
+/// What may stand as an id: other characters become hyphens.
+std::string identifier(std::string_view name) {
+    std::string text;
+    for (const char c : name) text += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '-';
+    return text;
 }
 
 std::string escaped(std::string_view text) {
@@ -127,7 +137,7 @@ void SvgCanvas::text(const Point2& point, std::string_view text, double height, 
 }
 
 void SvgCanvas::layer(std::string_view name) {
-    body_ += std::string(in_layer_ ? "</g>\n" : "") + "<g id=\"" + escaped(name) + "\">\n";
+    body_ += std::string(in_layer_ ? "</g>\n" : "") + std::string(kLayerStart) + identifier(name) + "\">\n";
     in_layer_ = true;
 }
 
@@ -142,10 +152,14 @@ std::string SvgCanvas::size(std::string_view unit) const {
            "\" viewBox=\"0 0 " + width + " " + height + "\"";
 }
 
-void SvgCanvas::embed(const SvgCanvas& drawing, const Point2& top_left) {
+void SvgCanvas::embed(const SvgCanvas& drawing, const Point2& top_left, std::string_view name) {
+    std::string body = drawing.body();
+    for (std::size_t at = body.find(kLayerStart); at != std::string::npos;
+         at = body.find(kLayerStart, at + 1))
+        body.insert(at + kLayerStart.size(), identifier(name) + "-");
     body_ += "<svg x=\"" + rounded((top_left.x - box_.xmin) * units_per_metre_) + "\" y=\"" +
-             rounded((box_.ymax - top_left.y) * units_per_metre_) + "\" " + drawing.size("") + ">\n" +
-             drawing.body() + "</svg>\n";
+             rounded((box_.ymax - top_left.y) * units_per_metre_) + "\" " + drawing.size("") + ">\n" + body +
+             "</svg>\n";
 }
 
 std::string SvgCanvas::document(std::string_view title) const {

@@ -42,8 +42,9 @@ class SvgCanvas {
     /// What follows belongs to a layer of this name, which drawing programs show; it ends where the next
     /// begins.
     void layer(std::string_view name);
-    /// Put another drawing, as large as it is, with its top left corner at a place.
-    void embed(const SvgCanvas& drawing, const pattern::Point2& top_left);
+    /// Put another drawing, as large as it is, with its top left corner at a place. Its layers get `name` in
+    /// front, so that they stay apart.
+    void embed(const SvgCanvas& drawing, const pattern::Point2& top_left, std::string_view name);
 
     void polygon(std::span<const pattern::Point2> points, const Style& style);
     /// Several open lines as one path, with round ends.

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/exports/colours.hpp>
+
+#include <gtest/gtest.h>
+
+#include <regex>
+#include <set>
+
+namespace fretwork::exports {
+namespace {
+
+int channel(const std::string& colour, std::size_t i) {
+    return std::stoi(colour.substr(1 + 2 * i, 2), nullptr, 16);
+}
+
+/// Relative luminance (Rec. 709, without its gamma): enough to order greys.
+double brightness(const std::string& colour) {
+    return 0.2126 * channel(colour, 0) + 0.7152 * channel(colour, 1) + 0.0722 * channel(colour, 2);
+}
+
+TEST(PatternColour, IsAColourForEveryNumberAndNeverTheSameTwiceInAPalette) {
+    std::set<std::string> seen;
+    for (int i = -1; i < 60; ++i) {
+        const std::string colour = pattern_colour(i);
+        EXPECT_TRUE(std::regex_match(colour, std::regex("#[0-9a-f]{6}"))) << colour;
+        EXPECT_TRUE(seen.insert(colour).second) << i << " has a colour that was there already: " << colour;
+    }
+}
+
+TEST(PatternColour, IsLightEnoughForDarkBeams) {
+    const double beam = brightness("#22303c");
+    for (int i = -1; i < 200; ++i) EXPECT_GT(brightness(pattern_colour(i)), beam + 80.0) << i;
+}
+
+TEST(ScaleColour, GetsBrighterAllTheWayAndIsClamped) {
+    for (int i = 0; i < 100; ++i)
+        EXPECT_LT(brightness(scale_colour(i / 100.0)), brightness(scale_colour((i + 1) / 100.0)) + 0.5) << i;
+    EXPECT_EQ(scale_colour(-1.0), scale_colour(0.0));
+    EXPECT_EQ(scale_colour(2.0), scale_colour(1.0));
+}
+
+}  // namespace
+}  // namespace fretwork::exports

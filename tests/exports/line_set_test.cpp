@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sample.hpp"
+
+#include <fretwork/exports/surface_drawing.hpp>
+
+namespace fretwork::exports {
+namespace {
+
+using namespace test;
+using testing::HasSubstr;
+
+TEST(SurfaceLines, AreTheBeamsOfAllFans) {
+    const simulation::Surface surface = sample_surface();
+    const LineSet lines = surface_lines(surface);
+    EXPECT_EQ(lines.nodes.size(), surface.fan.nodes.size());
+    // Per hexagon: 6 sectors of 2, 2 and 3 edges, each pattern on 2 of the 6 tiles.
+    EXPECT_EQ(lines.lines.size(), 2U * 6U * (2U + 2U + 3U));
+    EXPECT_EQ(lines.tiles.size(), lines.lines.size());
+    EXPECT_EQ(lines.patterns.size(), lines.lines.size());
+}
+
+TEST(ResultLines, OfAReducedModelAreClosedThroughEachTilesInterfaceNodes) {
+    const simulation::Surface surface = sample_surface();
+    const LineSet lines = result_lines(surface, bent(surface, Rows::InterfaceNodes));
+    EXPECT_EQ(lines.nodes.size(), surface.tessellation.interface_nodes.size());
+    EXPECT_EQ(lines.lines.size(), 6U * surface.tessellation.tiles.size());
+    EXPECT_EQ(lines.displacements->rows(), static_cast<Eigen::Index>(lines.nodes.size()));
+}
+
+TEST(ResultLines, OfAnotherSurfaceAreRefused) {
+    const simulation::Surface surface = sample_surface();
+    const simulation::Surface larger = sample_surface(4, 3);
+    EXPECT_THAT(complaint_of([&] { (void)result_lines(larger, bent(surface, Rows::InterfaceNodes)); }),
+                HasSubstr("too few nodes"));
+    mechanics::Result moved = bent(surface, Rows::EveryNode);
+    moved.nodes[3].rest_position.x() += 0.001;
+    EXPECT_THAT(complaint_of([&] { (void)result_lines(surface, moved); }), HasSubstr("node 3"));
+}
+
+TEST(DisplacedNodes, MoveByTheScaledDisplacement) {
+    LineSet lines;
+    lines.nodes = {{1.0, 2.0, 3.0}};
+    EXPECT_EQ(displaced_nodes(lines, 5.0)[0], Eigen::Vector3d(1.0, 2.0, 3.0));
+    lines.displacements = mechanics::NodeValues::Zero(1, 6);
+    lines.displacements->row(0) << 0.5, 0.0, -0.25, 9.0, 9.0, 9.0;
+    EXPECT_EQ(displaced_nodes(lines, 2.0)[0], Eigen::Vector3d(2.0, 2.0, 2.5));
+}
+
+TEST(RimLines, AreTheSidesOfOneTileOnly) {
+    // 3 x 2 hexagons of the sample: 36 sides, of which 9 are shared: 3 between the rows, 3 between each two
+    // columns.
+    const simulation::Surface surface = sample_surface();
+    EXPECT_EQ(surface.tessellation.interface_nodes.size(), 27U);
+    EXPECT_EQ(rim_lines(surface).lines.size(), 18U);
+}
+
+}  // namespace
+}  // namespace fretwork::exports

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "svg_reading.hpp"
+
+#include <fretwork/exports/reduced_drawing.hpp>
+
+#include <gmock/gmock.h>
+
+namespace fretwork::exports {
+namespace {
+
+using testing::HasSubstr;
+
+TEST(ReducedSheet, HasEachPatternAndItsReducedModelWithItsFacts) {
+    const auto layout = pattern::find_node_layout("paper7");
+    reduction::Calibration calibration;
+    calibration.parameters = {4e-6, 1e-12, 1e-12, 1e-12, 0.1, 0.01};
+    calibration.objective = 3.25;
+    const std::vector<ReducedPattern> patterns = {{pattern::parse_pattern_id(layout, "0-1+1-6"), calibration},
+                                                  {pattern::parse_pattern_id(layout, "1-6+3-6")}};
+    const test::Svg svg(reduced_sheet_svg(layout, patterns, reduction::paper_setting()));
+    EXPECT_EQ(svg.count("polygon"), 3U) << "two patterns and one reduced model";
+    EXPECT_EQ(svg.count("circle"), 6U) << "the reduced model's interface nodes";
+    EXPECT_THAT(svg.words(), HasSubstr("0-1+1-6\n"));
+    EXPECT_THAT(svg.words(), HasSubstr("= 5.73\xc2\xb0, E = 3.25\n"));
+    EXPECT_THAT(svg.words(), HasSubstr("not calibrated\n"));
+}
+
+}  // namespace
+}  // namespace fretwork::exports

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sample.hpp"
+#include "svg_reading.hpp"
+
+#include <fretwork/exports/colours.hpp>
+#include <fretwork/exports/surface_drawing.hpp>
+
+#include <set>
+
+namespace fretwork::exports {
+namespace {
+
+using namespace test;
+using testing::HasSubstr;
+using testing::Not;
+
+class SurfaceDrawing : public testing::Test {
+  protected:
+    [[nodiscard]] std::vector<DeformedLayer> layers() const {
+        return {{"full <&> \"model\"", "#8a8f94", result_lines(surface_, bent(surface_, Rows::EveryNode))},
+                {"paper6", "#2166ac", result_lines(surface_, bent(surface_, Rows::InterfaceNodes, 0.9))}};
+    }
+    simulation::Surface surface_ = sample_surface();
+    simulation::Conditions conditions_ = sample_conditions(surface_);
+};
+
+TEST_F(SurfaceDrawing, HasATileInItsPatternsColourAndALineForEveryBeam) {
+    const Svg svg(surface_svg(surface_));
+    const auto tiles = svg.layer("tiles");
+    EXPECT_EQ(children(tiles, "polygon"), surface_.tessellation.tiles.size());
+    std::size_t tile = 0;
+    for (const auto& polygon : tiles.children("polygon")) {
+        EXPECT_EQ(polygon.attribute("fill").value(),
+                  pattern_colour(surface_.tessellation.tiles[tile++].pattern));
+    }
+    EXPECT_EQ(lines_of_layer(svg.layer("beams")), surface_.fan.edges.size());
+    for (const std::string& id : surface_.tessellation.patterns)
+        EXPECT_THAT(svg.words(), HasSubstr(id + "\n"));
+}
+
+TEST_F(SurfaceDrawing, IsAtTrueScaleWithBeamsOfTheirWidth) {
+    const Svg svg(surface_svg(surface_));
+    // Three columns of hexagons: 2 s + 2 * 1.5 s, and half a side of margin on both sides.
+    EXPECT_NEAR(svg.width_mm(), 1e3 * kSide * (5.0 + 1.0), 1e-3);
+    EXPECT_NEAR(svg.layer("beams").child("path").attribute("stroke-width").as_double(), 2.0, 1e-3);
+    EXPECT_THAT(svg.words(), HasSubstr("20 mm")) << "a scale bar of at most a fifth of the width, round";
+}
+
+TEST_F(SurfaceDrawing, HasABallForEverySupportAndAnArrowForEveryLoad) {
+    for (const std::string& text : {surface_svg(surface_, &conditions_), setup_svg(surface_, conditions_)}) {
+        const Svg svg(text);
+        EXPECT_EQ(children(svg.layer("supports"), "circle"), 2 * conditions_.supports.size())
+            << "ball and its light";
+        EXPECT_EQ(children(svg.layer("loads"), "polygon"), conditions_.loads.size());
+        EXPECT_THAT(svg.words(), HasSubstr("all components held"));
+        EXPECT_THAT(svg.words(), HasSubstr("forces, the largest 1.08 N"));
+        EXPECT_THAT(svg.words(), Not(HasSubstr("some components held")))
+            << "what is not there is not in the legend";
+    }
+}
+
+TEST_F(SurfaceDrawing, ALoadAlongTheLineOfSightIsARing) {
+    conditions_.loads.resize(2);
+    conditions_.loads[0].force = {0.0, 0.0, 1.0};
+    conditions_.loads[1].force = {0.0, 0.0, -1.0};
+    const Svg svg(surface_svg(surface_, &conditions_));
+    EXPECT_EQ(children(svg.layer("loads"), "polygon"), 0U);
+    EXPECT_EQ(children(svg.layer("loads"), "circle"), 3U) << "two rings, one with a dot";
+    EXPECT_EQ(lines_of_layer(svg.layer("loads")), 2U) << "the other with a cross";
+}
+
+TEST_F(SurfaceDrawing, AMomentHasTwoHeads) {
+    conditions_.loads.resize(1);
+    conditions_.loads[0].force.setZero();
+    conditions_.loads[0].moment = {0.0, 0.002, 0.0};
+    const Svg svg(setup_svg(surface_, conditions_));
+    EXPECT_EQ(children(svg.layer("loads"), "polygon"), 2U);
+    EXPECT_THAT(svg.words(), HasSubstr("moments, the largest 2 N mm"));
+}
+
+TEST_F(SurfaceDrawing, DeformedStatesAreLayersWithTheirColoursAndLabels) {
+    const auto drawn = layers();
+    const Svg svg(deformed_svg(drawn, {1.0, {}, rim_lines(surface_)}));
+    for (const DeformedLayer& layer : drawn) {
+        const auto group = svg.layer(identifier_of(layer.label));
+        EXPECT_EQ(lines_of_layer(group), layer.lines.lines.size());
+        EXPECT_EQ(group.child("path").attribute("stroke").value(), layer.colour);
+        EXPECT_THAT(svg.words(), HasSubstr(layer.label + ": at most "));
+    }
+    EXPECT_EQ(lines_of_layer(svg.layer("at-rest")), rim_lines(surface_).lines.size());
+    EXPECT_THAT(svg.words(), HasSubstr("displacements at true scale"));
+}
+
+TEST_F(SurfaceDrawing, AnotherScaleIsSaidAndChangesTheSize) {
+    DeformedViewOptions options;
+    options.scale = 2.5;
+    const auto drawn = layers();
+    const Svg scaled(deformed_svg(drawn, options));
+    EXPECT_THAT(scaled.words(), HasSubstr("displacements 2.5 times as large"));
+    EXPECT_NE(scaled.height_mm(), Svg(deformed_svg(drawn)).height_mm());
+}
+
+TEST_F(SurfaceDrawing, DisplacementsAreColouredWithALegendUpToTheLargest) {
+    const DeformedLayer layer = layers().front();
+    const Svg svg(displacement_svg(layer));
+    EXPECT_EQ(lines_of_layer(svg.layer(identifier_of(layer.label))), layer.lines.lines.size());
+    double largest = 0.0;
+    for (Eigen::Index i = 0; i < layer.lines.displacements->rows(); ++i)
+        largest = std::max(largest, layer.lines.displacements->row(i).head<3>().norm());
+    char text[32];
+    std::snprintf(text, sizeof text, "%.4g mm\n", 1e3 * largest);
+    EXPECT_THAT(svg.words(), HasSubstr(text));
+}
+
+TEST_F(SurfaceDrawing, WithoutDisplacementsIsDrawnAtRestInTheFirstColour) {
+    const DeformedLayer layer{"rest", "#000000", surface_lines(surface_)};
+    const Svg svg(displacement_svg(layer));
+    EXPECT_EQ(svg.layer("rest").child("path").attribute("stroke").value(), scale_colour(0.5 / 16.0));
+}
+
+TEST_F(SurfaceDrawing, TheFigureHoldsAllPanels) {
+    const auto drawn = layers();
+    const Svg svg(figure_svg(surface_, conditions_, drawn));
+    EXPECT_EQ(children(svg.root(), "svg"), 3U);
+    EXPECT_EQ(svg.count("title"), 1U);
+    EXPECT_EQ(lines_of_layer(svg.layer("deformed-paper6")), drawn[1].lines.lines.size());
+    EXPECT_EQ(children(svg.layer("setup-supports"), "circle"), 2 * conditions_.supports.size());
+}
+
+TEST_F(SurfaceDrawing, IdsOfLayersAreUnique) {
+    const auto drawn = layers();
+    std::set<std::string> ids;
+    const Svg svg(figure_svg(surface_, conditions_, drawn));
+    for (const auto& panel : svg.root().children("svg")) {
+        for (const auto& layer : panel.children("g"))
+            EXPECT_TRUE(ids.insert(layer.attribute("id").value()).second) << layer.attribute("id").value();
+    }
+    EXPECT_GE(ids.size(), 8U);
+}
+
+}  // namespace
+}  // namespace fretwork::exports
