@@ -4,6 +4,7 @@
 #include "pattern/small_layouts.hpp"
 
 #include <fretwork/base/file.hpp>
+#include <fretwork/pattern/detail/random.hpp>
 #include <fretwork/pattern/enumerate.hpp>
 
 #include <gtest/gtest.h>
@@ -14,6 +15,7 @@
 #include <filesystem>
 #include <memory>
 #include <numbers>
+#include <set>
 #include <sstream>
 #include <string>
 #include <unistd.h>
@@ -25,6 +27,7 @@ using Point = std::complex<double>;
 
 constexpr int kSides = 6;
 constexpr double kTolerance = 1e-9;
+constexpr int kGrid = 24;  // of random layouts
 
 /// A copy of a candidate edge in the fan of a unit hexagon; nodes of the fan have the names of their places.
 struct Beam {
@@ -155,14 +158,69 @@ std::vector<std::uint64_t> count_by_clingo(const NodeLayout& layout) {
     return counts;
 }
 
-TEST(Oracle, AnswerSetProgramCountsTheSamePatterns) {
-    if (std::system("clingo --version >/dev/null 2>&1") != 0)
-        GTEST_SKIP() << "clingo (package gringo) is not installed";
-    for (const NodeLayout& layout : small_layouts()) {
-        EnumerationOptions options;
-        options.edges = {1, kMaxCandidateEdges};
-        EXPECT_EQ(count_patterns(layout, options).by_edges, count_by_clingo(layout)) << layout.name();
+/// Shares of a grid of 24, each once.
+std::set<int> some_shares(detail::RandomStream& random, int count) {
+    std::set<int> shares;
+    for (int i = 0; i < count; ++i) shares.insert(1 + static_cast<int>(random.below(kGrid - 1)));
+    return shares;
+}
+
+std::vector<std::array<Rational, 3>> some_face_nodes(detail::RandomStream& random, int count) {
+    std::set<std::pair<int, int>> places;
+    for (int i = 0; i < count; ++i) {
+        const int first = 1 + static_cast<int>(random.below(kGrid - 2));
+        places.emplace(first, 1 + static_cast<int>(random.below(static_cast<GraphCount>(kGrid - 1 - first))));
     }
+    std::vector<std::array<Rational, 3>> nodes;
+    for (const auto& [a, b] : places)
+        nodes.push_back({Rational(a, kGrid), Rational(b, kGrid), Rational(kGrid - a - b, kGrid)});
+    return nodes;
+}
+
+/// One to three nodes, symmetric about the middle.
+std::vector<Rational> some_interface(detail::RandomStream& random) {
+    const auto count = 1 + random.below(3);
+    const int share = 1 + static_cast<int>(random.below(kGrid / 2 - 1));
+    if (count == 1) return {Rational(1, 2)};
+    if (count == 2) return {Rational(share, kGrid), Rational(kGrid - share, kGrid)};
+    return {Rational(share, kGrid), Rational(1, 2), Rational(kGrid - share, kGrid)};
+}
+
+/// A layout of 5 to 18 candidate edges with nodes at random places.
+NodeLayout random_layout(std::uint64_t seed) {
+    for (std::uint64_t attempt = 0;; ++attempt) {
+        detail::RandomStream random(seed, attempt);
+        NodeLayoutDescription description;
+        description.name = "random" + std::to_string(seed);
+        description.center = random.below(2) == 0;
+        for (const int share : some_shares(random, static_cast<int>(random.below(3))))
+            description.radial.emplace_back(share, kGrid);
+        description.face = some_face_nodes(random, static_cast<int>(random.below(3)));
+        description.interface = some_interface(random);
+        if (!description.center && description.radial.empty() && description.face.empty()) continue;
+        NodeLayout layout(description);
+        if (layout.candidate_edges().size() > 4 && layout.candidate_edges().size() <= 18) return layout;
+    }
+}
+
+void expect_equal_counts(const NodeLayout& layout) {
+    EnumerationOptions options;
+    options.edges = {1, kMaxCandidateEdges};
+    EXPECT_EQ(count_patterns(layout, options).by_edges, count_by_clingo(layout)) << layout.name();
+}
+
+bool has_clingo() {
+    return std::system("clingo --version >/dev/null 2>&1") == 0;
+}
+
+TEST(Oracle, AnswerSetProgramCountsTheSamePatterns) {
+    if (!has_clingo()) GTEST_SKIP() << "clingo (package gringo) is not installed";
+    for (const NodeLayout& layout : small_layouts()) expect_equal_counts(layout);
+}
+
+TEST(Oracle, AnswerSetProgramCountsTheSamePatternsOfRandomLayouts) {
+    if (!has_clingo()) GTEST_SKIP() << "clingo (package gringo) is not installed";
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) expect_equal_counts(random_layout(seed));
 }
 
 }  // namespace
