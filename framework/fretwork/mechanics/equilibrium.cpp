@@ -104,35 +104,20 @@ class LoadPath {
     }
 
     [[nodiscard]] Solution solution(Termination termination) {
-        Solution solution;
-        solution.load_factor = factor_;
-        solution.termination = termination;
         if (termination != Termination::Converged) {
             if (system_.largest_component(rate_) > kLimitLoadGrowth * rest_rate_)
-                solution.termination = Termination::LimitLoad;
+                termination = Termination::LimitLoad;
             system_.evaluate(configuration_, factor_);
         }
+        Solution solution = system_.describe(configuration_, factor_);
+        solution.termination = termination;
         if (options_.classify_stability) {
             solution.stable = outcome_.positive_definite();
             solution.stability =
                 system_.has_skew_part() ? StabilityTest::SymmetricPart : StabilityTest::Tangent;
         }
-        solution.energy = system_.energy();
-        solution.residual = system_.relative_residual();
         solution.iterations = newton_.take_iterations();
-        fill_tables(solution);
         return solution;
-    }
-
-    void fill_tables(Solution& solution) const {
-        const int rows = system_.assembly().reported_nodes;
-        solution.displacements.resize(rows, kDofsPerNode);
-        for (int node = 0; node < rows; ++node) {
-            const auto index = static_cast<std::size_t>(node);
-            solution.displacements.row(node) << configuration_.states[index].displacement.transpose(),
-                configuration_.rotation_vectors[index].transpose();
-        }
-        solution.reactions = system_.reactions().topRows(rows);
     }
 
     const EquilibriumOptions& options_;

@@ -64,6 +64,9 @@ NonlinearSystem::NonlinearSystem(const Assembly& assembly)
             moment_nodes_.push_back(static_cast<int>(node));
     }
     rounding_force_ = rounding_force(assembly, length_);
+    NodeValues weights = NodeValues::Ones(static_cast<Eigen::Index>(assembly.nodes.size()), kDofsPerNode);
+    weights.leftCols<3>() /= length_ * length_;
+    layout_->gather(weights, weights_);
     spin_maps_.resize(vector_nodes_.size());
     values_.resize(layout_->row().size());
 }
@@ -193,19 +196,20 @@ void NonlinearSystem::add_prescribed_rate(std::span<const NodeIndex> nodes, cons
     }
 }
 
-void NonlinearSystem::add_elements(const Configuration& configuration) {
+void NonlinearSystem::add_elements(const Configuration& configuration, Demand demand) {
     for (std::size_t e = 0; e < assembly_.elements.size(); ++e) {
         const Element& element = *assembly_.elements[e];
         const auto nodes = element.nodes();
         element_states_.resize(nodes.size());
         for (std::size_t i = 0; i < nodes.size(); ++i)
             element_states_[i] = configuration.states[at(nodes[i].value)];
-        element.evaluate(element_states_, Demand::Tangent, response_);
+        element.evaluate(element_states_, demand, response_);
         energy_ += response_.energy;
         for (std::size_t i = 0; i < nodes.size(); ++i)
             internal_.row(nodes[i].value) +=
                 response_.force.segment<kDofsPerNode>(static_cast<Eigen::Index>(i) * kDofsPerNode)
                     .transpose();
+        if (demand == Demand::Force) continue;
         if (!vector_nodes_.empty()) map_to_unknowns(nodes);
         layout_->add(e, nodes, response_.tangent, values_);
         if (has_prescribed_) add_prescribed_rate(nodes, response_.tangent);
@@ -268,17 +272,17 @@ void NonlinearSystem::gather_unbalanced(double load_factor) {
     relative_residual_ = only_rounding ? 0.0 : std::sqrt(square) / scale;
 }
 
-void NonlinearSystem::evaluate(const Configuration& configuration, double load_factor) {
+void NonlinearSystem::evaluate(const Configuration& configuration, double load_factor, Demand demand) {
     const auto nodes = static_cast<Eigen::Index>(assembly_.nodes.size());
     internal_.setZero(nodes, kDofsPerNode);
     if (has_prescribed_) prescribed_rate_.setZero(nodes, kDofsPerNode);
-    std::fill(values_.begin(), values_.end(), 0.0);
+    if (demand == Demand::Tangent) std::fill(values_.begin(), values_.end(), 0.0);
     energy_ = 0.0;
     skew_.clear();
     map_spins(configuration);
-    add_elements(configuration);
+    add_elements(configuration, demand);
     forces_ = load_factor * assembly_.loads - internal_;
-    add_moment_terms(configuration, load_factor);
+    if (demand == Demand::Tangent) add_moment_terms(configuration, load_factor);
     gather_unbalanced(load_factor);
 }
 
@@ -305,6 +309,21 @@ NodeValues NonlinearSystem::reactions() const {
             result.row(node).tail<3>() = -forces_.row(node).tail<3>();
     }
     return result;
+}
+
+Solution NonlinearSystem::describe(const Configuration& configuration, double load_factor) const {
+    const int rows = assembly_.reported_nodes;
+    Solution solution;
+    solution.load_factor = load_factor;
+    solution.energy = energy_;
+    solution.residual = relative_residual_;
+    solution.displacements.resize(rows, kDofsPerNode);
+    for (int node = 0; node < rows; ++node) {
+        solution.displacements.row(node) << configuration.states[at(node)].displacement.transpose(),
+            configuration.rotation_vectors[at(node)].transpose();
+    }
+    solution.reactions = reactions().topRows(rows);
+    return solution;
 }
 
 }  // namespace fretwork::mechanics::detail

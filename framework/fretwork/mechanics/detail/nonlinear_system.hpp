@@ -5,6 +5,7 @@
 #include <fretwork/mechanics/detail/cholesky.hpp>
 #include <fretwork/mechanics/detail/constraints.hpp>
 #include <fretwork/mechanics/detail/system_layout.hpp>
+#include <fretwork/mechanics/solution.hpp>
 
 #include <vector>
 
@@ -43,8 +44,15 @@ class NonlinearSystem {
     /// Largest component of a step; displacements count in characteristic lengths.
     [[nodiscard]] double largest_component(const Eigen::VectorXd& step) const;
 
-    /// Compute what the members below tell.
-    void evaluate(const Configuration& configuration, double load_factor);
+    /// For each equation 1 for a rotation and 1 / length^2 for a displacement: squares in one unit.
+    [[nodiscard]] const Eigen::VectorXd& weights() const { return weights_; }
+
+    /// Compute what the members below tell; the tangent and what depends on it only where it is asked for.
+    void evaluate(const Configuration& configuration, double load_factor, Demand demand = Demand::Tangent);
+
+    /// The solution at the configuration of the last evaluation, but for how it came about and whether it is
+    /// stable.
+    [[nodiscard]] Solution describe(const Configuration& configuration, double load_factor) const;
 
     /// Load less internal force, for each equation.
     [[nodiscard]] const Eigen::VectorXd& unbalanced() const { return unbalanced_; }
@@ -69,7 +77,7 @@ class NonlinearSystem {
     [[nodiscard]] bool has_held_rotation(std::size_t node) const;
     [[nodiscard]] bool has_held_dof(int node, int dof) const;
     void map_spins(const Configuration& configuration);
-    void add_elements(const Configuration& configuration);
+    void add_elements(const Configuration& configuration, Demand demand);
     void map_to_unknowns(std::span<const NodeIndex> nodes);
     void add_prescribed_rate(std::span<const NodeIndex> nodes, const Eigen::MatrixXd& tangent);
     void add_moment_terms(const Configuration& configuration, double load_factor);
@@ -80,6 +88,7 @@ class NonlinearSystem {
     Constraints constraints_;
     double length_;
     double rounding_force_ = 0.0;
+    Eigen::VectorXd weights_;
     std::unique_ptr<SystemLayout> layout_;
     std::vector<int> vector_nodes_;           ///< with held components of the rotation vector
     std::vector<int> vector_slot_;            ///< of each node in vector_nodes_, or -1

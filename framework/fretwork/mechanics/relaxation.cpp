@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/mechanics/detail/newton.hpp>
+#include <fretwork/mechanics/relaxation.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace fretwork::mechanics {
+namespace {
+
+/// A unit time step is stable while masses exceed a quarter of the stiffness (central differences); the
+/// stiffness changes along the way.
+constexpr double kMassShare = 0.5;
+
+class Relaxation {
+  public:
+    Relaxation(const Assembly& assembly, const RelaxationOptions& options)
+        : options_(options), system_(assembly), configuration_(system_.rest()) {
+        system_.prescribe(1.0, configuration_);
+        velocity_.setZero(system_.equations());
+        system_.evaluate(configuration_, 1.0);
+        weigh();
+    }
+
+    Solution run() {
+        double last_energy = 0.0;
+        Termination termination = Termination::IterationsSpent;
+        int iteration = 0;
+        for (; iteration < options_.iterations; ++iteration) {
+            if (!std::isfinite(system_.relative_residual())) {
+                termination = Termination::Diverged;
+                break;
+            }
+            if (system_.relative_residual() <= options_.relative_residual) {
+                termination = Termination::Converged;
+                break;
+            }
+            velocity_ += system_.unbalanced().cwiseQuotient(mass_);
+            const double energy = velocity_.cwiseAbs2().dot(mass_);
+            if (energy < last_energy) {
+                restart();
+                last_energy = 0.0;
+                continue;
+            }
+            last_energy = energy;
+            system_.move(velocity_, configuration_);
+            system_.evaluate(configuration_, 1.0, Demand::Force);
+        }
+        return finish(termination, iteration);
+    }
+
+  private:
+    /// The peak lies between the last two steps: go half a step back, weigh anew and start from rest.
+    void restart() {
+        system_.move(-0.5 * velocity_, configuration_);
+        velocity_.setZero();
+        system_.evaluate(configuration_, 1.0);
+        weigh();
+    }
+
+    /// Gershgorin's bound of the stiffness in units in which displacements and rotations are comparable.
+    void weigh() {
+        const Eigen::VectorXd scale = system_.weights().cwiseSqrt();
+        const auto& start = system_.layout().column_start();
+        const auto& row = system_.layout().row();
+        mass_.setZero(system_.equations());
+        for (int column = 0; column < system_.equations(); ++column) {
+            for (int k = start[static_cast<std::size_t>(column)];
+                 k < start[static_cast<std::size_t>(column) + 1]; ++k) {
+                const int i = row[static_cast<std::size_t>(k)];
+                const double entry = std::abs(system_.tangent()[static_cast<std::size_t>(k)]);
+                mass_[i] += entry * scale[i] / scale[column];
+                if (i != column) mass_[column] += entry * scale[column] / scale[i];
+            }
+        }
+        mass_ *= kMassShare;
+        for (int node = 0; node < static_cast<int>(system_.assembly().nodes.size()); ++node) {
+            make_isotropic(node, 0);
+            make_isotropic(node, 3);
+        }
+    }
+
+    /// The directions in which a node is stiff turn with the structure: one mass for all three.
+    void make_isotropic(int node, int first_dof) {
+        double largest = 0.0;
+        for (int d = first_dof; d < first_dof + 3; ++d) {
+            const int equation = system_.layout().equation(node, d);
+            if (equation >= 0) largest = std::max(largest, mass_[equation]);
+        }
+        for (int d = first_dof; d < first_dof + 3; ++d) {
+            const int equation = system_.layout().equation(node, d);
+            if (equation >= 0) mass_[equation] = largest;
+        }
+    }
+
+    [[nodiscard]] Solution finish(Termination termination, int iterations) {
+        system_.evaluate(configuration_, 1.0);
+        Solution solution = system_.describe(configuration_, 1.0);
+        solution.termination = termination;
+        solution.iterations = iterations;
+        detail::Cholesky cholesky(system_.layout());
+        solution.stable = cholesky.factorize(system_.tangent()).positive_definite();
+        solution.stability = system_.has_skew_part() ? StabilityTest::SymmetricPart : StabilityTest::Tangent;
+        return solution;
+    }
+
+    const RelaxationOptions& options_;
+    detail::NonlinearSystem system_;
+    detail::Configuration configuration_;
+    Eigen::VectorXd velocity_;
+    Eigen::VectorXd mass_;
+};
+
+}  // namespace
+
+void RelaxationOptions::validate() const {
+    if (!(relative_residual > 0.0 && relative_residual < 1.0))
+        throw base::InputError("relative_residual must be in (0, 1)");
+    if (iterations < 1) throw base::InputError("iterations must be above zero");
+}
+
+Solution relax(const Assembly& assembly, const RelaxationOptions& options) {
+    options.validate();
+    return Relaxation(assembly, options).run();
+}
+
+}  // namespace fretwork::mechanics

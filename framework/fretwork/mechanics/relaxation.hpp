@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/mechanics/assembly.hpp>
+#include <fretwork/mechanics/solution.hpp>
+
+namespace fretwork::mechanics {
+
+/// Options of dynamic relaxation.
+struct RelaxationOptions {
+    double relative_residual = 1e-9;  ///< converged below this
+    int iterations = 2000000;         ///< at most
+    /// Throws InputError if a value makes no sense.
+    void validate() const;
+};
+
+/// Find the equilibrium under the full load by dynamic relaxation with kinetic damping: the structure is let
+/// go at rest, and stopped whenever its kinetic energy has a peak. The paper's ground truth works so
+/// [Sakai2020]; here it acts on the very forces of follow_load_path and finds the same equilibria, stable
+/// ones only, at some hundred times the cost. Fictitious masses bound the stiffness of each equation from
+/// above, rotations with their own (E I / l, G J / l), so that unit time steps are stable.
+Solution relax(const Assembly& assembly, const RelaxationOptions& options = {});
+
+}  // namespace fretwork::mechanics

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sample.hpp"
+
+#include <fretwork/base/error.hpp>
+#include <fretwork/mechanics/equilibrium.hpp>
+#include <fretwork/mechanics/relaxation.hpp>
+
+#include <gtest/gtest.h>
+
+namespace fretwork::mechanics {
+namespace {
+
+TEST(Relaxation, FindsNewtonsEquilibrium) {
+    Frame bend =
+        sample::cantilever({.divisions = 4, .section = {.area = 0.01, .I2 = 1e-6, .I3 = 2e-6, .J = 1e-6}});
+    bend.loads.push_back({NodeIndex(1), {0.0, 500.0, 1000.0}});
+    Frame pulled = sample::flat_wheel();
+    pulled.prescribed.push_back({NodeIndex(4), Dof::uz, 0.005});
+    for (const Frame& frame : {sample::star(), bend, pulled}) {
+        const Assembly assembly = assemble(frame);
+        const double factors[] = {0.5, 1.0};
+        const Solution expected = follow_load_path(assembly, factors).back();
+        const Solution found = relax(assembly);
+        ASSERT_TRUE(found.converged());
+        EXPECT_LT((found.displacements - expected.displacements).norm(),
+                  1e-6 * expected.displacements.norm());
+        EXPECT_EQ(found.stable, expected.stable);
+    }
+}
+
+TEST(Relaxation, SpentIterationsAreReported) {
+    const Solution solution = relax(assemble(sample::star()), {.iterations = 3});
+    EXPECT_EQ(solution.termination, Termination::IterationsSpent);
+}
+
+TEST(Relaxation, BadOptionsAreRefused) {
+    EXPECT_THROW(relax(assemble(sample::star()), {.relative_residual = 0.0}), base::InputError);
+    EXPECT_THROW(relax(assemble(sample::star()), {.iterations = 0}), base::InputError);
+}
+
+}  // namespace
+}  // namespace fretwork::mechanics
