@@ -3,6 +3,7 @@
 #include <fretwork/tiling/detail/plane.hpp>
 
 #include <algorithm>
+#include <limits>
 
 namespace fretwork::tiling::detail {
 namespace {
@@ -30,16 +31,21 @@ Point2 ClosedCurve::at(double place) const {
 }
 
 Point2 ClosedCurve::nearest(Point2 point) const {
+    // The middles are points of the curve, so the nearest one bounds the distance, and few stretches are
+    // left.
+    double reach = std::numeric_limits<double>::infinity();
+    for (const Stretch& stretch : stretches_) reach = std::min(reach, distance(stretch.middle, point));
     Point2 best = points_.front();
-    double best_distance = distance(best, point);
+    double best_distance = std::numeric_limits<double>::infinity();
     for (const Stretch& stretch : stretches_) {
-        if (distance(stretch.middle, point) - stretch.half_length > best_distance) continue;
+        if (distance(stretch.middle, point) - stretch.half_length > reach) continue;
         for (std::size_t i = stretch.first; i < stretch.last; ++i) {
             const Point2 candidate = nearest_on_side(points_[i], points_[(i + 1) % points_.size()], point);
-            if (const double d = distance(candidate, point); d < best_distance) {
-                best_distance = d;
-                best = candidate;
-            }
+            const double d = distance(candidate, point);
+            if (d >= best_distance) continue;
+            best = candidate;
+            best_distance = d;
+            reach = std::min(reach, d);
         }
     }
     return best;

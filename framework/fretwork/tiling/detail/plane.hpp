@@ -29,7 +29,8 @@ inline double cross(Point2 a, Point2 b) {
     return a.x * b.y - a.y * b.x;
 }
 inline double length(Point2 a) {
-    return std::hypot(a.x, a.y);
+    return std::sqrt(a.x * a.x +
+                     a.y * a.y);  // std::hypot is many times slower, and no outline needs its range
 }
 inline double distance(Point2 a, Point2 b) {
     return length(b - a);

@@ -124,7 +124,8 @@ Affine parse_svg_transform(std::string_view text) {
     SvgText walk(text);
     Affine map;
     while (!walk.at_end()) {
-        const std::string name = walk.letter() + std::string(walk.word());
+        std::string name(1, walk.letter());
+        name += walk.word();
         const std::vector<double> values = arguments(walk);
         bool is_known = false;
         map = map.after(function_map(name, values, is_known));
