@@ -8,6 +8,7 @@
 #include <fretwork/base/progress.hpp>
 #include <fretwork/library/library.hpp>
 #include <fretwork/optimization/optimizer_catalogue.hpp>
+#include <fretwork/reduction/effective_properties.hpp>
 #include <fretwork/reduction/model_catalogue.hpp>
 
 #include <chrono>
@@ -173,6 +174,7 @@ class CalibrationRun {
             if (task.needs_responses) {
                 outcome.data.responses =
                     reduction::compute_responses(library_.layout(), task.entry.pattern, setting);
+                outcome.data.properties = properties_of(task.entry.pattern);
             }
             stage = library::calibration_stage(key_);
             const auto start = Clock::now();
@@ -186,6 +188,15 @@ class CalibrationRun {
         } catch (const base::Error& error) {
             outcome.failure = library::Failure{task.entry.id, stage, one_line(error.what())};
         }
+    }
+
+    /// Only of polygons whose regular kind tiles the plane by translations.
+    [[nodiscard]] std::vector<std::pair<std::string, double>> properties_of(
+        const pattern::Pattern& pattern) const {
+        const reduction::Setting& setting = library_.setting();
+        if (setting.sides != 4 && setting.sides != 6) return {};
+        return reduction::property_values(
+            reduction::effective_properties(library_.layout(), pattern, setting));
     }
 
     Library& library_;

@@ -48,9 +48,10 @@ Calibration calibrate_paper6(const std::vector<Response>& responses, const Setti
     calibration.optimizer = options.optimizer;
     calibration.seed = options.seed;
     calibration.starts = options.starts;
-    calibration.objective = report.value;
     calibration.parameters = problem.parameters(report.point);
-    calibration.scenario_errors = objective.scenario_errors(model.displacements(calibration.parameters));
+    const UnitDisplacements best = model.displacements(calibration.parameters);
+    calibration.objective = objective.value(best);
+    calibration.scenario_errors = objective.scenario_errors(best);
     calibration.evaluations = report.cost;
     calibration.at_bound = parameters_at_bound(problem.bounds(), report.point);
     calibration.converged = report.termination == optimization::Termination::Converged;

@@ -163,21 +163,25 @@ class Objective::Differentiation {
         for (std::size_t s = 0; s < bends_.size(); ++s) {
             bends_[s].resize(static_cast<std::size_t>(model.displacements[s].rows()));
         }
+        slopes_.resize(6 * model.displacements.front().rows(), jacobian.rows());
         for (std::size_t k = 0; k < owner.samples_.size(); ++k) add(k);
+        multiply_slopes();
     }
 
     /// Sum over nodes of the parts of the curvature that come from the norms.
     [[nodiscard]] Eigen::MatrixXd norm_curvature() const {
         Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(jacobian.cols(), jacobian.cols());
+        Eigen::MatrixXd bent;
         for (std::size_t s = 0; s < bends_.size(); ++s) {
+            const Eigen::MatrixXd& rates = model_.derivatives[s];
+            bent.resize(rates.rows(), rates.cols());
             for (std::size_t node = 0; node < bends_[s].size(); ++node) {
                 const auto at = static_cast<Eigen::Index>(6 * node);
-                const auto translations = model_.derivatives[s].middleRows<3>(at);
-                const auto rotations = model_.derivatives[s].middleRows<3>(at + 3);
                 const NodeBend& bend = bends_[s][node];
-                sum.noalias() += translations.transpose() * (bend.translation * translations).eval();
-                sum.noalias() += rotations.transpose() * (bend.rotation * rotations).eval();
+                bent.middleRows<3>(at) = bend.translation.lazyProduct(rates.middleRows<3>(at));
+                bent.middleRows<3>(at + 3) = bend.rotation.lazyProduct(rates.middleRows<3>(at + 3));
             }
+            sum.noalias() += rates.transpose() * bent;
         }
         return sum;
     }
@@ -198,7 +202,8 @@ class Objective::Differentiation {
         const mechanics::NodeValues& unit = model_.displacements[sample.scenario];
         const std::array<double, 2> rounding = rounding_of(sample);
         terms_.clear();
-        slope_.resize(6 * unit.rows());
+        const auto row = static_cast<Eigen::Index>(k);
+        const double root = std::sqrt(sample.weight);
         double exact = 0.0;
         double smoothed = 0.0;
         for (std::size_t node = 0; node < sample.targets.size(); ++node) {
@@ -206,15 +211,27 @@ class Objective::Differentiation {
             exact += sample.translation_factor * term.exact[0] + sample.rotation_factor * term.exact[1];
             smoothed +=
                 sample.translation_factor * term.smoothed[0] + sample.rotation_factor * term.smoothed[1];
-            slope_.segment<6>(static_cast<Eigen::Index>(6 * node)) = term.slope;
+            slopes_.block<6, 1>(static_cast<Eigen::Index>(6 * node), row) = root * term.slope;
         }
         add_bends(sample, smoothed);
-        const double root = std::sqrt(sample.weight);
-        const auto row = static_cast<Eigen::Index>(k);
         objective += sample.weight * exact * exact;
         value += sample.weight * smoothed * smoothed;
         errors[row] = root * smoothed;
-        jacobian.row(row).noalias() = root * (slope_.transpose() * model_.derivatives[sample.scenario]);
+    }
+
+    /// Samples of one scenario stand together, and share the derivatives of the model.
+    void multiply_slopes() {
+        const auto& samples = owner_.samples_;
+        for (std::size_t begin = 0; begin < samples.size();) {
+            const std::size_t scenario = samples[begin].scenario;
+            std::size_t end = begin;
+            while (end < samples.size() && samples[end].scenario == scenario) ++end;
+            const auto first = static_cast<Eigen::Index>(begin);
+            const auto count = static_cast<Eigen::Index>(end - begin);
+            jacobian.middleRows(first, count).noalias() =
+                slopes_.middleCols(first, count).transpose() * model_.derivatives[scenario];
+            begin = end;
+        }
     }
 
     void add_bends(const Sample& sample, double error) {
@@ -237,7 +254,7 @@ class Objective::Differentiation {
     double smoothing_;
     std::vector<std::vector<NodeBend>> bends_;
     std::vector<NodeTerm> terms_;
-    Eigen::VectorXd slope_;
+    Eigen::MatrixXd slopes_;  ///< of sqrt(w) e by the unit displacements, one column a sample
 };
 
 optimization::CurvatureEvaluation Objective::curvature(const UnitDisplacementsAndDerivatives& model,

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/reduction/response.hpp>
+
+#include <Eigen/Core>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace fretwork::reduction {
+
+/// What an endless, regular surface of one pattern is like as a thin plate, at small displacements.
+///
+/// Both tensors are in Voigt's notation with engineering shear: A maps (e_xx, e_yy, 2 e_xy) to membrane
+/// forces, D maps curvatures (w_xx, w_yy, 2 w_xy) to moments, each per unit of length.
+struct EffectiveProperties {
+    Eigen::Matrix3d A;           ///< N/m
+    Eigen::Matrix3d D;           ///< N m
+    double mass_per_area = 0.0;  ///< kg/m^2
+};
+
+/// Homogenize a pattern in the setting's regular polygon, which must have four or six sides: then each side
+/// of the polygon meets the opposite one of the neighbour.
+///
+/// The cell is the pattern's frame condensed onto its interface nodes. Opposite nodes move by the macroscopic
+/// strain (or curvature) and a periodic fluctuation that makes the energy least: exact for the periodic
+/// frame. Throws InputError for another polygon, or a pattern that leaves interface nodes free.
+EffectiveProperties effective_properties(const pattern::NodeLayout& layout, const pattern::Pattern& pattern,
+                                         const Setting& setting);
+
+/// The stiffness in one direction: of a strip along `angle` (rad) that is free to contract across.
+double directional_stiffness(const Eigen::Matrix3d& tensor, double angle);
+
+/// What libraries store, by name: membrane_stiffness (N/m), membrane_poisson, membrane_shear (N/m),
+/// membrane_anisotropy (largest over smallest directional stiffness), the same with bending_ (N m), and
+/// mass_per_area (kg/m^2). Directions: x, where nothing else is said.
+std::vector<std::pair<std::string, double>> property_values(const EffectiveProperties& properties);
+
+}  // namespace fretwork::reduction
