@@ -201,7 +201,6 @@ void add_enumerate(CLI::App& app, ExitCode&) {
         ->delimiter(',');
     verb->add_option("--forbid", wishes->forbidden, "Edges or nodes that no pattern uses")->delimiter(',');
     verb->add_option("--threads", wishes->threads, "Threads to use; 0: all there are");
-    verb->add_flag("--count", wishes->count, "Print only how many valid patterns there are");
     verb->add_option("--census", wishes->census_path, "Write the census to this CSV file");
     verb->add_option("--list", wishes->list_path,
                      "Write the ids of the valid patterns to this file, one a line");
@@ -216,14 +215,17 @@ void add_enumerate(CLI::App& app, ExitCode&) {
     verb->add_option("--sample", wishes->sample,
                      "Draw this many valid patterns at random instead of all, each equally likely")
         ->check(CLI::Range(1, 1'000'000'000))
-        ->excludes("--count")
         ->excludes("--census")
         ->excludes("--classes");
     verb->add_option("--estimate", wishes->estimate,
                      "Only estimate how many there are, from this many random trials")
         ->check(CLI::Range(1, 1'000'000'000))
-        ->excludes("--count")
         ->excludes("--sample");
+    CLI::Option* count =
+        verb->add_flag("--count", wishes->count, "Print only how many valid patterns there are");
+    for (const char* other :
+         {"--census", "--list", "--library", "--svg", "--classes", "--sample", "--estimate"})
+        count->excludes(other);
     verb->add_option("--seed", wishes->seed, "What randomness starts from")->capture_default_str();
     verb->add_flag("--json", wishes->json, "Print for programs");
     verb->footer(kExample);
