@@ -52,8 +52,10 @@ Json census_json(const NodeLayout& layout, const pattern::Census& census) {
     Json rows = Json::array();
     for (const pattern::CensusRow& row : census.rows) {
         Json entry = {{"edges", row.edges}, {"patterns", json_count(row.patterns)}};
-        for (std::size_t i = 0; i < census.filters.size(); ++i)
-            entry[census.filters[i]] = row.rejected[i] ? json_count(*row.rejected[i]) : Json(nullptr);
+        for (std::size_t i = 0; i < census.filters.size(); ++i) {
+            const std::optional<pattern::GraphCount>& rejected = row.rejected[i];
+            entry[census.filters[i]] = rejected ? json_count(*rejected) : Json(nullptr);
+        }
         entry["valid"] = json_count(row.valid);
         rows.push_back(std::move(entry));
     }
