@@ -140,13 +140,13 @@ TEST(TightClearance, IsBetweenTheFlanksOfBeamsThatDoNotMeet) {
         << "beams that meet are left to small_angle";
 }
 
-// By hand: copies of 1-2 lie on neighbouring radii; the inner end of one is side / 3 sin 60 away from the
-// next.
+// By hand: copies of 1-2 lie on neighbouring radii, nearest at their inner ends, which are side / 3 apart.
 TEST(TightClearance, SeesCopiesInOtherSectors) {
-    const double gap = 0.025980762113533160 / 3 * std::sqrt(3.0) / 2 - 0.002;
+    const double gap = 0.025980762113533160 / 3 - 0.002;
     EXPECT_TRUE(verdict_of("tight_clearance", "1-2", gap - 1e-9).accepted);
-    const Verdict verdict = verdict_of("tight_clearance", "1-2", 0.006);
-    EXPECT_THAT(verdict.reason, HasSubstr("the edge 1-2 and its copies leave less than 6 mm between them"));
+    EXPECT_FALSE(verdict_of("tight_clearance", "1-2", gap + 1e-9).accepted);
+    EXPECT_EQ(verdict_of("tight_clearance", "1-2", 0.007).reason,
+              "the edge 1-2 and its copies leave less than 7 mm between them");
 }
 
 TEST(TightClearance, OfZeroDistanceCountsCrossings) {

@@ -215,7 +215,7 @@ TEST(BadLayoutFile, EveryFaultNamesFileAndPlace) {
 
 TEST(BadLayoutFile, AnUnknownNameListsTheKnownOnes) {
     try {
-        find_node_layout("paper8");
+        find_node_layout("papr7");
         FAIL();
     } catch (const base::InputError& error) {
         EXPECT_THAT(error.what(), HasSubstr("did you mean 'paper7'"));
