@@ -4,8 +4,10 @@
 
 #include <fretwork/base/detail/json_text.hpp>
 #include <fretwork/base/error.hpp>
+#include <fretwork/base/file.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/exports/library_meshes.hpp>
+#include <fretwork/exports/reduced_drawing.hpp>
 #include <fretwork/library/library.hpp>
 
 #include <algorithm>
@@ -35,6 +37,7 @@ struct Options {
     std::vector<std::filesystem::path> inputs;
     std::string csv;
     std::string meshes;
+    std::string svg;
     bool ply = false;
     bool json = false;
 };
@@ -217,10 +220,22 @@ void print_pattern(const Library& library, const library::PatternEntry& entry,
         std::printf("failed, %s: %s\n", failure.stage.c_str(), failure.reason.c_str());
 }
 
+exports::ReducedPattern reduced_pattern(const Library& library, const library::PatternEntry& entry) {
+    const auto best = library.best_calibration(entry.id);
+    return {entry.pattern, best ? std::optional(best->calibration) : std::nullopt};
+}
+
+void write_drawing(const Library& library, const std::vector<exports::ReducedPattern>& patterns,
+                   const std::string& path) {
+    base::write_file_atomically(path,
+                                exports::reduced_sheet_svg(library.layout(), patterns, library.setting()));
+}
+
 void show(const Options& options) {
     const Library library = open_library(options);
     const library::PatternEntry entry = library.find_pattern(options.pattern);
     std::vector<library::Failure> failures = library.failures();
+    if (!options.svg.empty()) write_drawing(library, {reduced_pattern(library, entry)}, options.svg);
     std::erase_if(failures, [&](const library::Failure& failure) { return failure.pattern != entry.id; });
     if (options.json) {
         print(show_json(library, entry, failures));
@@ -244,13 +259,19 @@ void merge(const Options& options) {
 }
 
 void write_files(const Options& options) {
-    if (options.csv.empty() && options.meshes.empty())
-        throw base::InputError("library export", "", "needs --csv DIR, --meshes DIR, or both");
+    if (options.csv.empty() && options.meshes.empty() && options.svg.empty())
+        throw base::InputError("library export", "", "needs --csv DIR, --meshes DIR or --svg FILE");
     const Library library = open_library(options);
     if (!options.csv.empty()) library.export_csv(options.csv);
     if (!options.meshes.empty()) {
         exports::export_meshes(library, options.meshes,
                                options.ply ? exports::MeshKind::Ply : exports::MeshKind::Obj);
+    }
+    if (!options.svg.empty()) {
+        std::vector<exports::ReducedPattern> patterns;
+        for (const library::PatternEntry& entry : library.patterns())
+            patterns.push_back(reduced_pattern(library, entry));
+        write_drawing(library, patterns, options.svg);
     }
 }
 
@@ -276,9 +297,10 @@ void add_library(CLI::App& app, ExitCode&) {
     verb->add_flag("--json", options->json, "Print for programs (list, show, merge)");
 
     add_action(verb, options, "list", {"List the patterns, and what there is of each", list});
-    add_action(verb, options, "show", {"Show one pattern with its responses and calibrations", show})
-        ->add_option("pattern", options->pattern, "The pattern's id, such as 0-1+1-6")
-        ->required();
+    CLI::App* showing =
+        add_action(verb, options, "show", {"Show one pattern with its responses and calibrations", show});
+    showing->add_option("--svg", options->svg, "Draw the pattern and its reduced model");
+    showing->add_option("pattern", options->pattern, "The pattern's id, such as 0-1+1-6")->required();
     CLI::App* merging = add_action(verb, options, "merge",
                                    {"Merge libraries of one layout and setting into a new file", merge});
     merging->add_option("output", options->output, "The file to make")->required();
@@ -288,6 +310,7 @@ void add_library(CLI::App& app, ExitCode&) {
     exporting->add_option("--csv", options->csv, "Folder for the tables, one CSV file each");
     exporting->add_option("--meshes", options->meshes,
                           "Folder for the edge mesh and the reduced model's geometry of each pattern");
+    exporting->add_option("--svg", options->svg, "Sheet of all patterns with their reduced models");
     exporting->add_flag("--ply", options->ply, "Write meshes as PLY rather than OBJ");
 }
 
