@@ -27,8 +27,8 @@ struct FilterKind {
     std::string_view name;      ///< what the command line calls it, and its column in the census
     std::string_view doc;       ///< one line: what it rejects
     FilterParameter parameter;  ///< radians, a whole number, or metres
+    bool is_of_the_paper;       ///< always on, with a column of its own in the paper's Table 1
     double default_value;
-    bool is_of_the_paper;  ///< always on, with a column of its own in the paper's Table 1
     /// State the rule for a layout. `value` is the filter's number.
     Rule (*make_rule)(const NodeLayout& layout, double value, const FabricationScale& scale);
 };
