@@ -3,8 +3,12 @@
 #include "verbs.hpp"
 
 #include <fretwork/base/detail/json_text.hpp>
+#include <fretwork/base/file.hpp>
+#include <fretwork/exports/line_files.hpp>
 #include <fretwork/mechanics/equilibrium.hpp>
 #include <fretwork/mechanics/linear_solver.hpp>
+#include <fretwork/mechanics/modes.hpp>
+#include <fretwork/mechanics/relaxation.hpp>
 #include <fretwork/mechanics/result_file.hpp>
 
 #include <chrono>
@@ -18,7 +22,8 @@ constexpr const char* kExample = R"(
 Examples:
   fretwork solve frame.json --out result.json                   nonlinear, to the full load
   fretwork solve frame.json --solver linear --out result.json
-  fretwork solve frame.json --steps 20 --out result.json        with the 20 equilibria on the way)";
+  fretwork solve frame.json --steps 20 --out result.json        with the 20 equilibria on the way
+  fretwork solve frame.json --solver linear --modes 6 --out result.json --vtu result.vtu)";
 
 /// Equilibria on the way to the full load where none are asked for: enough that the path is followed and not
 /// jumped from.
@@ -28,7 +33,9 @@ struct Wishes {
     std::string frame;
     std::string solver = "newton";
     std::string out;
+    std::string vtu;
     int steps = 0;
+    int modes = 0;
     bool lumped_gravity = false;
     bool json = false;
 };
@@ -49,6 +56,8 @@ mechanics::Result solve(const mechanics::Frame& frame, const Wishes& wishes) {
         mechanics::assemble(frame, {.lumped_gravity = wishes.lumped_gravity});
     if (wishes.solver == "linear") {
         result.solution = mechanics::solve_linear(assembly);
+    } else if (wishes.solver == "dynamic-relaxation") {
+        result.solution = mechanics::relax(assembly);
     } else {
         auto steps = follow(assembly, wishes.steps > 0 ? wishes.steps : kDefaultSteps);
         result.solution = steps.back();
@@ -56,12 +65,15 @@ mechanics::Result solve(const mechanics::Frame& frame, const Wishes& wishes) {
         for (const mechanics::Solution& step : steps) result.solution.iterations += step.iterations;
         if (wishes.steps > 0) result.load_steps = std::move(steps);
     }
+    if (wishes.modes > 0) result.vibration_modes = mechanics::vibration_modes(assembly, wishes.modes);
     result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return result;
 }
 
 base::detail::Json summary_of(const mechanics::Result& result) {
     const mechanics::Solution& solution = result.solution;
+    base::detail::Json frequencies = base::detail::Json::array();
+    for (const mechanics::Mode& mode : result.vibration_modes) frequencies.push_back(mode.value);
     return {{"solver", result.solver},
             {"converged", solution.converged()},
             {"termination", mechanics::termination_name(solution.termination)},
@@ -73,6 +85,7 @@ base::detail::Json summary_of(const mechanics::Result& result) {
             {"energy", solution.energy},
             {"residual", solution.residual},
             {"iterations", solution.iterations},
+            {"frequencies", frequencies},
             {"seconds", result.seconds}};
 }
 
@@ -99,6 +112,8 @@ void print(const mechanics::Result& result, const base::detail::Json& summary) {
     std::printf("largest displacement %.6g mm, largest rotation %.6g deg\n",
                 1e3 * summary["largest_displacement"].get<double>(),
                 summary["largest_rotation"].get<double>() * 57.29577951308232);
+    for (std::size_t i = 0; i < result.vibration_modes.size(); ++i)
+        std::printf("mode %zu: %.6g Hz\n", i + 1, result.vibration_modes[i].value);
     std::printf("relative residual %.1e, %d iterations, %.3g s\n", solution.residual, solution.iterations,
                 result.seconds);
 }
@@ -107,12 +122,18 @@ ExitCode run(const Wishes& wishes) {
     const mechanics::Frame frame = mechanics::read_frame(wishes.frame);
     const mechanics::Result result = solve(frame, wishes);
     mechanics::write_result(result, wishes.out);
+    if (!wishes.vtu.empty()) {
+        exports::LineSet lines = exports::frame_lines(frame);
+        lines.displacements = result.solution.displacements;
+        base::write_file_atomically(wishes.vtu, exports::vtu_text(lines));
+    }
     const base::detail::Json summary = summary_of(result);
     if (wishes.json) {
         std::fputs(base::detail::json_text(summary).c_str(), stdout);
     } else {
         print(result, summary);
         std::printf("wrote %s\n", wishes.out.c_str());
+        if (!wishes.vtu.empty()) std::printf("wrote %s\n", wishes.vtu.c_str());
     }
     return result.solution.converged() ? ExitCode::Done : ExitCode::DidNotSucceed;
 }
@@ -124,11 +145,16 @@ void add_solve(CLI::App& app, ExitCode& exit_code) {
     CLI::App* verb = app.add_subcommand("solve", "Solve any beam structure from a frame file.");
     verb->footer(kExample);
     verb->add_option("frame", wishes->frame, "frame file")->required();
-    verb->add_option("--solver", wishes->solver, "linear, or newton: large displacements and rotations")
-        ->check(CLI::IsMember({"linear", "newton"}))
+    verb->add_option("--solver", wishes->solver,
+                     "linear; or, for large displacements and rotations, newton or dynamic-relaxation")
+        ->check(CLI::IsMember({"linear", "newton", "dynamic-relaxation"}))
         ->capture_default_str();
     verb->add_option("--steps", wishes->steps, "reach the load in so many steps, and write each of them")
         ->check(CLI::Range(1, 100000));
+    verb->add_option("--modes", wishes->modes,
+                     "so many natural frequencies and modes of the structure at rest")
+        ->check(CLI::Range(1, 1000));
+    verb->add_option("--vtu", wishes->vtu, "the displaced beams for ParaView");
     verb->add_flag("--lumped-gravity", wishes->lumped_gravity,
                    "half of a beam's weight on each end, no moments");
     verb->add_option("--out", wishes->out, "result file")->required();

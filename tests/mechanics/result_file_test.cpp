@@ -36,6 +36,7 @@ Result some_result() {
     result.solution = some_solution();
     result.load_steps = {some_solution(), some_solution()};
     result.load_steps[0].termination = Termination::Converged;
+    result.vibration_modes = {{12.5, NodeValues::Constant(2, kDofsPerNode, 0.1)}};
     result.seconds = 0.25;
     return result;
 }
@@ -78,6 +79,9 @@ TEST_F(ResultFile, WhatIsWrittenIsReadBackExactly) {
     ASSERT_EQ(read.load_steps.size(), 2u);
     EXPECT_EQ(read.load_steps[0].termination, Termination::Converged);
     EXPECT_EQ(read.load_steps[1].energy, 2.5);
+    ASSERT_EQ(read.vibration_modes.size(), 1u);
+    EXPECT_EQ(read.vibration_modes[0].value, 12.5);
+    EXPECT_EQ(read.vibration_modes[0].shape, written.vibration_modes[0].shape);
 }
 
 TEST_F(ResultFile, ANumberThatIsNotFiniteIsNotWritten) {

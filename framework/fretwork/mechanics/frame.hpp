@@ -17,6 +17,7 @@ using NodeIndex = base::Index<struct NodeTag>;
 using BeamIndex = base::Index<struct BeamTag>;
 
 /// The six components of a node's displacement, in the order of every table and file.
+// NOLINTNEXTLINE(readability-identifier-naming): as files and tables call them
 enum class Dof { ux, uy, uz, rx, ry, rz };
 inline constexpr int kDofsPerNode = 6;
 inline constexpr std::array<const char*, kDofsPerNode> kDofNames = {"ux", "uy", "uz", "rx", "ry", "rz"};

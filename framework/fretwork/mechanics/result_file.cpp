@@ -109,6 +109,8 @@ void write_result(const Result& result, const std::filesystem::path& path) {
         append_solution(step_json, step);
         json["load_steps"].push_back(std::move(step_json));
     }
+    for (const Mode& mode : result.vibration_modes)
+        json["vibration_modes"].push_back({{"frequency", mode.value}, {"shape", rows_json(mode.shape)}});
     base::write_file_atomically(path, base::detail::json_text(json));
 }
 
@@ -117,7 +119,7 @@ Result read_result(const std::filesystem::path& path) {
     document.expect_format("result");
     document.allow_only({"format", "solver", "load_factor", "converged", "stable", "stability", "termination",
                          "energy", "residual", "iterations", "displacements", "reactions", "seconds", "nodes",
-                         "load_steps"});
+                         "load_steps", "vibration_modes"});
     Result result;
     result.solver = document.at("solver").string();
     for (const JsonReader& node : document.at("nodes").elements()) result.nodes.push_back(read_node(node));
@@ -128,6 +130,13 @@ Result read_result(const std::filesystem::path& path) {
             step.allow_only({"load_factor", "converged", "stable", "stability", "termination", "energy",
                              "residual", "iterations", "displacements", "reactions"});
             result.load_steps.push_back(read_solution(step, result.nodes.size()));
+        }
+    }
+    if (const auto modes = document.find("vibration_modes")) {
+        for (const JsonReader& mode : modes->elements()) {
+            mode.allow_only({"frequency", "shape"});
+            result.vibration_modes.push_back(
+                {mode.at("frequency").positive_number(), read_rows(mode.at("shape"), result.nodes.size())});
         }
     }
     return result;

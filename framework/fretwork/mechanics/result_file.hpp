@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <fretwork/mechanics/modes.hpp>
 #include <fretwork/mechanics/solution.hpp>
 
 #include <filesystem>
@@ -19,7 +20,8 @@ struct Result {
     std::string solver;       ///< "linear", "newton", ...
     std::vector<Node> nodes;  ///< as many as the solution has rows
     Solution solution;
-    std::vector<Solution> load_steps;  ///< only where asked for
+    std::vector<Solution> load_steps;     ///< only where asked for
+    std::vector<Mode> vibration_modes{};  ///< only where asked for
     double seconds = 0.0;
 };
 

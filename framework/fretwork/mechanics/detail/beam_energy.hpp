@@ -7,15 +7,13 @@ namespace fretwork::mechanics::detail {
 
 /// The deformations of a beam, all zero under rigid motions. With t1, t2 the rotations of the end sections
 /// against the chord, about the sections' own axes 2 (out of plane, for a flat pattern) and 3 (in plane):
-enum BeamDeformation {
-    kElongation,  ///< change of the chord's length, m
-    kBow2,        ///< (t1 - t2) / 2 about axis 2: the arc of constant curvature
-    kSway2,       ///< (t1 + t2) / 2 about axis 2: the S shape
-    kBow3,        ///< as kBow2, about axis 3
-    kSway3,       ///< as kSway2, about axis 3
-    kTwist,       ///< rotation of end 2 against end 1 about the chord
-    kBeamDeformations
-};
+inline constexpr int kElongation = 0;  ///< change of the chord's length, m
+inline constexpr int kBow2 = 1;        ///< (t1 - t2) / 2 about axis 2: the arc of constant curvature
+inline constexpr int kSway2 = 2;       ///< (t1 + t2) / 2 about axis 2: the S shape
+inline constexpr int kBow3 = 3;        ///< as kBow2, about axis 3
+inline constexpr int kSway3 = 4;       ///< as kSway2, about axis 3
+inline constexpr int kTwist = 5;       ///< rotation of end 2 against end 1 about the chord
+inline constexpr int kBeamDeformations = 6;
 using BeamVector = Eigen::Matrix<double, kBeamDeformations, 1>;
 using BeamMatrix = Eigen::Matrix<double, kBeamDeformations, kBeamDeformations>;
 

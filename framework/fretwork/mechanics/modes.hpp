@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/mechanics/assembly.hpp>
+
+#include <vector>
+
+namespace fretwork::mechanics {
+
+/// A way in which a structure vibrates about its rest position, or buckles.
+struct Mode {
+    double value = 0.0;  ///< vibration: frequency in Hz; buckling: load factor
+    NodeValues shape;    ///< one row for each reported node; largest displacement component is 1
+};
+
+/// The modes of the lowest natural frequencies, ascending: consistent masses, prescribed components held. At
+/// most as many as there are equations. Throws InputError if nothing has mass, NumericalError as
+/// LinearSolver.
+std::vector<Mode> vibration_modes(const Assembly& assembly, int count);
+
+/// The modes of linearized buckling, ascending in the factor on the loads at which the stiffness, with the
+/// geometric stiffness of the linear solution, becomes singular; positive factors only, so there may be fewer
+/// than wanted, or none. Throws as vibration_modes.
+std::vector<Mode> buckling_modes(const Assembly& assembly, int count);
+
+}  // namespace fretwork::mechanics

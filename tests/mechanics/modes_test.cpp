@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sample.hpp"
+
+#include <fretwork/base/error.hpp>
+#include <fretwork/mechanics/modes.hpp>
+
+#include <gtest/gtest.h>
+
+namespace fretwork::mechanics {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+// Blevins, Formulas for Natural Frequency and Mode Shape: (b L)^2 / 2 pi sqrt(E I / m L^4), b L
+// = 1.87510407, 4.69409113.
+TEST(Modes, FrequenciesOfACantileverAreTheClosedForms) {
+    const auto modes = vibration_modes(assemble(sample::cantilever({.divisions = 10})), 4);
+    ASSERT_EQ(modes.size(), 4u);
+    const double mass = 1000.0 * 0.01;
+    const double first = 1.87510407 * 1.87510407 / (2.0 * kPi);
+    const double second = 4.69409113 * 4.69409113 / (2.0 * kPi);
+    EXPECT_NEAR(modes[0].value, first * std::sqrt(1e3 / mass), 1e-5 * modes[0].value);
+    EXPECT_NEAR(modes[1].value, first * std::sqrt(2e3 / mass), 1e-5 * modes[1].value);
+    EXPECT_NEAR(modes[2].value, second * std::sqrt(1e3 / mass), 1e-4 * modes[2].value);
+    EXPECT_NEAR(modes[3].value, second * std::sqrt(2e3 / mass), 1e-4 * modes[3].value);
+    EXPECT_NEAR(std::abs(modes[0].shape(1, 2)), 1.0, 1e-12);
+    EXPECT_NEAR(modes[0].shape(1, 1), 0.0, 1e-9);
+}
+
+// Euler: clamped and free, pi^2 E I / (4 L^2), for bending about each axis.
+TEST(Modes, BucklingLoadsOfAColumnAreEulers) {
+    // So stiff along its axis that it does not shorten before it buckles.
+    const Section section{.area = 10.0, .I2 = 1e-6, .I3 = 2e-6, .J = 2.5e-6};
+    Frame frame = sample::cantilever({.divisions = 8, .section = section});
+    frame.loads.push_back({NodeIndex(1), {-1.0, 0.0, 0.0}});
+    const auto modes = buckling_modes(assemble(frame), 3);
+    ASSERT_EQ(modes.size(), 3u);
+    EXPECT_NEAR(modes[0].value, kPi * kPi / 4.0 * 1e3, 1e-4 * modes[0].value);
+    EXPECT_NEAR(modes[1].value, kPi * kPi / 4.0 * 2e3, 1e-4 * modes[1].value);
+    EXPECT_NEAR(modes[2].value, 9.0 * kPi * kPi / 4.0 * 1e3, 1e-3 * modes[2].value);
+}
+
+TEST(Modes, APulledColumnDoesNotBuckle) {
+    Frame frame = sample::cantilever({.divisions = 4});
+    frame.loads.push_back({NodeIndex(1), {1.0, 0.0, 0.0}});
+    EXPECT_TRUE(buckling_modes(assemble(frame), 3).empty());
+}
+
+// Argyris et al. (1979), right-angle frame, and Timoshenko's strip: lateral buckling of a cantilever strip
+// under a tip force, P = 4.0126 sqrt(E I G J) / L^2.
+TEST(Modes, AStripBucklesSideways) {
+    const Section strip{.area = 1e-4, .I2 = 1e-5, .I3 = 1e-9, .J = 4e-9};
+    Frame frame = sample::cantilever({.divisions = 16, .section = strip});
+    frame.loads.push_back({NodeIndex(1), {0.0, 0.0, -1.0}});
+    const auto modes = buckling_modes(assemble(frame), 1);
+    ASSERT_EQ(modes.size(), 1u);
+    EXPECT_NEAR(modes[0].value, 4.0126 * std::sqrt(1.0 * 2.0), 3e-3 * modes[0].value);
+}
+
+TEST(Modes, WhatCannotBeIsRefused) {
+    EXPECT_THROW(vibration_modes(assemble(sample::star()), 0), base::InputError);
+    Frame weightless = sample::cantilever();
+    weightless.beams[0].material.density = 0.0;
+    EXPECT_THROW(vibration_modes(assemble(weightless), 1), base::InputError);
+}
+
+}  // namespace
+}  // namespace fretwork::mechanics
