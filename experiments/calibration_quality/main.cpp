@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What each method and number of starts buys: every calibration of a stratified sample of patterns against
+// the best objective that is known for it. See README.md.
+#include <fretwork/base/error.hpp>
+#include <fretwork/base/file.hpp>
+#include <fretwork/base/parallel.hpp>
+#include <fretwork/base/progress.hpp>
+#include <fretwork/base/text.hpp>
+#include <fretwork/pattern/enumerate.hpp>
+#include <fretwork/reduction/calibration.hpp>
+#include <fretwork/reduction/stratified_sample.hpp>
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <ctime>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace fretwork;
+
+struct Wishes {
+    std::size_t patterns = 60;
+    int reference_starts = 500;
+    std::string out = "calibration_quality.csv";
+};
+
+/// One method as it is compared.
+struct Contender {
+    const char* optimizer;
+    int starts;
+};
+constexpr Contender kContenders[] = {
+    {"ceres-multistart", 1},         {"ceres-multistart", 2},        {"ceres-multistart", 4},
+    {"ceres-multistart", 8},         {"ceres-multistart", 16},       {"gauss-newton-multistart", 1},
+    {"gauss-newton-multistart", 2},  {"gauss-newton-multistart", 4}, {"gauss-newton-multistart", 8},
+    {"gauss-newton-multistart", 16}, {"ceres-residuals", 8},         {"ceres-residuals", 32},
+    {"simulated-annealing", 1},
+};
+constexpr int kBudget = 10'000'000;
+constexpr std::uint64_t kReferenceSeed = 1'000'003;
+
+struct Measurement {
+    double objective = 0.0;
+    long evaluations = 0;
+    double cpu_seconds = 0.0;
+};
+
+struct PatternResult {
+    std::string id;
+    int edges = 0;
+    double reference = 0.0;
+    std::vector<Measurement> contenders;
+    [[nodiscard]] double best() const {
+        double value = reference;
+        for (const Measurement& m : contenders) value = std::min(value, m.objective);
+        return value;
+    }
+};
+
+double thread_cpu_seconds() {
+    timespec time{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+Measurement measure(const std::vector<reduction::Response>& responses, const reduction::Setting& setting,
+                    const reduction::CalibrationOptions& options) {
+    const double start = thread_cpu_seconds();
+    const auto found = reduction::calibrate_paper6(responses, setting, options);
+    return {found.objective, found.evaluations, thread_cpu_seconds() - start};
+}
+
+PatternResult examine(const pattern::NodeLayout& layout, const pattern::Pattern& pattern,
+                      const Wishes& wishes) {
+    const reduction::Setting setting = reduction::paper_setting();
+    const auto responses = reduction::compute_responses(layout, pattern, setting);
+    PatternResult result{pattern::pattern_id(layout, pattern), pattern.edge_count(), 0.0, {}};
+    result.reference = measure(responses, setting,
+                               {.optimizer = "gauss-newton-multistart",
+                                .starts = wishes.reference_starts,
+                                .seed = kReferenceSeed,
+                                .budget = kBudget})
+                           .objective;
+    for (const Contender& contender : kContenders) {
+        result.contenders.push_back(measure(
+            responses, setting,
+            {.optimizer = contender.optimizer, .starts = contender.starts, .seed = 1, .budget = kBudget}));
+    }
+    return result;
+}
+
+std::vector<PatternResult> examine_sample(const Wishes& wishes) {
+    const auto layout = pattern::find_node_layout("paper7");
+    const auto all = pattern::enumerate_patterns(layout, {.edges = pattern::default_edge_range(layout), .filters = {}});
+    std::vector<int> edges;
+    for (const auto& pattern : all) edges.push_back(pattern.edge_count());
+    const auto chosen = reduction::stratified_sample(edges, wishes.patterns);
+    base::TerminalProgress progress;
+    progress.start("calibration quality", chosen.size());
+    std::vector<PatternResult> results;
+    constexpr std::size_t kBatch = 4;
+    for (std::size_t begin = 0; begin < chosen.size(); begin += kBatch) {
+        const std::size_t count = std::min(kBatch, chosen.size() - begin);
+        std::vector<PatternResult> batch(count);
+        base::parallel_for(
+            count, 0, [&](std::size_t i) { batch[i] = examine(layout, all[chosen[begin + i]], wishes); });
+        std::ranges::move(batch, std::back_inserter(results));
+        progress.update(results.size());
+    }
+    progress.finish();
+    return results;
+}
+
+std::string csv(const std::vector<PatternResult>& results) {
+    std::string text = "pattern,edges,optimizer,starts,objective,best_known,evaluations,cpu_seconds\n";
+    for (const PatternResult& result : results) {
+        for (std::size_t c = 0; c < result.contenders.size(); ++c) {
+            const Measurement& m = result.contenders[c];
+            text += result.id + "," + std::to_string(result.edges) + "," + kContenders[c].optimizer + "," +
+                    std::to_string(kContenders[c].starts) + "," + base::format_number(m.objective) + "," +
+                    base::format_number(result.best()) + "," + std::to_string(m.evaluations) + "," +
+                    base::format_number(m.cpu_seconds) + "\n";
+        }
+    }
+    return text;
+}
+
+/// The share of patterns on which a contender comes within `tolerance` of the best known objective.
+double share_within(const std::vector<PatternResult>& results, std::size_t contender, double tolerance) {
+    const auto count = std::ranges::count_if(results, [&](const PatternResult& result) {
+        return result.contenders[contender].objective <= (1.0 + tolerance) * result.best();
+    });
+    return static_cast<double>(count) / static_cast<double>(results.size());
+}
+
+void print_table(const std::vector<PatternResult>& results) {
+    const auto patterns = static_cast<double>(results.size());
+    std::printf(
+        "| method | starts | within 0.1 %% | within 1 %% | evaluations | CPU ms "
+        "|\n|---|---|---|---|---|---|\n");
+    for (std::size_t c = 0; c < std::size(kContenders); ++c) {
+        double evaluations = 0.0;
+        double seconds = 0.0;
+        for (const PatternResult& result : results) {
+            evaluations += static_cast<double>(result.contenders[c].evaluations) / patterns;
+            seconds += result.contenders[c].cpu_seconds / patterns;
+        }
+        std::printf("| %s | %d | %.3f | %.3f | %.0f | %.1f |\n", kContenders[c].optimizer,
+                    kContenders[c].starts, share_within(results, c, 1e-3), share_within(results, c, 1e-2),
+                    evaluations, 1e3 * seconds);
+    }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    Wishes wishes;
+    CLI::App app("Compare calibrations with the best known ones.");
+    app.add_option("--patterns", wishes.patterns, "How many, spread over the numbers of edges")
+        ->capture_default_str();
+    app.add_option("--reference-starts", wishes.reference_starts, "Starts of the reference")
+        ->capture_default_str();
+    app.add_option("--out", wishes.out, "The CSV file to write")->capture_default_str();
+    CLI11_PARSE(app, argc, argv);
+    try {
+        const auto results = examine_sample(wishes);
+        base::write_file_atomically(wishes.out, csv(results));
+        print_table(results);
+    } catch (const base::Error& error) {
+        std::fprintf(stderr, "calibration_quality: %s\n", error.what());
+        return 2;
+    }
+    return 0;
+}
