@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fretwork case: the load cases of a project.
+#include "verbs.hpp"
+
 #include <fretwork/base/detail/json_text.hpp>
 #include <fretwork/base/error.hpp>
 #include <fretwork/simulation/conditions.hpp>
 #include <fretwork/simulation/project.hpp>
 #include <fretwork/simulation/surface.hpp>
 
-#include "verbs.hpp"
 #include <algorithm>
 #include <cstdio>
 #include <memory>

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fretwork compare: how far a reduced result is from the full one, as a row of the paper's Table 3.
+#include "verbs.hpp"
+
 #include <fretwork/base/detail/json_text.hpp>
 #include <fretwork/simulation/comparison.hpp>
 
-#include "verbs.hpp"
 #include <cstdio>
 #include <filesystem>
 #include <memory>

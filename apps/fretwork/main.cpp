@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "verbs.hpp"
+
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/provenance.hpp>
 
-#include "verbs.hpp"
 #include <cstdio>
 #include <new>
 

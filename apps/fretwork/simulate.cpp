@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fretwork simulate: a project under one of its load cases, with the full or a reduced model.
+#include "project_library.hpp"
+#include "verbs.hpp"
+
 #include <fretwork/base/detail/json_text.hpp>
 #include <fretwork/exports/writer_catalogue.hpp>
 #include <fretwork/simulation/model_catalogue.hpp>
 #include <fretwork/simulation/simulate.hpp>
 
-#include "project_library.hpp"
-#include "verbs.hpp"
 #include <cstdio>
 #include <filesystem>
 #include <memory>

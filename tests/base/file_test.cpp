@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "support.hpp"
+
 #include <csignal>
 #include <sys/resource.h>
 #include <sys/wait.h>

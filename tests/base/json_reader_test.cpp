@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fretwork/base/json_reader.hpp>
-
 #include "support.hpp"
+
+#include <fretwork/base/json_reader.hpp>
 
 namespace fretwork::base {
 namespace {

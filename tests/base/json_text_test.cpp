@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "support.hpp"
+
 #include <fretwork/base/detail/json_text.hpp>
 
-#include "support.hpp"
 #include <limits>
 
 namespace fretwork::base::detail {

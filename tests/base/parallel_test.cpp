@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "support.hpp"
+
 #include <fretwork/base/parallel.hpp>
 
-#include "support.hpp"
 #include <atomic>
 #include <numeric>
 #include <vector>

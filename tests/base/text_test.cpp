@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "support.hpp"
+
 #include <fretwork/base/text.hpp>
 
-#include "support.hpp"
 #include <cstdlib>
 
 namespace fretwork::base {

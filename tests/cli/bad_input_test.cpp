@@ -3,6 +3,7 @@
 // half-written.
 #include "cli/command.hpp"
 #include "support.hpp"
+
 #include <algorithm>
 #include <vector>
 

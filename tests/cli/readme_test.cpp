@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The README is a program: its tour is run, its C++ is compiled elsewhere and must be the very same text.
-#include <fretwork/base/text.hpp>
-
 #include "cli/command.hpp"
 #include "support.hpp"
+
+#include <fretwork/base/text.hpp>
+
 #include <vector>
 
 namespace fretwork::app {

@@ -9,6 +9,7 @@ int main() {
     for (const auto& response : reduction::compute_responses(layout, pattern, reduction::paper_setting())) {
         const auto& last = response.samples.back();
         const double largest = last.displacements.leftCols<3>().rowwise().norm().maxCoeff();
-        std::printf("%-8s %5.2f N moves the tile's rim by %5.2f mm\n", response.scenario.c_str(), last.magnitude, 1e3 * largest);
+        std::printf("%-8s %5.2f N moves the tile's rim by %5.2f mm\n", response.scenario.c_str(),
+                    last.magnitude, 1e3 * largest);
     }
 }

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What every row of the catalogue promises.
+#include "analytic_problems.hpp"
+
 #include <fretwork/base/error.hpp>
 #include <fretwork/optimization/optimizer_catalogue.hpp>
 
 #include <gtest/gtest.h>
 
-#include "analytic_problems.hpp"
 #include <string>
 
 namespace fretwork::optimization {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "analytic_problems.hpp"
+
 #include <fretwork/optimization/detail/box_quadratic.hpp>
 #include <fretwork/optimization/optimizer_catalogue.hpp>
 #include <fretwork/optimization/random.hpp>
 #include <fretwork/optimization/simulated_annealing.hpp>
 
 #include <gtest/gtest.h>
-
-#include "analytic_problems.hpp"
 
 namespace fretwork::optimization {
 namespace {

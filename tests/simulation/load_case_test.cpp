@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fretwork/simulation/conditions.hpp>
-
 #include "honeycomb.hpp"
 #include "support.hpp"
+
+#include <fretwork/simulation/conditions.hpp>
 
 namespace fretwork::simulation {
 namespace {

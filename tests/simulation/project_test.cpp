@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fretwork/base/text.hpp>
-
 #include "honeycomb.hpp"
 #include "support.hpp"
+
+#include <fretwork/base/text.hpp>
+
 #include <regex>
 
 namespace fretwork::simulation {

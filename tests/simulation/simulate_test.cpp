@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "honeycomb.hpp"
+#include "support.hpp"
+
 #include <fretwork/base/text.hpp>
 #include <fretwork/mechanics/linear_solver.hpp>
 #include <fretwork/simulation/comparison.hpp>
 #include <fretwork/simulation/model_catalogue.hpp>
 #include <fretwork/simulation/simulate.hpp>
-
-#include "honeycomb.hpp"
-#include "support.hpp"
 
 namespace fretwork::simulation {
 namespace {
