@@ -29,6 +29,7 @@ class Condensation {
     Eigen::MatrixXd run() {
         const std::vector<DofSet> free = inner_dofs();
         std::vector<bool> inner;
+        inner.reserve(free.size());
         for (const DofSet& dofs : free) inner.push_back(dofs != DofSet{});
         const detail::NodeGraph graph = detail::node_graph(assembly_);
         const detail::SystemLayout layout(assembly_, graph, free, detail::elimination_order(graph, inner));
@@ -71,8 +72,8 @@ class Condensation {
     }
 
     struct Column {
-        int local;  ///< place of the node in the element
-        int slot;   ///< place of the node among the kept
+        Eigen::Index local;  ///< place of the node in the element
+        Eigen::Index slot;   ///< place of the node among the kept
     };
 
     void add_kept_columns(const detail::SystemLayout& layout, std::span<const NodeIndex> nodes, Column column,
@@ -80,7 +81,7 @@ class Condensation {
         for (std::size_t j = 0; j < nodes.size(); ++j) {
             const auto block = stiffness.block<kDofsPerNode, kDofsPerNode>(
                 static_cast<Eigen::Index>(j) * kDofsPerNode, column.local * kDofsPerNode);
-            const int slot = slot_[static_cast<std::size_t>(nodes[j].value)];
+            const Eigen::Index slot = slot_[static_cast<std::size_t>(nodes[j].value)];
             if (slot >= 0) {
                 kept_stiffness_.block<kDofsPerNode, kDofsPerNode>(slot * kDofsPerNode,
                                                                   column.slot * kDofsPerNode) += block;

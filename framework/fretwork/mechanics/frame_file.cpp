@@ -94,6 +94,7 @@ const Value& look_up(const std::map<std::string, Value>& table, const JsonReader
     const auto found = table.find(name.string());
     if (found != table.end()) return found->second;
     std::vector<std::string> known;
+    known.reserve(table.size());
     for (const auto& entry : table) known.push_back(entry.first);
     name.fail(base::unknown_name_message(kind, name.string(), known));
 }
