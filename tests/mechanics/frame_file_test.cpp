@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sample.hpp"
+#include "support.hpp"
 
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/file.hpp>
@@ -8,7 +9,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <filesystem>
 #include <fstream>
 
 namespace fretwork::mechanics {
@@ -38,9 +38,6 @@ constexpr const char* kWhole = R"({ "format": "fretwork/frame/1",
 
 class FrameFile : public testing::Test {
   protected:
-    FrameFile() : path_(std::filesystem::path(testing::TempDir()) / "fretwork_frame_file_test.json") {}
-    ~FrameFile() override { std::filesystem::remove(path_); }
-
     Frame read(const std::string& text) {
         std::ofstream(path_) << text;
         return read_frame(path_);
@@ -62,7 +59,8 @@ class FrameFile : public testing::Test {
         return complaint(text.replace(place, piece.size(), by));
     }
 
-    std::filesystem::path path_;
+    test::TemporaryFolder folder_;
+    std::filesystem::path path_ = folder_.path() / "frame.json";
 };
 
 TEST_F(FrameFile, EveryKeyArrivesInTheFrame) {

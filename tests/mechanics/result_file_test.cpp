@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "support.hpp"
+
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/file.hpp>
 #include <fretwork/mechanics/result_file.hpp>
@@ -6,7 +8,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <filesystem>
 #include <fstream>
 #include <limits>
 
@@ -43,8 +44,6 @@ Result some_result() {
 
 class ResultFile : public testing::Test {
   protected:
-    ResultFile() : path_(std::filesystem::path(testing::TempDir()) / "fretwork_result_file_test.json") {}
-    ~ResultFile() override { std::filesystem::remove(path_); }
     std::string complaint(const std::string& piece, const std::string& by) {
         write_result(some_result(), path_);
         std::string text = base::read_text_file(path_);
@@ -58,7 +57,8 @@ class ResultFile : public testing::Test {
         }
         return "";
     }
-    std::filesystem::path path_;
+    test::TemporaryFolder folder_;
+    std::filesystem::path path_ = folder_.path() / "result.json";
 };
 
 TEST_F(ResultFile, WhatIsWrittenIsReadBackExactly) {

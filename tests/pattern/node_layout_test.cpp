@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fretwork/base/error.hpp>
-#include <fretwork/base/file.hpp>
+#include "support.hpp"
+
 #include <fretwork/pattern/node_layout.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <filesystem>
 #include <functional>
 
 namespace fretwork::pattern {
@@ -33,17 +32,13 @@ std::string refusal(const std::function<void(NodeLayoutDescription&)>& spoil) {
 
 /// What a layout file with this text is refused with.
 std::string file_refusal(const std::string& text) {
-    const auto path = std::filesystem::temp_directory_path() /
-                      ("fretwork_layout_" + std::to_string(std::hash<std::string>{}(text)) + ".json");
-    base::write_file_atomically(path, text);
-    std::string message = "accepted";
+    const test::TemporaryFolder folder;
     try {
-        read_node_layout(path);
+        read_node_layout(folder.file("layout.json", text));
     } catch (const base::InputError& error) {
-        message = error.what();
+        return error.what();
     }
-    std::filesystem::remove(path);
-    return message;
+    return "accepted";
 }
 
 // The paper, Section 4.2: all 21 pairs of the 7 nodes but 0-3, 0-4, 3-4 (right radial side) and 0-2 (through

@@ -2,8 +2,8 @@
 // The same counts from a formulation that shares no code with the search: an answer set program over the
 // whole fan, solved by clingo, with geometry in plain doubles.
 #include "pattern/small_layouts.hpp"
+#include "support.hpp"
 
-#include <fretwork/base/file.hpp>
 #include <fretwork/pattern/detail/random.hpp>
 #include <fretwork/pattern/enumerate.hpp>
 
@@ -12,13 +12,11 @@
 #include <cmath>
 #include <complex>
 #include <cstdio>
-#include <filesystem>
 #include <memory>
 #include <numbers>
 #include <set>
 #include <sstream>
 #include <string>
-#include <unistd.h>
 
 namespace fretwork::pattern {
 namespace {
@@ -137,16 +135,14 @@ std::vector<std::uint64_t> count_by_clingo(const NodeLayout& layout) {
     std::ostringstream program;
     write_facts(layout, program);
     program << kRules;
-    const auto path = std::filesystem::temp_directory_path() /
-                      ("fretwork_oracle_" + layout.name() + "_" + std::to_string(::getpid()) + ".lp");
-    base::write_file_atomically(path, program.str());
+    const test::TemporaryFolder folder;
+    const auto path = folder.file("oracle.lp", program.str());
     const std::string command = "clingo 0 --verbose=0 " + path.string() + " 2>/dev/null";
     const std::unique_ptr<std::FILE, int (*)(std::FILE*)> pipe(::popen(command.c_str(), "r"), ::pclose);
     std::string text;
     std::array<char, 4096> buffer{};
     while (const std::size_t got = std::fread(buffer.data(), 1, buffer.size(), pipe.get()))
         text.append(buffer.data(), got);
-    std::filesystem::remove(path);
     std::vector<std::uint64_t> counts(layout.candidate_edges().size() + 1);
     std::istringstream lines(text);
     for (std::string line; std::getline(lines, line);) {
