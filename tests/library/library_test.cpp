@@ -77,6 +77,41 @@ TEST_F(LibraryTest, AnotherSettingIsRefusedWithTheDifference) {
                 HasSubstr("tile_side"));
 }
 
+TEST_F(LibraryTest, AdoptsAnotherSettingOnlyUntilSomethingIsComputedUnderIt) {
+    reduction::Setting other = reduction::paper_setting();
+    other.tile_side = 0.05;
+    other.scenarios.pop_back();
+    Library library = make_library(path());
+    library.adopt_setting(other);
+    EXPECT_EQ(library.setting(), other);
+    EXPECT_EQ(Library::open(path()).setting(), other);
+    PatternData data{"0-1+1-6", sample_responses(other, 1.0), {}, {}};
+    library.store(std::vector{data});
+    EXPECT_NO_THROW(library.adopt_setting(other));
+    EXPECT_THAT(complaint_of([&] { library.adopt_setting(reduction::paper_setting()); }),
+                HasSubstr("setting"));
+    EXPECT_EQ(library.setting(), other);
+}
+
+TEST_F(LibraryTest, SummariesCountWhatThereIsOfEachPattern) {
+    Library library = make_library(path());
+    library.store(std::vector{sample_data("0-1+1-6", 2.0)},
+                  std::vector<Failure>{{"1-6+3-6", "responses", "soft"}});
+    const auto summaries = library.summaries();
+    ASSERT_THAT(summaries, SizeIs(4));
+    EXPECT_EQ(summaries[0].pattern, "0-1+1-6");
+    EXPECT_EQ(summaries[0].edges, 2);
+    EXPECT_EQ(summaries[0].samples, 50);
+    EXPECT_EQ(summaries[0].converged_samples, 45);
+    EXPECT_EQ(summaries[0].stable_samples, 40);
+    EXPECT_EQ(summaries[0].calibrations, 1);
+    EXPECT_EQ(summaries[0].best_objective, 0.5);
+    EXPECT_EQ(summaries[1].pattern, "1-6+3-6");
+    EXPECT_EQ(summaries[1].samples, 0);
+    EXPECT_EQ(summaries[1].failures, 1);
+    EXPECT_FALSE(summaries[1].best_objective.has_value());
+}
+
 TEST_F(LibraryTest, AnotherLayoutIsRefused) {
     const Library library = make_library(path());
     pattern::NodeLayoutDescription description = paper_layout().description();

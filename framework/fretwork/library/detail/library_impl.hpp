@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/library/detail/database.hpp>
+#include <fretwork/library/detail/response_rows.hpp>
+#include <fretwork/library/library.hpp>
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace fretwork::library {
+
+/// An open library. What stores one thing runs within the transaction of begin_writing().
+struct Library::Impl {
+    explicit Impl(detail::Database opened);
+
+    [[nodiscard]] detail::ResponseShape shape() const;
+
+    /// Begin to write; the first time, say who does. Throws IoError if the file cannot be written.
+    [[nodiscard]] std::unique_ptr<detail::Transaction> begin_writing();
+    void commit(detail::Transaction& transaction);
+
+    /// Throws InputError that names the nearest id.
+    void require_pattern(std::string_view id) const;
+    /// The patterns whose ids a statement gives, in the order of the enumeration.
+    [[nodiscard]] std::vector<PatternEntry> select_patterns(detail::Statement& ids) const;
+
+    void store(const PatternData& data);
+    void store(const Failure& failure);
+
+    detail::Database database;
+    pattern::NodeLayout layout;
+    reduction::Setting setting;
+    bool session_recorded = false;
+
+  private:
+    void store_responses(const std::string& pattern, const std::vector<reduction::Response>& responses);
+    void store_calibration(const std::string& pattern, const CalibrationRecord& record);
+    void store_property(const std::string& pattern, const std::pair<std::string, double>& property);
+    void forget_failure(const std::string& pattern, const std::string& stage);
+};
+
+}  // namespace fretwork::library
