@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/text.hpp>
 #include <fretwork/tiling/detail/candidate.hpp>
-#include <fretwork/tiling/detail/collapse.hpp>
 #include <fretwork/tiling/detail/plane.hpp>
 #include <fretwork/tiling/detail/regularize.hpp>
 #include <fretwork/tiling/detail/sites.hpp>
@@ -22,7 +21,6 @@ constexpr int kRegularizingIterations = 100;
 constexpr double kRoughEdge =
     1.6;  // of the wanted side: between where the searches for lattices and meshes end
 constexpr int kRoughIterations = 20;
-constexpr int kInnerWeight = 3;  // an irregular tile amid hexagons catches the eye more than one at the rim
 constexpr double kSlenderAngle = 30 * std::numbers::pi / 180;
 
 /// The sides of the cells, as pairs of vertices, and the cells that have them.
@@ -93,15 +91,8 @@ double smallest_angle(const Polygon& polygon) {
     return smallest;
 }
 
-/// The square of how far a number of sides is from the range fewest..6: one triangle is worse than two
-/// quadrilaterals.
-int misfit(int sides, int fewest) {
-    const int off = std::max({fewest - sides, sides - 6, 0});
-    return off * off;
-}
-
-/// Count shapes, and judge them: by the sides that tiles have too many or too few (they should have six; at
-/// the rim also five), and by the relative spreads of sides and areas.
+/// Count shapes, and judge them: the share of tiles with another number of sides than they should have (six;
+/// at the rim also five), and the relative spreads of sides and areas.
 void measure_shapes(const Outline& outline, Candidate& candidate) {
     TessellationReport& report = candidate.report;
     report.smallest_angle = std::numbers::pi;
@@ -119,7 +110,7 @@ void measure_shapes(const Outline& outline, Candidate& candidate) {
         report.hexagon_share += is_hexagon ? 1 / count : 0;
         inner += at_rim ? 0 : 1;
         inner_hexagons += !at_rim && is_hexagon ? 1 : 0;
-        misfits += (at_rim ? 1 : kInnerWeight) * misfit(static_cast<int>(polygon.size()), at_rim ? 5 : 6);
+        misfits += is_hexagon || (at_rim && polygon.size() == 5) ? 0 : 1;
         report.smallest_angle = std::min(report.smallest_angle, smallest_angle(polygon));
         report.covered_share += share;
         sum_of_squared_areas += share * share;
@@ -172,7 +163,6 @@ Dual tiles_at(const Outline& outline, const TessellationOptions& options, const 
     const Rim rim = sample_rim(outline, edge);
     const auto sites = relax(rim, sites_at(rim, options, start, edge), options.relaxation_iterations);
     Dual dual = tiles_around(rim, sites);
-    collapse_rim_triangles(dual);
     regularize(dual, rim, kRegularizingIterations);
     return dual;
 }
