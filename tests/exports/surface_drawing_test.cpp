@@ -38,6 +38,11 @@ TEST_F(SurfaceDrawing, HasATileInItsPatternsColourAndALineForEveryBeam) {
         EXPECT_THAT(svg.words(), HasSubstr(id + "\n"));
 }
 
+TEST_F(SurfaceDrawing, LongIdsAreWrittenInLinesThatEndBetweenEdges) {
+    surface_.tessellation.patterns[0] = "0-1+1-2+1-3+1-5+1-6+2-5+3-5+4-5+5-6";
+    EXPECT_THAT(Svg(surface_svg(surface_)).words(), HasSubstr("0-1+1-2+1-3+1-5\n+1-6+2-5+3-5+4-5\n+5-6\n"));
+}
+
 TEST_F(SurfaceDrawing, IsAtTrueScaleWithBeamsOfTheirWidth) {
     const Svg svg(surface_svg(surface_));
     // Three columns of hexagons: 2 s + 2 * 1.5 s, and half a side of margin on both sides.

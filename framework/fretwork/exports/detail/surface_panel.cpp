@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/text.hpp>
 #include <fretwork/exports/colours.hpp>
 #include <fretwork/exports/detail/furniture.hpp>
 #include <fretwork/exports/detail/panels.hpp>
@@ -15,33 +16,60 @@ using pattern::Point2;
 using simulation::Conditions;
 using simulation::Surface;
 
+/// An id in lines of about `length` characters, parted where edges are.
+std::vector<std::string> id_lines(const std::string& id, std::size_t length) {
+    std::vector<std::string> lines(1);
+    for (const std::string& edge : base::split(id, '+')) {
+        std::string& last = lines.back();
+        if (last.empty())
+            last = edge;
+        else if (last.size() + 1 + edge.size() <= length)
+            last += "+" + edge;
+        else
+            lines.push_back("+" + edge);
+    }
+    return lines;
+}
+
 /// The patterns of a surface in columns: a small fan, its colour, its id.
 class PatternLegend {
   public:
     PatternLegend(const Surface& surface, double width) : surface_(&surface), text_(text_height(width)) {
         std::size_t longest = 1;
-        for (const std::string& id : surface.tessellation.patterns) longest = std::max(longest, id.size());
+        for (const std::string& id : surface.tessellation.patterns) {
+            ids_.push_back(id_lines(id, kLineLength));
+            most_lines_ = std::max(most_lines_, static_cast<int>(ids_.back().size()));
+            for (const std::string& line : ids_.back()) longest = std::max(longest, line.size());
+        }
         column_width_ = 5.0 * text_ + text_width(std::string(longest, ' '), text_);
         columns_ = std::max(1, static_cast<int>(width / column_width_));
     }
     [[nodiscard]] double height() const {
-        const int count = static_cast<int>(surface_->tessellation.patterns.size());
+        const int count = static_cast<int>(ids_.size());
         return row_height() * ((count + columns_ - 1) / columns_);
     }
     void draw(SvgCanvas& canvas, const Point2& top_left) const {
         canvas.layer("legend of patterns");
-        const int count = static_cast<int>(surface_->tessellation.patterns.size());
-        for (int i = 0; i < count; ++i) {
+        for (int i = 0; i < static_cast<int>(ids_.size()); ++i) {
             const Point2 middle{top_left.x + (i % columns_) * column_width_ + 1.7 * text_,
                                 top_left.y - (i / columns_ + 0.5) * row_height()};
             draw_icon(canvas, static_cast<std::size_t>(i), middle);
-            canvas.text({middle.x + 2.2 * text_, middle.y - 0.35 * text_},
-                        surface_->tessellation.patterns[static_cast<std::size_t>(i)], text_);
+            draw_id(canvas, ids_[static_cast<std::size_t>(i)], {middle.x + 2.2 * text_, middle.y});
         }
     }
 
   private:
-    [[nodiscard]] double row_height() const { return 3.5 * text_; }
+    static constexpr std::size_t kLineLength = 16;  // four edges: ids of up to twelve are as high as a fan
+
+    [[nodiscard]] double row_height() const { return std::max(3.5, 1.2 * most_lines_ + 0.4) * text_; }
+
+    void draw_id(SvgCanvas& canvas, const std::vector<std::string>& lines, const Point2& middle) const {
+        double y = middle.y + (0.6 * static_cast<double>(lines.size() - 1) - 0.35) * text_;
+        for (const std::string& line : lines) {
+            canvas.text({middle.x, y}, line, text_);
+            y -= 1.2 * text_;
+        }
+    }
 
     void draw_icon(SvgCanvas& canvas, std::size_t index, const Point2& middle) const {
         const double side = 1.65 * text_;
@@ -62,6 +90,8 @@ class PatternLegend {
 
     const Surface* surface_;
     double text_;
+    std::vector<std::vector<std::string>> ids_;  // in lines
+    int most_lines_ = 1;
     double column_width_ = 0.0;
     int columns_ = 1;
 };
