@@ -151,12 +151,13 @@ TEST(Tessellate, InARegularRegionNeighboursHaveTheSameOrientation) {
     const TessellationResult result = tile(make_outline({{0, 0}, {0.5, 0}, {0.5, 0.4}, {0, 0.4}}, {}));
     const Tessellation& tessellation = result.tessellation;
     std::map<int, int> hexagons_by_facing;  // of the first side, to the nearest 60 degrees
-    int hexagons = 0;
     std::vector<double> facings;
     for (std::size_t t = 0; t < tessellation.tiles.size(); ++t) {
         const Polygon p = tile_polygon(tessellation, TileIndex(t));
-        if (p.size() != 6) continue;
-        ++hexagons;
+        const bool is_inner = std::all_of(p.begin(), p.end(), [](const Point2& v) {
+            return v.x > 0.01 && v.x < 0.49 && v.y > 0.01 && v.y < 0.39;
+        });
+        if (p.size() != 6 || !is_inner) continue;  // the tiles at the rim are not regular
         facings.push_back(std::atan2(p[0].x - p[1].x, p[1].y - p[0].y));
     }
     for (const double facing : facings) {
@@ -165,7 +166,9 @@ TEST(Tessellate, InARegularRegionNeighboursHaveTheSameOrientation) {
         ++hexagons_by_facing[static_cast<int>(
             std::lround(std::remainder(facing - facings[0], 2 * std::numbers::pi) / (std::numbers::pi / 3)))];
     }
-    EXPECT_GT(hexagons_by_facing[0], 0.9 * hexagons);
+    const auto more = [](const auto& a, const auto& b) { return a.second < b.second; };
+    const auto most = std::max_element(hexagons_by_facing.begin(), hexagons_by_facing.end(), more);
+    EXPECT_GT(most->second, 0.9 * static_cast<double>(facings.size()));
 }
 
 TEST(Tessellate, TilesAreNumberedFromLeftToRight) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/text.hpp>
 #include <fretwork/tiling/detail/candidate.hpp>
+#include <fretwork/tiling/detail/gaps.hpp>
 #include <fretwork/tiling/detail/plane.hpp>
 #include <fretwork/tiling/detail/regularize.hpp>
 #include <fretwork/tiling/detail/sites.hpp>
@@ -149,6 +150,7 @@ class EdgeSearch {
 Dual tiles_around(const Rim& rim, const std::vector<Point2>& sites) {
     Dual dual = dual_of(rim, triangulate(rim, sites));
     std::erase_if(dual.cells, [](const std::vector<int>& cell) { return cell.size() < 3; });
+    close_gaps(dual);
     return dual;
 }
 
@@ -187,12 +189,26 @@ double rough_irregularity(const Outline& outline, const TessellationOptions& opt
     return candidate.irregularity;
 }
 
+namespace {
+
+/// Of two densities of one start: the right mean side first, then no gaps, then the better side.
+bool is_better_density(const Candidate& first, const Candidate& second) {
+    const auto key = [](const Candidate& candidate) {
+        return std::tuple(std::max(candidate.side_error, kAcceptedSideError), candidate.pinched,
+                          candidate.side_error);
+    };
+    return key(first) < key(second);
+}
+
+}  // namespace
+
 Candidate make_candidate(const Outline& outline, const TessellationOptions& options, const Start& start) {
     Candidate best;
     best.side_error = std::numeric_limits<double>::infinity();
     EdgeSearch search(std::numbers::sqrt3 *
                       options.edge_length);  // the distance of regular hexagons' centers
-    for (int round = 0; round < kSearchRounds && best.side_error > kGoodSideError; ++round) {
+    const auto is_good = [&] { return best.side_error <= kGoodSideError && best.pinched == 0; };
+    for (int round = 0; round < kSearchRounds && !is_good(); ++round) {
         Candidate candidate;
         candidate.dual = tiles_at(outline, options, start, search.edge());
         if (candidate.dual.cells.empty()) {
@@ -203,7 +219,8 @@ Candidate make_candidate(const Outline& outline, const TessellationOptions& opti
         const double ratio = candidate.report.mean_side / options.edge_length;
         search.learn(ratio);
         candidate.side_error = std::abs(ratio - 1);
-        if (candidate.side_error < best.side_error) best = std::move(candidate);
+        candidate.pinched = count_pinches(candidate.dual);
+        if (is_better_density(candidate, best)) best = std::move(candidate);
     }
     if (best.dual.cells.empty()) return best;
     measure_shapes(outline, best);
@@ -215,8 +232,9 @@ Candidate make_candidate(const Outline& outline, const TessellationOptions& opti
 bool is_better(const Candidate& first, const Candidate& second) {
     const auto key = [](const Candidate& candidate) {
         const int missing = candidate.dual.cells.empty() ? 1 : 0;
-        return std::tuple(missing, candidate.pieces, candidate.not_convex, candidate.slender,
-                          std::max(candidate.side_error, kAcceptedSideError), candidate.irregularity);
+        return std::tuple(missing, candidate.pieces, candidate.not_convex, candidate.pinched,
+                          candidate.slender, std::max(candidate.side_error, kAcceptedSideError),
+                          candidate.irregularity);
     };
     return key(first) < key(second);
 }

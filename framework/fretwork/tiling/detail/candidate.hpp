@@ -21,6 +21,7 @@ struct Candidate {
     int not_convex = 0;         ///< tiles
     int slender = 0;            ///< tiles with an angle below 30 degrees
     int pieces = 0;             ///< sets of tiles that hang together by sides
+    int pinched = 0;            ///< vertices at which the rim touches itself: a gap in a narrow part
     double side_error = 0.0;    ///< of the mean side, relative
     double irregularity = 0.0;  ///< the smaller the better
 };
