@@ -2,7 +2,7 @@
 # Text files that a library carries inside itself, so that it works wherever it is installed.
 
 # fretwork_embed_text(<target> <variable> FILES a.json..)
-# Gives the sources of <target> the header "<variable>.hpp" with
+# Gives the sources of <target> the header <fretwork/STAGE/detail/VARIABLE.hpp>, STAGE being the folder's name, with
 #     namespace fretwork { extern const std::array<std::pair<std::string_view, std::string_view>, N> <variable>; }
 # one row for each file: its name without ending, and its text. It is written when the build is configured, and again
 # when a file changes.
@@ -18,7 +18,9 @@ function(fretwork_embed_text target variable)
   endforeach()
   list(LENGTH ARG_FILES count)
   set(type "std::array<std::pair<std::string_view, std::string_view>, ${count}>")
-  set(folder "${CMAKE_CURRENT_BINARY_DIR}/embedded")
+  cmake_path(GET CMAKE_CURRENT_SOURCE_DIR FILENAME stage)
+  set(root "${CMAKE_CURRENT_BINARY_DIR}/generated")
+  set(folder "${root}/fretwork/${stage}/detail")
   _fretwork_write_if_different("${folder}/${variable}.hpp"
 "#pragma once
 #include <array>
@@ -29,14 +31,14 @@ extern const ${type} ${variable};
 }
 ")
   _fretwork_write_if_different("${folder}/${variable}.cpp"
-"#include \"${variable}.hpp\"
+"#include <fretwork/${stage}/detail/${variable}.hpp>
 namespace fretwork {
 const ${type} ${variable} = {
 ${rows}};
 }
 ")
   target_sources(${target} PRIVATE "${folder}/${variable}.cpp")
-  target_include_directories(${target} PRIVATE "${folder}")
+  target_include_directories(${target} PRIVATE "${root}")
 endfunction()
 
 # An unchanged file keeps its time, so that nothing is compiled again.

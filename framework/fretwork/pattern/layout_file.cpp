@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "embedded_layouts.hpp"
-
 #include <fretwork/base/detail/json_text.hpp>
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/json_reader.hpp>
 #include <fretwork/base/text.hpp>
+#include <fretwork/pattern/detail/embedded_layouts.hpp>
 #include <fretwork/pattern/detail/layout_rules.hpp>
 #include <fretwork/pattern/node_layout.hpp>
 

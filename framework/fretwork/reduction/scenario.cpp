@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "embedded_scenarios.hpp"
-
+#include <fretwork/reduction/detail/embedded_scenarios.hpp>
 #include <fretwork/reduction/detail/scenario_json.hpp>
 #include <fretwork/reduction/scenario.hpp>
 
