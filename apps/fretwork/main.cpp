@@ -3,9 +3,13 @@
 
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/provenance.hpp>
+#include <fretwork/base/text.hpp>
 
+#include <algorithm>
 #include <cstdio>
 #include <new>
+#include <string>
+#include <vector>
 
 namespace fretwork::app {
 namespace {
@@ -22,6 +26,15 @@ void complain(const std::string& message) {
     std::fprintf(stderr, "fretwork: %s\n", line.c_str());
 }
 
+/// CLI11 would only say that a subcommand is required.
+void check_verb(const CLI::App& app, int argc, char** argv) {
+    if (argc < 2 || argv[1][0] == '-') return;
+    std::vector<std::string> names;
+    for (const CLI::App* verb : app.get_subcommands({})) names.push_back(verb->get_name());
+    if (std::ranges::find(names, argv[1]) != names.end()) return;
+    throw base::InputError(base::unknown_name_message("verb", argv[1], names));
+}
+
 ExitCode run(int argc, char** argv) {
     CLI::App app("Flat, tileable beam patterns that bend: enumerate, calibrate, tile, simulate.", "fretwork");
     app.set_version_flag("--version", base::version());
@@ -29,6 +42,7 @@ ExitCode run(int argc, char** argv) {
     app.footer("fretwork VERB --help tells more, with an example.");
     ExitCode exit_code = ExitCode::Done;
     for (const auto add_verb : kVerbs) add_verb(app, exit_code);
+    check_verb(app, argc, argv);
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& success) {

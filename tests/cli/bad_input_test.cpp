@@ -36,10 +36,10 @@ void expect_refused(const std::string& command, const std::filesystem::path& fol
 TEST(CommandLine, RefusesWrongUsage) {
     const TemporaryFolder folder;
     expect_refused("fretwork", folder.path(), "subcommand");
-    expect_refused("fretwork enumerat", folder.path(), "enumerat");
+    expect_refused("fretwork enumerat", folder.path(), "did you mean 'enumerate'?");
     expect_refused("fretwork enumerate --layuot paper7", folder.path(), "--layuot");
     expect_refused("fretwork enumerate --layout nowhere.json", folder.path(), "nowhere.json");
-    expect_refused("fretwork enumerate --layout paper8", folder.path(), "did you mean 'paper7'?");
+    expect_refused("fretwork enumerate --layout papre7", folder.path(), "did you mean 'paper7'?");
     expect_refused("fretwork enumerate --edges 5..2", folder.path(), "5..2");
     expect_refused("fretwork enumerate --min-angle nan", folder.path(), "nan");
     expect_refused("fretwork tile", folder.path(), "required");

@@ -15,7 +15,7 @@ TEST(Help, OfEveryVerbHasAnExample) {
          {"enumerate", "calibrate", "library", "tile", "case", "simulate", "compare", "solve", "export"}) {
         const auto outcome = run_command("fretwork " + verb + " --help", folder.path());
         EXPECT_EQ(outcome.exit_code, 0) << verb;
-        EXPECT_THAT(outcome.out, testing::ContainsRegex("Examples?:[ \n]+fretwork " + verb)) << verb;
+        EXPECT_THAT(outcome.out, testing::ContainsRegex("Examples?:(.|\n)* fretwork " + verb)) << verb;
         EXPECT_EQ(outcome.err, "") << verb;
         EXPECT_THAT(run_command("fretwork --help", folder.path()).out, HasSubstr("  " + verb));
     }

@@ -112,11 +112,11 @@ void check_patterns(const JsonReader& json, const Project& project) {
 }
 
 /// The checks of other stages know no file; they speak of the tessellation or the outline.
-template <class Read>
+template <class Complaint, class Read>
 auto in_place(const JsonReader& json, Read&& read) {
     try {
         return read(json);
-    } catch (const base::GeometryError& error) {
+    } catch (const Complaint& error) {
         json.fail(error.what());
     }
 }
@@ -141,13 +141,12 @@ Project read_project(const std::filesystem::path& path) {
     Project project;
     project.layout = pattern::parse_node_layout(json.at("layout").text(), path.string() + ": /layout");
     if (const auto library = json.find("library")) read_library_link(*library, project);
-    project.outline = in_place(json.at("outline"), read_outline_json);
+    project.outline = in_place<base::GeometryError>(json.at("outline"), read_outline_json);
     project.tessellation = read_tessellation(json.at("tessellation"));
     project.tessellation.layout = project.layout.name();
     check_patterns(json, project);
-    in_place(json.at("tessellation"), [&](const JsonReader&) {
+    in_place<base::InputError>(json.at("tessellation"), [&](const JsonReader&) {
         tiling::validate(project.tessellation, project.layout);
-        return 0;
     });
     read_load_cases(json.at("load_cases"), project);
     return project;
