@@ -95,7 +95,8 @@ PatternResult examine(const pattern::NodeLayout& layout, const pattern::Pattern&
 
 std::vector<PatternResult> examine_sample(const Wishes& wishes) {
     const auto layout = pattern::find_node_layout("paper7");
-    const auto all = pattern::enumerate_patterns(layout, {.edges = pattern::default_edge_range(layout), .filters = {}});
+    const auto all =
+        pattern::enumerate_patterns(layout, {.edges = pattern::default_edge_range(layout), .filters = {}});
     std::vector<int> edges;
     for (const auto& pattern : all) edges.push_back(pattern.edge_count());
     const auto chosen = reduction::stratified_sample(edges, wishes.patterns);

@@ -5,9 +5,9 @@
 
 namespace fretwork::tiling::detail {
 
-/// Close the wedges between tiles of a narrow part. Where a triangle of three rim points parts two tiles, they
-/// only touch at one vertex, and end on the opposite outline at two places; these become one place, and the
-/// tiles share a side. A wedge stays open where a tile would lose its convexity.
+/// Close the wedges between tiles of a narrow part. Where a triangle of three rim points parts two tiles,
+/// they only touch at one vertex, and end on the opposite outline at two places; these become one place, and
+/// the tiles share a side. A wedge stays open where a tile would lose its convexity.
 void close_gaps(Dual& dual);
 
 /// At how many vertices the rim of the tiles touches itself: the gaps that are left.
