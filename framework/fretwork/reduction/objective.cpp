@@ -12,8 +12,15 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-bool is_used(const Response::Sample& sample, const Setting& setting) {
-    return sample.converged && (sample.stable || setting.branch == Branch::Paper);
+/// Which samples of a scenario the branch policy leaves in.
+std::vector<const Response::Sample*> used_samples(const Response& response, const Setting& setting) {
+    std::vector<const Response::Sample*> used;
+    for (const Response::Sample& sample : response.samples) {
+        // A path that has lost its stability is not what a specimen follows, even where it is stable again.
+        if (setting.branch == Branch::Stable && sample.converged && !sample.stable) break;
+        if (sample.converged) used.push_back(&sample);
+    }
+    return used;
 }
 
 void check_fit(const std::vector<Response>& responses, const Setting& setting) {
@@ -53,12 +60,10 @@ Objective::Objective(const std::vector<Response>& responses, const Setting& sett
     : metric_(metric), scenario_count_(setting.scenarios.size()) {
     check_fit(responses, setting);
     for (std::size_t s = 0; s < responses.size(); ++s) {
-        for (const Response::Sample& sample : responses[s].samples) {
-            if (!is_used(sample, setting)) {
-                ++left_out_;
-                continue;
-            }
-            samples_.push_back(make_sample(sample, setting.scenarios[s].weight, metric));
+        const auto used = used_samples(responses[s], setting);
+        left_out_ += responses[s].samples.size() - used.size();
+        for (const Response::Sample* sample : used) {
+            samples_.push_back(make_sample(*sample, setting.scenarios[s].weight, metric));
             samples_.back().scenario = s;
         }
     }
@@ -129,12 +134,13 @@ struct Objective::NodeTerm {
         const double m = sample.magnitude;
         const Vector3d difference = m * row.head<3>().transpose() - target.translation;
         const Vector3d turn = m * row.tail<3>().transpose();
-        const Vector3d angle = detail::rotation_vector(target.inverse_rotation * detail::rotation_of(turn));
+        const detail::RotationRate turned = detail::rotation_rate(turn);
+        const Vector3d angle = detail::rotation_vector(target.inverse_rotation * turned.rotation);
         const SmoothNorm translation = smooth_norm(difference, rounding[0]);
         const SmoothNorm rotation = smooth_norm(angle, rounding[1]);
         // The rotation vector `angle` changes by J_r(angle)^-1 J_r(turn) m du. It is itself a fixed vector of
         // the first factor, so the slope is exact without it; the curvature takes it as the identity.
-        const Matrix3d rate = m * detail::right_jacobian(turn);
+        const Matrix3d rate = m * turned.right_jacobian;
         exact = {difference.norm(), angle.norm()};
         smoothed = {translation.value, rotation.value};
         slope << sample.translation_factor * m * translation.slope,

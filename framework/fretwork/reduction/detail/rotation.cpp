@@ -29,18 +29,33 @@ Eigen::Vector3d rotation_vector(const Eigen::Quaterniond& rotation) {
     return sign * 2.0 * std::atan2(sine, std::abs(rotation.w())) / sine * rotation.vec();
 }
 
-Eigen::Matrix3d right_jacobian(const Eigen::Vector3d& vector) {
+RotationRate rotation_rate(const Eigen::Vector3d& vector) {
     const double square = vector.squaredNorm();
     double first = 0.5 - square / 24.0;          // (1 - cos t) / t^2
     double second = 1.0 / 6.0 - square / 120.0;  // (t - sin t) / t^3
-    if (square >= kSmallSquare) {
+    Eigen::Quaterniond rotation;
+    if (square < kSmallSquare) {
+        rotation = rotation_of(vector);
+    } else {
+        // One sine and cosine, of the half angle, give all.
         const double angle = std::sqrt(square);
-        first = (1.0 - std::cos(angle)) / square;
-        second = (angle - std::sin(angle)) / (square * angle);
+        const double sine = std::sin(angle / 2.0);
+        const double cosine = std::cos(angle / 2.0);
+        const Eigen::Vector3d half = sine / angle * vector;
+        rotation = {cosine, half.x(), half.y(), half.z()};
+        first = 2.0 * sine * sine / square;
+        second = (angle - 2.0 * sine * cosine) / (square * angle);
     }
-    Eigen::Matrix3d cross;
-    cross << 0, -vector.z(), vector.y(), vector.z(), 0, -vector.x(), -vector.y(), vector.x(), 0;
-    return Eigen::Matrix3d::Identity() - first * cross + second * cross * cross;
+    // 1 - first [v] + second [v]^2, where [v]^2 = v v^T - |v|^2.
+    Eigen::Matrix3d jacobian = second * vector * vector.transpose();
+    jacobian.diagonal().array() += 1.0 - second * square;
+    jacobian(0, 1) += first * vector.z();
+    jacobian(1, 0) -= first * vector.z();
+    jacobian(0, 2) -= first * vector.y();
+    jacobian(2, 0) += first * vector.y();
+    jacobian(1, 2) += first * vector.x();
+    jacobian(2, 1) -= first * vector.x();
+    return {rotation, jacobian};
 }
 
 }  // namespace fretwork::reduction::detail

@@ -9,7 +9,11 @@ namespace fretwork::reduction::detail {
 Eigen::Quaterniond rotation_of(const Eigen::Vector3d& vector);
 /// The rotation vector of a rotation, at most pi long.
 Eigen::Vector3d rotation_vector(const Eigen::Quaterniond& rotation);
-/// J with exp(v + dv) = exp(v) exp(J dv) to first order.
-Eigen::Matrix3d right_jacobian(const Eigen::Vector3d& vector);
+/// A rotation, and how it changes: J with exp(v + dv) = exp(v) exp(J dv) to first order.
+struct RotationRate {
+    Eigen::Quaterniond rotation;
+    Eigen::Matrix3d right_jacobian;
+};
+RotationRate rotation_rate(const Eigen::Vector3d& vector);
 
 }  // namespace fretwork::reduction::detail
