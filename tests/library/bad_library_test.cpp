@@ -49,7 +49,7 @@ TEST_F(BadLibrary, AnotherSqliteFileIsNoLibraryAndIsNotOverwritten) {
 TEST_F(BadLibrary, ANewerVersionIsRefusedWithBothNumbers) {
     make_library(path());
     sql("PRAGMA user_version = 7");
-    EXPECT_THAT(complaint(), AllOf(HasSubstr("version 7"), HasSubstr("reads version 1")));
+    EXPECT_THAT(complaint(), AllOf(HasSubstr("version 7"), HasSubstr("reads version 2")));
 }
 
 TEST_F(BadLibrary, ALibraryThatExistsIsNotMadeAgain) {
@@ -81,7 +81,7 @@ TEST_F(BadLibrary, RowsThatTheSettingDoesNotHaveAreRefused) {
 
 TEST_F(BadLibrary, APatternThatTheLayoutDoesNotHaveIsRefused) {
     make_library(path());
-    sql("INSERT INTO pattern VALUES ('0-99', 'paper7', 1)");
+    sql("INSERT INTO pattern VALUES ('0-99', 'paper7', 1, NULL)");
     EXPECT_THAT(complaint_of([&] { (void)Library::open(path()).patterns(); }), HasSubstr("0-99"));
 }
 

@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A writer may be killed, and the disk may fill up, at any moment.
+#include "process.hpp"
 #include "sample.hpp"
 
 #include <sqlite3.h>
-
-#include <csignal>
-#include <functional>
-#include <sys/resource.h>
-#include <sys/wait.h>
 
 namespace fretwork::library {
 namespace {
@@ -28,26 +24,6 @@ std::string undisturbed_hash() {
     Library library = make_library(folder.path() / "lib.db");
     library.store(whole_batch());
     return library.content_hash();
-}
-
-/// How a process of its own that does `work` ends.
-int status_of(const std::function<void()>& work) {
-    const pid_t child = ::fork();
-    if (child == 0) {
-        work();
-        ::_exit(0);
-    }
-    int status = 0;
-    ::waitpid(child, &status, 0);
-    return status;
-}
-
-/// From now on, no file of this process can grow beyond `bytes`; what happens to the write that would is up
-/// to the signal's handler.
-void limit_files(rlim_t bytes, void (*handler)(int)) {
-    std::signal(SIGXFSZ, handler);
-    const rlimit limit{bytes, bytes};
-    ::setrlimit(RLIMIT_FSIZE, &limit);
 }
 
 void expect_whole(const std::filesystem::path& path) {
@@ -96,14 +72,7 @@ TEST(LibraryCrash, AWriterKilledAtAnyTimeCanBeResumedToTheSameContent) {
         }
     };
     for (const useconds_t delay : {2000U, 8000U, 14000U, 20000U, 26000U}) {
-        const pid_t child = ::fork();
-        if (child == 0) {
-            write_what_is_left();
-            ::_exit(0);
-        }
-        ::usleep(delay);
-        ::kill(child, SIGKILL);
-        ::waitpid(child, nullptr, 0);
+        kill_after(delay, write_what_is_left);
         expect_whole(path);
     }
     write_what_is_left();

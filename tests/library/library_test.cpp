@@ -34,6 +34,7 @@ void expect_equal(const std::vector<reduction::Response>& left,
             EXPECT_EQ(a.magnitude, b.magnitude);
             EXPECT_EQ(a.converged, b.converged);
             EXPECT_EQ(a.stable, b.stable);
+            EXPECT_EQ(a.limit_load, b.limit_load);
             EXPECT_EQ(a.displacements, b.displacements);
         }
     }
@@ -104,6 +105,7 @@ TEST_F(LibraryTest, SummariesCountWhatThereIsOfEachPattern) {
     EXPECT_EQ(summaries[0].samples, 50);
     EXPECT_EQ(summaries[0].converged_samples, 45);
     EXPECT_EQ(summaries[0].stable_samples, 40);
+    EXPECT_EQ(summaries[0].limit_load_samples, 5);
     EXPECT_EQ(summaries[0].calibrations, 1);
     EXPECT_EQ(summaries[0].best_objective, 0.5);
     EXPECT_EQ(summaries[1].pattern, "1-6+3-6");

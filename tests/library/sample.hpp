@@ -43,6 +43,7 @@ inline std::vector<reduction::Response> sample_responses(const reduction::Settin
             sample.stable = k < 9;
             if (k == setting.magnitudes) {
                 sample.converged = false;
+                sample.limit_load = true;
                 sample.displacements.setZero();
             }
             response.samples.push_back(sample);

@@ -171,13 +171,31 @@ TEST(Objective, LeavesOutAndCountsWhatDidNotConverge) {
     }
     responses[3].samples[9].converged = false;
     responses[3].samples[9].displacements.setConstant(1e3);
-    responses[0].samples[8].stable = false;
     const Objective paper(responses, example().setting);
     EXPECT_EQ(paper.left_out(), 1U);
     EXPECT_EQ(paper.sample_count(), 49U);
+}
+
+TEST(Objective, TheStablePolicyLeavesOutAllThatFollowsTheFirstLossOfStability) {
+    auto responses = example().responses;
+    for (auto& response : responses) {
+        for (auto& sample : response.samples) sample.stable = true;
+    }
+    responses[0].samples[6].stable = false;  // and stable again at 7, 8 and 9
+    responses[3].samples[9].converged = false;
+    responses[3].samples[9].stable = false;
     Setting stable = example().setting;
     stable.branch = Branch::Stable;
-    EXPECT_EQ(Objective(responses, stable).left_out(), 2U);
+    EXPECT_EQ(Objective(responses, stable).left_out(), 5U);
+    EXPECT_EQ(Objective(responses, example().setting).left_out(), 1U);
+    // What is left out does not count.
+    const Objective before(responses, stable);
+    for (std::size_t k = 6; k < 10; ++k) responses[0].samples[k].displacements.setConstant(1.0);
+    optimization::RandomStream random(5, 0);
+    const UnitDisplacements model =
+        example().model.displacements(example().problem.parameters(example().random_point(random)));
+    EXPECT_EQ(before.value(model), Objective(responses, stable).value(model));
+    EXPECT_NE(before.value(model), Objective(responses, example().setting).value(model));
 }
 
 TEST(Objective, RefusesResponsesThatDoNotFit) {

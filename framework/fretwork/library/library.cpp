@@ -5,6 +5,7 @@
 #include <fretwork/library/detail/library_impl.hpp>
 #include <fretwork/library/detail/schema.hpp>
 #include <fretwork/library/library.hpp>
+#include <fretwork/pattern/mirror.hpp>
 
 #include <map>
 
@@ -46,15 +47,15 @@ void initialize(Database& database, const pattern::NodeLayout& layout, const red
 using SummariesById = std::map<std::string, PatternSummary, std::less<>>;
 
 void collect_responses(const Database& database, SummariesById& by_id) {
-    Statement rows(
-        database,
-        "SELECT pattern_id, count(*), sum(converged), sum(converged AND stable) FROM response_state "
-        "GROUP BY pattern_id");
+    Statement rows(database,
+                   "SELECT pattern_id, count(*), sum(converged), sum(converged AND stable), sum(limit_load) "
+                   "FROM response_state GROUP BY pattern_id");
     while (rows.step()) {
         PatternSummary& summary = by_id[std::string(rows.text(0))];
         summary.samples = static_cast<int>(rows.integer(1));
         summary.converged_samples = static_cast<int>(rows.integer(2));
         summary.stable_samples = static_cast<int>(rows.integer(3));
+        summary.limit_load_samples = static_cast<int>(rows.integer(4));
     }
 }
 
@@ -170,10 +171,15 @@ void Library::check_layout(const pattern::NodeLayout& wanted) const {
 
 std::size_t Library::add_patterns(std::span<const pattern::Pattern> patterns) {
     const auto transaction = impl_->begin_writing();
-    Statement insert(impl_->database, "INSERT OR IGNORE INTO pattern VALUES (?, ?, ?)");
+    Statement insert(impl_->database, "INSERT OR IGNORE INTO pattern VALUES (?, ?, ?, nullif(?, ''))");
+    const pattern::Mirror mirror(layout());
     std::size_t added = 0;
     for (const pattern::Pattern& pattern : patterns) {
-        insert.bind_all(pattern_id(layout(), pattern), layout().name(), pattern.edge_count()).run();
+        const auto image = mirror.image(pattern);
+        insert
+            .bind_all(pattern_id(layout(), pattern), layout().name(), pattern.edge_count(),
+                      image ? pattern_id(layout(), *image) : "")
+            .run();
         added += static_cast<std::size_t>(impl_->database.changed_rows());
     }
     if (added > 0) impl_->commit(*transaction);

@@ -58,9 +58,10 @@ struct PatternData {
 struct PatternSummary {
     std::string pattern;  ///< id
     int edges = 0;
-    int samples = 0;            ///< of its responses: scenarios times magnitudes; 0: no responses
-    int converged_samples = 0;  ///< of them
-    int stable_samples = 0;     ///< of those that converged
+    int samples = 0;             ///< of its responses: scenarios times magnitudes; 0: no responses
+    int converged_samples = 0;   ///< of them
+    int stable_samples = 0;      ///< of those that converged
+    int limit_load_samples = 0;  ///< of those that did not: beyond the largest load that the path reaches
     int calibrations = 0;
     std::optional<double> best_objective{};  ///< of them
     int failures = 0;

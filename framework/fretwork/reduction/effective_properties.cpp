@@ -86,6 +86,18 @@ void add_values(const std::string& prefix, const Matrix3d& tensor,
     values.emplace_back(prefix + "_anisotropy", anisotropy(tensor));
 }
 
+void add_components(const std::string& name, const Matrix3d& tensor,
+                    std::vector<std::pair<std::string, double>>& values) {
+    constexpr std::array kVoigt = {"1", "2", "6"};
+    for (int i = 0; i < 3; ++i) {
+        for (int j = i; j < 3; ++j) {
+            values.emplace_back(
+                name + kVoigt[static_cast<std::size_t>(i)] + kVoigt[static_cast<std::size_t>(j)],
+                tensor(i, j));
+        }
+    }
+}
+
 }  // namespace
 
 EffectiveProperties effective_properties(const pattern::NodeLayout& layout, const pattern::Pattern& pattern,
@@ -123,6 +135,8 @@ std::vector<std::pair<std::string, double>> property_values(const EffectivePrope
     add_values("membrane", properties.A, values);
     add_values("bending", properties.D, values);
     values.emplace_back("mass_per_area", properties.mass_per_area);
+    add_components("A", properties.A, values);
+    add_components("D", properties.D, values);
     return values;
 }
 

@@ -34,8 +34,9 @@ EffectiveProperties effective_properties(const pattern::NodeLayout& layout, cons
 double directional_stiffness(const Eigen::Matrix3d& tensor, double angle);
 
 /// What libraries store, by name: membrane_stiffness (N/m), membrane_poisson, membrane_shear (N/m),
-/// membrane_anisotropy (largest over smallest directional stiffness), the same with bending_ (N m), and
-/// mass_per_area (kg/m^2). Directions: x, where nothing else is said.
+/// membrane_anisotropy (largest over smallest directional stiffness), the same with bending_ (N m),
+/// mass_per_area (kg/m^2), and both tensors (A11 A12 A16 A22 A26 A66, D11 ..). Directions: x, where nothing
+/// else is said.
 std::vector<std::pair<std::string, double>> property_values(const EffectiveProperties& properties);
 
 }  // namespace fretwork::reduction

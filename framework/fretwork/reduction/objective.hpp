@@ -26,7 +26,8 @@ struct ErrorMetric {
 /// E = sum over scenarios and magnitudes of w e^2, where e is the weighted sum of two normalized sums over
 /// the interface nodes: of |d_p - d_r|, and of the angle between the rotations R_p and R_r. Linear
 /// displacements grow with the magnitude; linear rotations are taken as rotation vectors. Samples that did
-/// not converge are left out; so are unstable ones where the setting's branch policy says so.
+/// not converge are left out; so are those past the first loss of stability where the setting's branch
+/// policy says so.
 ///
 /// E has a kink wherever a norm is zero. With smoothing mu > 0 each norm |a| becomes
 /// sqrt(a^2 + (mu s)^2), where s is the sample's normalizer divided by the number of nodes.

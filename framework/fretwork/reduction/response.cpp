@@ -21,6 +21,7 @@ Response::Sample to_sample(const mechanics::Solution& solution, const Setting& s
     Response::Sample sample;
     sample.converged = solution.converged();
     sample.stable = solution.converged() && solution.stable;
+    sample.limit_load = solution.termination == mechanics::Termination::LimitLoad;
     const int interface_nodes = setting.sides;
     sample.displacements = mechanics::NodeValues::Zero(interface_nodes, mechanics::kDofsPerNode);
     if (sample.converged) sample.displacements = solution.displacements.topRows(interface_nodes);

@@ -19,6 +19,7 @@ struct Response {
         mechanics::NodeValues displacements;  ///< one row for each interface node; not converged: zeros
         bool converged = true;
         bool stable = true;
+        bool limit_load = false;  ///< did not converge, since the path turns back before this magnitude
     };
     std::string scenario;
     std::vector<Sample> samples;

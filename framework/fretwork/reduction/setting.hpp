@@ -14,7 +14,7 @@ namespace fretwork::reduction {
 /// What becomes of samples past the first loss of stability.
 enum class Branch {
     Paper,   ///< kept, as a solver gives them that does not look at stability: the paper must have done so
-    Stable,  ///< left out: the reduced model is fitted to stable states only
+    Stable,  ///< left out, from the first loss on: the reduced model is fitted to what a specimen does
 };
 std::string_view branch_name(Branch branch);
 

@@ -40,7 +40,7 @@ void insert_sample(Statement& states, Statement& rows, const Sample& sample, std
                    const std::string& scenario) {
     states
         .bind_all(pattern_id, scenario, sample.step, sample.magnitude, int{sample.converged},
-                  int{sample.stable})
+                  int{sample.stable}, int{sample.limit_load})
         .run();
     if (!sample.converged) return;
     for (int node = 0; node < static_cast<int>(sample.displacements.rows()); ++node) {
@@ -52,7 +52,7 @@ void insert_sample(Statement& states, Statement& rows, const Sample& sample, std
 std::vector<Sample> read_states(const Database& database, std::string_view pattern_id,
                                 const std::string& scenario) {
     Statement statement(database,
-                        "SELECT step, magnitude, converged, stable FROM response_state "
+                        "SELECT step, magnitude, converged, stable, limit_load FROM response_state "
                         "WHERE pattern_id = ? AND scenario = ? ORDER BY step");
     statement.bind_all(pattern_id, scenario);
     std::vector<Sample> samples;
@@ -61,7 +61,8 @@ std::vector<Sample> read_states(const Database& database, std::string_view patte
                            statement.real(1),
                            {},
                            statement.integer(2) != 0,
-                           statement.integer(3) != 0});
+                           statement.integer(3) != 0,
+                           statement.integer(4) != 0});
     }
     return samples;
 }
@@ -88,6 +89,7 @@ void read_displacements(const Database& database, std::string_view pattern_id, R
 bool are_equal(const Sample& left, const Sample& right) {
     return left.step == right.step && left.magnitude == right.magnitude &&
            left.converged == right.converged && left.stable == right.stable &&
+           left.limit_load == right.limit_load &&
            (!left.converged || left.displacements == right.displacements);
 }
 
@@ -114,7 +116,7 @@ void check_responses(const Database& database, const std::string& pattern_id,
 
 void insert_responses(const Database& database, const std::string& pattern_id,
                       const std::vector<Response>& responses) {
-    Statement states(database, "INSERT INTO response_state VALUES (?, ?, ?, ?, ?, ?)");
+    Statement states(database, "INSERT INTO response_state VALUES (?, ?, ?, ?, ?, ?, ?)");
     Statement rows(database, "INSERT INTO response VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
     for (const Response& response : responses) {
         for (const Sample& sample : response.samples)

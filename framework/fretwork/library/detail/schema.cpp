@@ -28,7 +28,8 @@ CREATE TABLE scenario(
 CREATE TABLE pattern(
     id     TEXT NOT NULL PRIMARY KEY,
     layout TEXT NOT NULL REFERENCES layout(name),
-    edges  INTEGER NOT NULL
+    edges  INTEGER NOT NULL,
+    mirror TEXT
 ) WITHOUT ROWID;
 
 CREATE TABLE response_state(
@@ -38,6 +39,7 @@ CREATE TABLE response_state(
     magnitude  REAL NOT NULL,
     converged  INTEGER NOT NULL CHECK (converged IN (0, 1)),
     stable     INTEGER NOT NULL CHECK (stable IN (0, 1)),
+    limit_load INTEGER NOT NULL CHECK (limit_load IN (0, 1)),
     PRIMARY KEY (pattern_id, scenario, step)
 ) WITHOUT ROWID;
 
@@ -103,6 +105,19 @@ CREATE TABLE provenance(
     value   TEXT NOT NULL,
     PRIMARY KEY (session, name)
 ) WITHOUT ROWID;
+
+CREATE VIEW behaviour AS
+SELECT p.id AS pattern_id, p.mirror,
+       max(CASE WHEN name = 'mass_per_area' THEN value END) AS mass_per_area,
+       max(CASE WHEN name = 'membrane_stiffness' THEN value END) AS membrane_stiffness,
+       max(CASE WHEN name = 'membrane_shear' THEN value END) AS membrane_shear,
+       max(CASE WHEN name = 'membrane_poisson' THEN value END) AS membrane_poisson,
+       max(CASE WHEN name = 'membrane_anisotropy' THEN value END) AS membrane_anisotropy,
+       max(CASE WHEN name = 'bending_stiffness' THEN value END) AS bending_stiffness,
+       max(CASE WHEN name = 'bending_shear' THEN value END) AS bending_shear,
+       max(CASE WHEN name = 'bending_poisson' THEN value END) AS bending_poisson,
+       max(CASE WHEN name = 'bending_anisotropy' THEN value END) AS bending_anisotropy
+FROM pattern AS p JOIN property ON property.pattern_id = p.id GROUP BY p.id;
 )sql";
 
 std::int64_t header_field(const Database& database, const std::string& name) {
@@ -124,8 +139,11 @@ std::span<const Table> content_tables() {
         {"layout", {"name"}, {"json"}, {}},
         {"setting", {"id"}, {"json"}, {}},
         {"scenario", {"name"}, {"position", "weight", "max_magnitude", "description"}, {}},
-        {"pattern", {"id"}, {"layout", "edges"}, {}},
-        {"response_state", {"pattern_id", "scenario", "step"}, {"magnitude", "converged", "stable"}, {}},
+        {"pattern", {"id"}, {"layout", "edges", "mirror"}, {}},
+        {"response_state",
+         {"pattern_id", "scenario", "step"},
+         {"magnitude", "converged", "stable", "limit_load"},
+         {}},
         {"response", {"pattern_id", "scenario", "step", "node"}, {"ux", "uy", "uz", "rx", "ry", "rz"}, {}},
         {"calibration",
          calibration_key,

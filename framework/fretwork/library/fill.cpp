@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/base/parallel.hpp>
+#include <fretwork/library/fill.hpp>
+#include <fretwork/reduction/effective_properties.hpp>
+#include <fretwork/reduction/model_catalogue.hpp>
+
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <future>
+#include <mutex>
+#include <set>
+
+namespace fretwork::library {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+struct Task {
+    PatternEntry entry;
+    bool needs_responses;
+};
+
+struct Outcome {
+    PatternData data;
+    std::optional<Failure> failure{};
+};
+
+/// The patterns that lack a calibration, and whether they lack responses, too.
+std::vector<Task> open_tasks(const Library& library, std::span<const PatternEntry> patterns,
+                             const CalibrationKey& key) {
+    const auto ids = [](const std::vector<PatternEntry>& entries) {
+        std::set<std::string> result;
+        for (const PatternEntry& entry : entries) result.insert(entry.id);
+        return result;
+    };
+    const auto without_responses = ids(library.patterns_without_responses());
+    const auto without_calibration = ids(library.patterns_without_calibration(key));
+    std::vector<Task> tasks;
+    for (const PatternEntry& entry : patterns) {
+        if (without_calibration.contains(entry.id))
+            tasks.push_back({entry, without_responses.contains(entry.id)});
+    }
+    return tasks;
+}
+
+/// Threads compute; the calling one stores what comes.
+class Filling {
+  public:
+    Filling(Library& library, std::span<const PatternEntry> patterns, const FillOptions& options)
+        : library_(library),
+          options_(options),
+          model_(reduction::find_reduced_model(options.model)),
+          key_(options.key()),
+          tasks_(open_tasks(library, patterns, key_)) {}
+
+    FillReport run(base::Progress& progress) {
+        report_.open = tasks_.size();
+        progress.start("calibrate", tasks_.size());
+        auto computing = std::async(std::launch::async, [&] {
+            base::parallel_for(tasks_.size(), options_.threads, [&](std::size_t i) { work(tasks_[i]); });
+        });
+        const Abandonment at_exit{is_abandoned_};
+        while (computing.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
+            progress.update(wait_for_more());
+            if (seconds_since(last_store_) >= options_.seconds_between_stores) store();
+        }
+        store();
+        progress.update(report_.done + report_.failed);
+        progress.finish();
+        computing.get();
+        return report_;
+    }
+
+  private:
+    static constexpr auto kProgressPause = std::chrono::milliseconds(100);
+
+    /// Once storing has failed, nobody takes what is still computed.
+    struct Abandonment {
+        std::atomic<bool>& flag;
+        ~Abandonment() { flag = true; }
+    };
+
+    void work(const Task& task) {
+        if (is_abandoned_ || (options_.should_stop && options_.should_stop())) return;
+        Outcome outcome = compute(task);
+        {
+            const std::lock_guard lock(finished_mutex_);
+            finished_.push_back(std::move(outcome));
+        }
+        more_.notify_one();
+    }
+
+    /// Returns how many patterns have been finished so far.
+    std::size_t wait_for_more() {
+        std::unique_lock lock(finished_mutex_);
+        more_.wait_for(lock, kProgressPause);
+        return report_.done + report_.failed + finished_.size();
+    }
+
+    void store() {
+        std::vector<Outcome> outcomes;
+        {
+            const std::lock_guard lock(finished_mutex_);
+            outcomes.swap(finished_);
+        }
+        std::vector<PatternData> batch;
+        std::vector<Failure> failures;
+        for (Outcome& outcome : outcomes) {
+            if (outcome.failure) failures.push_back(std::move(*outcome.failure));
+            batch.push_back(std::move(outcome.data));
+        }
+        if (!batch.empty()) {
+            const std::lock_guard lock(library_mutex_);
+            library_.store(batch, failures);
+        }
+        report_.failed += failures.size();
+        report_.done += batch.size() - failures.size();
+        last_store_ = Clock::now();
+    }
+
+    [[nodiscard]] Outcome compute(const Task& task) {
+        Outcome outcome{{task.entry.id, {}, {}, {}}};
+        std::vector<reduction::Response> stored;
+        if (!task.needs_responses) {
+            const std::lock_guard lock(library_mutex_);
+            stored = library_.responses(task.entry.id);
+        }
+        std::string stage = responses_stage();
+        try {
+            if (task.needs_responses) respond(task.entry.pattern, outcome.data);
+            stage = calibration_stage(key_);
+            outcome.data.calibrations.push_back(
+                calibrate(task.entry.pattern, task.needs_responses ? outcome.data.responses : stored));
+        } catch (const base::Error& error) {
+            outcome.failure = Failure{task.entry.id, stage, one_line(error.what())};
+        }
+        return outcome;
+    }
+
+    void respond(const pattern::Pattern& pattern, PatternData& data) const {
+        const reduction::Setting& setting = library_.setting();
+        data.responses = reduction::compute_responses(library_.layout(), pattern, setting);
+        // Only of polygons whose regular kind tiles the plane by translations.
+        if (setting.sides != 4 && setting.sides != 6) return;
+        data.properties =
+            reduction::property_values(reduction::effective_properties(library_.layout(), pattern, setting));
+    }
+
+    [[nodiscard]] CalibrationRecord calibrate(const pattern::Pattern& pattern,
+                                              const std::vector<reduction::Response>& responses) const {
+        const auto start = Clock::now();
+        CalibrationRecord record;
+        record.calibration =
+            model_.prepare({library_.layout(), pattern, library_.setting(), responses}, options_.calibration);
+        record.budget = key_.budget;
+        record.seconds = seconds_since(start);
+        return record;
+    }
+
+    static std::string one_line(std::string text) {
+        for (char& c : text) c = c == '\n' ? ' ' : c;
+        return text;
+    }
+
+    Library& library_;
+    const FillOptions& options_;
+    const reduction::ReducedModelRow& model_;
+    CalibrationKey key_;
+    std::vector<Task> tasks_;
+    FillReport report_;
+    Clock::time_point last_store_ = Clock::now();
+    std::atomic<bool> is_abandoned_ = false;
+    std::mutex library_mutex_;  ///< a library is used by one thread at a time
+    std::mutex finished_mutex_;
+    std::condition_variable more_;
+    std::vector<Outcome> finished_;
+};
+
+}  // namespace
+
+void FillOptions::validate() const {
+    (void)reduction::find_reduced_model(model);
+    calibration.validate();
+    if (!(seconds_between_stores >= 0.0))
+        throw base::InputError("seconds_between_stores: must not be negative");
+    if (threads < 0) throw base::InputError("threads: " + std::to_string(threads) + " must not be negative");
+}
+
+CalibrationKey FillOptions::key() const {
+    if (reduction::find_reduced_model(model).preparation == reduction::Preparation::Calibration)
+        return calibration_key(calibration, model);
+    return {.model = model, .optimizer = "none"};
+}
+
+FillReport fill(Library& library, std::span<const PatternEntry> patterns, const FillOptions& options,
+                base::Progress& progress) {
+    options.validate();
+    return Filling(library, patterns, options).run(progress);
+}
+
+}  // namespace fretwork::library

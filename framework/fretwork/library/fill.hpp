@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/base/progress.hpp>
+#include <fretwork/library/library.hpp>
+
+#include <functional>
+#include <span>
+#include <string>
+
+namespace fretwork::library {
+
+/// What a library is to hold of each of its patterns, besides responses and properties.
+struct FillOptions {
+    std::string model = "paper6";  ///< a row of the catalogue of reduced models
+    reduction::CalibrationOptions calibration{};
+    int threads = 0;                      ///< 0: all there are
+    double seconds_between_stores = 1.0;  ///< 0: what is finished is stored at once
+    std::function<bool()> should_stop{};  ///< asked between patterns, by any thread; none: never
+    /// Throws InputError if a value makes no sense.
+    void validate() const;
+    /// The key of the calibrations that these options give.
+    [[nodiscard]] CalibrationKey key() const;
+};
+
+struct FillReport {
+    std::size_t open = 0;    ///< patterns without a result when it began
+    std::size_t done = 0;    ///< of them, calibrated now
+    std::size_t failed = 0;  ///< of them, recorded as failed now
+};
+
+/// Compute what the library lacks of some of its patterns: responses, effective properties, and the
+/// calibration that the options ask for.
+///
+/// What is done is stored about every second in one transaction, so a killed process loses no more; started
+/// again, it goes on there. The result does not depend on threads, interruptions and shards. A pattern on
+/// which a computation fails is recorded with its reason, and does not stop the rest. Memory does not grow
+/// with the number of patterns. Throws as Library::store; then all that was stored before is there.
+FillReport fill(Library& library, std::span<const PatternEntry> patterns, const FillOptions& options,
+                base::Progress& progress);
+
+}  // namespace fretwork::library

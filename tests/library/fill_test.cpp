@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Filling a library: whatever the threads, kills, shards and full disks, the content is the same.
+#include "process.hpp"
+#include "sample.hpp"
+
+#include <fretwork/library/fill.hpp>
+#include <fretwork/library/statistics.hpp>
+
+#include <atomic>
+#include <thread>
+
+namespace fretwork::library {
+namespace {
+
+using namespace test;
+using testing::HasSubstr;
+using Paths = std::vector<std::filesystem::path>;
+
+const std::vector<std::string>& ids() {
+    static const std::vector<std::string> list = {"0-1+1-6", "0-1+3-6", "1-3+1-6",     "1-3+3-6",
+                                                  "1-6+3-6", "2-4+2-6", "0-1+1-2+2-6", "0-1+1-3+1-6"};
+    return list;
+}
+
+FillOptions quick(int threads = 2) {
+    FillOptions options;
+    options.calibration.starts = 1;
+    options.threads = threads;
+    options.seconds_between_stores = 0.0;
+    return options;
+}
+
+FillReport fill_all(Library& library, const FillOptions& options = quick()) {
+    base::SilentProgress silent;
+    return fill(library, library.patterns(), options, silent);
+}
+
+/// Begin to fill a library in a process of its own, which is killed somewhere after its first patterns,
+/// wherever it then is.
+void fill_until_killed(const std::filesystem::path& path, int run) {
+    status_of([&] {
+        Library library = Library::open(path, Access::ReadWrite);
+        const int last = 2 + run % 3;
+        const auto delay = static_cast<useconds_t>(7919 * (run + 1) % 20'000);
+        std::atomic<int> asked = 0;
+        FillOptions options = quick(1);
+        options.should_stop = [&] {
+            if (++asked == last) {
+                std::thread([delay] {
+                    ::usleep(delay);
+                    ::kill(::getpid(), SIGKILL);
+                }).detach();
+            }
+            return false;
+        };
+        fill_all(library, options);
+    });
+}
+
+class Fill : public testing::Test {
+  protected:
+    [[nodiscard]] std::filesystem::path path(const std::string& name = "lib.db") const {
+        return folder_.path() / name;
+    }
+    /// The tables of the library of an undisturbed run.
+    [[nodiscard]] static std::vector<std::pair<std::string, std::string>> undisturbed() {
+        const TemporaryFolder folder;
+        Library library = make_library(folder.path() / "lib.db", ids());
+        fill_all(library, quick(1));
+        library.export_csv(folder.path() / "csv");
+        return folder_content(folder.path() / "csv");
+    }
+    [[nodiscard]] std::vector<std::pair<std::string, std::string>> tables(const std::string& name) const {
+        Library::open(path(name)).export_csv(path(name + ".csv"));
+        return folder_content(path(name + ".csv"));
+    }
+    TemporaryFolder folder_;
+};
+
+TEST_F(Fill, GivesEachPatternResponsesPropertiesAndACalibration) {
+    Library library = make_library(path(), ids());
+    const FillReport report = fill_all(library);
+    EXPECT_EQ(report.open, ids().size());
+    EXPECT_EQ(report.done, ids().size());
+    EXPECT_EQ(report.failed, 0U);
+    EXPECT_EQ(library.responses("1-3+1-6").size(), 5U);
+    EXPECT_EQ(library.properties("1-3+1-6").size(), 21U);
+    const auto calibrations = library.calibrations("1-3+1-6");
+    ASSERT_EQ(calibrations.size(), 1U);
+    EXPECT_EQ(calibrations[0].key(), quick().key());
+    EXPECT_EQ(fill_all(library).open, 0U) << "there is nothing left to do";
+}
+
+TEST_F(Fill, AnotherCalibrationUsesTheStoredResponses) {
+    Library library = make_library(path(), {"0-1+1-6"});
+    fill_all(library);
+    FillOptions options = quick();
+    options.calibration.seed = 2;
+    EXPECT_EQ(fill_all(library, options).done, 1U);
+    options.model = "condensed";
+    EXPECT_EQ(fill_all(library, options).done, 1U);
+    EXPECT_EQ(library.calibrations("0-1+1-6").size(), 3U);
+}
+
+TEST_F(Fill, KilledTenTimesItEndsWithTheTablesOfAnUndisturbedRun) {
+    make_library(path(), ids());
+    std::size_t left_half_way = 0;
+    for (int kill = 0; kill < 10; ++kill) {
+        fill_until_killed(path(), kill);
+        const std::size_t open = Library::open(path()).patterns_without_calibration(quick().key()).size();
+        left_half_way += open > 0 && open < ids().size() ? 1 : 0;
+    }
+    EXPECT_GT(left_half_way, 0U) << "no kill came when there was something to lose";
+    Library library = Library::open(path(), Access::ReadWrite);
+    fill_all(library);
+    EXPECT_EQ(tables("lib.db"), undisturbed());
+}
+
+TEST_F(Fill, StoppedPolitelyItKeepsWhatItHasAndGoesOn) {
+    Library library = make_library(path(), ids());
+    std::atomic<int> asked = 0;
+    FillOptions options = quick(1);
+    options.should_stop = [&] { return ++asked > 3; };
+    const FillReport report = fill_all(library, options);
+    EXPECT_EQ(report.open, ids().size());
+    EXPECT_EQ(report.done, 3U);
+    EXPECT_EQ(report.failed, 0U);
+    EXPECT_EQ(library.patterns_without_calibration(options.key()).size(), ids().size() - 3);
+    EXPECT_EQ(fill_all(library).done, ids().size() - 3);
+    EXPECT_EQ(tables("lib.db"), undisturbed());
+}
+
+TEST_F(Fill, ShardsMergeToTheTablesOfAnUndisturbedRun) {
+    Paths shards;
+    for (std::size_t part = 0; part < 3; ++part) {
+        shards.push_back(path("shard" + std::to_string(part) + ".db"));
+        Library library = make_library(shards.back(), ids());
+        std::vector<PatternEntry> own;
+        const auto all = library.patterns();
+        for (std::size_t i = part; i < all.size(); i += 3) own.push_back(all[i]);
+        base::SilentProgress silent;
+        EXPECT_EQ(fill(library, own, quick(static_cast<int>(part) + 1), silent).done, own.size());
+    }
+    merge(path("merged.db"), shards);
+    EXPECT_EQ(tables("merged.db"), undisturbed());
+}
+
+TEST_F(Fill, AFullDiskIsAnErrorAndWhatWasStoredStays) {
+    make_library(path(), ids());
+    const auto room = std::filesystem::file_size(path()) + 90'000;
+    const int status = status_of([&] {
+        limit_files(room, SIG_IGN);
+        try {
+            Library library = Library::open(path(), Access::ReadWrite);
+            fill_all(library);
+        } catch (const base::IoError&) {
+            ::_exit(3);
+        }
+    });
+    ASSERT_TRUE(WIFEXITED(status));
+    EXPECT_EQ(WEXITSTATUS(status), 3);
+    Library library = Library::open(path(), Access::ReadWrite);
+    const std::size_t open = library.patterns_without_calibration(quick().key()).size();
+    EXPECT_GT(open, 0U);
+    EXPECT_LT(open, ids().size()) << "the disk was full too early to mean something";
+    EXPECT_EQ(fill_all(library).done, open);
+    EXPECT_EQ(tables("lib.db"), undisturbed());
+}
+
+TEST_F(Fill, APatternThatFailsIsRecordedAndDoesNotStopTheRest) {
+    // In a square the paper's model cannot be fitted, while the responses can be computed.
+    reduction::Setting square = reduction::paper_setting();
+    square.sides = 4;
+    for (auto& scenario : square.scenarios) {
+        std::erase_if(scenario.held, [](const auto& hold) { return hold.interface_node > 3; });
+        std::erase_if(scenario.loads, [](const auto& load) { return load.interface_node > 3; });
+    }
+    Library library = Library::create(path(), paper_layout(), square);
+    library.add_patterns(parse({"0-1+1-6", "1-3+1-6"}));
+    const FillReport report = fill_all(library);
+    EXPECT_EQ(report.done, 0U);
+    EXPECT_EQ(report.failed, 2U);
+    ASSERT_EQ(library.failures().size(), 2U);
+    EXPECT_EQ(library.failures()[0].stage, calibration_stage(quick().key()));
+    EXPECT_THAT(library.failures()[0].reason, HasSubstr("hexagon"));
+    EXPECT_EQ(library.responses("0-1+1-6").size(), 5U) << "what worked is kept";
+    EXPECT_EQ(fill_all(library).open, 0U) << "it is not tried again";
+    library.forget_failures();
+    EXPECT_EQ(fill_all(library).open, 2U) << "unless that is asked for";
+}
+
+TEST_F(Fill, RefusesOptionsThatMakeNoSense) {
+    Library library = make_library(path(), {"0-1+1-6"});
+    FillOptions options = quick();
+    options.model = "paper7";
+    EXPECT_THAT(complaint_of([&] { fill_all(library, options); }), HasSubstr("did you mean"));
+    options = quick(-1);
+    EXPECT_THAT(complaint_of([&] { fill_all(library, options); }), HasSubstr("threads"));
+}
+
+TEST_F(Fill, StatisticsAreThoseOfTheStoredCalibrations) {
+    Library library = make_library(path(), {"0-1+1-6", "1-6+3-6", "0-1+1-5+5-6+3-6"});
+    for (const auto& [id, seed] : {std::pair{"0-1+1-6", 0.5}, {"1-6+3-6", 0.25}})
+        library.store(std::vector{sample_data(id, seed)});  // objective 1 / seed
+    const auto statistics =
+        calibration_statistics(library, library.patterns(), sample_calibration(1.0).key());
+    EXPECT_EQ(statistics.calibrated, 2U);
+    EXPECT_DOUBLE_EQ(statistics.mean, 3.0);
+    EXPECT_DOUBLE_EQ(statistics.deviation, 1.0);
+    EXPECT_DOUBLE_EQ(statistics.median, 3.0);
+    EXPECT_EQ(statistics.at_bound.at("theta"), 2U);
+    EXPECT_EQ(statistics.samples, 100U);
+    EXPECT_EQ(statistics.converged, 90U);
+    EXPECT_EQ(statistics.limit_load, 10U);
+    EXPECT_EQ(statistics.unstable, 10U);
+}
+
+}  // namespace
+}  // namespace fretwork::library

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Processes of their own, which may be killed or find the disk full.
+#pragma once
+
+#include <csignal>
+#include <functional>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace fretwork::library::test {
+
+/// How a process of its own that does `work` ends.
+inline int status_of(const std::function<void()>& work) {
+    const pid_t child = ::fork();
+    if (child == 0) {
+        work();
+        ::_exit(0);
+    }
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    return status;
+}
+
+/// Kill a process of its own that does `work` after so many microseconds.
+inline void kill_after(useconds_t delay, const std::function<void()>& work) {
+    const pid_t child = ::fork();
+    if (child == 0) {
+        work();
+        ::_exit(0);
+    }
+    ::usleep(delay);
+    ::kill(child, SIGKILL);
+    ::waitpid(child, nullptr, 0);
+}
+
+/// From now on, no file of this process can grow beyond `bytes`; what happens to the write that would is up
+/// to the signal's handler.
+inline void limit_files(rlim_t bytes, void (*handler)(int)) {
+    std::signal(SIGXFSZ, handler);
+    const rlimit limit{bytes, bytes};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+}
+
+}  // namespace fretwork::library::test
