@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// calibrate as its user runs it: stopped, killed, in shards, on a full disk, in a pipe.
+#include "cli/command.hpp"
+#include "support.hpp"
+
+#include <algorithm>
+
+namespace fretwork::app {
+namespace {
+
+using test::run_command;
+using test::TemporaryFolder;
+using testing::HasSubstr;
+
+constexpr const char* kCalibrate = "fretwork calibrate --patterns sample:24 --starts 1 --library ";
+
+class Calibrate : public testing::Test {
+  protected:
+    test::Outcome run(const std::string& command) { return run_command(command, folder_.path()); }
+    void make(const std::string& name) {
+        ASSERT_EQ(run("fretwork enumerate --edges 2..4 --library " + name).exit_code, 0);
+    }
+    /// The tables of a library, in one text.
+    std::string tables(const std::string& name) {
+        return run("fretwork library export --library " + name + " --csv csv_" + name + " && cat csv_" +
+                   name + "/*")
+            .out;
+    }
+    /// Those of an undisturbed run.
+    std::string undisturbed() {
+        make("alone.db");
+        EXPECT_EQ(run(std::string(kCalibrate) + "alone.db").exit_code, 0);
+        return tables("alone.db");
+    }
+    TemporaryFolder folder_;
+};
+
+TEST_F(Calibrate, KilledAndStartedAgainItEndsWithTheTablesOfAnUndisturbedRun) {
+    make("lib.db");
+    for (const char* delay : {"0.2", "1.3", "0.7"})
+        (void)run(std::string("timeout -s KILL ") + delay + " " + kCalibrate + "lib.db");
+    EXPECT_EQ(run(std::string(kCalibrate) + "lib.db").exit_code, 0);
+    EXPECT_EQ(tables("lib.db"), undisturbed());
+}
+
+TEST_F(Calibrate, CtrlCEndsItCleanlyAndItGoesOn) {
+    ASSERT_EQ(run("fretwork enumerate --library lib.db").exit_code, 0);
+    const auto stopped =
+        run("timeout --preserve-status -s INT 1 fretwork calibrate --library lib.db --starts 64 --json");
+    EXPECT_EQ(stopped.exit_code, 1);
+    EXPECT_THAT(stopped.out, HasSubstr("\"interrupted\": true"));
+    EXPECT_EQ(stopped.err, "fretwork: interrupted; what is done is stored, run again to go on\n");
+    EXPECT_EQ(run("sqlite3 lib.db 'PRAGMA integrity_check' 2>/dev/null || echo ok").out, "ok\n");
+    EXPECT_EQ(run("fretwork library list --library lib.db").exit_code, 0);
+}
+
+TEST_F(Calibrate, AFullDiskIsOneLineAndIsGotOver) {
+    make("lib.db");
+    const auto full = run("trap '' XFSZ; ulimit -f $(( $(stat -c %s lib.db) / 512 + 200 )); " +
+                          std::string(kCalibrate) + "lib.db");
+    EXPECT_EQ(full.exit_code, 2);
+    EXPECT_THAT(full.err, HasSubstr("lib.db: cannot be"));
+    EXPECT_EQ(std::ranges::count(full.err, '\n'), 1) << full.err;
+    EXPECT_EQ(run(std::string(kCalibrate) + "lib.db").exit_code, 0);
+    EXPECT_EQ(tables("lib.db"), undisturbed());
+}
+
+TEST_F(Calibrate, ShardsMergeToTheTablesOfAnUndisturbedRun) {
+    for (const char* part : {"1", "2", "3"}) {
+        const std::string name = std::string("part") + part + ".db";
+        make(name);
+        EXPECT_EQ(run(std::string(kCalibrate) + name + " --shard " + part + "/3").exit_code, 0);
+    }
+    EXPECT_EQ(run("fretwork library merge merged.db part2.db part3.db part1.db").exit_code, 0);
+    EXPECT_EQ(tables("merged.db"), undisturbed());
+}
+
+TEST_F(Calibrate, IsQuietInAPipe) {
+    make("lib.db");
+    const auto outcome = run("fretwork calibrate --library lib.db --patterns 0-1+1-6 --starts 1");
+    EXPECT_EQ(outcome.exit_code, 0);
+    EXPECT_EQ(outcome.err, "");
+    EXPECT_THAT(outcome.out, testing::StartsWith("1 of 1 open patterns done"));
+}
+
+TEST_F(Calibrate, ThePolicyIsStoredAndAnotherOneIsRefused) {
+    make("lib.db");
+    const std::string command = "fretwork calibrate --library lib.db --patterns 0-1+1-6 --starts 1 ";
+    EXPECT_THAT(run(command + "--policy stable").out, HasSubstr("policy stable"));
+    EXPECT_THAT(run(command).out, HasSubstr("policy stable")) << "the library's own";
+    const auto refused = run(command + "--policy paper");
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_THAT(refused.err, HasSubstr("branch"));
+}
+
+TEST_F(Calibrate, AnotherMaterialAndTileSizeHaveALibraryOfTheirOwn) {
+    make("lib.db");
+    const std::string command =
+        "fretwork calibrate --library lib.db --patterns 0-1+1-6 --starts 1 --setting ";
+    EXPECT_EQ(run(command + "experiments/settings/pla.json").exit_code, 0);
+    const auto refused = run(command + "experiments/settings/paper.json");
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_THAT(refused.err, HasSubstr("young_modulus"));
+}
+
+}  // namespace
+}  // namespace fretwork::app
