@@ -7,6 +7,7 @@
 #include <fretwork/base/file.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/exports/library_meshes.hpp>
+#include <fretwork/exports/property_chart.hpp>
 #include <fretwork/exports/reduced_drawing.hpp>
 #include <fretwork/library/library.hpp>
 
@@ -28,7 +29,7 @@ Examples:
   fretwork library list --library lib.db
   fretwork library show 0-1+1-6 --library lib.db --json
   fretwork library merge all.db shard1.db shard2.db
-  fretwork library export --library lib.db --csv tables --meshes meshes)";
+  fretwork library export --library lib.db --csv tables --meshes meshes --chart chart.svg)";
 
 struct Options {
     std::string library;
@@ -38,6 +39,7 @@ struct Options {
     std::string csv;
     std::string meshes;
     std::string svg;
+    std::string chart;
     bool ply = false;
     bool json = false;
 };
@@ -258,9 +260,24 @@ void merge(const Options& options) {
     }
 }
 
+std::string property_chart(const Library& library) {
+    std::vector<exports::PatternProperties> patterns;
+    for (const library::PatternEntry& entry : library.patterns()) {
+        const auto properties = library.properties(entry.id);
+        if (!properties.empty()) patterns.push_back({entry.pattern, {properties.begin(), properties.end()}});
+    }
+    if (patterns.empty()) {
+        throw base::InputError(library.path().string(), "",
+                               "has no properties to chart yet; fretwork calibrate computes them");
+    }
+    return exports::property_chart_svg({library.layout(), library.setting()}, patterns);
+}
+
 void write_files(const Options& options) {
-    if (options.csv.empty() && options.meshes.empty() && options.svg.empty())
-        throw base::InputError("library export", "", "needs --csv DIR, --meshes DIR or --svg FILE");
+    if (options.csv.empty() && options.meshes.empty() && options.svg.empty() && options.chart.empty()) {
+        throw base::InputError("library export", "",
+                               "needs --csv DIR, --meshes DIR, --svg FILE or --chart FILE");
+    }
     const Library library = open_library(options);
     if (!options.csv.empty()) library.export_csv(options.csv);
     if (!options.meshes.empty()) {
@@ -273,6 +290,7 @@ void write_files(const Options& options) {
             patterns.push_back(reduced_pattern(library, entry));
         write_drawing(library, patterns, options.svg);
     }
+    if (!options.chart.empty()) base::write_file_atomically(options.chart, property_chart(library));
 }
 
 using Action = void (*)(const Options&);
@@ -311,6 +329,9 @@ void add_library(CLI::App& app, ExitCode&) {
     exporting->add_option("--meshes", options->meshes,
                           "Folder for the edge mesh and the reduced model's geometry of each pattern");
     exporting->add_option("--svg", options->svg, "Sheet of all patterns with their reduced models");
+    exporting->add_option(
+        "--chart", options->chart,
+        "Property chart as SVG: stiffness against mass, bending against in-plane stiffness");
     exporting->add_flag("--ply", options->ply, "Write meshes as PLY rather than OBJ");
 }
 
