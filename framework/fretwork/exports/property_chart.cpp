@@ -26,7 +26,7 @@ constexpr double kDrawingTop = kTop + kPanelSize + 96.0;
 constexpr double kDrawingStep = 184.0;
 constexpr double kDrawingRadius = 70.0;
 constexpr double kWidth = 1620.0;
-constexpr double kHeight = kDrawingTop + 2.0 * kDrawingRadius + 92.0;
+constexpr double kHeight = kDrawingTop + 2.0 * kDrawingRadius + 106.0;
 
 constexpr const char* kInk = "#333333";
 constexpr const char* kGrid = "#e3e6ea";
