@@ -3,11 +3,15 @@
 #include "analytic_problems.hpp"
 
 #include <fretwork/base/error.hpp>
+#include <fretwork/base/parallel.hpp>
 #include <fretwork/optimization/optimizer_catalogue.hpp>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <numbers>
 #include <string>
+#include <vector>
 
 namespace fretwork::optimization {
 namespace {
@@ -80,7 +84,7 @@ TEST_P(OptimizerConformance, NeverSpendsMoreThanTheBudgetAndReportsExactlyWhatIt
     }
 }
 
-TEST_P(OptimizerConformance, GivesTheSameTraceForTheSameSeedAndAnotherForAnother) {
+TEST_P(OptimizerConformance, GivesTheSameTraceForTheSameSeed) {
     const auto problem = rosenbrock(cube(2, -2.0, 2.0));
     const auto run = [&](std::uint64_t seed) {
         return minimize(problem, row(), {.starts = 2, .seed = seed}, {.cost = 500});
@@ -89,7 +93,18 @@ TEST_P(OptimizerConformance, GivesTheSameTraceForTheSameSeedAndAnotherForAnother
     const auto again = run(7);
     EXPECT_EQ(first.trace, again.trace);
     EXPECT_EQ(first.point, again.point);
-    EXPECT_NE(first.trace, run(8).trace);
+    const bool seed_matters = row().kind != OptimizerClass::Global;
+    EXPECT_EQ(first.trace != run(8).trace, seed_matters);
+}
+
+TEST_P(OptimizerConformance, GivesTheSameTraceOnEveryThread) {
+    const auto problem = rosenbrock(cube(2, -2.0, 2.0));
+    const auto run = [&](std::size_t seed) {
+        return minimize(problem, row(), {.starts = 2, .seed = seed}, {.cost = 500}).trace;
+    };
+    std::vector<std::vector<TracePoint>> at_once(8);
+    base::parallel_for(at_once.size(), 4, [&](std::size_t i) { at_once[i] = run(i / 2); });
+    for (std::size_t i = 0; i < at_once.size(); ++i) EXPECT_EQ(at_once[i], run(i / 2)) << "seed " << i / 2;
 }
 
 TEST_P(OptimizerConformance, RecordsABestSoFarThatOnlyImproves) {
@@ -104,28 +119,95 @@ TEST_P(OptimizerConformance, RecordsABestSoFarThatOnlyImproves) {
     EXPECT_EQ(problem.value(report.point), report.value);
 }
 
-/// What a method of each class reaches with 60,000 evaluations.
-double sphere_target(OptimizerClass kind, std::string_view name) {
-    if (name == "random-search") return 0.1;
-    return kind == OptimizerClass::Random ? 1e-4 : 1e-12;
+constexpr long kPlenty = 40000;
+
+/// How near to the optimum of a smooth function a method of each class comes. The plans and draws of global
+/// and random methods leave the last digits to descents.
+double accuracy(const OptimizerRow& row) {
+    if (row.name == "random-search") return 0.1;
+    switch (row.kind) {
+        case OptimizerClass::Local:
+            return 1e-12;
+        case OptimizerClass::Global:
+            return 1e-6;
+        case OptimizerClass::Random:
+            break;
+    }
+    return 1e-3;
 }
 
 TEST_P(OptimizerConformance, SolvesTheSphere) {
     const auto problem = sphere(3);
-    const auto report = minimize(problem, row(), {.starts = 1}, {.cost = 60000});
-    EXPECT_LT(report.value, sphere_target(row().kind, row().name));
+    const auto report = minimize(problem, row(), {.starts = 4}, {.cost = kPlenty});
+    EXPECT_LT(report.value, accuracy(row()));
 }
 
 TEST_P(OptimizerConformance, SolvesRosenbrock) {
     const auto problem = rosenbrock(cube(2, -2.0, 2.0));
-    const auto report = minimize(problem, row(), {.starts = 2}, {.cost = 60000});
-    EXPECT_LT(report.value, row().kind == OptimizerClass::Random ? 1e-2 : 1e-8);
+    const auto report = minimize(problem, row(), {.starts = 4}, {.cost = kPlenty});
+    EXPECT_LT(report.value, 10.0 * accuracy(row()));
+}
+
+/// The same for an optimum on a bound, where two ways to keep bounds have known weaknesses: the slope of a
+/// sine vanishes there, and Ceres cuts a dogleg's step off.
+double accuracy_at_bound(const OptimizerRow& row) {
+    if (row.name.ends_with("sine")) return 1e-2;
+    if (row.name.ends_with("dogleg")) return 1e-5;
+    return std::max(10.0 * accuracy(row), 1e-6);
 }
 
 TEST_P(OptimizerConformance, FindsAnOptimumAtABound) {
     const auto problem = rosenbrock(tight_box());
-    const auto report = minimize(problem, row(), {.starts = 2}, {.cost = 60000});
-    EXPECT_NEAR(report.value, 0.25, row().kind == OptimizerClass::Random ? 1e-2 : 1e-6);
+    const auto report = minimize(problem, row(), {.starts = 4}, {.cost = kPlenty});
+    EXPECT_NEAR(report.value, 0.25, accuracy_at_bound(row()));
+}
+
+/// Rastrigin's function as a sum of squares, with 49 minima in the box; the others are worse by at least
+/// 0.99.
+LeastSquaresProblem rastrigin() {
+    constexpr double kPi = std::numbers::pi;
+    constexpr double kRoot = 4.47213595499957939;  // of 20
+    return {"rastrigin",
+            {Eigen::Vector2d(-3.2, -2.7), Eigen::Vector2d(2.9, 3.6)},
+            [](const Eigen::VectorXd& x) {
+                return Eigen::VectorXd(
+                    Eigen::Vector4d(x[0], x[1], kRoot * std::sin(kPi * x[0]), kRoot * std::sin(kPi * x[1])));
+            },
+            [](const Eigen::VectorXd& x) {
+                Eigen::MatrixXd J = Eigen::MatrixXd::Zero(4, 2);
+                J.topRows<2>().setIdentity();
+                J(2, 0) = kRoot * kPi * std::cos(kPi * x[0]);
+                J(3, 1) = kRoot * kPi * std::cos(kPi * x[1]);
+                return J;
+            }};
+}
+
+TEST_P(OptimizerConformance, FindsTheBestOfManyMinima) {
+    const auto problem = rastrigin();
+    const auto report = minimize(problem, row(), {.starts = 200}, {.cost = kPlenty});
+    EXPECT_LT(report.value, 0.9) << "the basin of the global minimum";
+}
+
+/// Has no value in a part of the box, as a model that cannot be solved there.
+TEST_P(OptimizerConformance, CopesWithRegionsWithoutAValue) {
+    const auto holed = [](const Eigen::VectorXd& x) { return x[0] > 1.0 ? NAN : 1.0; };
+    const auto whole = sphere(2);
+    const LeastSquaresProblem problem(
+        "holed", whole.bounds(),
+        [&](const Eigen::VectorXd& x) { return (holed(x) * whole.residuals(x, 0.0).residuals).eval(); },
+        [&](const Eigen::VectorXd& x) { return (holed(x) * whole.residuals(x, 0.0).jacobian).eval(); });
+    const auto report = minimize(problem, row(), {.starts = 10}, {.cost = 5000});
+    EXPECT_GT(report.failures, 0);
+    EXPECT_LT(report.value, 0.1);
+    EXPECT_EQ(report.points_outside, 0);
+}
+
+TEST_P(OptimizerConformance, PassesOnWhatTheProblemThrows) {
+    const LeastSquaresProblem problem(
+        "throwing", cube(2, 0.0, 1.0),
+        [](const auto&) -> Eigen::VectorXd { throw base::NumericalError("singular"); },
+        [](const auto&) -> Eigen::MatrixXd { throw base::NumericalError("singular"); });
+    EXPECT_THROW(minimize(problem, row(), {.starts = 1}, {.cost = 100}), base::NumericalError);
 }
 
 TEST_P(OptimizerConformance, RejectsOptionsThatMakeNoSense) {

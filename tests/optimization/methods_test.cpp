@@ -8,6 +8,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace fretwork::optimization {
 namespace {
 
@@ -96,7 +99,74 @@ TEST(SimulatedAnnealing, IsFrozenAfterThreeTimesAHundredSweepsWithoutChange) {
     const auto report =
         minimize(flat, find_optimizer("simulated-annealing"), {.starts = 1}, {.cost = 100000});
     EXPECT_EQ(report.termination, Termination::Converged);
-    EXPECT_EQ(report.evaluations, 1 + 3 * 100 * 2);
+    // The 1,000 initial moves do not count as frozen.
+    EXPECT_EQ(report.evaluations, 1 + 1000 + 3 * 100 * 2);
+}
+
+/// A box in which half of all moves lead outside, and a least value on a corner.
+std::vector<Eigen::VectorXd> points_of(const SimulatedAnnealingOptions& options) {
+    const RecordedQuadratic problem;
+    (void)minimize(problem, *make_simulated_annealing(options), {.cost = 400});
+    return problem.points;
+}
+
+TEST(SimulatedAnnealing, KeepsBoundsAsItIsTold) {
+    SimulatedAnnealingOptions options{
+        .common = {.starts = 1, .seed = 3}, .largest_moves = 300, .initial_moves = 50};
+    const auto on_bound = [](const auto& points) {
+        return std::ranges::count_if(points, [](const Eigen::VectorXd& x) {
+            return (x.array() == 0.0).any() || (x.array() == 1.0).any();
+        });
+    };
+    const auto reflected = points_of(options);
+    options.bounds = AnnealingBounds::Clamp;
+    const auto clamped = points_of(options);
+    options.bounds = AnnealingBounds::Reject;
+    const auto rejected = points_of(options);
+    EXPECT_EQ(on_bound(reflected), 0);
+    EXPECT_GT(on_bound(clamped), 50);
+    EXPECT_EQ(on_bound(rejected), 0);
+    EXPECT_EQ(reflected.size(), 351U);
+    EXPECT_LT(rejected.size(), 300U) << "a rejected move is not evaluated";
+}
+
+/// x is the logarithm of a quantity between 1 and e^10.
+class LogarithmicProblem final : public Problem {
+  public:
+    [[nodiscard]] std::string name() const override { return "logarithmic"; }
+    [[nodiscard]] const Bounds& bounds() const override { return bounds_; }
+    [[nodiscard]] bool is_logarithm(int) const override { return true; }
+    [[nodiscard]] double value(const Eigen::VectorXd& x) const override {
+        points.push_back(x);
+        return 0.0;
+    }
+    mutable std::vector<Eigen::VectorXd> points;
+
+  private:
+    Bounds bounds_ = cube(1, 0.0, 10.0);
+};
+
+TEST(SimulatedAnnealing, MovesUniformlyInQuantitiesIfItIsTold) {
+    const LogarithmicProblem problem;
+    const auto annealing = make_simulated_annealing({.common = {.starts = 1, .seed = 4},
+                                                     .largest_moves = 2000,
+                                                     .initial_moves = 2000,
+                                                     .variables = AnnealingVariables::Quantities});
+    (void)minimize(problem, *annealing, {.cost = 2001});
+    // Every move is accepted and reflected: the quantity is uniform, so its median lies in the middle.
+    const auto above = std::ranges::count_if(
+        problem.points, [](const Eigen::VectorXd& x) { return std::exp(x[0]) > 0.5 * std::exp(10.0); });
+    EXPECT_NEAR(static_cast<double>(above) / static_cast<double>(problem.points.size()), 0.5, 0.1);
+}
+
+TEST(AnnealingThenCeres, AddsTheDescentToTheAnnealing) {
+    const auto problem = rosenbrock(cube(2, -2.0, 2.0));
+    const auto report =
+        minimize(problem, find_optimizer("annealing-then-ceres"), {.starts = 1}, {.cost = 100000});
+    EXPECT_EQ(report.termination, Termination::Converged);
+    EXPECT_LT(report.value, 1e-12);
+    EXPECT_GT(report.derivative_evaluations, 0);
+    EXPECT_EQ(report.final_point, report.point);
 }
 
 TEST(SimulatedAnnealing, EndsOnItsLastAcceptedPoint) {

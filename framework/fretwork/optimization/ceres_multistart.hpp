@@ -22,15 +22,4 @@ struct CeresMultistartOptions {
 /// as in ContinuationOptions.
 std::unique_ptr<Optimizer> make_ceres_multistart(const CeresMultistartOptions& options);
 
-struct CeresResidualsOptions {
-    OptimizerOptions common{};
-    double tolerance = 1e-8;  ///< relative change of the cost, at which Ceres stops
-    int largest_iterations = 200;
-    void validate() const;
-};
-
-/// Ceres' Levenberg-Marquardt with bounds on the problem's residuals as they are, kinks and all, from
-/// low-discrepancy starts: the method that one writes first.
-std::unique_ptr<Optimizer> make_ceres_residuals(const CeresResidualsOptions& options);
-
 }  // namespace fretwork::optimization

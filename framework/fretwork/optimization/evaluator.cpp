@@ -63,6 +63,7 @@ bool Evaluator::charge(Evaluation kind, const Eigen::VectorXd& point) {
     }
     cost_ += problem_.cost(kind);
     ++evaluations_;
+    if (kind != Evaluation::Value) ++derivative_evaluations_;
     return true;
 }
 

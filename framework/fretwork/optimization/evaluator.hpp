@@ -47,6 +47,7 @@ class Evaluator {
 
     [[nodiscard]] long cost() const { return cost_; }
     [[nodiscard]] long evaluations() const { return evaluations_; }
+    [[nodiscard]] long derivative_evaluations() const { return derivative_evaluations_; }
     [[nodiscard]] long points_outside() const { return points_outside_; }  ///< refused
     [[nodiscard]] long failures() const { return failures_; }              ///< objective not finite
     [[nodiscard]] double best_value() const { return best_value_; }        ///< infinite before the first
@@ -63,6 +64,7 @@ class Evaluator {
     std::chrono::steady_clock::time_point started_;
     long cost_ = 0;
     long evaluations_ = 0;
+    long derivative_evaluations_ = 0;
     long points_outside_ = 0;
     long failures_ = 0;
     double best_value_ = std::numeric_limits<double>::infinity();

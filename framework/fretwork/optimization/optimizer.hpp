@@ -8,8 +8,12 @@
 
 namespace fretwork::optimization {
 
-/// What a method claims: to end in a minimum near its start, to look everywhere, or to draw at random.
-enum class OptimizerClass { Local, Global, Random };
+/// What a method claims.
+enum class OptimizerClass {
+    Local,   ///< descends from each of `starts` points to a minimum near it
+    Global,  ///< searches the whole box by a deterministic plan: neither `starts` nor the seed matters
+    Random,  ///< draws at random, `starts` times over
+};
 std::string_view optimizer_class_name(OptimizerClass kind);
 
 /// How a run ended.

@@ -34,8 +34,9 @@ struct OptimizationReport {
     Eigen::VectorXd final_point;  ///< where the method itself stood in the end
     long cost = 0;                ///< in the problem's unit
     long evaluations = 0;         ///< of any kind
-    long failures = 0;            ///< evaluations whose objective was not finite
-    long points_outside = 0;      ///< refused: a method that asks for them is at fault
+    long derivative_evaluations = 0;
+    long failures = 0;        ///< evaluations whose objective was not finite
+    long points_outside = 0;  ///< refused: a method that asks for them is at fault
     std::vector<TracePoint> trace;
 };
 

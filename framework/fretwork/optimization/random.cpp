@@ -29,6 +29,13 @@ std::array<std::uint32_t, 4> philox(std::array<std::uint32_t, 4> counter, std::a
     return counter;
 }
 
+std::uint32_t derived_seed(std::uint64_t seed, std::uint64_t run) {
+    // A counter that no stream reaches: streams count draws in the first two words.
+    constexpr std::uint32_t kBeyondAllDraws = 0xFFFF'FFFFU;
+    return philox({kBeyondAllDraws, kBeyondAllDraws, low_word(run), high_word(run)},
+                  {low_word(seed), high_word(seed)})[0];
+}
+
 double RandomStream::uniform() {
     const auto words = philox({low_word(draws_), high_word(draws_), low_word(stream_), high_word(stream_)},
                               {low_word(seed_), high_word(seed_)});

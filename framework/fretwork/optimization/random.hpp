@@ -9,6 +9,9 @@ namespace fretwork::optimization {
 /// Philox4x32-10 of [Salmon2011]: ten rounds that turn a counter and a key into four random words.
 std::array<std::uint32_t, 4> philox(std::array<std::uint32_t, 4> counter, std::array<std::uint32_t, 2> key);
 
+/// A seed for run number `run` of a generator that another library brings along.
+std::uint32_t derived_seed(std::uint64_t seed, std::uint64_t run);
+
 /// Counter-based random numbers: draw n of a stream depends on nothing but (seed, stream, n), and on no
 /// standard library.
 class RandomStream {

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
+#include <fretwork/optimization/detail/unit_box.hpp>
 #include <fretwork/optimization/random.hpp>
 #include <fretwork/optimization/sampling.hpp>
 #include <fretwork/optimization/simulated_annealing.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 
 namespace fretwork::optimization {
 namespace {
@@ -18,12 +21,17 @@ double reflected(double share) {
     return folded > 1.0 ? 2.0 - folded : folded;
 }
 
+detail::Scale scale_of(AnnealingVariables variables) {
+    return variables == AnnealingVariables::Quantities ? detail::Scale::Quantity : detail::Scale::Variable;
+}
+
 /// One run: the state of the algorithm as published, step by step.
 class Annealing {
   public:
     Annealing(const SimulatedAnnealingOptions& options, Evaluator& evaluator, int run)
         : options_(options),
           evaluator_(evaluator),
+          box_(evaluator.problem(), scale_of(options.variables)),
           random_(options.common.seed, static_cast<std::uint64_t>(run)),
           shares_(LowDiscrepancySequence(evaluator.bounds().dimension(), options.common.seed).point(run)),
           scales_(Eigen::VectorXd::Constant(shares_.size(), options.initial_move)),
@@ -34,26 +42,36 @@ class Annealing {
         const auto first = evaluator_.value(point());
         if (!first) return {Termination::BudgetSpent, point()};
         energy_ = *first;
+        for (; moves_ < options_.initial_moves;) {
+            if (!try_move()) return {Termination::BudgetSpent, point()};
+        }
+        return cool();
+    }
+
+  private:
+    [[nodiscard]] Eigen::VectorXd point() const { return box_.point(shares_); }
+
+    RunOutcome cool() {
         const long frozen_after =
             static_cast<long>(options_.frozen_adaptations) * options_.sweeps_per_adaptation * shares_.size();
+        long still_moves = 0;
         for (long move = 0; move < options_.largest_moves; ++move) {
             const double previous = energy_;
-            if (!try_move(move % shares_.size())) return {Termination::BudgetSpent, point()};
-            adapt_after(move + 1);
-            if (move + 1 > options_.initial_moves) temperature_ *= 1.0 - options_.cooling;
-            still_moves_ = std::abs(energy_ - previous) < options_.tolerance ? still_moves_ + 1 : 0;
-            if (still_moves_ >= frozen_after) return {Termination::Converged, point()};
+            if (!try_move()) return {Termination::BudgetSpent, point()};
+            temperature_ *= 1.0 - options_.cooling;
+            still_moves = std::abs(energy_ - previous) < options_.tolerance ? still_moves + 1 : 0;
+            if (still_moves >= frozen_after) return {Termination::Converged, point()};
         }
         return {Termination::Stalled, point()};
     }
 
-  private:
-    [[nodiscard]] Eigen::VectorXd point() const { return evaluator_.bounds().at_shares(shares_); }
-
-    bool try_move(Eigen::Index variable) {
+    /// Move the variable whose turn it is. False once the budget is spent.
+    bool try_move() {
+        const Eigen::Index variable = moves_ % shares_.size();
         const double before = shares_[variable];
-        shares_[variable] = reflected(before + random_.laplace(scales_[variable]));
-        const auto energy = evaluator_.value(point());
+        const double wanted = before + random_.laplace(scales_[variable]);
+        shares_[variable] = bounded(wanted);
+        const auto energy = energy_of(wanted);
         const double chance = random_.uniform();
         if (energy && (*energy <= energy_ || chance < std::exp(-(*energy - energy_) / temperature_))) {
             energy_ = *energy;
@@ -61,7 +79,22 @@ class Annealing {
         } else {
             shares_[variable] = before;
         }
+        adapt_after(++moves_);
         return energy.has_value();
+    }
+
+    [[nodiscard]] double bounded(double share) const {
+        return options_.bounds == AnnealingBounds::Reflect ? reflected(share) : std::clamp(share, 0.0, 1.0);
+    }
+
+    /// Of the present point, to which the variable was to move by `wanted`. Nothing, once the budget is
+    /// spent.
+    std::optional<double> energy_of(double wanted) {
+        const bool is_outside = wanted < 0.0 || wanted > 1.0;
+        if (is_outside && options_.bounds == AnnealingBounds::Reject) {
+            return std::numeric_limits<double>::infinity();
+        }
+        return evaluator_.value(point());
     }
 
     void adapt_after(long moves) {
@@ -76,13 +109,14 @@ class Annealing {
 
     const SimulatedAnnealingOptions& options_;
     Evaluator& evaluator_;
+    detail::UnitBox box_;
     RandomStream random_;
     Eigen::VectorXd shares_;
     Eigen::VectorXd scales_;
     Eigen::VectorXd accepted_;
     double temperature_;
     double energy_ = 0.0;
-    long still_moves_ = 0;
+    long moves_ = 0;
 };
 
 class SimulatedAnnealing final : public Optimizer {

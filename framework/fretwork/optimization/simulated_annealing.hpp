@@ -7,10 +7,24 @@
 
 namespace fretwork::optimization {
 
+/// What becomes of a move beyond a bound.
+enum class AnnealingBounds {
+    Reflect,  ///< it comes back as from a mirror
+    Clamp,    ///< it ends on the bound
+    Reject,   ///< its energy is infinite; nothing is evaluated
+};
+
+/// What is annealed, as shares of the box.
+enum class AnnealingVariables {
+    Problem,     ///< the problem's variables
+    Quantities,  ///< the quantities of whose logarithms the problem's variables are; see
+                 ///< Problem::is_logarithm
+};
+
 /// The defaults are those of ensmallen 2's SA with its exponential schedule [Curtin2021].
 struct SimulatedAnnealingOptions {
     OptimizerOptions common{};       ///< `starts` runs, one after the other
-    long largest_moves = 1'000'000;  ///< of one run
+    long largest_moves = 1'000'000;  ///< of one run, after the initial ones
     double initial_temperature = 1e4;
     long initial_moves = 1000;  ///< at the initial temperature
     double cooling = 1e-3;      ///< T becomes (1 - cooling) T after each later move
@@ -20,14 +34,16 @@ struct SimulatedAnnealingOptions {
     double initial_move = 0.3;   ///< scale of the Laplace distributed move, as a share of the box
     double largest_move = 20.0;
     double gain = 0.3;
+    AnnealingBounds bounds = AnnealingBounds::Reflect;
+    AnnealingVariables variables = AnnealingVariables::Problem;
     /// Throws InputError if a value makes no sense.
     void validate() const;
 };
 
 /// The annealing that the paper used, as ensmallen publishes it: a move changes one variable, and each
-/// variable's scale is steered to an acceptance of 0.44 [LamDelosme1988]. What ensmallen leaves open is
-/// decided so: variables are shares of the box, starts are low-discrepancy points, and a move beyond a bound
-/// is reflected. The method ends on the last accepted point; the report also has the best one.
+/// variable's scale is steered to an acceptance of 0.44 [LamDelosme1988]. What ensmallen leaves open is an
+/// option here (bounds, variables), or decided so: variables are shares of the box, and starts are
+/// low-discrepancy points. The method ends on the last accepted point; the report also has the best one.
 std::unique_ptr<Optimizer> make_simulated_annealing(const SimulatedAnnealingOptions& options);
 
 }  // namespace fretwork::optimization

@@ -28,6 +28,7 @@ class Paper6Problem final : public optimization::Problem {
     [[nodiscard]] bool offers(optimization::Evaluation) const override { return true; }
     [[nodiscard]] std::string cost_unit() const override { return "stiffness factorizations"; }
     [[nodiscard]] bool has_kinks() const override { return true; }
+    [[nodiscard]] bool is_logarithm(int variable) const override { return variable < 4; }
 
     [[nodiscard]] double value(const Eigen::VectorXd& point) const override;
     [[nodiscard]] optimization::GradientEvaluation gradient(const Eigen::VectorXd& point,

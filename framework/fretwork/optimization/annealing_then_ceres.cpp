@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/optimization/annealing_then_ceres.hpp>
+#include <fretwork/optimization/detail/ceres_descent.hpp>
+#include <fretwork/optimization/random.hpp>
+
+namespace fretwork::optimization {
+namespace {
+
+class AnnealingThenCeres final : public Optimizer {
+  public:
+    explicit AnnealingThenCeres(const AnnealingThenCeresOptions& options) : options_(options) {}
+
+    RunOutcome run(Evaluator& evaluator) const override {
+        RunOutcome outcome;
+        for (int i = 0; i < options_.annealing.common.starts; ++i) {
+            SimulatedAnnealingOptions once = options_.annealing;
+            once.common = {
+                .starts = 1,
+                .seed = derived_seed(options_.annealing.common.seed, static_cast<std::uint64_t>(i))};
+            outcome = make_simulated_annealing(once)->run(evaluator);
+            if (outcome.termination == Termination::BudgetSpent || evaluator.best_point().size() == 0) break;
+            outcome.final_point = evaluator.best_point();
+            outcome.termination =
+                detail::descend_by_ceres(evaluator, options_.continuation, outcome.final_point);
+            if (outcome.termination == Termination::BudgetSpent) break;
+        }
+        return outcome;
+    }
+
+  private:
+    AnnealingThenCeresOptions options_;
+};
+
+}  // namespace
+
+void AnnealingThenCeresOptions::validate() const {
+    annealing.validate();
+    continuation.validate();
+}
+
+std::unique_ptr<Optimizer> make_annealing_then_ceres(const AnnealingThenCeresOptions& options) {
+    options.validate();
+    return std::make_unique<AnnealingThenCeres>(options);
+}
+
+}  // namespace fretwork::optimization

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/optimization/ceres_residuals.hpp>
+#include <fretwork/optimization/detail/ceres_solve.hpp>
+#include <fretwork/optimization/detail/starts.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace fretwork::optimization {
+namespace {
+
+/// Free variables u for the points of a box: x = middle + half width * sin(u).
+class SineBox {
+  public:
+    explicit SineBox(const Bounds& bounds)
+        : bounds_(bounds), middle_((bounds.lower + bounds.upper) / 2.0), half_(bounds.upper - middle_) {}
+    [[nodiscard]] Eigen::VectorXd point(const Eigen::VectorXd& u) const {
+        return bounds_.clamp(middle_ + half_.cwiseProduct(u.array().sin().matrix()));
+    }
+    [[nodiscard]] Eigen::VectorXd rates(const Eigen::VectorXd& u) const {
+        return half_.cwiseProduct(u.array().cos().matrix());
+    }
+    [[nodiscard]] Eigen::VectorXd variables(const Eigen::VectorXd& point) const {
+        return (point - middle_).cwiseQuotient(half_).cwiseMax(-1.0).cwiseMin(1.0).array().asin();
+    }
+
+  private:
+    const Bounds& bounds_;
+    Eigen::VectorXd middle_;
+    Eigen::VectorXd half_;
+};
+
+class CeresResiduals final : public Optimizer {
+  public:
+    explicit CeresResiduals(const CeresResidualsOptions& options) : options_(options) {}
+
+    RunOutcome run(Evaluator& evaluator) const override {
+        RunOutcome outcome{Termination::BudgetSpent, {}};
+        for (const Eigen::VectorXd& start : detail::choose_starts(evaluator, options_.common, 0)) {
+            outcome.final_point = start;
+            for (const double smoothing : options_.smoothing) {
+                outcome.termination = descend(evaluator, smoothing, outcome.final_point);
+                if (outcome.termination == Termination::BudgetSpent) return outcome;
+            }
+        }
+        return outcome;
+    }
+
+  private:
+    Termination descend(Evaluator& evaluator, double smoothing, Eigen::VectorXd& point) const {
+        const Eigen::VectorXd start = point;
+        const auto first = evaluator.residuals(start, smoothing);
+        if (!first) return Termination::BudgetSpent;
+        bool is_refused = false;
+        const auto residuals = static_cast<int>(first->residuals.size());
+        const auto linearize = [&](const Eigen::VectorXd& at) -> std::optional<detail::Linearization> {
+            const auto model = at == start ? first : evaluator.residuals(at, smoothing);
+            is_refused = !model;
+            if (is_refused) return std::nullopt;
+            // Ceres halves the squared norm.
+            return detail::Linearization{std::sqrt(2.0) * model->residuals, std::sqrt(2.0) * model->jacobian};
+        };
+        const bool converged = options_.bounds == CeresBounds::Sine
+                                   ? descend_on_sine(evaluator.bounds(), linearize, residuals, point)
+                                   : descend_in_box(evaluator.bounds(), linearize, residuals, point);
+        if (is_refused) return Termination::BudgetSpent;
+        return converged ? Termination::Converged : Termination::Stalled;
+    }
+
+    using Linearize = std::function<std::optional<detail::Linearization>(const Eigen::VectorXd&)>;
+
+    bool descend_in_box(const Bounds& bounds, const Linearize& linearize, int residuals,
+                        Eigen::VectorXd& point) const {
+        return detail::solve_with_ceres({linearize, residuals, bounds}, settings(), point);
+    }
+
+    bool descend_on_sine(const Bounds& bounds, const Linearize& linearize, int residuals,
+                         Eigen::VectorXd& point) const {
+        const SineBox box(bounds);
+        Eigen::VectorXd u = box.variables(point);
+        const auto on_sine = [&](const Eigen::VectorXd& at) {
+            auto model = linearize(box.point(at));
+            if (model) model->jacobian *= box.rates(at).asDiagonal();
+            return model;
+        };
+        const bool converged = detail::solve_with_ceres({on_sine, residuals, std::nullopt}, settings(), u);
+        point = box.point(u);
+        return converged;
+    }
+
+    [[nodiscard]] detail::CeresSettings settings() const {
+        return {.tolerance = options_.tolerance,
+                .largest_iterations = options_.largest_iterations,
+                .step = options_.step};
+    }
+
+    CeresResidualsOptions options_;
+};
+
+}  // namespace
+
+void CeresResidualsOptions::validate() const {
+    common.validate();
+    if (!(tolerance > 0.0) || largest_iterations < 1) {
+        throw base::InputError("ceres-residuals: tolerance must be more than 0, iterations at least 1");
+    }
+    const bool descends =
+        !smoothing.empty() && std::ranges::is_sorted(smoothing, std::greater<>()) && smoothing.back() >= 0.0;
+    if (!descends) {
+        throw base::InputError("ceres-residuals: smoothing: at least one stage, descending, none negative");
+    }
+}
+
+std::unique_ptr<Optimizer> make_ceres_residuals(const CeresResidualsOptions& options) {
+    options.validate();
+    return std::make_unique<CeresResiduals>(options);
+}
+
+}  // namespace fretwork::optimization

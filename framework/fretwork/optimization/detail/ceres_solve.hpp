@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/optimization/ceres_residuals.hpp>
+
+#include <functional>
+#include <optional>
+
+namespace fretwork::optimization::detail {
+
+/// Residuals as Ceres counts: the cost is half their squared norm.
+struct Linearization {
+    Eigen::VectorXd residuals;
+    Eigen::MatrixXd jacobian;
+};
+
+/// What Ceres minimizes. `linearize` gives nothing once the budget is spent.
+struct CeresTask {
+    std::function<std::optional<Linearization>(const Eigen::VectorXd&)> linearize;
+    int residuals = 0;
+    std::optional<Bounds> bounds{};  ///< none: the task takes any point
+};
+
+struct CeresSettings {
+    double tolerance = 1e-8;  ///< relative change of the cost, at which Ceres stops
+    int largest_iterations = 200;
+    CeresStep step = CeresStep::LevenbergMarquardt;
+};
+
+/// Run Ceres from `point`, and leave the point where it stops there. True if it converged.
+bool solve_with_ceres(const CeresTask& task, const CeresSettings& settings, Eigen::VectorXd& point);
+
+}  // namespace fretwork::optimization::detail
