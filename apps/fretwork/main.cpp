@@ -15,9 +15,9 @@ namespace fretwork::app {
 namespace {
 
 /// The verbs, in the order in which data flows.
-constexpr void (*kVerbs[])(CLI::App&, ExitCode&) = {add_enumerate, add_calibrate, add_library,
-                                                    add_tile,      add_case,      add_simulate,
-                                                    add_compare,   add_solve,     add_export};
+constexpr void (*kVerbs[])(CLI::App&, ExitCode&) = {add_enumerate,  add_calibrate, add_library, add_tile,
+                                                    add_case,       add_simulate,  add_compare, add_solve,
+                                                    add_optimizers, add_export};
 
 /// One line, whatever a message may hold.
 void complain(const std::string& message) {

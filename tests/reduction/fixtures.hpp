@@ -4,6 +4,7 @@
 #include <fretwork/optimization/random.hpp>
 #include <fretwork/pattern/node_layout.hpp>
 #include <fretwork/pattern/pattern.hpp>
+#include <fretwork/reduction/linear_response.hpp>
 #include <fretwork/reduction/paper6_problem.hpp>
 #include <fretwork/reduction/response.hpp>
 
@@ -30,21 +31,6 @@ inline Paper6Parameters random_parameters(const Setting& setting, optimization::
     const auto linear = [&](double a, double b) { return a + (b - a) * share(); };
     return {logarithmic(low.A, high.A), logarithmic(low.I2, high.I2),  logarithmic(low.I3, high.I3),
             logarithmic(low.J, high.J), linear(low.theta, high.theta), linear(low.R, high.R)};
-}
-
-/// Responses that a linear model would give, as if they were a pattern's.
-inline std::vector<Response> linear_responses(const UnitDisplacements& model, const Setting& setting) {
-    std::vector<Response> responses;
-    for (std::size_t s = 0; s < setting.scenarios.size(); ++s) {
-        Response& response = responses.emplace_back();
-        response.scenario = setting.scenarios[s].name;
-        for (int k = 1; k <= setting.magnitudes; ++k) {
-            const double magnitude = setting.scenarios[s].max_magnitude * k / setting.magnitudes;
-            response.samples.push_back(
-                {.step = k, .magnitude = magnitude, .displacements = magnitude * model[s]});
-        }
-    }
-    return responses;
 }
 
 /// The largest entry of a difference, relative to the largest entry.

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "comparison_problems.hpp"
+#include "comparison_runs.hpp"
+
+#include <fretwork/base/error.hpp>
+#include <fretwork/base/file.hpp>
+#include <fretwork/base/parallel.hpp>
+#include <fretwork/base/progress.hpp>
+#include <fretwork/base/quantity.hpp>
+#include <fretwork/base/text.hpp>
+#include <fretwork/optimization/sampling.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <map>
+#include <span>
+
+namespace fretwork::app {
+namespace {
+
+using optimization::ComparisonTable;
+using optimization::Contender;
+using optimization::RunKey;
+using optimization::RunRecord;
+
+/// Apart from the seeds of the runs, which are hashes.
+constexpr std::uint64_t kReferenceSeed = 1'000'003;
+constexpr const char* kKnownHeader = "problem,best_value,scale,found_by";
+
+struct Task {
+    RunKey key;
+    Contender contender;
+};
+
+std::vector<Task> missing_tasks(const ComparisonPlan& plan, const ComparisonTable& table) {
+    std::vector<Task> tasks;
+    for (int repetition = 1; repetition <= plan.repetitions; ++repetition) {
+        for (const std::string& problem : plan.problems) {
+            for (const Contender& contender : plan.contenders) {
+                if (repetition > repetitions_of(contender, plan.repetitions)) continue;
+                Task task{{problem, std::string(contender.method->name), repetition}, contender};
+                if (!table.contains(task.key)) tasks.push_back(std::move(task));
+            }
+        }
+    }
+    return tasks;
+}
+
+/// Problems that were made once; making one takes longer than some runs.
+class ProblemStore {
+  public:
+    const ComparisonProblem& get(const std::string& id) {
+        const auto found = problems_.find(id);
+        return found != problems_.end() ? found->second
+                                        : problems_.emplace(id, make_comparison_problem(id)).first->second;
+    }
+
+  private:
+    std::map<std::string, ComparisonProblem> problems_;
+};
+
+std::vector<RunRecord> run_batch(std::span<const Task> tasks, ProblemStore& store,
+                                 const ComparisonPlan& plan) {
+    std::vector<const ComparisonProblem*> problems;
+    for (const Task& task : tasks) problems.push_back(&store.get(task.key.problem));
+    std::vector<RunRecord> records(tasks.size());
+    base::parallel_for(tasks.size(), plan.threads, [&](std::size_t i) {
+        records[i] = record_run(*problems[i]->problem, tasks[i].contender, tasks[i].key, plan.options,
+                                problems[i]->optimum);
+    });
+    return records;
+}
+
+ComparisonTable table_so_far(const std::filesystem::path& path, const ComparisonPlan& plan) {
+    if (!std::filesystem::exists(path)) return {};
+    return {base::read_text_file(path), path.string(), plan.options, plan.contenders};
+}
+
+double median_value(const optimization::Problem& problem) {
+    constexpr int kPoints = 1001;
+    const optimization::LowDiscrepancySequence sequence(problem.bounds().dimension(), kReferenceSeed);
+    std::vector<double> values;
+    for (int i = 0; i < kPoints; ++i) {
+        values.push_back(
+            problem.value(problem.bounds().at_shares(sequence.point(static_cast<std::uint64_t>(i)))));
+    }
+    std::ranges::nth_element(values, values.begin() + kPoints / 2);
+    return values[kPoints / 2];
+}
+
+KnownValue find_known_value(const std::string& id, int starts) {
+    const ComparisonProblem entry = make_comparison_problem(id);
+    if (entry.best_value) {
+        return {id, *entry.best_value, median_value(*entry.problem) - *entry.best_value, "construction"};
+    }
+    KnownValue known{id, 0.0, 0.0, ""};
+    for (const char* name : {"gauss-newton-multistart", "ceres-multistart"}) {
+        const auto report = minimize(*entry.problem, optimization::find_optimizer(name),
+                                     {.starts = starts, .seed = kReferenceSeed},
+                                     {.cost = std::numeric_limits<long>::max() / 2});
+        if (!known.found_by.empty() && report.value >= known.best_value) continue;
+        known.best_value = report.value;
+        known.found_by = std::string(name) + " with " + std::to_string(starts) + " starts";
+    }
+    known.scale = known.best_value;
+    return known;
+}
+
+}  // namespace
+
+ComparisonSummary run_comparison(const ComparisonPlan& plan, const std::filesystem::path& path) {
+    plan.options.validate();
+    ComparisonTable table = table_so_far(path, plan);
+    ComparisonSummary summary{table.size(), 0};
+    const std::vector<Task> tasks = missing_tasks(plan, table);
+    ProblemStore store;
+    base::TerminalProgress progress;
+    progress.start("compare optimizers", tasks.size());
+    const std::size_t batch = 8 * static_cast<std::size_t>(base::resolved_thread_count(plan.threads));
+    constexpr std::chrono::seconds kBetweenWrites(5);
+    auto written = std::chrono::steady_clock::now();
+    for (std::size_t begin = 0; begin < tasks.size(); begin += batch) {
+        const std::size_t count = std::min(batch, tasks.size() - begin);
+        for (const RunRecord& record : run_batch(std::span(tasks).subspan(begin, count), store, plan)) {
+            table.add(record);
+        }
+        summary.runs_done += count;
+        progress.update(summary.runs_done);
+        if (std::chrono::steady_clock::now() - written < kBetweenWrites) continue;
+        base::write_file_atomically(path, table.csv());
+        written = std::chrono::steady_clock::now();
+    }
+    progress.finish();
+    base::write_file_atomically(path, table.csv());
+    return summary;
+}
+
+std::vector<KnownValue> read_known_values(const std::filesystem::path& path) {
+    const auto lines = base::split(base::read_text_file(path), '\n');
+    if (lines.front() != kKnownHeader) {
+        throw base::InputError(path.string(), "line 1", std::string("must be the header ") + kKnownHeader);
+    }
+    std::vector<KnownValue> values;
+    for (std::size_t i = 1; i < lines.size(); ++i) {
+        if (lines[i].empty()) continue;
+        const auto cells = base::split(lines[i], ',');
+        if (cells.size() != 4) {
+            throw base::InputError(path.string(), "line " + std::to_string(i + 1),
+                                   "'" + lines[i] + "' must have 4 columns: " + kKnownHeader);
+        }
+        values.push_back({cells[0], base::parse_number(cells[1]), base::parse_number(cells[2]), cells[3]});
+    }
+    return values;
+}
+
+std::string known_values_csv(const std::vector<KnownValue>& values) {
+    std::string text = std::string(kKnownHeader) + "\n";
+    for (const KnownValue& value : values) {
+        text += value.problem + "," + base::format_number(value.best_value) + "," +
+                base::format_number(value.scale) + "," + value.found_by + "\n";
+    }
+    return text;
+}
+
+std::vector<KnownValue> find_known_values(const std::vector<std::string>& problems, int starts, int threads) {
+    std::vector<KnownValue> values(problems.size());
+    base::parallel_for(problems.size(), threads,
+                       [&](std::size_t i) { values[i] = find_known_value(problems[i], starts); });
+    return values;
+}
+
+void improve_known_values(std::vector<KnownValue>& values, const std::filesystem::path& results) {
+    constexpr double kRoundOff = 1e-9;
+    const auto lines = base::split(base::read_text_file(results), '\n');
+    if (lines.front() != optimization::comparison_header()) {
+        throw base::InputError(results.string(), "line 1", "is not the header of a table of runs");
+    }
+    for (std::size_t i = 1; i < lines.size(); ++i) {
+        if (lines[i].empty()) continue;
+        const auto cells = base::split(lines[i], ',');
+        const auto value = std::ranges::find(values, cells[0], &KnownValue::problem);
+        if (value == values.end() || value->found_by == "construction") continue;
+        const double found = base::parse_number(cells.at(9));
+        if (found >= value->best_value * (1.0 - kRoundOff)) continue;
+        *value = {cells[0], found, found, cells[1] + " in repetition " + cells[2] + " of the comparison"};
+    }
+}
+
+}  // namespace fretwork::app

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/optimization/problem.hpp>
+
+#include <memory>
+#include <vector>
+
+namespace fretwork::optimization {
+
+/// A problem whose minimum is known in closed form.
+struct AnalyticProblem {
+    std::unique_ptr<Problem> problem;
+    double best_value = 0.0;
+    Eigen::VectorXd best_point;
+};
+
+/// Functions of the literature for sanity, each offering every kind of evaluation: sphere, Rosenbrock,
+/// Powell's singular one, Beale, Rastrigin and Levy (many minima), and a sum of distances with its minimum in
+/// a kink. No optimum lies in the middle of its box, where some methods begin.
+std::vector<AnalyticProblem> analytic_problems();
+
+}  // namespace fretwork::optimization

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/base/sha256.hpp>
+#include <fretwork/base/text.hpp>
+#include <fretwork/optimization/comparison.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <ctime>
+
+namespace fretwork::optimization {
+namespace {
+
+double thread_cpu_seconds() {
+    timespec time{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+/// How many starts a method gets, where it is not one.
+struct Starts {
+    std::string_view method;
+    int starts;
+};
+constexpr Starts kStarts[] = {
+    {"ceres-multistart", 4},
+    {"gauss-newton-multistart", 4},
+    {"ceres-residuals", 16},
+    {"ceres-dogleg", 16},
+    {"ceres-sine", 16},
+    {"ceres-smoothed", 16},
+    {"ceres-smoothed-dogleg", 16},
+    {"ceres-smoothed-sine", 16},
+    {"bobyqa", 16},
+    {"subplex", 8},
+    {"slsqp", 32},
+    {"cma-es", 4},
+};
+
+/// Seven digits are more than any target asks for, and keep the table small.
+std::string short_number(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.7g", value);
+    return text;
+}
+
+std::string thinned(const std::vector<TracePoint>& trace) {
+    constexpr double kSmallestImprovement = 1e-4;
+    std::string text;
+    double kept = 0.0;
+    for (std::size_t i = 0; i < trace.size(); ++i) {
+        const bool is_end = i == 0 || i + 1 == trace.size();
+        if (!is_end && trace[i].value > kept - kSmallestImprovement * std::abs(kept)) continue;
+        kept = trace[i].value;
+        text += (text.empty() ? "" : " ") + std::to_string(trace[i].cost) + ":" + short_number(kept);
+    }
+    return text;
+}
+
+double distance_between(const Bounds& bounds, const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
+    return (a - b).cwiseQuotient(bounds.upper - bounds.lower).lpNorm<Eigen::Infinity>();
+}
+
+constexpr std::size_t kColumns = 18;
+
+}  // namespace
+
+std::vector<Contender> default_contenders() {
+    std::vector<Contender> contenders;
+    for (const OptimizerRow& row : optimizer_catalogue()) {
+        const auto* given = std::ranges::find(kStarts, row.name, &Starts::method);
+        contenders.push_back({&row, given == std::end(kStarts) ? 1 : given->starts});
+    }
+    return contenders;
+}
+
+void ComparisonOptions::validate() const {
+    budget.validate();
+}
+
+std::uint64_t run_seed(const RunKey& key, std::uint64_t comparison_seed) {
+    const std::string hash = base::sha256(std::to_string(comparison_seed) + "|" + key.problem + "|" +
+                                          key.optimizer + "|" + std::to_string(key.repetition));
+    return std::stoull(hash.substr(0, 16), nullptr, 16);
+}
+
+RunRecord record_run(const Problem& problem, const Contender& contender, const RunKey& key,
+                     const ComparisonOptions& options, const Eigen::VectorXd& optimum) {
+    RunRecord record;
+    record.key = key;
+    record.dimension = problem.bounds().dimension();
+    record.kind = contender.method->kind;
+    record.starts = contender.starts;
+    record.seed = run_seed(key, options.seed);
+    record.budget = options.budget.cost;
+    const double begin = thread_cpu_seconds();
+    record.report = minimize(problem, *contender.method, {.starts = contender.starts, .seed = record.seed},
+                             options.budget);
+    record.cpu_seconds = thread_cpu_seconds() - begin;
+    const bool has_last = problem.bounds().contain(record.report.final_point);
+    record.last_value = has_last ? problem.value(record.report.final_point) : record.report.value;
+    if (optimum.size() > 0 && record.report.point.size() > 0) {
+        record.distance = distance_between(problem.bounds(), record.report.point, optimum);
+    }
+    return record;
+}
+
+int repetitions_of(const Contender& contender, int wanted) {
+    return contender.method->kind == OptimizerClass::Global ? 1 : wanted;
+}
+
+std::string comparison_header() {
+    return "problem,optimizer,repetition,class,dimension,starts,seed,budget,termination,best_value,last_"
+           "value,"
+           "distance,cost,evaluations,derivative_evaluations,failures,cpu_seconds,trace";
+}
+
+std::string comparison_row(const RunRecord& record) {
+    const OptimizationReport& report = record.report;
+    const std::vector<std::string> cells = {record.key.problem,
+                                            record.key.optimizer,
+                                            std::to_string(record.key.repetition),
+                                            std::string(optimizer_class_name(record.kind)),
+                                            std::to_string(record.dimension),
+                                            std::to_string(record.starts),
+                                            std::to_string(record.seed),
+                                            std::to_string(record.budget),
+                                            std::string(termination_name(report.termination)),
+                                            base::format_number(report.value),
+                                            base::format_number(record.last_value),
+                                            record.distance < 0.0 ? "" : short_number(record.distance),
+                                            std::to_string(report.cost),
+                                            std::to_string(report.evaluations),
+                                            std::to_string(report.derivative_evaluations),
+                                            std::to_string(report.failures),
+                                            short_number(record.cpu_seconds),
+                                            thinned(report.trace)};
+    return base::join(cells, ",");
+}
+
+ComparisonTable::ComparisonTable(std::string_view text, const std::string& source,
+                                 const ComparisonOptions& options, std::span<const Contender> contenders) {
+    const auto lines = base::split(text, '\n');
+    if (lines.front() != comparison_header()) {
+        throw base::InputError(source, "line 1",
+                               "is not the header of a table of runs: " + comparison_header());
+    }
+    for (std::size_t i = 1; i < lines.size(); ++i) {
+        if (lines[i].empty()) continue;
+        const std::string place = "line " + std::to_string(i + 1);
+        const auto cells = base::split(lines[i], ',');
+        int repetition = 0;
+        if (cells.size() != kColumns || std::sscanf(cells[2].c_str(), "%d", &repetition) != 1) {
+            throw base::InputError(source, place, "'" + lines[i] + "' is no row of a table of runs");
+        }
+        const RunKey key{cells[0], cells[1], repetition};
+        const auto contender = std::ranges::find(
+            contenders, key.optimizer, [](const Contender& c) { return std::string(c.method->name); });
+        const bool fits = cells[6] == std::to_string(run_seed(key, options.seed)) &&
+                          cells[7] == std::to_string(options.budget.cost) &&
+                          (contender == contenders.end() || cells[5] == std::to_string(contender->starts));
+        if (!fits) {
+            throw base::InputError(source, place,
+                                   "this run was made with another budget, seed or number of starts; "
+                                   "choose another folder, or the same ones");
+        }
+        rows_[key] = lines[i];
+    }
+}
+
+void ComparisonTable::add(const RunRecord& record) {
+    rows_[record.key] = comparison_row(record);
+}
+
+std::string ComparisonTable::csv() const {
+    std::string text = comparison_header() + "\n";
+    for (const auto& [key, row] : rows_) text += row + "\n";
+    return text;
+}
+
+}  // namespace fretwork::optimization

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analytic_problems.hpp"
+
+#include <fretwork/base/error.hpp>
+#include <fretwork/base/text.hpp>
+#include <fretwork/optimization/comparison.hpp>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace fretwork::optimization {
+namespace {
+
+RunRecord sphere_run(const std::string& optimizer, int repetition, const ComparisonOptions& options) {
+    return record_run(sphere(2), {&find_optimizer(optimizer), 2}, {"sphere", optimizer, repetition}, options,
+                      Eigen::Vector2d(0.1, 0.2));
+}
+
+std::vector<std::string> cells_of(const RunRecord& record) {
+    return base::split(comparison_row(record), ',');
+}
+
+TEST(Comparison, GivesEveryMethodOfTheCatalogueAPlace) {
+    const auto contenders = default_contenders();
+    ASSERT_EQ(contenders.size(), optimizer_catalogue().size());
+    for (std::size_t i = 0; i < contenders.size(); ++i) {
+        EXPECT_EQ(contenders[i].method, &optimizer_catalogue()[i]);
+        EXPECT_GE(contenders[i].starts, 1);
+    }
+}
+
+TEST(Comparison, SeedsDifferByProblemMethodRepetitionAndComparison) {
+    std::set<std::uint64_t> seeds;
+    for (const char* problem : {"a", "b"}) {
+        for (const char* optimizer : {"x", "y"}) {
+            for (const int repetition : {1, 2}) {
+                for (const std::uint64_t base : {1U, 2U}) {
+                    seeds.insert(run_seed({problem, optimizer, repetition}, base));
+                }
+            }
+        }
+    }
+    EXPECT_EQ(seeds.size(), 16U);
+    // The first 16 digits of `printf '1|a|x|1' | sha256sum`.
+    EXPECT_EQ(run_seed({"a", "x", 1}, 1), 0xa78559729a100107U);
+}
+
+TEST(Comparison, RepeatsAllButDeterministicMethods) {
+    EXPECT_EQ(repetitions_of({&find_optimizer("direct-l"), 1}, 15), 1);
+    EXPECT_EQ(repetitions_of({&find_optimizer("bobyqa"), 1}, 15), 15);
+    EXPECT_EQ(repetitions_of({&find_optimizer("cma-es"), 1}, 15), 15);
+}
+
+TEST(Comparison, RecordsWhereTheMethodStoppedAndHowFarTheOptimumIs) {
+    const ComparisonOptions options{.budget = {.cost = 700}};
+    const auto record = sphere_run("simulated-annealing", 1, options);
+    const auto problem = sphere(2);
+    EXPECT_EQ(record.last_value, problem.value(record.report.final_point));
+    EXPECT_GT(record.last_value, record.report.value);
+    const Eigen::VectorXd miss = record.report.point - Eigen::Vector2d(0.1, 0.2);
+    EXPECT_DOUBLE_EQ(record.distance, miss.lpNorm<Eigen::Infinity>() / 5.0);
+    EXPECT_GT(record.cpu_seconds, 0.0);
+}
+
+TEST(Comparison, WritesOneCellForEachColumn) {
+    const auto record = sphere_run("bobyqa", 3, {});
+    const auto names = base::split(comparison_header(), ',');
+    const auto cells = cells_of(record);
+    ASSERT_EQ(cells.size(), names.size());
+    EXPECT_EQ(cells[0], "sphere");
+    EXPECT_EQ(cells[2], "3");
+    EXPECT_EQ(cells[9], base::format_number(record.report.value));
+    EXPECT_EQ(cells[12], std::to_string(record.report.cost));
+}
+
+TEST(Comparison, ThinsTheTraceToImprovementsThatMatterAndKeepsItsEnds) {
+    RunRecord record = sphere_run("bobyqa", 1, {});
+    record.report.trace = {{1, 10.0}, {2, 9.99999}, {3, 5.0}, {7, 4.9999}, {9, 4.99985}};
+    EXPECT_EQ(cells_of(record).back(), "1:10 3:5 9:4.99985");
+}
+
+TEST(ComparisonTable, GivesBackWhatItWasMadeOfAndKnowsIt) {
+    const ComparisonOptions options{.budget = {.cost = 100}};
+    const std::vector<Contender> contenders{{&find_optimizer("bobyqa"), 2}, {&find_optimizer("crs2"), 2}};
+    ComparisonTable table;
+    for (const char* optimizer : {"crs2", "bobyqa"}) table.add(sphere_run(optimizer, 1, options));
+    const ComparisonTable again(table.csv(), "results.csv", options, contenders);
+    EXPECT_EQ(again.csv(), table.csv());
+    EXPECT_TRUE(again.contains({"sphere", "crs2", 1}));
+    EXPECT_FALSE(again.contains({"sphere", "crs2", 2}));
+    EXPECT_LT(table.csv().find("bobyqa"), table.csv().find("crs2")) << "rows are sorted";
+}
+
+void expect_refused(const std::string& text, const ComparisonOptions& options, const std::string& complaint) {
+    const std::vector<Contender> contenders{{&find_optimizer("bobyqa"), 2}};
+    try {
+        const ComparisonTable table(text, "results.csv", options, contenders);
+        ADD_FAILURE() << complaint;
+    } catch (const base::InputError& error) {
+        EXPECT_THAT(error.what(),
+                    testing::AllOf(testing::HasSubstr("results.csv"), testing::HasSubstr(complaint)));
+    }
+}
+
+TEST(ComparisonTable, RefusesRowsOfOtherConditionsAndBrokenOnes) {
+    const ComparisonOptions options{.budget = {.cost = 100}};
+    ComparisonTable table;
+    table.add(sphere_run("bobyqa", 1, options));
+    expect_refused(table.csv(), {.budget = {.cost = 101}}, "line 2");
+    expect_refused(table.csv(), {.budget = {.cost = 100}, .seed = 2}, "another budget, seed");
+    expect_refused("a,b\n", options, "line 1");
+    expect_refused("", options, "line 1");
+    expect_refused(comparison_header() + "\nsphere,bobyqa,1\n", options, "is no row");
+}
+
+}  // namespace
+}  // namespace fretwork::optimization
