@@ -100,6 +100,7 @@ ExitCode run(Wishes wishes) {
     wishes.plan.problems = wanted_problems(ids, wishes.problems);
     wishes.plan.contenders = wanted_contenders(wishes.optimizers);
     if (wishes.plan.repetitions < 1) throw base::InputError("--repetitions", "", "must be at least 1");
+    wishes.plan.options.validate();
     const std::filesystem::path folder(wishes.out);
     std::error_code fault;
     std::filesystem::create_directories(folder, fault);

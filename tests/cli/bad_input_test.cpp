@@ -51,6 +51,23 @@ TEST(CommandLine, RefusesWrongUsage) {
     expect_refused("fretwork calibrate --library none.db", folder.path(), "none.db");
 }
 
+TEST(CommandLine, RefusesComparisonsThatMakeNoSense) {
+    const TemporaryFolder folder;
+    (void)folder.file("known.csv", "problem,best_value,scale,found_by\nanalytic/beale,0,1,construction\n");
+    (void)folder.file("other.csv", "pattern,edges\n");
+    (void)folder.file("short.csv", "problem,best_value,scale,found_by\nanalytic/beale,0\n");
+    const std::string run = "fretwork optimizers run --out new --known ";
+    expect_refused("fretwork optimizers", folder.path(), "subcommand");
+    expect_refused(run + "none.csv", folder.path(), "none.csv");
+    expect_refused(run + "other.csv", folder.path(), "other.csv: line 1");
+    expect_refused(run + "short.csv", folder.path(), "short.csv: line 2");
+    expect_refused(run + "known.csv --problems calibration", folder.path(), "calibration");
+    expect_refused(run + "known.csv --problems analytic:0", folder.path(), "analytic:0");
+    expect_refused(run + "known.csv --optimizers bobiqa", folder.path(), "did you mean 'bobyqa'?");
+    expect_refused(run + "known.csv --repetitions 0", folder.path(), "--repetitions");
+    expect_refused(run + "known.csv --budget 0", folder.path(), "budget");
+}
+
 TEST(CommandLine, RefusesBrokenFiles) {
     const TemporaryFolder folder;
     folder.file("truncated.json", R"({"format": "fretwork/frame/1", "nodes": [[0,0)");
