@@ -3,7 +3,7 @@
 find_package(Threads REQUIRED)
 find_package(nlohmann_json 3.11 REQUIRED)                      # base: JSON
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)                    # mechanics and after: matrices
-find_package(CHOLMOD REQUIRED)                                 # mechanics: sparse Cholesky
+find_package(CHOLMOD REQUIRED)                                 # mechanics: elimination orders
 find_package(Ceres 2.1 REQUIRED)                               # optimization: least squares
 find_package(NLopt 2.7 REQUIRED)                               # optimization: methods to compare with
 find_package(pagmo 2.18 REQUIRED)                              # optimization: likewise

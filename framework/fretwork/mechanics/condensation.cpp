@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
 #include <fretwork/mechanics/condensation.hpp>
-#include <fretwork/mechanics/detail/cholesky.hpp>
 #include <fretwork/mechanics/detail/constraints.hpp>
+#include <fretwork/mechanics/detail/ldlt.hpp>
 #include <fretwork/mechanics/detail/linear_element.hpp>
 
 #include <string>
@@ -96,8 +96,8 @@ class Condensation {
     }
 
     void eliminate(const detail::SystemLayout& layout) {
-        detail::Cholesky cholesky(layout);
-        const auto outcome = cholesky.factorize(values_);
+        detail::Ldlt factors(layout);
+        const auto outcome = factors.factorize(values_);
         if (!outcome.positive_definite()) {
             throw base::NumericalError(
                 "the structure cannot be condensed: while the kept nodes are held, it can move without "
@@ -105,7 +105,7 @@ class Condensation {
                 detail::node_text(assembly_, layout.node_of(std::max(outcome.zero_pivot, 0))));
         }
         Eigen::MatrixXd answer = coupling_;
-        cholesky.solve(answer);
+        factors.solve(answer);
         kept_stiffness_.noalias() -= coupling_.transpose() * answer;
         kept_stiffness_ = 0.5 * (kept_stiffness_ + kept_stiffness_.transpose()).eval();
     }

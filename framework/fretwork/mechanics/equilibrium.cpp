@@ -125,7 +125,7 @@ class LoadPath {
     detail::Newton newton_;
     Configuration configuration_;
     double factor_ = 0.0;
-    detail::Cholesky::Outcome outcome_;
+    detail::Ldlt::Outcome outcome_;
     Eigen::VectorXd rate_;  ///< of the unknowns in the load factor
     double rest_rate_ = 0.0;
     double last_step_ = 0.0;

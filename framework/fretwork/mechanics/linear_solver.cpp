@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
-#include <fretwork/mechanics/detail/cholesky.hpp>
 #include <fretwork/mechanics/detail/constraints.hpp>
+#include <fretwork/mechanics/detail/ldlt.hpp>
 #include <fretwork/mechanics/linear_solver.hpp>
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace fretwork::mechanics {
 namespace {
 
-using detail::Cholesky;
+using detail::Ldlt;
 using detail::SystemLayout;
 
 constexpr DofSet kInPlane = {{true, true, false, false, false, true}};
@@ -32,10 +32,10 @@ struct Subsystem {
     explicit Subsystem(SystemLayout equations)
         : layout(std::make_unique<SystemLayout>(std::move(equations))),
           values(layout->row().size(), 0.0),
-          cholesky(*layout) {}
+          factors(*layout) {}
     std::unique_ptr<SystemLayout> layout;
     std::vector<double> values;
-    Cholesky cholesky;
+    Ldlt factors;
 };
 
 bool is_flat(const Assembly& assembly) {
@@ -167,7 +167,7 @@ class LinearSolver::Impl {
 
     void factorize(const Assembly& assembly) {
         for (Subsystem& system : systems_) {
-            const Cholesky::Outcome outcome = system.cholesky.factorize(system.values);
+            const Ldlt::Outcome outcome = system.factors.factorize(system.values);
             if (outcome.positive_definite()) continue;
             const NodeIndex node = system.layout->node_of(std::max(outcome.zero_pivot, 0));
             throw base::NumericalError("the structure, as held, can move without strain at " +
@@ -206,7 +206,7 @@ class LinearSolver::Impl {
         Eigen::VectorXd vector;
         for (Subsystem& system : systems_) {
             system.layout->gather(unbalanced, vector);
-            system.cholesky.solve(vector);
+            system.factors.solve(vector);
             system.layout->scatter(vector, step);
         }
         displacements += step;

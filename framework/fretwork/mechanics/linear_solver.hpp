@@ -12,8 +12,8 @@ namespace fretwork::mechanics {
 /// back-substitution.
 ///
 /// A flat structure whose elements decouple is solved as two problems of three dofs a node: in plane (ux uy
-/// rz) and out of plane (uz rx ry). The node graph is ordered, not the dof graph; supernodal Cholesky
-/// (CHOLMOD), one thread.
+/// rz) and out of plane (uz rx ry). The node graph is ordered, not the dof graph; multifrontal
+/// L D L^T, one thread.
 class LinearSolver {
   public:
     /// Throws NumericalError that names a node if the structure, as held, can move without strain.

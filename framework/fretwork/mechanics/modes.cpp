@@ -18,7 +18,7 @@ using Eigen::VectorXd;
 constexpr int kMostIterations = 500;
 constexpr double kTolerance = 1e-11;
 
-void require_definite(const detail::NonlinearSystem& system, const detail::Cholesky::Outcome& outcome) {
+void require_definite(const detail::NonlinearSystem& system, const detail::Ldlt::Outcome& outcome) {
     if (outcome.positive_definite()) return;
     throw base::NumericalError(
         "the structure, as held, can move without strain at " +
@@ -38,8 +38,8 @@ class SubspaceIteration {
         : layout_(rest_system.layout()),
           stiffness_(rest_system.tangent().begin(), rest_system.tangent().end()),
           operand_(std::move(operand)),
-          cholesky_(layout_) {
-        require_definite(rest_system, cholesky_.factorize(stiffness_));
+          factors_(layout_) {
+        require_definite(rest_system, factors_.factorize(stiffness_));
     }
 
     Pairs run(int count) {
@@ -49,7 +49,7 @@ class SubspaceIteration {
         Pairs pairs;
         for (int iteration = 0; iteration < kMostIterations; ++iteration) {
             MatrixXd image = times(operand_, basis);
-            cholesky_.solve(image);
+            factors_.solve(image);
             pairs = project(image);
             basis = pairs.vectors;
             const int wanted = std::min(count, size);
@@ -105,7 +105,7 @@ class SubspaceIteration {
     const detail::SystemLayout& layout_;
     std::vector<double> stiffness_;
     std::vector<double> operand_;
-    detail::Cholesky cholesky_;
+    detail::Ldlt factors_;
 };
 
 Mode make_mode(const detail::NonlinearSystem& system, double value, const VectorXd& vector) {
@@ -176,10 +176,10 @@ std::vector<Mode> buckling_modes(const Assembly& assembly, int count) {
     check_count(count);
     detail::NonlinearSystem system(assembly);
     system.evaluate(system.rest(), 0.0);
-    detail::Cholesky cholesky(system.layout());
-    require_definite(system, cholesky.factorize(system.tangent()));
+    detail::Ldlt factors(system.layout());
+    require_definite(system, factors.factorize(system.tangent()));
     VectorXd rate = system.load_rate();
-    cholesky.solve(rate);
+    factors.solve(rate);
     std::vector<double> operand = softening(system, rate);
     system.evaluate(system.rest(), 0.0);
     const auto pairs = SubspaceIteration(system, std::move(operand)).run(count);

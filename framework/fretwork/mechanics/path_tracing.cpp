@@ -120,7 +120,7 @@ class Tracer {
     double arc_ = 0.0;
     Eigen::VectorXd rate_;       ///< of the unknowns in the load factor
     Eigen::VectorXd direction_;  ///< the last move
-    detail::Cholesky::Outcome outcome_;
+    detail::Ldlt::Outcome outcome_;
 };
 
 }  // namespace

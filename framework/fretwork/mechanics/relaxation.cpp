@@ -99,8 +99,8 @@ class Relaxation {
         Solution solution = system_.describe(configuration_, 1.0);
         solution.termination = termination;
         solution.iterations = iterations;
-        detail::Cholesky cholesky(system_.layout());
-        solution.stable = cholesky.factorize(system_.tangent()).positive_definite();
+        detail::Ldlt factors(system_.layout());
+        solution.stable = factors.factorize(system_.tangent()).positive_definite();
         solution.stability = system_.has_skew_part() ? StabilityTest::SymmetricPart : StabilityTest::Tangent;
         return solution;
     }

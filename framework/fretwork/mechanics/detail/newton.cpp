@@ -47,19 +47,19 @@ Eigen::VectorXd solve_near_identity(const Operator& b_times, const Eigen::Vector
 
 }  // namespace
 
-Cholesky::Outcome Newton::factorize() {
-    return cholesky_.factorize(system_.tangent());
+Ldlt::Outcome Newton::factorize() {
+    return factors_.factorize(system_.tangent());
 }
 
 Eigen::VectorXd Newton::solve_tangent(const Eigen::VectorXd& right_side) {
     Eigen::VectorXd x = right_side;
-    cholesky_.solve(x);
+    factors_.solve(x);
     ++iterations_;
     if (!system_.has_skew_part()) return x;
     return solve_near_identity(
         [this](const Eigen::VectorXd& v) {
             Eigen::VectorXd y = system_.skew_product(v);
-            cholesky_.solve(y);
+            factors_.solve(y);
             return y;
         },
         x);

@@ -12,14 +12,14 @@ namespace fretwork::mechanics::detail {
 class Newton {
   public:
     Newton(NonlinearSystem& system, const EquilibriumOptions& options)
-        : system_(system), options_(options), cholesky_(system.layout()) {}
+        : system_(system), options_(options), factors_(system.layout()) {}
 
     /// Bring a configuration to equilibrium under this load factor. On Converged the system is evaluated
     /// there.
     Termination solve(double load_factor, Configuration& configuration);
 
     /// Factorize the tangent of the last evaluation. Returns what its symmetric part is.
-    Cholesky::Outcome factorize();
+    Ldlt::Outcome factorize();
     /// Solve with the whole tangent of the last factorization, its skew part included.
     [[nodiscard]] Eigen::VectorXd solve_tangent(const Eigen::VectorXd& right_side);
 
@@ -31,7 +31,7 @@ class Newton {
 
     NonlinearSystem& system_;
     const EquilibriumOptions& options_;
-    Cholesky cholesky_;
+    Ldlt factors_;
     int iterations_ = 0;
 };
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <fretwork/mechanics/assembly.hpp>
-#include <fretwork/mechanics/detail/cholesky.hpp>
 #include <fretwork/mechanics/detail/constraints.hpp>
+#include <fretwork/mechanics/detail/ldlt.hpp>
 #include <fretwork/mechanics/detail/system_layout.hpp>
 #include <fretwork/mechanics/solution.hpp>
 

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/mechanics/detail/dense_ldlt.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstring>
+
+// The build is for any machine of its architecture; where the compiler can, these loops come in several
+// versions and the machine picks one when the program starts. (The sanitizers do not run that early.)
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__)
+#define FRETWORK_CLONES __attribute__((target_clones("avx512f", "fma", "default")))
+#else
+#define FRETWORK_CLONES
+#endif
+#define FRETWORK_INLINE inline __attribute__((always_inline))
+
+namespace fretwork::mechanics::detail {
+namespace {
+
+using Index = std::ptrdiff_t;
+
+/// Columns that are handled together: their products with one strip of rows stay in registers.
+constexpr int kBlock = 6;
+/// Columns of the panel that the rest meets at a time, so that they stay in the cache.
+constexpr int kDepth = 128;
+
+using Strip8 = double __attribute__((vector_size(64), aligned(8), may_alias));
+using Strip4 = double __attribute__((vector_size(32), aligned(8), may_alias));
+using Strip2 = double __attribute__((vector_size(16), aligned(8), may_alias));
+
+/// Some columns of a dense matrix: entry (i, j) is values[i + j * stride].
+struct Columns {
+    double* values;
+    Index stride;
+    Index rows;
+    int count;
+};
+
+/// What is subtracted from columns: left (rows x depth) times the transpose of `packed`, whose kBlock numbers
+/// for each of `depth` columns follow one another.
+struct Product {
+    const double* left;
+    Index stride;
+    const double* packed;
+    Index depth;
+};
+
+template <class Strip>
+FRETWORK_INLINE void subtract_tile(double* target, Index stride, const Product& product, int count) {
+    Strip sum[kBlock] = {};
+    const double* left = product.left;
+    const double* packed = product.packed;
+    for (Index p = 0; p < product.depth; ++p, left += product.stride, packed += kBlock) {
+        const Strip a = *reinterpret_cast<const Strip*>(left);
+#pragma GCC unroll 6
+        for (int c = 0; c < kBlock; ++c) sum[c] += a * packed[c];
+    }
+#pragma GCC unroll 6
+    for (int c = 0; c < kBlock; ++c) {
+        if (c < count) *reinterpret_cast<Strip*>(target + c * stride) -= sum[c];
+    }
+}
+
+/// Subtract from rows [first, columns.rows) of at most kBlock columns.
+FRETWORK_INLINE void subtract_rows(const Columns& columns, Index first, Product product) {
+    const double* left = product.left;
+    Index i = first;
+    for (; i + 8 <= columns.rows; i += 8) {
+        product.left = left + i;
+        subtract_tile<Strip8>(columns.values + i, columns.stride, product, columns.count);
+    }
+    if (i + 4 <= columns.rows) {
+        product.left = left + i;
+        subtract_tile<Strip4>(columns.values + i, columns.stride, product, columns.count);
+        i += 4;
+    }
+    if (i + 2 <= columns.rows) {
+        product.left = left + i;
+        subtract_tile<Strip2>(columns.values + i, columns.stride, product, columns.count);
+        i += 2;
+    }
+    if (i == columns.rows) return;
+    for (int c = 0; c < columns.count; ++c) {
+        double sum = 0.0;
+        for (Index p = 0; p < product.depth; ++p)
+            sum += left[i + p * product.stride] * product.packed[p * kBlock + c];
+        columns.values[i + c * columns.stride] -= sum;
+    }
+}
+
+/// Rows [row, row + kBlock) of the panel's columns [from, to), each times its pivot.
+FRETWORK_INLINE void pack(const Front& front, Index row, Index from, Index to, double* packed) {
+    const Index stride = front.width + front.rows;
+    const Index count = std::min<Index>(kBlock, stride - row);
+    for (Index p = from; p < to; ++p, packed += kBlock) {
+        const double pivot = front.panel[p + p * stride];
+        const double* entries = front.panel + row + p * stride;
+        for (Index c = 0; c < kBlock; ++c) packed[c] = c < count ? pivot * entries[c] : 0.0;
+    }
+}
+
+/// Bring at most kBlock columns of the panel up to date with all columns before them, and eliminate them.
+FRETWORK_CLONES Pivots eliminate_block(const Front& front, int first, const double* least_pivot,
+                                       double* packed) {
+    const Index stride = front.width + front.rows;
+    const int count = std::min(kBlock, front.width - first);
+    pack(front, first, 0, first, packed);
+    subtract_rows({front.panel + first * stride, stride, stride, count}, first,
+                  {front.panel, stride, packed, first});
+    Pivots pivots;
+    for (int j = first; j < first + count; ++j) {
+        double* __restrict column = front.panel + j * stride;
+        const double pivot = column[j];
+        if (!(std::abs(pivot) > least_pivot[j])) {
+            pivots.zero = j;
+            return pivots;
+        }
+        if (pivot < 0.0) ++pivots.negative;
+        for (int k = j + 1; k < first + count; ++k) {
+            double* __restrict other = front.panel + k * stride;
+            const double factor = column[k] / pivot;
+            for (Index i = k; i < stride; ++i) other[i] -= factor * column[i];
+        }
+        const double inverse = 1.0 / pivot;
+        for (Index i = j + 1; i < stride; ++i) column[i] *= inverse;
+    }
+    return pivots;
+}
+
+/// rest -= L D L^T over the panel's columns [from, to).
+FRETWORK_CLONES void update_rest(const Front& front, Index from, Index to, double* packed) {
+    const Index stride = front.width + front.rows;
+    const Index depth = to - from;
+    const double* left = front.panel + front.width + from * stride;
+    for (Index column = 0; column < front.rows; column += kBlock)
+        pack(front, front.width + column, from, to, packed + column * depth);
+    // A strip of rows meets all columns in turn while it is in the nearest cache.
+    constexpr Index kStrip = 16;
+    for (Index row = 0; row < front.rows; row += kStrip) {
+        const Index end = std::min<Index>(row + kStrip, front.rows);
+        for (Index column = 0; column < end; column += kBlock) {
+            const int count = static_cast<int>(std::min<Index>(kBlock, front.rows - column));
+            subtract_rows({front.rest + column * front.rows, front.rows, end, count}, row,
+                          {left, stride, packed + column * depth, depth});
+        }
+    }
+}
+
+FRETWORK_CLONES void add_products(const double* panel, Index stride, Index rows, const double* x, int count,
+                                  double* __restrict y) {
+    int j = 0;
+    for (; j + 4 <= count; j += 4) {
+        const double* __restrict a = panel + j * stride;
+        for (Index i = 0; i < rows; ++i)
+            y[i] += (a[i] * x[j] + a[i + stride] * x[j + 1]) +
+                    (a[i + 2 * stride] * x[j + 2] + a[i + 3 * stride] * x[j + 3]);
+    }
+    for (; j < count; ++j) {
+        const double* __restrict a = panel + j * stride;
+        for (Index i = 0; i < rows; ++i) y[i] += a[i] * x[j];
+    }
+}
+
+FRETWORK_INLINE double dot(const double* a, const double* b, Index size) {
+    Strip8 sum = {};
+    Index i = 0;
+    for (; i + 8 <= size; i += 8)
+        sum += *reinterpret_cast<const Strip8*>(a + i) * *reinterpret_cast<const Strip8*>(b + i);
+    double rest = 0.0;
+    for (; i < size; ++i) rest += a[i] * b[i];
+    return ((sum[0] + sum[1]) + (sum[2] + sum[3])) + ((sum[4] + sum[5]) + (sum[6] + sum[7])) + rest;
+}
+
+FRETWORK_CLONES void subtract_dots(const double* panel, Index stride, Index rows, const double* y, int count,
+                                   double* x) {
+    for (int j = 0; j < count; ++j) x[j] -= dot(panel + j * stride, y, rows);
+}
+
+}  // namespace
+
+Pivots eliminate(const Front& front, std::span<const double> diagonal, double zero_share,
+                 std::vector<double>& scratch) {
+    const Index blocks = (front.rows + kBlock - 1) / kBlock;
+    const Index depth = std::min(front.width, kDepth);
+    const Index packed_size = std::max<Index>(front.width, depth * blocks) * kBlock;
+    if (static_cast<Index>(scratch.size()) < packed_size + front.width)
+        scratch.resize(static_cast<std::size_t>(packed_size + front.width));
+    double* least_pivot = scratch.data() + packed_size;
+    for (int j = 0; j < front.width; ++j)
+        least_pivot[j] = zero_share * std::abs(diagonal[static_cast<std::size_t>(j)]);
+    Pivots pivots;
+    for (int first = 0; first < front.width; first += kBlock) {
+        const Pivots found = eliminate_block(front, first, least_pivot, scratch.data());
+        pivots.negative += found.negative;
+        pivots.zero = found.zero;
+        if (found.zero >= 0) return pivots;
+    }
+    for (Index from = 0; from < front.width; from += kDepth)
+        update_rest(front, from, std::min<Index>(from + kDepth, front.width), scratch.data());
+    return pivots;
+}
+
+void substitute_forward(const Front& front, double* x, double* below) {
+    const Index stride = front.width + front.rows;
+    for (int j = 0; j < front.width; ++j) {
+        const double* __restrict column = front.panel + j * stride;
+        for (int i = j + 1; i < front.width; ++i) x[i] -= column[i] * x[j];
+    }
+    add_products(front.panel + front.width, stride, front.rows, x, front.width, below);
+}
+
+void substitute_back(const Front& front, double* x, const double* below) {
+    const Index stride = front.width + front.rows;
+    for (int j = 0; j < front.width; ++j) x[j] /= front.panel[j + j * stride];
+    subtract_dots(front.panel + front.width, stride, front.rows, below, front.width, x);
+    for (int j = front.width - 1; j >= 0; --j) {
+        const double* column = front.panel + j * stride;
+        double sum = 0.0;
+        for (int i = j + 1; i < front.width; ++i) sum += column[i] * x[i];
+        x[j] -= sum;
+    }
+}
+
+}  // namespace fretwork::mechanics::detail

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/mechanics/detail/dense_ldlt.hpp>
+#include <fretwork/mechanics/detail/supernodes.hpp>
+
+#include <span>
+#include <vector>
+
+namespace fretwork::mechanics::detail {
+
+/// The factorization A = L D L^T of a symmetric sparse matrix in the order of its layout, whose pivots count
+/// its negative eigenvalues (Sylvester). Multifrontal: the columns of each supernode are eliminated in one
+/// small dense matrix, which hands what is left of it to its parent's. Pivots are not exchanged: of the
+/// tangents of structures only those next to a singular one suffer from that, and a vanishing pivot says so.
+class Ldlt {
+  public:
+    explicit Ldlt(const SystemLayout& layout);
+
+    /// How a factorization ended.
+    struct Outcome {
+        int negative_pivots = 0;
+        int zero_pivot =
+            -1;  ///< an equation whose pivot vanishes against its diagonal; -1: none, and solve() works
+        [[nodiscard]] bool positive_definite() const { return zero_pivot < 0 && negative_pivots == 0; }
+    };
+    /// Factorize the matrix with these values, in the order of the layout's rows. Throws NumericalError if a
+    /// diagonal entry is not finite.
+    Outcome factorize(std::span<const double> values);
+
+    /// Solve with the last factorization, in place, for one right side or several columns of them.
+    void solve(Eigen::VectorXd& right_side);
+    void solve(Eigen::MatrixXd& right_sides);
+
+  private:
+    void assemble(const Supernode& supernode, std::span<const double> values, const Front& front);
+    void add_rest(const Supernode& child, const Front& front);
+    void solve_column(double* x);
+    [[nodiscard]] Front front_of(const Supernode& supernode);
+
+    const SystemLayout* layout_;
+    SupernodeTree tree_;
+    std::vector<double> factor_;
+    std::vector<double> storage_;
+    std::vector<double> diagonal_;
+    std::vector<double> scratch_;
+    std::vector<int> place_;        ///< of an equation in the front at hand
+    std::vector<int> child_place_;  ///< of a child's rows in it
+};
+
+/// y += A x for the symmetric matrix of a layout.
+void add_product(const SystemLayout& layout, std::span<const double> values, const Eigen::VectorXd& x,
+                 Eigen::VectorXd& y);
+
+}  // namespace fretwork::mechanics::detail
