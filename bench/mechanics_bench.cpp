@@ -153,15 +153,24 @@ void linear_other_sections(benchmark::State& state) {
     report_size(state, frame);
 }
 
+int iterations_of(const std::vector<Solution>& path) {
+    int iterations = 0;
+    for (const Solution& solution : path) iterations += solution.iterations;
+    return iterations;
+}
+
 void hexagon_path(benchmark::State& state, Frame (*make)()) {
     const Frame frame = make();
     std::vector<double> factors;
     for (int k = 1; k <= 10; ++k) factors.push_back(k / 10.0);
+    int iterations = 0;
     for (auto _ : state) {
         const auto path = follow_load_path(assemble(frame), factors);
         if (!path.back().converged()) state.SkipWithError("not converged");
+        iterations = iterations_of(path);
     }
     report_size(state, frame);
+    state.counters["solves"] = iterations;
 }
 
 void condense_hexagon(benchmark::State& state) {
@@ -178,13 +187,16 @@ void nonlinear_surface(benchmark::State& state) {
     const Frame frame = held_honeycomb(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)));
     const double factors[] = {0.5, 1.0};
     double deflection = 0.0;
+    int iterations = 0;
     for (auto _ : state) {
         const auto path = follow_load_path(assemble(frame), factors);
         if (!path.back().converged()) state.SkipWithError("not converged");
+        iterations = iterations_of(path);
         deflection = path.back().displacements.leftCols<3>().rowwise().norm().maxCoeff();
     }
     report_size(state, frame);
     state.counters["deflection_m"] = deflection;
+    state.counters["solves"] = iterations;
 }
 
 BENCHMARK(linear_from_frame_to_displacements)

@@ -3,6 +3,7 @@
 #include <fretwork/mechanics/detail/rotation.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace fretwork::mechanics::detail {
@@ -28,23 +29,26 @@ struct AngleRatio {
     double curvature;
 };
 
+/// F = sum over n of 2^n (n!)^2 / (2n + 1)! x^n with x = 1 - c; so many terms are exact to rounding below
+/// kSeriesReach.
+constexpr double kSeriesReach = 0.05;
+constexpr std::array<double, 12> kRatioSeries = [] {
+    std::array<double, 12> series{1.0};
+    for (std::size_t n = 1; n < series.size(); ++n)
+        series[n] = series[n - 1] * static_cast<double>(n) / (2.0 * static_cast<double>(n) + 1.0);
+    return series;
+}();
+
 AngleRatio angle_ratio(double c) {
     const double x = 1.0 - c;
-    if (x < 0.05) {  // F = sum over n of 2^n (n!)^2 / (2n + 1)! x^n
-        AngleRatio ratio{1.0, 0.0, 0.0};
-        double coefficient = 1.0;
-        double power = 1.0;   // x^n
-        double lower = 0.0;   // x^(n-1)
-        double lowest = 0.0;  // x^(n-2)
-        for (int n = 1; n < 14; ++n) {
-            coefficient *= n / (2.0 * n + 1.0);
-            lowest = lower;
-            lower = power;
-            power *= x;
-            ratio.value += coefficient * power;
-            ratio.slope -= coefficient * n * lower;
-            ratio.curvature += coefficient * n * (n - 1) * lowest;
+    if (x < kSeriesReach) {
+        AngleRatio ratio{0.0, 0.0, 0.0};
+        for (std::size_t n = kRatioSeries.size(); n-- > 0;) {
+            ratio.curvature = ratio.curvature * x + 2.0 * ratio.slope;
+            ratio.slope = ratio.slope * x + ratio.value;
+            ratio.value = ratio.value * x + kRatioSeries[n];
         }
+        ratio.slope = -ratio.slope;
         return ratio;
     }
     const double cosine = std::max(c, -1.0 + 1e-12);  // folded back onto itself: no direction is left
@@ -317,12 +321,14 @@ void BeamElement::evaluate(std::span<const NodeState> states, Demand demand,
     const Deformed deformed(geometry_, states);
     const BeamVector d = deformed.deformations();
     const DeformationSlopes slopes = deformed.slopes();
-    const BeamVector stress = energy_.gradient(d);
-    response.energy = energy_.value(d);
-    expand_force(slopes.transpose() * stress, response.force);
+    const BeamEnergy::State state = energy_.evaluate(d);
+    response.energy = state.value;
+    expand_force(slopes.transpose().lazyProduct(state.gradient), response.force);
     if (demand == Demand::Force) return;
-    MotionMatrix tangent = deformed.curvature(stress);
-    tangent.noalias() += slopes.transpose() * (energy_.hessian(d) * slopes);
+    MotionMatrix tangent = deformed.curvature(state.gradient);
+    // Lazy: Eigen's blocked product is slower on matrices as small as these.
+    const DeformationSlopes scaled = energy_.hessian(d, state).lazyProduct(slopes);
+    tangent += slopes.transpose().lazyProduct(scaled);
     expand_tangent(tangent, response.tangent);
 }
 

@@ -76,13 +76,14 @@ BeamMatrix BeamEnergy::strain_slopes(const BeamVector& d) const {
     return s;
 }
 
-double BeamEnergy::value(const BeamVector& d) const {
+BeamEnergy::State BeamEnergy::evaluate(const BeamVector& d) const {
+    State state;
     const BeamVector e = strains(d);
-    return 0.5 * e.dot(stiffness_.cwiseProduct(e));
-}
-
-BeamVector BeamEnergy::gradient(const BeamVector& d) const {
-    return strain_slopes(d).transpose() * stiffness_.cwiseProduct(strains(d));
+    state.stress = stiffness_.cwiseProduct(e);
+    state.value = 0.5 * e.dot(state.stress);
+    state.strain_slopes = strain_slopes(d);
+    state.gradient.noalias() = state.strain_slopes.transpose().lazyProduct(state.stress);
+    return state;
 }
 
 /// The second derivatives of the terms of third order.
@@ -102,10 +103,10 @@ void BeamEnergy::add_helix_terms(const BeamVector& d, const BeamVector& stress, 
     h(kTwist, kTwist) += 2.0 * kTwelfth * bow.dot(bow_stress);
 }
 
-BeamMatrix BeamEnergy::hessian(const BeamVector& d) const {
-    const BeamMatrix slopes = strain_slopes(d);
-    const BeamVector stress = stiffness_.cwiseProduct(strains(d));
-    BeamMatrix h = slopes.transpose() * stiffness_.asDiagonal() * slopes;
+BeamMatrix BeamEnergy::hessian(const BeamVector& d, const State& state) const {
+    const BeamVector& stress = state.stress;
+    const BeamMatrix scaled = stiffness_.asDiagonal() * state.strain_slopes;
+    BeamMatrix h = state.strain_slopes.transpose().lazyProduct(scaled);
     h(kBow2, kBow2) += stress[kElongation] * bow_shortening_;
     h(kBow3, kBow3) += stress[kElongation] * bow_shortening_;
     h(kSway2, kSway2) += stress[kElongation] * sway2_shortening_;

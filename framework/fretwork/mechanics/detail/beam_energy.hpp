@@ -46,9 +46,15 @@ class BeamEnergy {
     };
     BeamEnergy(const Stiffness& stiffness, double length);
 
-    [[nodiscard]] double value(const BeamVector& d) const;
-    [[nodiscard]] BeamVector gradient(const BeamVector& d) const;
-    [[nodiscard]] BeamMatrix hessian(const BeamVector& d) const;
+    /// The energy and its derivatives at some deformations.
+    struct State {
+        double value = 0.0;
+        BeamVector gradient;
+        BeamMatrix strain_slopes;  ///< row i: the derivatives of strain i
+        BeamVector stress;         ///< stiffness * strain
+    };
+    [[nodiscard]] State evaluate(const BeamVector& d) const;
+    [[nodiscard]] BeamMatrix hessian(const BeamVector& d, const State& state) const;
     /// The Hessian at rest, which is diagonal.
     [[nodiscard]] const BeamVector& rest_hessian() const { return stiffness_; }
 

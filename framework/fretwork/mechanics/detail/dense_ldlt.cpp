@@ -46,8 +46,15 @@ struct Product {
     Index depth;
 };
 
+/// How the rows below a diagonal block end up as rows of L.
+struct BlockSolve {
+    double unit[kBlock][kBlock] = {};  ///< L of the block; unit[k][c] for k > c
+    double inverse[kBlock] = {};       ///< of the pivots
+};
+
 template <class Strip>
-FRETWORK_INLINE void subtract_tile(double* target, Index stride, const Product& product, int count) {
+FRETWORK_INLINE void subtract_tile(double* target, Index stride, const Product& product, int count,
+                                   const BlockSolve* solve) {
     Strip sum[kBlock] = {};
     const double* left = product.left;
     const double* packed = product.packed;
@@ -58,35 +65,36 @@ FRETWORK_INLINE void subtract_tile(double* target, Index stride, const Product& 
     }
 #pragma GCC unroll 6
     for (int c = 0; c < kBlock; ++c) {
-        if (c < count) *reinterpret_cast<Strip*>(target + c * stride) -= sum[c];
+        if (c < count) sum[c] = *reinterpret_cast<const Strip*>(target + c * stride) - sum[c];
+    }
+    if (solve != nullptr) {
+#pragma GCC unroll 6
+        for (int c = 0; c < kBlock; ++c) {
+#pragma GCC unroll 6
+            for (int k = c + 1; k < kBlock; ++k) sum[k] -= sum[c] * solve->unit[k][c];
+            sum[c] = sum[c] * solve->inverse[c];
+        }
+    }
+#pragma GCC unroll 6
+    for (int c = 0; c < kBlock; ++c) {
+        if (c < count) *reinterpret_cast<Strip*>(target + c * stride) = sum[c];
     }
 }
 
-/// Subtract from rows [first, columns.rows) of at most kBlock columns.
-FRETWORK_INLINE void subtract_rows(const Columns& columns, Index first, Product product) {
+/// Subtract from rows [first, columns.rows) of at most kBlock columns and, if wished, make them rows of L.
+FRETWORK_INLINE void subtract_rows(const Columns& columns, Index first, Product product,
+                                   const BlockSolve* solve = nullptr) {
     const double* left = product.left;
     Index i = first;
-    for (; i + 8 <= columns.rows; i += 8) {
+    const auto tile = [&]<class Strip>(Strip*) __attribute__((always_inline)) {
         product.left = left + i;
-        subtract_tile<Strip8>(columns.values + i, columns.stride, product, columns.count);
-    }
-    if (i + 4 <= columns.rows) {
-        product.left = left + i;
-        subtract_tile<Strip4>(columns.values + i, columns.stride, product, columns.count);
-        i += 4;
-    }
-    if (i + 2 <= columns.rows) {
-        product.left = left + i;
-        subtract_tile<Strip2>(columns.values + i, columns.stride, product, columns.count);
-        i += 2;
-    }
-    if (i == columns.rows) return;
-    for (int c = 0; c < columns.count; ++c) {
-        double sum = 0.0;
-        for (Index p = 0; p < product.depth; ++p)
-            sum += left[i + p * product.stride] * product.packed[p * kBlock + c];
-        columns.values[i + c * columns.stride] -= sum;
-    }
+        subtract_tile<Strip>(columns.values + i, columns.stride, product, columns.count, solve);
+        i += static_cast<Index>(sizeof(Strip) / sizeof(double));
+    };
+    while (i + 8 <= columns.rows) tile(static_cast<Strip8*>(nullptr));
+    if (i + 4 <= columns.rows) tile(static_cast<Strip4*>(nullptr));
+    if (i + 2 <= columns.rows) tile(static_cast<Strip2*>(nullptr));
+    if (i < columns.rows) tile(static_cast<double*>(nullptr));
 }
 
 /// Rows [row, row + kBlock) of the panel's columns [from, to), each times its pivot.
@@ -100,31 +108,41 @@ FRETWORK_INLINE void pack(const Front& front, Index row, Index from, Index to, d
     }
 }
 
+/// The diagonal block of columns [first, first + count), entry by entry.
+FRETWORK_INLINE Pivots eliminate_diagonal(const Front& front, int first, int count, const double* least_pivot,
+                                          BlockSolve& solve) {
+    const Index stride = front.width + front.rows;
+    double* block = front.panel + first + first * stride;
+    Pivots pivots;
+    for (int j = 0; j < count; ++j) {
+        const double pivot = block[j + j * stride];
+        if (!(std::abs(pivot) > least_pivot[first + j])) {
+            pivots.zero = first + j;
+            return pivots;
+        }
+        if (pivot < 0.0) ++pivots.negative;
+        solve.inverse[j] = 1.0 / pivot;
+        for (int k = j + 1; k < count; ++k) {
+            solve.unit[k][j] = block[k + j * stride] * solve.inverse[j];
+            for (int i = k; i < count; ++i) block[i + k * stride] -= solve.unit[k][j] * block[i + j * stride];
+        }
+        for (int k = j + 1; k < count; ++k) block[k + j * stride] = solve.unit[k][j];
+    }
+    return pivots;
+}
+
 /// Bring at most kBlock columns of the panel up to date with all columns before them, and eliminate them.
 FRETWORK_CLONES Pivots eliminate_block(const Front& front, int first, const double* least_pivot,
                                        double* packed) {
     const Index stride = front.width + front.rows;
     const int count = std::min(kBlock, front.width - first);
     pack(front, first, 0, first, packed);
-    subtract_rows({front.panel + first * stride, stride, stride, count}, first,
-                  {front.panel, stride, packed, first});
-    Pivots pivots;
-    for (int j = first; j < first + count; ++j) {
-        double* __restrict column = front.panel + j * stride;
-        const double pivot = column[j];
-        if (!(std::abs(pivot) > least_pivot[j])) {
-            pivots.zero = j;
-            return pivots;
-        }
-        if (pivot < 0.0) ++pivots.negative;
-        for (int k = j + 1; k < first + count; ++k) {
-            double* __restrict other = front.panel + k * stride;
-            const double factor = column[k] / pivot;
-            for (Index i = k; i < stride; ++i) other[i] -= factor * column[i];
-        }
-        const double inverse = 1.0 / pivot;
-        for (Index i = j + 1; i < stride; ++i) column[i] *= inverse;
-    }
+    double* columns = front.panel + first * stride;
+    const Product before{front.panel, stride, packed, first};
+    subtract_rows({columns, stride, first + count, count}, first, before);
+    BlockSolve solve;
+    const Pivots pivots = eliminate_diagonal(front, first, count, least_pivot, solve);
+    if (pivots.zero < 0) subtract_rows({columns, stride, stride, count}, first + count, before, &solve);
     return pivots;
 }
 

@@ -21,8 +21,8 @@ std::size_t at(int index) {
 Ldlt::Ldlt(const SystemLayout& layout)
     : layout_(&layout),
       tree_(supernode_tree(layout)),
-      factor_(tree_.factor_size),
-      storage_(tree_.storage_size),
+      factor_(std::make_unique_for_overwrite<double[]>(tree_.factor_size)),
+      storage_(std::make_unique_for_overwrite<double[]>(tree_.storage_size)),
       diagonal_(at(layout.equations())),
       place_(at(layout.equations())) {
     int most_rows = 0;
@@ -32,8 +32,8 @@ Ldlt::Ldlt(const SystemLayout& layout)
 }
 
 Front Ldlt::front_of(const Supernode& supernode) {
-    return {supernode.width, supernode.rows, factor_.data() + supernode.panel_start,
-            storage_.data() + supernode.rest_start};
+    return {supernode.width, supernode.rows, factor_.get() + supernode.panel_start,
+            storage_.get() + supernode.rest_start};
 }
 
 Ldlt::Outcome Ldlt::factorize(std::span<const double> values) {
@@ -62,8 +62,9 @@ Ldlt::Outcome Ldlt::factorize(std::span<const double> values) {
 /// Start the front with the matrix's own entries.
 void Ldlt::assemble(const Supernode& supernode, std::span<const double> values, const Front& front) {
     const int height = supernode.height();
-    std::fill_n(front.panel, at(height) * at(front.width), 0.0);
-    std::fill_n(front.rest, at(front.rows) * at(front.rows), 0.0);
+    for (int j = 0; j < front.width; ++j) std::fill_n(front.panel + at(j) * at(height + 1), height - j, 0.0);
+    for (int j = 0; j < front.rows; ++j)
+        std::fill_n(front.rest + at(j) * at(front.rows + 1), front.rows - j, 0.0);
     for (int i = 0; i < supernode.width; ++i) place_[at(supernode.first + i)] = i;
     for (int i = 0; i < supernode.rows; ++i)
         place_[at(tree_.row[supernode.row_start + at(i)])] = supernode.width + i;
@@ -84,7 +85,7 @@ void Ldlt::add_rest(const Supernode& child, const Front& front) {
         const int j = place[column];
         double* target = j < front.width ? front.panel + at(j) * at(height)
                                          : front.rest + at(j - front.width) * at(front.rows) - front.width;
-        const double* source = storage_.data() + child.rest_start + at(column) * at(child.rows);
+        const double* source = storage_.get() + child.rest_start + at(column) * at(child.rows);
         for (int i = column; i < child.rows; ++i) target[place[i]] += source[i];
     }
 }
