@@ -118,5 +118,23 @@ TEST(NonlinearSystem, StepBetweenUndoesAMove) {
     EXPECT_LT((system.step_between(from, to) - step).norm(), 1e-13);
 }
 
+TEST(NonlinearSystem, RatesOfStepsAgreeWithFiniteDifferences) {
+    const Assembly assembly = assemble(varied_wheel());
+    const NonlinearSystem system(assembly);
+    const Configuration base = system.rest();
+    const Configuration far = random_configuration(system, 0.0);
+    sample::Random random(4);
+    Eigen::VectorXd rate(system.equations());
+    for (double& value : rate) value = random.next();
+    constexpr double kStep = 1e-6;
+    Configuration before = far;
+    Configuration after = far;
+    system.move(-kStep * rate, before);
+    system.move(kStep * rate, after);
+    const Eigen::VectorXd difference =
+        (system.step_between(base, after) - system.step_between(base, before)) / (2.0 * kStep);
+    EXPECT_LT((system.rate_of_steps(system.step_between(base, far), rate) - difference).norm(), 1e-8);
+}
+
 }  // namespace
 }  // namespace fretwork::mechanics::detail

@@ -49,6 +49,14 @@ TEST(Rotation, SpinMapIsTheDerivativeOfTheRotation) {
     }
 }
 
+TEST(Rotation, InverseSpinMapUndoesTheSpinMap) {
+    for (const double angle : {0.0, 1e-6, 0.01, 0.19, 0.21, 1.0, 3.0, 5.0}) {
+        const Vector3d v = angle * kAxis;
+        // The map loses digits on the way to a whole turn, where it is singular.
+        EXPECT_LT((inverse_spin_map(v) * spin_map(v) - Matrix3d::Identity()).norm(), 1e-13) << angle;
+    }
+}
+
 TEST(Rotation, DerivativeOfTheSpinMapAgreesWithFiniteDifferences) {
     const Vector3d a(0.9, -0.2, 0.6);
     constexpr double kStep = 1e-6;

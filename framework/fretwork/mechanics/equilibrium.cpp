@@ -2,6 +2,7 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/mechanics/detail/newton.hpp>
+#include <fretwork/mechanics/detail/path_predictor.hpp>
 #include <fretwork/mechanics/equilibrium.hpp>
 
 #include <algorithm>
@@ -25,7 +26,11 @@ constexpr double kSmallMove = 0.1;
 class LoadPath {
   public:
     LoadPath(const Assembly& assembly, const EquilibriumOptions& options)
-        : options_(options), system_(assembly), newton_(system_, options), configuration_(system_.rest()) {
+        : options_(options),
+          system_(assembly),
+          newton_(system_, options),
+          configuration_(system_.rest()),
+          predictor_(system_) {
         system_.evaluate(configuration_, 0.0);
         const auto outcome = newton_.factorize();
         if (!outcome.positive_definite()) {
@@ -36,6 +41,7 @@ class LoadPath {
         }
         rate_ = newton_.solve_tangent(system_.load_rate());
         rest_rate_ = system_.largest_component(rate_);
+        predictor_.add(0.0, configuration_, rate_);
     }
 
     Solution advance_to(double target) {
@@ -56,7 +62,7 @@ class LoadPath {
   private:
     Termination try_step(double factor) {
         Configuration trial = configuration_;
-        const Eigen::VectorXd guess = predict(factor - factor_);
+        const Eigen::VectorXd guess = predictor_.step_to(factor);
         system_.prescribe(factor, trial);
         system_.move(capped(guess), trial);
         const Termination termination = newton_.solve(factor, trial);
@@ -66,11 +72,10 @@ class LoadPath {
         Eigen::VectorXd rate = outcome.zero_pivot < 0 ? newton_.solve_tangent(system_.load_rate())
                                                       : Eigen::VectorXd(move / (factor - factor_));
         if (is_jump(factor - factor_, move, rate)) return Termination::LimitLoad;
-        last_move_ = move;
-        last_rate_ = std::exchange(rate_, std::move(rate));
-        last_step_ = factor - factor_;
+        rate_ = std::move(rate);
         configuration_ = std::move(trial);
         factor_ = factor;
+        predictor_.add(factor_, configuration_, rate_);
         outcome_ = outcome;
         return Termination::Converged;
     }
@@ -82,20 +87,6 @@ class LoadPath {
         const double moved = system_.largest_component(move);
         const double rates = system_.largest_component(rate_) * system_.largest_component(rate);
         return moved > kSmallMove && moved > kJump * step * std::sqrt(rates);
-    }
-
-    /// The cubic through the last two equilibria with their rates, continued; at first the tangent.
-    [[nodiscard]] Eigen::VectorXd predict(double step) const {
-        Eigen::VectorXd guess = step * rate_;
-        if (last_step_ > 0.0) {
-            const double ratio = step / last_step_;
-            const Eigen::VectorXd now = last_step_ * rate_;
-            const Eigen::VectorXd before = last_step_ * last_rate_;
-            const Eigen::VectorXd curve = before + 2.0 * now - 3.0 * last_move_;
-            const Eigen::VectorXd twist = before + now - 2.0 * last_move_;
-            guess += ratio * ratio * (curve + ratio * twist);
-        }
-        return guess;
     }
 
     [[nodiscard]] Eigen::VectorXd capped(const Eigen::VectorXd& guess) const {
@@ -128,9 +119,7 @@ class LoadPath {
     detail::Ldlt::Outcome outcome_;
     Eigen::VectorXd rate_;  ///< of the unknowns in the load factor
     double rest_rate_ = 0.0;
-    double last_step_ = 0.0;
-    Eigen::VectorXd last_move_;
-    Eigen::VectorXd last_rate_;
+    detail::PathPredictor predictor_;
 };
 
 void require(bool good, const std::string& message) {

@@ -123,7 +123,7 @@ FRETWORK_INLINE Pivots eliminate_diagonal(const Front& front, int first, int cou
         if (pivot < 0.0) ++pivots.negative;
         solve.inverse[j] = 1.0 / pivot;
         for (int k = j + 1; k < count; ++k) {
-            solve.unit[k][j] = block[k + j * stride] * solve.inverse[j];
+            solve.unit[k][j] = block[k + j * stride] / pivot;
             for (int i = k; i < count; ++i) block[i + k * stride] -= solve.unit[k][j] * block[i + j * stride];
         }
         for (int k = j + 1; k < count; ++k) block[k + j * stride] = solve.unit[k][j];
@@ -165,34 +165,63 @@ FRETWORK_CLONES void update_rest(const Front& front, Index from, Index to, doubl
     }
 }
 
-FRETWORK_CLONES void add_products(const double* panel, Index stride, Index rows, const double* x, int count,
+/// y += A x for a dense matrix by columns.
+FRETWORK_INLINE void add_products(const double* matrix, Index stride, Index rows, const double* x, int count,
                                   double* __restrict y) {
     int j = 0;
     for (; j + 4 <= count; j += 4) {
-        const double* __restrict a = panel + j * stride;
+        const double* __restrict a = matrix + j * stride;
         for (Index i = 0; i < rows; ++i)
             y[i] += (a[i] * x[j] + a[i + stride] * x[j + 1]) +
                     (a[i + 2 * stride] * x[j + 2] + a[i + 3 * stride] * x[j + 3]);
     }
     for (; j < count; ++j) {
-        const double* __restrict a = panel + j * stride;
+        const double* __restrict a = matrix + j * stride;
         for (Index i = 0; i < rows; ++i) y[i] += a[i] * x[j];
     }
 }
 
-FRETWORK_INLINE double dot(const double* a, const double* b, Index size) {
-    Strip8 sum = {};
+/// The products of `Count` neighbouring columns with y, at once: one alone would wait for each of its sums.
+template <int Count>
+FRETWORK_INLINE void subtract_dots_of(const double* matrix, Index stride, Index rows, const double* y,
+                                      double* x) {
+    Strip4 sum[Count] = {};
+    double rest[Count] = {};
     Index i = 0;
-    for (; i + 8 <= size; i += 8)
-        sum += *reinterpret_cast<const Strip8*>(a + i) * *reinterpret_cast<const Strip8*>(b + i);
-    double rest = 0.0;
-    for (; i < size; ++i) rest += a[i] * b[i];
-    return ((sum[0] + sum[1]) + (sum[2] + sum[3])) + ((sum[4] + sum[5]) + (sum[6] + sum[7])) + rest;
+    for (; i + 4 <= rows; i += 4) {
+        const Strip4 strip = *reinterpret_cast<const Strip4*>(y + i);
+        for (int c = 0; c < Count; ++c)
+            sum[c] += *reinterpret_cast<const Strip4*>(matrix + i + c * stride) * strip;
+    }
+    for (; i < rows; ++i) {
+        for (int c = 0; c < Count; ++c) rest[c] += matrix[i + c * stride] * y[i];
+    }
+    for (int c = 0; c < Count; ++c) x[c] -= (sum[c][0] + sum[c][1]) + (sum[c][2] + sum[c][3]) + rest[c];
 }
 
-FRETWORK_CLONES void subtract_dots(const double* panel, Index stride, Index rows, const double* y, int count,
+/// x -= A^T y.
+FRETWORK_INLINE void subtract_dots(const double* matrix, Index stride, Index rows, const double* y, int count,
                                    double* x) {
-    for (int j = 0; j < count; ++j) x[j] -= dot(panel + j * stride, y, rows);
+    int j = 0;
+    for (; j + 4 <= count; j += 4) subtract_dots_of<4>(matrix + j * stride, stride, rows, y, x + j);
+    for (; j < count; ++j) subtract_dots_of<1>(matrix + j * stride, stride, rows, y, x + j);
+}
+
+FRETWORK_CLONES void forward(const Front& front, double* __restrict x, double* __restrict below) {
+    const Index stride = front.width + front.rows;
+    for (int j = 0; j < front.width; ++j) {
+        const double* __restrict column = front.panel + j * stride;
+        for (int i = j + 1; i < front.width; ++i) x[i] -= column[i] * x[j];
+    }
+    add_products(front.panel + front.width, stride, front.rows, x, front.width, below);
+}
+
+FRETWORK_CLONES void back(const Front& front, double* x, const double* below) {
+    const Index stride = front.width + front.rows;
+    for (int j = 0; j < front.width; ++j) x[j] /= front.panel[j + j * stride];
+    subtract_dots(front.panel + front.width, stride, front.rows, below, front.width, x);
+    for (int j = front.width - 1; j >= 0; --j)
+        subtract_dots_of<1>(front.panel + j * stride + j + 1, stride, front.width - j - 1, x + j + 1, x + j);
 }
 
 }  // namespace
@@ -220,24 +249,11 @@ Pivots eliminate(const Front& front, std::span<const double> diagonal, double ze
 }
 
 void substitute_forward(const Front& front, double* x, double* below) {
-    const Index stride = front.width + front.rows;
-    for (int j = 0; j < front.width; ++j) {
-        const double* __restrict column = front.panel + j * stride;
-        for (int i = j + 1; i < front.width; ++i) x[i] -= column[i] * x[j];
-    }
-    add_products(front.panel + front.width, stride, front.rows, x, front.width, below);
+    forward(front, x, below);
 }
 
 void substitute_back(const Front& front, double* x, const double* below) {
-    const Index stride = front.width + front.rows;
-    for (int j = 0; j < front.width; ++j) x[j] /= front.panel[j + j * stride];
-    subtract_dots(front.panel + front.width, stride, front.rows, below, front.width, x);
-    for (int j = front.width - 1; j >= 0; --j) {
-        const double* column = front.panel + j * stride;
-        double sum = 0.0;
-        for (int i = j + 1; i < front.width; ++i) sum += column[i] * x[i];
-        x[j] -= sum;
-    }
+    back(front, x, below);
 }
 
 }  // namespace fretwork::mechanics::detail

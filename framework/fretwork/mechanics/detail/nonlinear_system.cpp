@@ -141,6 +141,17 @@ Eigen::VectorXd NonlinearSystem::step_between(const Configuration& from, const C
     return step;
 }
 
+Eigen::VectorXd NonlinearSystem::rate_of_steps(const Eigen::VectorXd& step,
+                                               const Eigen::VectorXd& rate) const {
+    Eigen::VectorXd result = rate;
+    for (int node = 0; node < static_cast<int>(assembly_.nodes.size()); ++node) {
+        const int first = layout_->equation(node, 3);
+        if (first < 0 || vector_slot_[at(node)] >= 0) continue;
+        result.segment<3>(first) = inverse_spin_map(step.segment<3>(first)) * rate.segment<3>(first);
+    }
+    return result;
+}
+
 double NonlinearSystem::largest_rotation(const Eigen::VectorXd& step) const {
     double largest = 0.0;
     for (int node = 0; node < static_cast<int>(assembly_.nodes.size()); ++node) {

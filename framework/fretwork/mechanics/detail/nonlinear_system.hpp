@@ -39,6 +39,9 @@ class NonlinearSystem {
     void move(const Eigen::VectorXd& step, Configuration& configuration) const;
     /// The step of the unknowns from one configuration to another near it.
     [[nodiscard]] Eigen::VectorXd step_between(const Configuration& from, const Configuration& to) const;
+    /// The rate at which such a step changes where the unknowns change at `rate` at its end.
+    [[nodiscard]] Eigen::VectorXd rate_of_steps(const Eigen::VectorXd& step,
+                                                const Eigen::VectorXd& rate) const;
     /// The largest rotation of a node in a step, rad.
     [[nodiscard]] double largest_rotation(const Eigen::VectorXd& step) const;
     /// Largest component of a step; displacements count in characteristic lengths.

@@ -78,6 +78,17 @@ Eigen::Matrix3d spin_map(const Eigen::Vector3d& v) {
     return map;
 }
 
+Eigen::Matrix3d inverse_spin_map(const Eigen::Vector3d& v) {
+    const double x = v.squaredNorm();
+    const double half = 0.5 * std::sqrt(x);
+    const double second = x < kSmallSquare ? 1.0 / 12 + x / 720 * (1 + x / 42 * (1 + x / 40))
+                                           : (1.0 - half / std::tan(half)) / x;
+    // 1 - [v] / 2 + second [v]^2
+    Eigen::Matrix3d map = -0.5 * cross_matrix(v) + second * v * v.transpose();
+    map.diagonal().array() += 1.0 - second * x;
+    return map;
+}
+
 Eigen::Matrix3d spin_map_derivative(const Eigen::Vector3d& v, const Eigen::Vector3d& a) {
     const SpinCoefficients c = spin_coefficients(v.squaredNorm());
     const Eigen::Vector3d va = v.cross(a);

@@ -26,6 +26,9 @@ Eigen::Vector3d logarithm_near(const Eigen::Quaterniond& rotation, const Eigen::
 /// T with spin = T d(rotation vector): exp(v + dv) = exp(T dv) exp(v).
 Eigen::Matrix3d spin_map(const Eigen::Vector3d& rotation_vector);
 
+/// Its inverse, for rotations below a whole turn.
+Eigen::Matrix3d inverse_spin_map(const Eigen::Vector3d& rotation_vector);
+
 /// The derivative with respect to v of spin_map(v)^T a, for a fixed a.
 Eigen::Matrix3d spin_map_derivative(const Eigen::Vector3d& rotation_vector, const Eigen::Vector3d& a);
 
