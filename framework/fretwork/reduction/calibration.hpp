@@ -23,7 +23,7 @@ struct Paper6Parameters {
 };
 
 struct CalibrationOptions {
-    std::string optimizer = "ceres-multistart";  ///< a row of the optimizer catalogue
+    std::string optimizer = "gauss-newton-multistart";  ///< a row of the optimizer catalogue
     int starts = 4;
     std::uint64_t seed = 1;
     int budget = 20000;  ///< evaluations of the objective at most

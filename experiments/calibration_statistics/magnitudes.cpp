@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "study.hpp"
+
+#include <fretwork/base/parallel.hpp>
+
+#include <cstdio>
+
+namespace fretwork::experiments {
+namespace {
+
+constexpr std::size_t kEvery = 12;  ///< of the patterns, one in so many
+
+reduction::Setting scaled(reduction::Setting setting, double factor) {
+    for (reduction::Scenario& scenario : setting.scenarios) scenario.max_magnitude *= factor;
+    return setting;
+}
+
+struct Found {
+    double objective = 0.0;
+    std::size_t not_converged = 0;
+};
+
+Found examine(const Study& study, const pattern::Pattern& pattern, const reduction::Setting& setting) {
+    const auto responses = reduction::compute_responses(study.library.layout(), pattern, setting);
+    Found found;
+    for (const auto& response : responses) {
+        for (const auto& sample : response.samples) found.not_converged += sample.converged ? 0 : 1;
+    }
+    found.objective = reduction::calibrate_paper6(responses, setting, study.options).objective;
+    return found;
+}
+
+}  // namespace
+
+void print_magnitudes(const Study& study) {
+    std::vector<pattern::Pattern> chosen;
+    for (std::size_t i = 0; i < study.patterns.size(); i += kEvery)
+        chosen.push_back(study.patterns[i].pattern);
+    std::printf("All largest magnitudes times a factor, on one pattern in %zu (%zu)\n\n", kEvery,
+                chosen.size());
+    print_head({"factor", "mean E", "deviation", "median", "samples that did not converge"});
+    for (const double factor : {0.25, 0.5, 1.0, 2.0, 4.0}) {
+        const reduction::Setting setting = scaled(study.library.setting(), factor);
+        std::vector<Found> found(chosen.size());
+        base::parallel_for(found.size(), study.threads,
+                           [&](std::size_t i) { found[i] = examine(study, chosen[i], setting); });
+        std::vector<double> objectives;
+        std::size_t not_converged = 0;
+        for (const Found& one : found) {
+            objectives.push_back(one.objective);
+            not_converged += one.not_converged;
+        }
+        const Distribution d = distribution(std::move(objectives));
+        print_row({fixed(factor, 2), fixed(d.mean, 2), fixed(d.deviation, 2), fixed(d.quantile(0.5), 2),
+                   std::to_string(not_converged)});
+    }
+    std::printf("\n");
+}
+
+}  // namespace fretwork::experiments

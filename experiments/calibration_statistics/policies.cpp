@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "study.hpp"
+
+#include <fretwork/base/parallel.hpp>
+#include <fretwork/reduction/objective.hpp>
+
+#include <cstdio>
+#include <optional>
+
+namespace fretwork::experiments {
+namespace {
+
+using reduction::Branch;
+using reduction::Calibration;
+using reduction::Objective;
+using reduction::Setting;
+
+/// One pattern, calibrated under both policies.
+struct Pair {
+    std::size_t left_out = 0;      ///< samples that only the paper's policy uses
+    double paper = 0.0;            ///< E under the paper's policy
+    double stable = 0.0;           ///< E under the stable one: a sum over fewer samples
+    double paper_on_stable = 0.0;  ///< E of the paper policy's parameters on the stable samples
+    double stable_on_paper = 0.0;  ///< and the other way round
+};
+
+Setting under(Setting setting, Branch branch) {
+    setting.branch = branch;
+    return setting;
+}
+
+std::optional<Pair> compare(const std::vector<reduction::Response>& responses, const Study& study) {
+    const Setting paper = under(study.library.setting(), Branch::Paper);
+    const Setting stable = under(study.library.setting(), Branch::Stable);
+    const Objective on_paper(responses, paper);
+    const Objective on_stable(responses, stable);
+    if (on_stable.sample_count() == 0) return std::nullopt;
+    const Calibration a = reduction::calibrate_paper6(responses, paper, study.options);
+    const Calibration b = reduction::calibrate_paper6(responses, stable, study.options);
+    const reduction::Paper6Hexagon model(paper);
+    return Pair{on_paper.sample_count() - on_stable.sample_count(), a.objective, b.objective,
+                on_stable.value(model.displacements(a.parameters)),
+                on_paper.value(model.displacements(b.parameters))};
+}
+
+void print_rows(const char* who, const std::vector<Pair>& pairs) {
+    const auto of = [&](double Pair::*member) {
+        std::vector<double> values;
+        for (const Pair& pair : pairs) values.push_back(pair.*member);
+        return distribution(std::move(values));
+    };
+    const auto row = [&](const char* policy, double Pair::*own, double Pair::*paper, double Pair::*stable) {
+        const Distribution d = of(own);
+        print_row({who, std::to_string(pairs.size()), policy, fixed(d.mean, 2), fixed(d.deviation, 2),
+                   fixed(d.quantile(0.5), 2), fixed(of(paper).mean, 2), fixed(of(stable).mean, 2)});
+    };
+    row("paper", &Pair::paper, &Pair::paper, &Pair::paper_on_stable);
+    row("stable", &Pair::stable, &Pair::stable_on_paper, &Pair::stable);
+}
+
+}  // namespace
+
+void print_policies(const Study& study) {
+    std::vector<std::vector<reduction::Response>> responses;
+    std::vector<std::optional<Pair>> found(study.patterns.size());
+    for (const auto& entry : study.patterns) responses.push_back(study.library.responses(entry.id));
+    base::parallel_for(found.size(), study.threads,
+                       [&](std::size_t i) { found[i] = compare(responses[i], study); });
+    std::vector<Pair> all;
+    std::vector<Pair> changed;
+    std::size_t left_out = 0;
+    for (const auto& pair : found) {
+        if (!pair) continue;
+        all.push_back(*pair);
+        left_out += pair->left_out;
+        if (pair->left_out > 0) changed.push_back(*pair);
+    }
+    std::printf(
+        "Samples past the first loss of stability: fitted (paper) or left out (stable: %zu samples)\n\n",
+        left_out);
+    print_head({"patterns", "number", "policy", "mean E", "deviation", "median", "mean E on all samples",
+                "mean E on stable samples"});
+    print_rows("all", all);
+    if (!changed.empty()) print_rows("with such samples", changed);
+    std::printf("\n");
+}
+
+}  // namespace fretwork::experiments

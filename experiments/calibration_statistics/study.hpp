@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the parts of this experiment share.
+#pragma once
+
+#include <fretwork/library/library.hpp>
+
+#include <string>
+#include <vector>
+
+namespace fretwork::experiments {
+
+/// A calibrated library, read.
+struct Study {
+    const library::Library& library;
+    std::vector<library::PatternEntry> patterns;
+    reduction::CalibrationOptions options;  ///< of the calibrations that are looked at
+    int threads = 0;
+};
+
+/// Mean, standard deviation (of the population) and quantiles.
+struct Distribution {
+    double mean = 0.0;
+    double deviation = 0.0;
+    std::vector<double> sorted;
+    /// By linear interpolation; share from 0 to 1.
+    [[nodiscard]] double quantile(double share) const;
+};
+Distribution distribution(std::vector<double> values);
+
+/// One row of a Markdown table.
+void print_row(const std::vector<std::string>& cells);
+void print_head(const std::vector<std::string>& cells);
+std::string fixed(double value, int digits);
+
+/// How far the largest magnitudes move the tiles.
+void print_displacements(const Study& study);
+/// What the policy for samples past the first loss of stability changes.
+void print_policies(const Study& study);
+/// How the objective depends on the largest magnitudes.
+void print_magnitudes(const Study& study);
+
+}  // namespace fretwork::experiments
