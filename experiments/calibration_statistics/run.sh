@@ -2,26 +2,26 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Calibrate every pattern of the paper's layout and print the statistics of the objective beside the paper's:
 # "item | paper | ours | verdict". Usage: run.sh [PROGRAM] [OUTPUT FOLDER]     Goes on where it was stopped.
+# With TABLES=1, print the tables of README.md as well (some minutes more).
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 program=${1:-$here/../../build/release/apps/fretwork/fretwork}
 out=${2:-$here/../../out/reproduce}
 mkdir -p "$out"
 
-started=$(date +%s.%N)
 "$program" enumerate --layout paper7 --library "$out/library.db" >/dev/null
-"$program" calibrate --library "$out/library.db" >/dev/null
-finished=$(date +%s.%N)
-rm -rf "$out/csv"
-"$program" library export --library "$out/library.db" --csv "$out/csv" >/dev/null
+report=$("$program" calibrate --library "$out/library.db" --json)
+value() { sed -n "s/^ *\"$1\": \([^,]*\),\{0,1\}\$/\1/p" <<<"$report"; }
 
-awk -F, -v seconds="$(echo "$started $finished" | awk '{ print $2 - $1 }')" '
-  NR == 1 { for (i = 1; i <= NF; ++i) if ($i == "objective") column = i; next }
-  { n += 1; sum += $column; squares += $column * $column }
-  END {
-    mean = sum / n; sd = sqrt(squares / n - mean * mean)
+awk -v n="$(value calibrated)" -v mean="$(value objective_mean)" -v sd="$(value objective_standard_deviation)" \
+  -v done="$(value done)" -v seconds="$(value seconds)" '
+  BEGIN {
     printf "calibrated patterns | 1824 | %d | %s\n", n, n == 1824 ? "equal" : "DIFFERS"
     printf "mean of the optimal objective | 9.7 | %.2f | not comparable: the paper does not print its load magnitudes\n", mean
     printf "its standard deviation | 9.9 | %.2f | not comparable, likewise\n", sd
-    printf "time for each pattern, s | 72 (24 threads) | %.3f (this machine) | another machine and another method\n", seconds / n
-    exit n != 1824 }' "$out/csv/calibration.csv"
+    if (done > 0)
+      printf "time for each pattern, s | 72 (24 threads) | %.3f (this machine) | another machine and another method\n", seconds / done
+    exit n != 1824 }'
+if [[ ${TABLES:-0} == 1 ]]; then
+  "$here/../../build/release/experiments/calibration_statistics/calibration_statistics" "$out/library.db"
+fi
