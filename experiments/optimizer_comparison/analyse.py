@@ -1,0 +1,225 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""From a table of runs to tables, figures and a report in one HTML file.
+
+Usage: analyse.py RESULTS.csv KNOWN.csv OUT [--ours NAME] [--annealing NAME]
+"""
+import argparse
+import csv
+import html
+import math
+import pathlib
+import sys
+
+import numpy as np
+
+import figures
+import measures
+from measures import TARGETS
+
+
+def family(problem):
+    return problem.split("/")[0]
+
+
+def number(value, digits=3):
+    if isinstance(value, str):
+        return value
+    if value is None or math.isnan(value):
+        return "-"
+    if math.isinf(value):
+        return "never"
+    if value != 0.0 and (abs(value) < 1e-3 or abs(value) >= 1e6):
+        return f"{value:.{digits - 1}e}"
+    return f"{value:.{digits}g}" if abs(value) < 1000 else f"{value:.0f}"
+
+
+def write_csv(path, header, rows):
+    with open(path, "w", newline="") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(header)
+        writer.writerows(rows)
+
+
+def shared_problems(groups):
+    """Problems that every method has run on: only there may all be compared."""
+    return sorted(set.intersection(*(set(by_problem) for by_problem in groups.values())))
+
+
+def restrict(groups, problems):
+    return {name: {problem: by_problem[problem] for problem in problems} for name, by_problem in groups.items()}
+
+
+class Analysis:
+    def __init__(self, groups, ours, annealing):
+        self.problems = shared_problems(groups)
+        self.groups = restrict(groups, self.problems)
+        self.ours = ours
+        self.annealing = annealing
+        self.runtimes = {name: [(self.pooled(by_problem, target), *measures.bootstrap_runtime(by_problem, target))
+                                for target in TARGETS] for name, by_problem in self.groups.items()}
+
+    @staticmethod
+    def all_runs(by_problem):
+        return [run for runs in by_problem.values() for run in runs]
+
+    def pooled(self, by_problem, target):
+        return measures.average_runtime(self.all_runs(by_problem), target)
+
+    def runtime_table(self):
+        header = ["optimizer"] + [f"{what} {100 * target:g} %" for target in TARGETS
+                                  for what in ("aRT to", "low", "high")]
+        return header, [[name] + [value for entry in entries for value in entry]
+                        for name, entries in self.runtimes.items()]
+
+    def final_table(self):
+        header = ["optimizer", "runs", "median gap", "quartile 1", "quartile 3", "best so far within 1 %",
+                  "best so far within 0.1 %", "last point within 0.1 %", "patterns within 0.1 % (median run)",
+                  "mean cost", "mean CPU ms", "us per factorization", "failed evaluations", "budget spent"]
+        rows = []
+        for name, by_problem in self.groups.items():
+            runs = self.all_runs(by_problem)
+            gaps = [run.gap for run in runs]
+            last = [self.known[run.problem].gap(run.last) <= 1e-3 for run in runs]
+            cost = sum(run.cost for run in runs)
+            cpu = sum(run.cpu for run in runs)
+            rows.append([name, len(runs), float(np.median(gaps)), *map(float, np.quantile(gaps, [0.25, 0.75])),
+                         measures.success_rate(runs, 1e-2), measures.success_rate(runs, 1e-3), float(np.mean(last)),
+                         float(np.mean(measures.median_gaps(by_problem, self.problems) <= 1e-3)), cost / len(runs),
+                         1e3 * cpu / len(runs), 1e6 * cpu / cost, sum(run.failures for run in runs),
+                         float(np.mean([run.termination == "budget-spent" for run in runs]))])
+        return header, rows
+
+    def test_table(self):
+        ours = measures.median_gaps(self.groups[self.ours], self.problems)
+        names = [name for name in self.groups if name != self.ours]
+        pairs = [measures.compare_pairs(ours, measures.median_gaps(self.groups[name], self.problems)) for name in names]
+        adjusted = measures.holm(np.array([p for p, _ in pairs]))
+        header = ["optimizer", "Wilcoxon p", "p by Holm", f"{self.ours} is better (ties count half)"]
+        return header, [[name, p, float(q), better] for name, (p, better), q in zip(names, pairs, adjusted)]
+
+    def verdicts(self):
+        """The targets: share within 0.1 %, and cost and CPU time beside annealing's, run by run."""
+        ours = self.all_runs(self.groups[self.ours])
+        theirs = self.all_runs(self.groups[self.annealing])
+        share = measures.success_rate(ours, 1e-3)
+        cost = np.mean([run.cost for run in theirs]) / np.mean([run.cost for run in ours])
+        cpu = np.mean([run.cpu for run in theirs]) / np.mean([run.cpu for run in ours])
+        rows = [["runs within 0.1 % of the best known", ">= 0.99", share, share >= 0.99],
+                [f"factorizations of {self.annealing} over ours", ">= 50", float(cost), cost >= 50],
+                [f"CPU time of {self.annealing} over ours", ">= 25", float(cpu), cpu >= 25]]
+        return ["claim", "wanted", "measured", "met"], [row[:3] + ["yes" if row[3] else "no"] for row in rows]
+
+
+def family_table(groups, name_of_family, target):
+    """Success and aRT of every method on the problems of a family whose optimum is known."""
+    problems = [problem for problem in shared_problems(groups) if family(problem) == name_of_family]
+    header = ["optimizer", "problems", f"success within {target:g} of the scale", "aRT",
+              "median miss of the optimum, share of the box"]
+    rows = []
+    for name, by_problem in groups.items():
+        runs = [run for problem in problems for run in by_problem[problem]]
+        if runs:
+            rows.append([name, len(problems), measures.success_rate(runs, target),
+                         measures.average_runtime(runs, target), float(np.median([run.distance for run in runs]))])
+    return header, rows
+
+
+def better_than_known(runs, known):
+    return sorted({(run.problem, run.optimizer, run.best) for run in runs if known[run.problem].gap(run.best) < -1e-6})
+
+
+def html_table(header, rows):
+    cells = "".join(f"<th>{html.escape(name)}</th>" for name in header)
+    body = "".join("<tr>" + "".join(f"<td>{html.escape(number(cell))}</td>" for cell in row) + "</tr>" for row in rows)
+    return f"<div class=wide><table><thead><tr>{cells}</tr></thead><tbody>{body}</tbody></table></div>"
+
+
+STYLE = """body{font:15px/1.5 'DejaVu Sans',sans-serif;max-width:60em;margin:2em auto;padding:0 1em;color:#222}
+h1{font-size:1.5em}h2{font-size:1.15em;margin-top:2em}.wide{overflow-x:auto}table{border-collapse:collapse;font-size:12px}
+th{text-align:left;border-bottom:2px solid #444;padding:3px 8px;vertical-align:bottom}td{padding:2px 8px;border-bottom:1px solid #ddd;
+white-space:nowrap;font-variant-numeric:tabular-nums}figure{margin:1.5em 0}svg{max-width:100%;height:auto}figcaption{font-size:13px;color:#444}"""
+
+
+def report(title, sections):
+    parts = [f"<!doctype html><html lang=en><meta charset=utf-8><title>{html.escape(title)}</title><style>{STYLE}</style>"
+             f"<h1>{html.escape(title)}</h1>"]
+    for heading, text, content in sections:
+        parts.append(f"<h2>{html.escape(heading)}</h2><p>{html.escape(text)}</p>{content}")
+    return "\n".join(parts) + "\n"
+
+
+def figure(name, svg, out):
+    (out / f"{name}.svg").write_text('<?xml version="1.0" encoding="utf-8"?>\n' + svg)
+    return f"<figure>{svg}</figure>"
+
+
+def sections_of(analysis, groups, runs, known, out):
+    tables = {"verdicts": analysis.verdicts(), "final": analysis.final_table(), "runtimes": analysis.runtime_table(),
+              "tests": analysis.test_table()}
+    for name, (header, rows) in tables.items():
+        write_csv(out / f"{name}.csv", header, rows)
+    count = len(analysis.problems)
+    repetitions = max(len(r) for by_problem in analysis.groups.values() for r in by_problem.values())
+    yield ("What was run", f"{len(runs)} runs; {count} calibration problems on which all {len(analysis.groups)} methods have "
+           f"run, with up to {repetitions} repetitions of each method that uses the seed. Every method is scored on the paper's "
+           "objective E, unsmoothed; cost is counted in stiffness factorizations, and a value with derivatives costs one as well, "
+           "since they come from the same factorization. Definitions are in README.md.", html_table(*tables["verdicts"]))
+    yield ("Data profile", "Share of all pairs of a pattern and a target (41 targets, 100 % to 0.01 % above the best known E) that "
+           "are hit within a cost. A run that misses is restarted, by drawing from the runs there are.",
+           figure("data_profile", figures.data_profiles(analysis.groups), out))
+    yield ("Performance profile", "For 0.1 %: share of patterns on which a method's aRT is within a factor of the least one. With "
+           "many methods the order of two of them can depend on a third (Gould and Scott 2016): see the pairs below.",
+           figure("performance_profile", figures.performance_profiles(analysis.groups, 1e-3), out))
+    yield ("Average runtime to three targets", "All cost over the number of hits, pooled over patterns; intervals from 1,000 "
+           "bootstrap draws of patterns and runs.", figure("runtimes", figures.runtimes(analysis.runtimes, TARGETS), out)
+           + html_table(*tables["runtimes"]))
+    yield ("Where runs end", "Circle: median; bar: quartiles; points: runs; dashed: 0.1 %. Gaps below 1e-8 are drawn there. The "
+           "published annealing ends on its last point, not on the best that it saw: both are counted.",
+           figure("final_gaps", figures.final_gaps(analysis.groups), out) + html_table(*tables["final"]))
+    yield ("On the way", "The median run, best so far.", figure(
+        "convergence", figures.convergence(analysis.groups, ["ceres-multistart", "gauss-newton-multistart",
+                                                             "ceres-residuals", "ceres-smoothed", "bobyqa", "cma-es",
+                                                             "simulated-annealing", "annealing-cool", "random-search"]), out))
+    yield ("Pairs", f"{analysis.ours} beside each other method: Wilcoxon's signed-rank test of the gaps, paired by pattern (median "
+           "of the repetitions), two-sided, corrected by Holm; and the share of patterns on which ours ends lower. Gaps that "
+           "differ by at most 1e-6 are ties.", html_table(*tables["tests"]))
+    for name, target in (("synthetic", 1e-3), ("analytic", 1e-6)):
+        header, rows = family_table(groups, name, target)
+        if rows:
+            write_csv(out / f"{name}.csv", header, rows)
+            yield (f"Problems with a known optimum: {name}", "Success and aRT within the given share of the scale that README.md "
+                   "defines. Synthetic problems fit the model to itself, so parameters must be recovered.",
+                   html_table(header, rows))
+    better = better_than_known(runs, known)
+    yield ("Better than the best known", f"{len(better)} pairs of a problem and a method lie more than 1e-6 below the frozen best "
+           "known value.", html_table(["problem", "optimizer", "E"], better) if better else "")
+
+
+def main():
+    parser = argparse.ArgumentParser(description="From a table of runs to tables, figures and a report.")
+    parser.add_argument("results")
+    parser.add_argument("known")
+    parser.add_argument("out", type=pathlib.Path)
+    parser.add_argument("--ours", default="ceres-multistart")
+    parser.add_argument("--annealing", default="simulated-annealing")
+    options = parser.parse_args()
+    known = measures.read_known(options.known)
+    runs = measures.read_runs(options.results, known)
+    groups = measures.group(runs)
+    calibrations = measures.group([run for run in runs if family(run.problem) == "calibration"])
+    missing = {options.ours, options.annealing} - set(calibrations)
+    if missing:
+        sys.exit(f"analyse.py: {options.results}: no calibration runs of {', '.join(sorted(missing))}")
+    options.out.mkdir(parents=True, exist_ok=True)
+    analysis = Analysis(calibrations, options.ours, options.annealing)
+    analysis.known = known
+    text = report("How optimizers compare on the calibration of the paper's model",
+                  sections_of(analysis, groups, runs, known, options.out))
+    (options.out / "report.html").write_text(text)
+    for row in analysis.verdicts()[1]:
+        print(" | ".join(number(cell) for cell in row))
+
+
+if __name__ == "__main__":
+    main()

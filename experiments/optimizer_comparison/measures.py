@@ -1,0 +1,169 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What is measured on a table of runs. Definitions: README.md. Every random number comes from a seeded generator."""
+import csv
+import dataclasses
+import math
+import warnings
+
+import numpy as np
+from scipy import stats
+
+TARGETS = (1e-2, 1e-3, 1e-4)  # shares of the scale above the best known value
+PROFILE_TARGETS = tuple(10.0**-exponent for exponent in np.linspace(0.0, 4.0, 41))
+
+
+@dataclasses.dataclass(frozen=True)
+class Run:
+    problem: str
+    optimizer: str
+    best: float
+    last: float
+    distance: float  # NaN where the optimum is not known
+    cost: int
+    failures: int
+    termination: str
+    cpu: float
+    gaps: tuple  # of (cost, gap) pairs; a gap is (value - best known) / scale
+
+    def runtime(self, target):
+        """Cost at which the gap first was at most the target; infinite if it never was."""
+        return next((float(cost) for cost, gap in self.gaps if gap <= target), math.inf)
+
+    @property
+    def gap(self):
+        return self.gaps[-1][1] if self.gaps else math.inf
+
+
+@dataclasses.dataclass(frozen=True)
+class Known:
+    best: float
+    scale: float
+
+    def gap(self, value):
+        return (value - self.best) / self.scale
+
+
+def read_known(path):
+    with open(path, newline="") as file:
+        return {row["problem"]: Known(float(row["best_value"]), float(row["scale"])) for row in csv.DictReader(file)}
+
+
+def read_runs(path, known):
+    def number(text):
+        return float(text) if text else math.nan
+
+    runs = []
+    with open(path, newline="") as file:
+        for row in csv.DictReader(file):
+            reference = known[row["problem"]]
+            pairs = [point.split(":") for point in row["trace"].split()]
+            gaps = [(int(cost), reference.gap(float(value))) for cost, value in pairs]
+            if gaps:  # the trace has seven digits, the value all of them
+                gaps[-1] = (gaps[-1][0], reference.gap(float(row["best_value"])))
+            runs.append(Run(row["problem"], row["optimizer"], number(row["best_value"]), number(row["last_value"]),
+                            number(row["distance"]), int(row["cost"]), int(row["failures"]), row["termination"],
+                            float(row["cpu_seconds"]), tuple(gaps)))
+    return runs
+
+
+def group(runs):
+    """optimizer -> problem -> runs, in the order of the table."""
+    groups = {}
+    for run in runs:
+        groups.setdefault(run.optimizer, {}).setdefault(run.problem, []).append(run)
+    return groups
+
+
+def spent(run, target):
+    """What a run cost until the target, or in the whole if it missed it."""
+    return min(run.runtime(target), float(run.cost))
+
+
+def average_runtime(runs, target):
+    """aRT: all cost until the target or the end, over the number of runs that hit it. Infinite if none did."""
+    hits = sum(run.runtime(target) < math.inf for run in runs)
+    return sum(spent(run, target) for run in runs) / hits if hits else math.inf
+
+
+def bootstrap_runtime(by_problem, target, draws=1000, seed=1):
+    """95 % interval of the aRT over problems: problems are drawn with replacement, then their runs."""
+    random = np.random.default_rng(seed)
+    table = [(np.array([spent(run, target) for run in runs]),
+              np.array([run.runtime(target) < math.inf for run in runs])) for runs in by_problem.values()]
+    values = []
+    for _ in range(draws):
+        cost = hits = 0.0
+        for index in random.integers(len(table), size=len(table)):
+            costs, successes = table[index]
+            chosen = random.integers(len(costs), size=len(costs))
+            cost += costs[chosen].sum()
+            hits += successes[chosen].sum()
+        values.append(cost / hits if hits else math.inf)
+    return np.quantile(values, [0.025, 0.975], method="inverted_cdf")
+
+
+def restarted_runtimes(runs, target, draws, random):
+    """Runtimes of a method that is restarted until it hits the target: runs are drawn with replacement."""
+    costs = np.array([spent(run, target) for run in runs])
+    hits = np.array([run.runtime(target) < math.inf for run in runs])
+    if not hits.any():
+        return np.full(draws, math.inf)
+    result = np.zeros(draws)
+    is_open = np.ones(draws, dtype=bool)
+    while is_open.any():
+        chosen = random.integers(len(runs), size=int(is_open.sum()))
+        result[is_open] += costs[chosen]
+        is_open[np.flatnonzero(is_open)[hits[chosen]]] = False
+    return result
+
+
+def data_profile(by_problem, targets=PROFILE_TARGETS, draws=30, seed=1):
+    """Sorted runtimes of all pairs of problem and target, with simulated restarts: the ECDF's jumps."""
+    random = np.random.default_rng(seed)
+    return np.sort(np.concatenate([restarted_runtimes(runs, target, draws, random)
+                                   for runs in by_problem.values() for target in targets]))
+
+
+def performance_ratios(groups, target):
+    """optimizer -> for each problem its aRT over the best method's; infinite where it never hit the target."""
+    problems = sorted({problem for by_problem in groups.values() for problem in by_problem})
+    table = {name: np.array([average_runtime(by_problem.get(problem, []), target) for problem in problems])
+             for name, by_problem in groups.items()}
+    best = np.min(list(table.values()), axis=0)
+    solved = np.isfinite(best)
+    return {name: np.where(solved, row, math.inf) / np.where(solved, best, 1.0) for name, row in table.items()}
+
+
+def median_gaps(by_problem, problems):
+    return np.array([np.median([run.gap for run in by_problem[problem]]) for problem in problems])
+
+
+def holm(values):
+    """p values adjusted by Holm's step-down method, in the order given."""
+    order = np.argsort(values)
+    adjusted = np.empty(len(values))
+    largest = 0.0
+    for rank, index in enumerate(order):
+        largest = max(largest, min(1.0, (len(values) - rank) * values[index]))
+        adjusted[index] = largest
+    return adjusted
+
+
+def compare_pairs(ours, theirs, tie=1e-6):
+    """Wilcoxon's signed-rank test of paired gaps, and how often ours is better, a tie counting half.
+
+    Differences of at most `tie` are ties: both found the same minimum. The test is Pratt's, which keeps them in the ranks.
+    """
+    difference = np.where(np.abs(ours - theirs) <= tie, 0.0, ours - theirs)
+    better = float(np.mean(difference < 0.0) + 0.5 * np.mean(difference == 0.0))
+    if not difference.any():
+        return 1.0, better
+    # Without ties among the differences and zeros the distribution is known exactly.
+    method = "exact" if len(difference) <= 50 and len(set(np.abs(difference)) - {0.0}) == len(difference) else "approx"
+    with warnings.catch_warnings():
+        warnings.filterwarnings("ignore", message="Sample size too small")  # as in the subset: the report says how many
+        return float(stats.wilcoxon(difference, zero_method="pratt", method=method).pvalue), better
+
+
+def success_rate(runs, target):
+    return float(np.mean([run.gap <= target for run in runs]))
