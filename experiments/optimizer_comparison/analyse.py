@@ -50,10 +50,17 @@ def restrict(groups, problems):
     return {name: {problem: by_problem[problem] for problem in problems} for name, by_problem in groups.items()}
 
 
+def in_order(groups):
+    """Alike methods beside each other; those that the figures do not know come last."""
+    known = [name for name in figures.ORDER if name in groups]
+    return {name: groups[name] for name in known + sorted(set(groups) - set(known))}
+
+
 class Analysis:
-    def __init__(self, groups, ours, annealing):
+    def __init__(self, groups, known, ours, annealing):
+        self.known = known
         self.problems = shared_problems(groups)
-        self.groups = restrict(groups, self.problems)
+        self.groups = in_order(restrict(groups, self.problems))
         self.ours = ours
         self.annealing = annealing
         self.runtimes = {name: [(self.pooled(by_problem, target), *measures.bootstrap_runtime(by_problem, target))
@@ -117,7 +124,7 @@ def family_table(groups, name_of_family, target):
     header = ["optimizer", "problems", f"success within {target:g} of the scale", "aRT",
               "median miss of the optimum, share of the box"]
     rows = []
-    for name, by_problem in groups.items():
+    for name, by_problem in in_order(groups).items():
         runs = [run for problem in problems for run in by_problem[problem]]
         if runs:
             rows.append([name, len(problems), measures.success_rate(runs, target),
@@ -212,8 +219,7 @@ def main():
     if missing:
         sys.exit(f"analyse.py: {options.results}: no calibration runs of {', '.join(sorted(missing))}")
     options.out.mkdir(parents=True, exist_ok=True)
-    analysis = Analysis(calibrations, options.ours, options.annealing)
-    analysis.known = known
+    analysis = Analysis(calibrations, known, options.ours, options.annealing)
     text = report("How optimizers compare on the calibration of the paper's model",
                   sections_of(analysis, groups, runs, known, options.out))
     (options.out / "report.html").write_text(text)

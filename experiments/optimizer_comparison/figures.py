@@ -16,22 +16,22 @@ matplotlib.rcParams.update({"svg.hashsalt": "fretwork", "svg.fonttype": "none", 
                             "axes.grid": True, "grid.color": "#e4e4e4", "axes.axisbelow": True})
 
 # One colour for a kind of method; its members differ by line style. The colours can be told apart by the colour blind.
-KINDS = (("#0072b2", ("ceres-multistart", "gauss-newton-multistart")),
-         ("#56b4e9", ("ceres-residuals", "ceres-dogleg", "ceres-sine", "ceres-smoothed", "ceres-smoothed-dogleg",
-                      "ceres-smoothed-sine")),
-         ("#009e73", ("bobyqa", "subplex", "slsqp", "direct-l", "mlsl", "crs2")),
-         ("#cc79a7", ("cma-es", "differential-evolution")),
-         ("#d55e00", ("simulated-annealing", "annealing-clamp", "annealing-reject", "annealing-raw", "annealing-cool",
-                      "corana-annealing", "annealing-then-ceres")),
-         ("#777777", ("random-search",)))
+KINDS = (("this project's calibrators", "#0072b2", ("ceres-multistart", "gauss-newton-multistart")),
+         ("Ceres on the residuals", "#2a8fc4", ("ceres-residuals", "ceres-dogleg", "ceres-sine", "ceres-smoothed",
+                                                "ceres-smoothed-dogleg", "ceres-smoothed-sine")),
+         ("NLopt, local", "#009e73", ("bobyqa", "subplex", "slsqp")),
+         ("NLopt, global", "#8a7a00", ("direct-l", "mlsl", "crs2")),
+         ("annealing", "#d55e00", ("simulated-annealing", "annealing-clamp", "annealing-reject", "annealing-raw",
+                                   "annealing-cool", "corana-annealing", "annealing-then-ceres")),
+         ("evolution, and the floor", "#b0578d", ("cma-es", "differential-evolution", "random-search")))
+ORDER = [name for _, _, members in KINDS for name in members]
 STYLES = ("-", "--", ":", "-.", (0, (6, 2, 1, 2, 1, 2)), (0, (1, 3)), (0, (8, 3)))
 
 
 def style_of(name):
-    for colour, members in KINDS:
+    for _, colour, members in KINDS:
         if name in members:
-            return {"color": colour, "linestyle": STYLES[members.index(name) % len(STYLES)],
-                    "linewidth": 2.4 if colour == "#0072b2" else 1.3}
+            return {"color": colour, "linestyle": STYLES[members.index(name) % len(STYLES)], "linewidth": 1.6}
     return {"color": "black", "linestyle": "-", "linewidth": 1.3}
 
 
@@ -47,35 +47,46 @@ def legend_beside(axes):
     axes.legend(loc="center left", bbox_to_anchor=(1.01, 0.5), frameon=False, handlelength=3.2, fontsize=8)
 
 
-def step_curve(axes, name, values, total, limit):
+def step_curve(axes, values, limit, **style):
+    """The ECDF of the values; infinite ones never come."""
     finite = values[np.isfinite(values)]
-    shares = np.arange(1, len(finite) + 1) / total
-    x = np.concatenate([[finite[0] if len(finite) else limit], finite, [limit]])
-    y = np.concatenate([[0.0], shares, [shares[-1] if len(finite) else 0.0]])
-    axes.step(x, y, where="post", label=name, **style_of(name))
+    if len(finite):
+        x = np.concatenate([[finite[0]], finite, [limit]])
+        y = np.concatenate([[0.0], np.arange(1, len(finite) + 1), [len(finite)]]) / len(values)
+        axes.step(x, y, where="post", **style)
+    else:
+        axes.plot([1, limit], [0.0, 0.0], **style)
+
+
+def profile_panels(curves, limit, labels):
+    """One panel for each kind of method; the others stand behind in grey. `curves`: name -> sorted values."""
+    figure, grid = plt.subplots(2, 3, figsize=(10.2, 6.2), sharex=True, sharey=True)
+    for axes, (kind, _, members) in zip(grid.flat, KINDS):
+        for name, values in curves.items():
+            if name not in members:
+                step_curve(axes, values, limit, color="#d0d0d0", linewidth=0.7)
+        for name in members:
+            if name in curves:
+                step_curve(axes, curves[name], limit, label=name, **style_of(name))
+        axes.set(xscale="log", xlim=(1, limit), ylim=(-0.01, 1.02))
+        axes.set_title(kind, loc="left", fontsize=9)
+        axes.legend(loc="upper left" if limit > 1e5 else "lower right", fontsize=7, frameon=True, framealpha=0.85,
+                    edgecolor="none", handlelength=3.0)
+    figure.supxlabel(labels[0], fontsize=9)
+    figure.supylabel(labels[1], fontsize=9)
+    figure.tight_layout()
+    return svg_of(figure)
 
 
 def data_profiles(groups):
-    figure, axes = plt.subplots(figsize=(7.2, 4.6))
-    limit = 1e6
-    for name, by_problem in groups.items():
-        values = measures.data_profile(by_problem)
-        step_curve(axes, name, values, len(values), limit)
-    axes.set(xscale="log", xlim=(1, limit), ylim=(0, 1.01), xlabel="stiffness factorizations, with simulated restarts",
-             ylabel="share of pairs (pattern, target) that are hit")
-    legend_beside(axes)
-    return svg_of(figure)
+    curves = {name: measures.data_profile(by_problem) for name, by_problem in groups.items()}
+    return profile_panels(curves, 1e6, ("stiffness factorizations, with simulated restarts",
+                                        "share of pairs (pattern, target) that are hit"))
 
 
 def performance_profiles(groups, target):
-    figure, axes = plt.subplots(figsize=(7.2, 4.6))
-    limit = 1e4
-    for name, ratios in measures.performance_ratios(groups, target).items():
-        step_curve(axes, name, np.sort(ratios), len(ratios), limit)
-    axes.set(xscale="log", xlim=(1, limit), ylim=(0, 1.01), xlabel="aRT of the method over the least aRT on the pattern",
-             ylabel="share of patterns")
-    legend_beside(axes)
-    return svg_of(figure)
+    curves = {name: np.sort(ratios) for name, ratios in measures.performance_ratios(groups, target).items()}
+    return profile_panels(curves, 1e4, ("aRT of the method over the least aRT on the pattern", "share of patterns"))
 
 
 def final_gaps(groups):
@@ -109,11 +120,12 @@ def runtimes(table, targets):
             y = row + 0.22 * (1 - k)
             colour = style_of(name)["color"]
             axes.plot([low, min(high, limit)], [y, y], color=colour, linewidth=1.2)
-            axes.plot([value], [y], markers[k], color=colour, markersize=4.2,
-                      label=f"within {100 * targets[k]:g} %" if row == len(names) - 1 else None)
+            axes.plot([value], [y], markers[k], color=colour, markersize=4.2)
     axes.set(xscale="log", xlim=(10, limit), ylim=(-0.7, len(names) - 0.3), yticks=range(len(names)),
              yticklabels=list(reversed(names)),
              xlabel="aRT in stiffness factorizations, with 95 % bootstrap intervals; cut where it reaches infinity")
+    for marker, target in zip(markers, targets):
+        axes.plot([], [], marker, color="#444444", markersize=4.2, label=f"within {100 * target:g} %")
     axes.legend(loc="lower right", frameon=True, fontsize=8)
     return svg_of(figure)
 
@@ -129,7 +141,8 @@ def convergence(groups, names):
             for run in runs:
                 steps = np.searchsorted([cost for cost, _ in run.gaps], costs, side="right")
                 rows.append([run.gaps[step - 1][1] if step else math.inf for step in steps])
-        axes.plot(costs, np.maximum(np.median(rows, axis=0), 1e-8), label=name, **style_of(name))
+        middle = np.maximum(np.median(rows, axis=0), 1e-8)
+        axes.plot(costs, middle, label=name, **style_of(name))
     axes.axhline(1e-3, color="black", linewidth=0.8, linestyle="--")
     axes.set(xscale="log", yscale="log", ylim=(1e-6, 1e3), xlabel="stiffness factorizations of one run",
              ylabel="median of (E - best known E) / best known E")
