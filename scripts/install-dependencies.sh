@@ -7,7 +7,7 @@ set -euo pipefail
 demo=(g++ cmake ninja-build git ca-certificates
       libcgal-dev libceres-dev libnlopt-dev libpagmo-dev libeigen3-dev libboost-dev libboost-graph-dev libopenmesh-dev libsuitesparse-dev
       libopenblas0-serial libnauty2-dev libsqlite3-dev nlohmann-json3-dev libcli11-dev libpugixml-dev
-      libnauty2-dev librsvg2-bin fonts-dejavu-core)
+      librsvg2-bin fonts-dejavu-core)
 test=("${demo[@]}" libgtest-dev libgmock-dev libbenchmark-dev clang-format gringo)
 check=("${test[@]}" clang-tidy-16 sqlite3 slurm-wlm munge snakemake)
 
