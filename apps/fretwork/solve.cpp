@@ -23,6 +23,8 @@ Examples:
   fretwork solve frame.json --out result.json                   nonlinear, to the full load
   fretwork solve frame.json --solver linear --out result.json
   fretwork solve frame.json --steps 20 --out result.json        with the 20 equilibria on the way
+  fretwork solve frame.json --branch stable --out result.json   past a bifurcation, as a specimen would go
+  fretwork solve frame.json --solver linear --buckling 3 --out result.json
   fretwork solve frame.json --solver linear --modes 6 --out result.json --vtu result.vtu)";
 
 /// Equilibria on the way to the full load where none are asked for: enough that the path is followed and not
@@ -36,14 +38,33 @@ struct Wishes {
     std::string vtu;
     int steps = 0;
     int modes = 0;
+    int buckling = 0;
+    std::string branch = "primary";
     bool lumped_gravity = false;
     bool json = false;
 };
 
-std::vector<mechanics::Solution> follow(const mechanics::Assembly& assembly, int steps) {
+std::vector<mechanics::Solution> follow(const mechanics::Assembly& assembly, const Wishes& wishes) {
+    const int steps = wishes.steps > 0 ? wishes.steps : kDefaultSteps;
+    mechanics::EquilibriumOptions options;
+    options.locate_critical_loads = true;
+    if (wishes.branch == "stable") options.branch = mechanics::Branch::Stable;
     std::vector<double> factors;
     for (int k = 1; k <= steps; ++k) factors.push_back(static_cast<double>(k) / steps);
-    return mechanics::follow_load_path(assembly, factors);
+    return mechanics::follow_load_path(assembly, factors, options);
+}
+
+/// The end of a path, with what was met on all of it.
+mechanics::Solution end_of(const std::vector<mechanics::Solution>& steps) {
+    mechanics::Solution end = steps.back();
+    end.iterations = 0;
+    end.stability_losses.clear();
+    for (const mechanics::Solution& step : steps) {
+        end.iterations += step.iterations;
+        end.stability_losses.insert(end.stability_losses.end(), step.stability_losses.begin(),
+                                    step.stability_losses.end());
+    }
+    return end;
 }
 
 mechanics::Result solve(const mechanics::Frame& frame, const Wishes& wishes) {
@@ -59,13 +80,12 @@ mechanics::Result solve(const mechanics::Frame& frame, const Wishes& wishes) {
     } else if (wishes.solver == "dynamic-relaxation") {
         result.solution = mechanics::relax(assembly);
     } else {
-        auto steps = follow(assembly, wishes.steps > 0 ? wishes.steps : kDefaultSteps);
-        result.solution = steps.back();
-        result.solution.iterations = 0;
-        for (const mechanics::Solution& step : steps) result.solution.iterations += step.iterations;
+        auto steps = follow(assembly, wishes);
+        result.solution = end_of(steps);
         if (wishes.steps > 0) result.load_steps = std::move(steps);
     }
     if (wishes.modes > 0) result.vibration_modes = mechanics::vibration_modes(assembly, wishes.modes);
+    if (wishes.buckling > 0) result.buckling_modes = mechanics::buckling_modes(assembly, wishes.buckling);
     result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return result;
 }
@@ -74,6 +94,11 @@ base::detail::Json summary_of(const mechanics::Result& result) {
     const mechanics::Solution& solution = result.solution;
     base::detail::Json frequencies = base::detail::Json::array();
     for (const mechanics::Mode& mode : result.vibration_modes) frequencies.push_back(mode.value);
+    base::detail::Json buckling = base::detail::Json::array();
+    for (const mechanics::Mode& mode : result.buckling_modes) buckling.push_back(mode.value);
+    base::detail::Json critical = base::detail::Json::array();
+    for (const mechanics::StabilityLoss& loss : solution.stability_losses)
+        critical.push_back(loss.load_factor);
     return {{"solver", result.solver},
             {"converged", solution.converged()},
             {"termination", mechanics::termination_name(solution.termination)},
@@ -86,6 +111,8 @@ base::detail::Json summary_of(const mechanics::Result& result) {
             {"residual", solution.residual},
             {"iterations", solution.iterations},
             {"frequencies", frequencies},
+            {"buckling_load_factors", buckling},
+            {"critical_load_factors", critical},
             {"seconds", result.seconds}};
 }
 
@@ -112,6 +139,12 @@ void print(const mechanics::Result& result, const base::detail::Json& summary) {
     std::printf("largest displacement %.6g mm, largest rotation %.6g deg\n",
                 1e3 * summary["largest_displacement"].get<double>(),
                 summary["largest_rotation"].get<double>() * 57.29577951308232);
+    for (const mechanics::StabilityLoss& loss : solution.stability_losses)
+        std::printf("unstable from %.6g of the load on%s: node %d along %s\n", loss.load_factor,
+                    loss.pushed ? "; pushed onto a stable branch" : "", loss.node.value,
+                    mechanics::kDofNames[static_cast<std::size_t>(loss.dof)]);
+    for (std::size_t i = 0; i < result.buckling_modes.size(); ++i)
+        std::printf("buckling load %zu: %.6g times the load\n", i + 1, result.buckling_modes[i].value);
     for (std::size_t i = 0; i < result.vibration_modes.size(); ++i)
         std::printf("mode %zu: %.6g Hz\n", i + 1, result.vibration_modes[i].value);
     std::printf("relative residual %.1e, %d iterations, %.3g s\n", solution.residual, solution.iterations,
@@ -151,6 +184,14 @@ void add_solve(CLI::App& app, ExitCode& exit_code) {
         ->capture_default_str();
     verb->add_option("--steps", wishes->steps, "reach the load in so many steps, and write each of them")
         ->check(CLI::Range(1, 100000));
+    verb->add_option(
+            "--branch", wishes->branch,
+            "where the path becomes unstable: primary goes on along it, stable is pushed off it along the "
+            "critical mode (newton only)")
+        ->check(CLI::IsMember({"primary", "stable"}))
+        ->capture_default_str();
+    verb->add_option("--buckling", wishes->buckling, "so many critical load factors by linearized buckling")
+        ->check(CLI::Range(1, 1000));
     verb->add_option("--modes", wishes->modes,
                      "so many natural frequencies and modes of the structure at rest")
         ->check(CLI::Range(1, 1000));

@@ -38,6 +38,9 @@ Result some_result() {
     result.load_steps = {some_solution(), some_solution()};
     result.load_steps[0].termination = Termination::Converged;
     result.vibration_modes = {{12.5, NodeValues::Constant(2, kDofsPerNode, 0.1)}};
+    result.buckling_modes = {{2.5, NodeValues::Constant(2, kDofsPerNode, 0.2)}};
+    result.solution.stability_losses = {{0.4, NodeIndex(1), Dof::ry, true},
+                                        {0.6, NodeIndex(0), Dof::uz, false}};
     result.seconds = 0.25;
     return result;
 }
@@ -82,6 +85,16 @@ TEST_F(ResultFile, WhatIsWrittenIsReadBackExactly) {
     ASSERT_EQ(read.vibration_modes.size(), 1u);
     EXPECT_EQ(read.vibration_modes[0].value, 12.5);
     EXPECT_EQ(read.vibration_modes[0].shape, written.vibration_modes[0].shape);
+    ASSERT_EQ(read.buckling_modes.size(), 1u);
+    EXPECT_EQ(read.buckling_modes[0].value, 2.5);
+    EXPECT_EQ(read.buckling_modes[0].shape, written.buckling_modes[0].shape);
+    ASSERT_EQ(read.solution.stability_losses.size(), 2u);
+    EXPECT_EQ(read.solution.stability_losses[0].load_factor, 0.4);
+    EXPECT_EQ(read.solution.stability_losses[0].node, NodeIndex(1));
+    EXPECT_EQ(read.solution.stability_losses[0].dof, Dof::ry);
+    EXPECT_TRUE(read.solution.stability_losses[0].pushed);
+    EXPECT_FALSE(read.solution.stability_losses[1].pushed);
+    EXPECT_TRUE(read.load_steps[0].stability_losses.empty());
 }
 
 TEST_F(ResultFile, ANumberThatIsNotFiniteIsNotWritten) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/text.hpp>
+#include <fretwork/mechanics/detail/lowest_mode.hpp>
 #include <fretwork/mechanics/detail/newton.hpp>
 #include <fretwork/mechanics/detail/path_predictor.hpp>
 #include <fretwork/mechanics/equilibrium.hpp>
@@ -22,6 +23,13 @@ constexpr double kLimitLoadGrowth = 8.0;
 /// anyhow (in rad and element lengths).
 constexpr double kJump = 3.0;
 constexpr double kSmallMove = 0.1;
+
+/// How far the push goes from an unstable equilibrium (rad, or element lengths).
+constexpr double kPush = 0.02;
+
+/// Critical loads are found to this share of them, by at most so many equilibria.
+constexpr double kCriticalWidth = 1e-6;
+constexpr int kCriticalSteps = 30;
 
 class LoadPath {
   public:
@@ -72,12 +80,91 @@ class LoadPath {
         Eigen::VectorXd rate = outcome.zero_pivot < 0 ? newton_.solve_tangent(system_.load_rate())
                                                       : Eigen::VectorXd(move / (factor - factor_));
         if (is_jump(factor - factor_, move, rate)) return Termination::LimitLoad;
+        const bool loses_stability = outcome_.positive_definite() && !outcome.positive_definite();
+        if (loses_stability && (options_.locate_critical_loads || options_.branch == Branch::Stable)) {
+            const Termination left = leave(factor, move, trial);
+            if (left != Termination::Converged) return left;
+            if (options_.branch == Branch::Stable) return Termination::Converged;
+        }
         rate_ = std::move(rate);
         configuration_ = std::move(trial);
         factor_ = factor;
         predictor_.add(factor_, configuration_, rate_);
         outcome_ = outcome;
         return Termination::Converged;
+    }
+
+    /// The path has become unstable on the way to `unstable`: find where, and go on along a stable branch if
+    /// that is wished.
+    Termination leave(double factor, const Eigen::VectorXd& move, Configuration& unstable) {
+        system_.evaluate(unstable, factor);
+        const detail::LowestMode mode = detail::lowest_mode(system_, newton_);
+        StabilityLoss loss = describe_loss(mode);
+        loss.load_factor = critical_factor({factor, mode.eigenvalue}, move);
+        if (options_.branch == Branch::Stable) {
+            Configuration pushed = unstable;
+            system_.move(kPush * mode.shape / system_.largest_component(mode.shape), pushed);
+            const Termination found = detail::descend(factor, system_, newton_, options_, pushed);
+            if (found != Termination::Converged) return found;
+            loss.pushed = true;
+            rate_ = newton_.solve_tangent(system_.load_rate());
+            outcome_ = {};
+            configuration_ = std::move(pushed);
+            factor_ = factor;
+            predictor_.restart();
+            predictor_.add(factor_, configuration_, rate_);
+        } else {
+            system_.evaluate(unstable, factor);
+        }
+        losses_.push_back(loss);
+        return Termination::Converged;
+    }
+
+    struct Lowest {
+        double factor;
+        double eigenvalue;
+    };
+
+    /// Where the lowest eigenvalue vanishes between the last equilibrium and an unstable one: the false
+    /// position, halving the weight of an end that stays (the Illinois rule).
+    [[nodiscard]] double critical_factor(Lowest unstable, const Eigen::VectorXd& move) {
+        const double span = unstable.factor - factor_;
+        system_.evaluate(configuration_, factor_);
+        Lowest stable{factor_, detail::lowest_mode(system_, newton_).eigenvalue};
+        int side = 0;
+        for (int i = 0;
+             i < kCriticalSteps && unstable.factor - stable.factor > kCriticalWidth * unstable.factor; ++i) {
+            const double share = stable.eigenvalue / (stable.eigenvalue - unstable.eigenvalue);
+            const double factor = stable.factor + share * (unstable.factor - stable.factor);
+            Configuration trial = configuration_;
+            system_.prescribe(factor, trial);
+            system_.move(((factor - factor_) / span) * move, trial);
+            if (newton_.solve(factor, trial) != Termination::Converged) break;
+            const Lowest found{factor, detail::lowest_mode(system_, newton_).eigenvalue};
+            const bool is_stable = found.eigenvalue > 0.0;
+            if (side == (is_stable ? 1 : -1)) (is_stable ? unstable : stable).eigenvalue *= 0.5;
+            side = is_stable ? 1 : -1;
+            (is_stable ? stable : unstable) = found;
+        }
+        const double share = stable.eigenvalue / (stable.eigenvalue - unstable.eigenvalue);
+        return stable.factor + std::clamp(share, 0.0, 1.0) * (unstable.factor - stable.factor);
+    }
+
+    [[nodiscard]] StabilityLoss describe_loss(const detail::LowestMode& mode) const {
+        StabilityLoss loss;
+        double largest = -1.0;
+        for (int node = 0; node < system_.assembly().reported_nodes; ++node) {
+            for (int d = 0; d < kDofsPerNode; ++d) {
+                const int equation = system_.layout().equation(node, d);
+                if (equation < 0) continue;
+                const double size = mode.shape[equation] * std::sqrt(system_.weights()[equation]);
+                if (size <= largest) continue;
+                largest = size;
+                loss.node = NodeIndex(node);
+                loss.dof = static_cast<Dof>(d);
+            }
+        }
+        return loss;
     }
 
     /// Newton's method may find an equilibrium on a far branch, to which the structure would snap. On one
@@ -108,6 +195,7 @@ class LoadPath {
                 system_.has_skew_part() ? StabilityTest::SymmetricPart : StabilityTest::Tangent;
         }
         solution.iterations = newton_.take_iterations();
+        solution.stability_losses = std::exchange(losses_, {});
         return solution;
     }
 
@@ -120,6 +208,7 @@ class LoadPath {
     Eigen::VectorXd rate_;  ///< of the unknowns in the load factor
     double rest_rate_ = 0.0;
     detail::PathPredictor predictor_;
+    std::vector<StabilityLoss> losses_;
 };
 
 void require(bool good, const std::string& message) {

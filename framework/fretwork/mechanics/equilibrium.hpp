@@ -9,6 +9,12 @@
 
 namespace fretwork::mechanics {
 
+/// Which equilibria to follow where a path becomes unstable.
+enum class Branch {
+    Primary,  ///< the path itself: a flat structure stays flat
+    Stable    ///< the branch on which the structure stays: after a push along the critical mode
+};
+
 /// Options of the geometrically nonlinear solve.
 struct EquilibriumOptions {
     double relative_residual = 1e-9;  ///< converged below this
@@ -17,6 +23,8 @@ struct EquilibriumOptions {
     int iterations_per_step = 60;
     int largest_cut_back = 10;  ///< a load step is halved at most so often
     bool classify_stability = true;
+    Branch branch = Branch::Primary;
+    bool locate_critical_loads = false;  ///< fill Solution::stability_losses; Branch::Stable always does
     /// Throws InputError if a value makes no sense.
     void validate() const;
 };
@@ -25,6 +33,9 @@ struct EquilibriumOptions {
 /// corotational Newton with a consistent tangent, and a predictor from the path so far. One solution for each
 /// factor; once a factor is not reached, it and those after it say so, and hold the last equilibrium that was
 /// found and its factor.
+///
+/// With Branch::Stable, an equilibrium that has lost its stability is pushed along its lowest mode and let
+/// down to a stable one, and the path goes on from there; each such place is told.
 ///
 /// Rotation vectors are continuous along the path: beyond half a turn they go on growing. At nodes with a
 /// held rotation component the reaction's moment is the true moment in space. Throws InputError if the

@@ -36,6 +36,11 @@ void append_solution(Json& json, const Solution& solution) {
     json["energy"] = solution.energy;
     json["residual"] = solution.residual;
     json["iterations"] = solution.iterations;
+    for (const StabilityLoss& loss : solution.stability_losses)
+        json["stability_losses"].push_back({{"load_factor", loss.load_factor},
+                                            {"node", loss.node.value},
+                                            {"component", kDofNames[static_cast<std::size_t>(loss.dof)]},
+                                            {"pushed", loss.pushed}});
     json["displacements"] = rows_json(solution.displacements);
     json["reactions"] = rows_json(solution.reactions);
 }
@@ -67,6 +72,28 @@ StabilityTest read_stability(const JsonReader& reader) {
     reader.fail("is " + reader.text() + ", which is no test of stability");
 }
 
+StabilityLoss read_loss(const JsonReader& reader) {
+    reader.allow_only({"load_factor", "node", "component", "pushed"});
+    StabilityLoss loss;
+    loss.load_factor = reader.at("load_factor").number();
+    loss.node = NodeIndex(reader.at("node").integer(0, std::numeric_limits<int>::max()));
+    const std::string name = reader.at("component").choice({"ux", "uy", "uz", "rx", "ry", "rz"});
+    for (int d = 0; d < kDofsPerNode; ++d) {
+        if (kDofNames[static_cast<std::size_t>(d)] == name) loss.dof = static_cast<Dof>(d);
+    }
+    loss.pushed = reader.at("pushed").boolean();
+    return loss;
+}
+
+std::vector<Mode> read_modes(const JsonReader& reader, std::string_view value, std::size_t nodes) {
+    std::vector<Mode> modes;
+    for (const JsonReader& mode : reader.elements()) {
+        mode.allow_only({value, "shape"});
+        modes.push_back({mode.at(value).positive_number(), read_rows(mode.at("shape"), nodes)});
+    }
+    return modes;
+}
+
 Solution read_solution(const JsonReader& reader, std::size_t nodes) {
     Solution solution;
     solution.load_factor = reader.at("load_factor").number();
@@ -79,6 +106,10 @@ Solution read_solution(const JsonReader& reader, std::size_t nodes) {
     solution.residual = reader.at("residual").number();
     solution.iterations =
         static_cast<int>(reader.at("iterations").integer(0, std::numeric_limits<int>::max()));
+    if (const auto losses = reader.find("stability_losses")) {
+        for (const JsonReader& loss : losses->elements())
+            solution.stability_losses.push_back(read_loss(loss));
+    }
     solution.displacements = read_rows(reader.at("displacements"), nodes);
     solution.reactions = read_rows(reader.at("reactions"), nodes);
     return solution;
@@ -111,6 +142,8 @@ void write_result(const Result& result, const std::filesystem::path& path) {
     }
     for (const Mode& mode : result.vibration_modes)
         json["vibration_modes"].push_back({{"frequency", mode.value}, {"shape", rows_json(mode.shape)}});
+    for (const Mode& mode : result.buckling_modes)
+        json["buckling_modes"].push_back({{"load_factor", mode.value}, {"shape", rows_json(mode.shape)}});
     base::write_file_atomically(path, base::detail::json_text(json));
 }
 
@@ -119,7 +152,7 @@ Result read_result(const std::filesystem::path& path) {
     document.expect_format("result");
     document.allow_only({"format", "solver", "load_factor", "converged", "stable", "stability", "termination",
                          "energy", "residual", "iterations", "displacements", "reactions", "seconds", "nodes",
-                         "load_steps", "vibration_modes"});
+                         "load_steps", "stability_losses", "vibration_modes", "buckling_modes"});
     Result result;
     result.solver = document.at("solver").string();
     for (const JsonReader& node : document.at("nodes").elements()) result.nodes.push_back(read_node(node));
@@ -128,17 +161,14 @@ Result read_result(const std::filesystem::path& path) {
     if (const auto steps = document.find("load_steps")) {
         for (const JsonReader& step : steps->elements()) {
             step.allow_only({"load_factor", "converged", "stable", "stability", "termination", "energy",
-                             "residual", "iterations", "displacements", "reactions"});
+                             "residual", "iterations", "displacements", "reactions", "stability_losses"});
             result.load_steps.push_back(read_solution(step, result.nodes.size()));
         }
     }
-    if (const auto modes = document.find("vibration_modes")) {
-        for (const JsonReader& mode : modes->elements()) {
-            mode.allow_only({"frequency", "shape"});
-            result.vibration_modes.push_back(
-                {mode.at("frequency").positive_number(), read_rows(mode.at("shape"), result.nodes.size())});
-        }
-    }
+    if (const auto modes = document.find("vibration_modes"))
+        result.vibration_modes = read_modes(*modes, "frequency", result.nodes.size());
+    if (const auto modes = document.find("buckling_modes"))
+        result.buckling_modes = read_modes(*modes, "load_factor", result.nodes.size());
     return result;
 }
 

@@ -22,6 +22,7 @@ struct Result {
     Solution solution;
     std::vector<Solution> load_steps;     ///< only where asked for
     std::vector<Mode> vibration_modes{};  ///< only where asked for
+    std::vector<Mode> buckling_modes{};   ///< only where asked for
     double seconds = 0.0;
 };
 

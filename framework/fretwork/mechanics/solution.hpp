@@ -5,6 +5,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace fretwork::mechanics {
 
@@ -21,6 +22,14 @@ enum class StabilityTest {
 };
 std::string_view stability_test_name(StabilityTest test);
 
+/// Where a path became unstable, and whether it was left there for a stable branch.
+struct StabilityLoss {
+    double load_factor = 0.0;  ///< critical: the tangent is singular there
+    NodeIndex node;            ///< where the critical mode is largest, and
+    Dof dof = Dof::ux;         ///< in which component: the push goes along it, in its positive sense
+    bool pushed = false;       ///< the path goes on along a stable branch, after a push along that mode
+};
+
 /// One equilibrium of a structure.
 struct Solution {
     double load_factor = 1.0;  ///< share of the loads and prescribed displacements
@@ -33,6 +42,7 @@ struct Solution {
     double energy = 0.0;       ///< J, elastic
     double residual = 0.0;  ///< norm of the out-of-balance forces relative to that of the loads and reactions
     int iterations = 0;     ///< linear solves since the last solution of the path
+    std::vector<StabilityLoss> stability_losses{};  ///< since the last solution of the path
 };
 
 }  // namespace fretwork::mechanics

@@ -51,6 +51,20 @@ Ldlt::Outcome Newton::factorize() {
     return factors_.factorize(system_.tangent());
 }
 
+Ldlt::Outcome Newton::factorize(double shift) {
+    shifted_.assign(system_.tangent().begin(), system_.tangent().end());
+    const auto& start = system_.layout().column_start();
+    for (int i = 0; i < system_.equations(); ++i)
+        shifted_[static_cast<std::size_t>(start[static_cast<std::size_t>(i)])] +=
+            shift * system_.weights()[i];
+    return factors_.factorize(shifted_);
+}
+
+void Newton::solve_symmetric(Eigen::VectorXd& right_side) {
+    factors_.solve(right_side);
+    ++iterations_;
+}
+
 Eigen::VectorXd Newton::solve_tangent(const Eigen::VectorXd& right_side) {
     Eigen::VectorXd x = right_side;
     factors_.solve(x);

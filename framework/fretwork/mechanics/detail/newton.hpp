@@ -5,6 +5,7 @@
 #include <fretwork/mechanics/equilibrium.hpp>
 
 #include <utility>
+#include <vector>
 
 namespace fretwork::mechanics::detail {
 
@@ -20,6 +21,10 @@ class Newton {
 
     /// Factorize the tangent of the last evaluation. Returns what its symmetric part is.
     Ldlt::Outcome factorize();
+    /// The same with `shift` times the system's weights added to the diagonal.
+    Ldlt::Outcome factorize(double shift);
+    /// Solve with the symmetric part of the last factorization, in place.
+    void solve_symmetric(Eigen::VectorXd& right_side);
     /// Solve with the whole tangent of the last factorization, its skew part included.
     [[nodiscard]] Eigen::VectorXd solve_tangent(const Eigen::VectorXd& right_side);
 
@@ -32,6 +37,7 @@ class Newton {
     NonlinearSystem& system_;
     const EquilibriumOptions& options_;
     Ldlt factors_;
+    std::vector<double> shifted_;
     int iterations_ = 0;
 };
 

@@ -17,6 +17,9 @@ class PathPredictor {
     /// Add an equilibrium and the rate of its unknowns in the load factor.
     void add(double load_factor, const Configuration& configuration, const Eigen::VectorXd& rate);
 
+    /// Forget what was before: the path goes on from elsewhere.
+    void restart() { points_.clear(); }
+
     /// The step of the unknowns from the last equilibrium to that at another load factor.
     [[nodiscard]] Eigen::VectorXd step_to(double load_factor) const;
 

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/mechanics/detail/lowest_mode.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace fretwork::mechanics::detail {
+namespace {
+
+constexpr int kMostIterations = 300;
+constexpr double kTolerance = 1e-10;
+
+/// A downhill step away from an unstable equilibrium turns no node by more than this, rad.
+constexpr double kDownhillStep = 0.1;
+constexpr int kMostDownhillSteps = 400;
+
+/// A shift that is small beside what the tangent holds on its diagonal.
+double small_shift(const NonlinearSystem& system) {
+    double sum = 0.0;
+    for (int i = 0; i < system.equations(); ++i) {
+        const auto k = static_cast<std::size_t>(system.layout().column_start()[static_cast<std::size_t>(i)]);
+        sum += std::abs(system.tangent()[k]) / system.weights()[i];
+    }
+    return 1e-9 * sum / std::max(system.equations(), 1);
+}
+
+/// The least of the shifts `first`, 4 `first`, .. that makes the tangent positive definite; it is factorized.
+double shift_to_definite(Newton& newton, double first) {
+    double shift = first;
+    while (!newton.factorize(shift).positive_definite() && std::isfinite(shift)) shift *= 4.0;
+    return shift;
+}
+
+Eigen::VectorXd start_vector(int size) {
+    Eigen::VectorXd start(size);
+    std::uint64_t state = 1;
+    for (double& entry : start) {
+        state = state * 6364136223846793005ULL + 1442695040888963407ULL;
+        entry = static_cast<double>(state >> 11) * 0x1.0p-52 - 1.0;
+    }
+    return start;
+}
+
+}  // namespace
+
+LowestMode lowest_mode(const NonlinearSystem& system, Newton& newton) {
+    const double shift = shift_to_definite(newton, small_shift(system));
+    Eigen::VectorXd x = start_vector(system.equations());
+    double eigenvalue = 0.0;
+    for (int iteration = 0; iteration < kMostIterations; ++iteration) {
+        const Eigen::VectorXd weighted = system.weights().cwiseProduct(x);
+        Eigen::VectorXd next = weighted;
+        newton.solve_symmetric(next);
+        const double found = x.dot(weighted) / next.dot(weighted) - shift;
+        x = next / std::sqrt(next.dot(system.weights().cwiseProduct(next)));
+        const bool settled = std::abs(found - eigenvalue) <= kTolerance * (std::abs(found) + shift);
+        eigenvalue = found;
+        if (settled && iteration > 2) break;
+    }
+    Eigen::Index largest = 0;
+    x.cwiseProduct(system.weights().cwiseSqrt()).cwiseAbs().maxCoeff(&largest);
+    return {eigenvalue, x / (x[largest] * std::sqrt(system.weights()[largest]))};
+}
+
+Termination descend(double load_factor, NonlinearSystem& system, Newton& newton,
+                    const EquilibriumOptions& options, Configuration& configuration) {
+    for (int iteration = 0; iteration < kMostDownhillSteps; ++iteration) {
+        system.evaluate(configuration, load_factor);
+        if (!std::isfinite(system.relative_residual())) return Termination::Diverged;
+        const bool definite = newton.factorize().positive_definite();
+        if (definite && system.relative_residual() <= options.relative_residual)
+            return Termination::Converged;
+        Eigen::VectorXd step = system.unbalanced();
+        if (definite) {
+            step = newton.solve_tangent(step);
+        } else {
+            shift_to_definite(newton, small_shift(system));
+            newton.solve_symmetric(step);
+        }
+        const double turn = std::max(system.largest_rotation(step), system.largest_component(step));
+        if (!std::isfinite(turn)) return Termination::Diverged;
+        system.move(step * std::min(1.0, kDownhillStep / std::max(turn, 1e-300)), configuration);
+    }
+    return Termination::IterationsSpent;
+}
+
+}  // namespace fretwork::mechanics::detail

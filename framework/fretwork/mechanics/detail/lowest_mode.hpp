@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/mechanics/detail/newton.hpp>
+
+namespace fretwork::mechanics::detail {
+
+/// The direction in which a structure at some configuration is least stable.
+struct LowestMode {
+    double eigenvalue = 0.0;  ///< of the tangent's symmetric part against the system's weights; below zero:
+                              ///< unstable
+    Eigen::VectorXd shape;    ///< of the unknowns; largest component (displacements in lengths) +1
+};
+
+/// By inverse iteration with the tangent of the last evaluation, shifted until it is positive definite.
+/// Leaves the shifted tangent factorized.
+LowestMode lowest_mode(const NonlinearSystem& system, Newton& newton);
+
+/// Go downhill from a configuration to a stable equilibrium under this load factor: Newton's steps where the
+/// tangent is positive definite, elsewhere steps with the tangent shifted until it is. On Converged the
+/// system is evaluated there.
+Termination descend(double load_factor, NonlinearSystem& system, Newton& newton,
+                    const EquilibriumOptions& options, Configuration& configuration);
+
+}  // namespace fretwork::mechanics::detail

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sample.hpp"
+
+#include <fretwork/mechanics/equilibrium.hpp>
+#include <fretwork/mechanics/modes.hpp>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace fretwork::mechanics {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+/// Clamped at its foot, along x, pushed at its tip by Euler's load at factor 1; bends more easily along z.
+Frame column(int divisions) {
+    Frame frame = sample::cantilever(
+        {.divisions = divisions, .section = {.area = 10.0, .I2 = 1e-6, .I3 = 2e-6, .J = 2.5e-6}});
+    frame.loads.push_back({NodeIndex(1), {-kPi * kPi / 4.0 * 1e3, 0.0, 0.0}});
+    return frame;
+}
+
+// The elastica in elliptic integrals (Timoshenko and Gere, Theory of Elastic Stability, 2.7): with the tip's
+// angle a and k = sin(a / 2), the load is (2 K(k) / pi)^2 of Euler's, the tip stands 2 E / K - 1 above the
+// foot and 2 k / K beside it.
+TEST(Branch, APushedColumnFollowsTheElastica) {
+    std::vector<double> angles;
+    std::vector<double> factors;
+    for (const double degrees : {40.0, 60.0, 90.0, 120.0}) {
+        angles.push_back(degrees * kPi / 180.0);
+        const double k = std::comp_ellint_1(std::sin(angles.back() / 2.0));
+        factors.push_back(std::pow(2.0 * k / kPi, 2));
+    }
+    const auto path = follow_load_path(assemble(column(20)), factors, {.branch = Branch::Stable});
+    for (std::size_t i = 0; i < path.size(); ++i) {
+        ASSERT_TRUE(path[i].converged());
+        EXPECT_TRUE(path[i].stable);
+        const double k = std::sin(angles[i] / 2.0);
+        const double first = std::comp_ellint_1(k);
+        EXPECT_NEAR(1.0 + path[i].displacements(1, 0), 2.0 * std::comp_ellint_2(k) / first - 1.0, 2e-5);
+        EXPECT_NEAR(path[i].displacements(1, 2), 2.0 * k / first, 2e-5);
+        EXPECT_NEAR(path[i].displacements(1, 1), 0.0, 1e-9);
+        EXPECT_NEAR(-path[i].displacements(1, 4), angles[i], 4e-5);
+    }
+    ASSERT_EQ(path[0].stability_losses.size(), 1u);
+    EXPECT_TRUE(path[0].stability_losses[0].pushed);
+    // Axial stiffness is high, but not infinite: the column is a little shorter when it buckles.
+    EXPECT_NEAR(path[0].stability_losses[0].load_factor, 1.0, 1e-5);
+    EXPECT_EQ(path[0].stability_losses[0].node, NodeIndex(1));
+    EXPECT_TRUE(path[1].stability_losses.empty());
+}
+
+TEST(Branch, ThePrimaryPathTellsWhereItBecomesUnstableAndGoesOn) {
+    const double factors[] = {0.5, 1.5};
+    const Assembly assembly = assemble(column(8));
+    const auto path = follow_load_path(assembly, factors, {.locate_critical_loads = true});
+    EXPECT_TRUE(path[0].stability_losses.empty());
+    ASSERT_EQ(path[1].stability_losses.size(), 1u);
+    const StabilityLoss& loss = path[1].stability_losses[0];
+    EXPECT_FALSE(loss.pushed);
+    EXPECT_FALSE(path[1].stable);
+    EXPECT_NEAR(path[1].displacements.leftCols<3>().rightCols<2>().norm(), 0.0, 1e-12);
+    EXPECT_NEAR(loss.load_factor, buckling_modes(assembly, 1)[0].value, 1e-5);
+    // The describing data belong to the equilibrium itself, not to those that located the critical load.
+    EXPECT_LE(path[1].residual, 1e-9);
+    EXPECT_NEAR(path[1].reactions(0, 0), 1.5 * kPi * kPi / 4.0 * 1e3, 1e-6);
+}
+
+TEST(Branch, WhatStaysStableIsNotPushed) {
+    const Assembly assembly = assemble(sample::star());
+    const double factors[] = {0.5, 1.0};
+    const auto plain = follow_load_path(assembly, factors);
+    const auto pushed = follow_load_path(assembly, factors, {.branch = Branch::Stable});
+    for (std::size_t i = 0; i < 2; ++i) {
+        EXPECT_EQ((plain[i].displacements - pushed[i].displacements).norm(), 0.0);
+        EXPECT_TRUE(pushed[i].stability_losses.empty());
+    }
+}
+
+// A flat wheel pushed in its plane leaves the plane.
+TEST(Branch, AFlatWheelBucklesOutOfItsPlane) {
+    Frame frame = sample::flat_wheel();
+    frame.loads.push_back({NodeIndex(3), {4.0, 0.0, 0.0}});
+    frame.loads.push_back({NodeIndex(4), {4.0, 0.0, 0.0}});
+    const Assembly assembly = assemble(frame);
+    const double factors[] = {0.25, 0.5, 0.75, 1.0};
+    const auto flat = follow_load_path(assembly, factors);
+    const auto buckled = follow_load_path(assembly, factors, {.branch = Branch::Stable});
+    ASSERT_TRUE(flat.back().converged());
+    ASSERT_TRUE(buckled.back().converged());
+    EXPECT_FALSE(flat.back().stable);
+    EXPECT_EQ(flat.back().displacements.col(2).norm(), 0.0);
+    EXPECT_TRUE(buckled.back().stable);
+    EXPECT_GT(buckled.back().displacements.col(2).norm(), 0.005);
+    EXPECT_LE(buckled.back().residual, 1e-9);
+}
+
+}  // namespace
+}  // namespace fretwork::mechanics
