@@ -40,6 +40,7 @@ struct Wishes {
     int modes = 0;
     int buckling = 0;
     std::string branch = "primary";
+    std::string masses = "natural";
     bool lumped_gravity = false;
     bool json = false;
 };
@@ -78,7 +79,10 @@ mechanics::Result solve(const mechanics::Frame& frame, const Wishes& wishes) {
     if (wishes.solver == "linear") {
         result.solution = mechanics::solve_linear(assembly);
     } else if (wishes.solver == "dynamic-relaxation") {
-        result.solution = mechanics::relax(assembly);
+        const bool published = wishes.masses == "published";
+        result.solution =
+            mechanics::relax(assembly, {.rotational_mass = published ? mechanics::RotationalMass::Published
+                                                                     : mechanics::RotationalMass::Natural});
     } else {
         auto steps = follow(assembly, wishes);
         result.solution = end_of(steps);
@@ -189,6 +193,12 @@ void add_solve(CLI::App& app, ExitCode& exit_code) {
             "where the path becomes unstable: primary goes on along it, stable is pushed off it along the "
             "critical mode (newton only)")
         ->check(CLI::IsMember({"primary", "stable"}))
+        ->capture_default_str();
+    verb->add_option(
+            "--masses", wishes->masses,
+            "rotational masses of dynamic-relaxation: natural, or those of published programs, which are "
+            "slower")
+        ->check(CLI::IsMember({"natural", "published"}))
         ->capture_default_str();
     verb->add_option("--buckling", wishes->buckling, "so many critical load factors by linearized buckling")
         ->check(CLI::Range(1, 1000));

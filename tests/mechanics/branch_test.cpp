@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sample.hpp"
+#include "verification/benchmark_frames.hpp"
 
 #include <fretwork/mechanics/equilibrium.hpp>
 #include <fretwork/mechanics/modes.hpp>
@@ -13,13 +14,7 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-/// Clamped at its foot, along x, pushed at its tip by Euler's load at factor 1; bends more easily along z.
-Frame column(int divisions) {
-    Frame frame = sample::cantilever(
-        {.divisions = divisions, .section = {.area = 10.0, .I2 = 1e-6, .I3 = 2e-6, .J = 2.5e-6}});
-    frame.loads.push_back({NodeIndex(1), {-kPi * kPi / 4.0 * 1e3, 0.0, 0.0}});
-    return frame;
-}
+using verification::euler_column;
 
 // The elastica in elliptic integrals (Timoshenko and Gere, Theory of Elastic Stability, 2.7): with the tip's
 // angle a and k = sin(a / 2), the load is (2 K(k) / pi)^2 of Euler's, the tip stands 2 E / K - 1 above the
@@ -32,7 +27,7 @@ TEST(Branch, APushedColumnFollowsTheElastica) {
         const double k = std::comp_ellint_1(std::sin(angles.back() / 2.0));
         factors.push_back(std::pow(2.0 * k / kPi, 2));
     }
-    const auto path = follow_load_path(assemble(column(20)), factors, {.branch = Branch::Stable});
+    const auto path = follow_load_path(assemble(euler_column(20)), factors, {.branch = Branch::Stable});
     for (std::size_t i = 0; i < path.size(); ++i) {
         ASSERT_TRUE(path[i].converged());
         EXPECT_TRUE(path[i].stable);
@@ -53,7 +48,7 @@ TEST(Branch, APushedColumnFollowsTheElastica) {
 
 TEST(Branch, ThePrimaryPathTellsWhereItBecomesUnstableAndGoesOn) {
     const double factors[] = {0.5, 1.5};
-    const Assembly assembly = assemble(column(8));
+    const Assembly assembly = assemble(euler_column(8));
     const auto path = follow_load_path(assembly, factors, {.locate_critical_loads = true});
     EXPECT_TRUE(path[0].stability_losses.empty());
     ASSERT_EQ(path[1].stability_losses.size(), 1u);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sample.hpp"
+#include "verification/benchmark_frames.hpp"
 
 #include <fretwork/base/error.hpp>
 #include <fretwork/mechanics/equilibrium.hpp>
@@ -23,11 +24,7 @@ Solution full_load(const Frame& frame, int steps = 1) {
     return follow_load_path(assemble(frame), factors).back();
 }
 
-/// Nearly inextensible: E A L^2 / E I = 1e9, so that the inextensible rod's tables hold to 1e-8.
-Frame thin_cantilever(int divisions) {
-    return sample::cantilever(
-        {.divisions = divisions, .section = {.area = 1.0, .I2 = 1e-9, .I3 = 1e-9, .J = 2e-9}});
-}
+using verification::thin_cantilever;
 
 // Benchmark 1: u/L = sin t / t - 1, w/L = (1 - cos t) / t with t = M L / E I, exact; t = 2 pi closes the
 // circle.
@@ -79,23 +76,6 @@ TEST(Equilibrium, TipForceBendsACantileverAsTheElasticaDoes) {
     }
 }
 
-Frame bathe_bolourchi_bend(int beams, double torsion_constant) {
-    Frame frame;
-    for (int i = 0; i <= beams; ++i) {
-        const double angle = kPi / 4.0 * i / beams;
-        frame.nodes.emplace_back(100.0 * std::sin(angle), 100.0 * (1.0 - std::cos(angle)), 0.0);
-    }
-    const Section section{.area = 1.0, .I2 = 1.0 / 12.0, .I3 = 1.0 / 12.0, .J = torsion_constant};
-    for (int i = 0; i < beams; ++i) {
-        frame.beams.push_back({.nodes = {NodeIndex(i), NodeIndex(i + 1)},
-                               .section = section,
-                               .material = {.young_modulus = 1e7, .poisson_ratio = 0.0}});
-    }
-    sample::clamp(frame, 0);
-    frame.loads.push_back({NodeIndex(beams), {0.0, 0.0, 600.0}});
-    return frame;
-}
-
 // Benchmark 3: Bathe and Bolourchi, Int. J. Num. Meth. Eng. 14 (1979). Reference: the geometrically exact rod
 // by shooting. Straight beams are a polygon in the arc: its error falls with the square of their number, and
 // two polygons extrapolate to the arc.
@@ -111,8 +91,8 @@ TEST(Equilibrium, CurvedCantileverBendsOutOfItsPlane) {
         std::vector<Vector3d> tips;
         for (const int beams : {16, 32}) {
             const double factors[] = {0.5 * row.factor, row.factor};
-            const auto path =
-                follow_load_path(assemble(bathe_bolourchi_bend(beams, row.torsion_constant)), factors);
+            const auto path = follow_load_path(
+                assemble(verification::bathe_bolourchi_bend(beams, row.torsion_constant)), factors);
             ASSERT_TRUE(path.back().converged());
             tips.emplace_back(path.back().displacements.row(beams).head<3>().transpose());
         }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sample.hpp"
+#include "verification/benchmark_frames.hpp"
 
 #include <fretwork/base/error.hpp>
 #include <fretwork/mechanics/path_tracing.hpp>
@@ -22,43 +23,11 @@ double first_limit(const std::vector<Solution>& path) {
     return 0.0;
 }
 
-/// Keep a frame in the plane y = 0.
-void hold_in_plane(Frame& frame) {
-    for (std::size_t i = 0; i < frame.nodes.size(); ++i)
-        frame.supports.push_back({NodeIndex(i), {{false, true, false, true, false, true}}});
-}
-
-void add_leg(Frame& frame, const Eigen::Vector3d& end, int beams) {
-    const Beam like = frame.beams.empty() ? Beam{} : frame.beams.back();
-    const Eigen::Vector3d start = frame.nodes.back();
-    for (int k = 1; k <= beams; ++k) {
-        frame.nodes.push_back(start + (end - start) * k / beams);
-        Beam beam = like;
-        const int last = static_cast<int>(frame.nodes.size()) - 1;
-        beam.nodes = {NodeIndex(last - 1), NodeIndex(last)};
-        frame.beams.push_back(beam);
-    }
-}
-
 // Lee, Manuel and Rossow (1968): legs of 120, hinged at both feet, the load at a fifth of the upper leg. The
 // first limit load is about 18,557 N in units where E = 7.2e6, A = 6, I = 2.
 TEST(PathTracing, PassesTheLimitLoadOfLeesFrame) {
-    Frame frame;
-    frame.nodes = {{0, 0, 0}};
-    frame.beams.push_back({.nodes = {},
-                           .section = {.area = 6.0, .I2 = 2.0, .I3 = 2.0, .J = 4.0},
-                           .material = {.young_modulus = 7.2e6, .poisson_ratio = 0.3}});
-    add_leg(frame, {0, 0, 120}, 8);
-    add_leg(frame, {24, 0, 120}, 2);
-    const int loaded = static_cast<int>(frame.nodes.size()) - 1;
-    add_leg(frame, {120, 0, 120}, 8);
-    frame.beams.erase(frame.beams.begin());
-    hold_in_plane(frame);
-    for (const int foot : {0, static_cast<int>(frame.nodes.size()) - 1})
-        frame.supports.push_back({NodeIndex(foot), DofSet::translations()});
-    frame.loads.push_back({NodeIndex(loaded), {0.0, 0.0, -18557.0}});
-    const auto path =
-        trace_path(assemble(frame), {.largest_load_factor = 2.0, .largest_arc = 0.6, .steps = 150});
+    const auto path = trace_path(assemble(verification::lee_frame()),
+                                 {.largest_load_factor = 2.0, .largest_arc = 0.6, .steps = 150});
     EXPECT_NEAR(first_limit(path), 1.0, 2e-3);
     EXPECT_TRUE(std::any_of(path.begin(), path.end(), [](const Solution& s) { return !s.stable; }));
     const auto lowest = std::min_element(path.begin(), path.end(), [](const Solution& a, const Solution& b) {
@@ -69,25 +38,8 @@ TEST(PathTracing, PassesTheLimitLoadOfLeesFrame) {
 
 // Williams (1964): a toggle of two flat clamped bars; limit load about 33.98 lb in inches and pounds.
 TEST(PathTracing, PassesTheLimitLoadOfWilliamsToggle) {
-    Frame frame;
-    frame.nodes = {{-12.943, 0, 0}};
-    const double width = 0.753;
-    const double height = 0.243;
-    frame.beams.push_back({.nodes = {},
-                           .section = {.area = width * height,
-                                       .I2 = width * std::pow(height, 3) / 12.0,
-                                       .I3 = height * std::pow(width, 3) / 12.0,
-                                       .J = 0.003},
-                           .material = {.young_modulus = 1.03e7, .poisson_ratio = 0.3}});
-    add_leg(frame, {0, 0, 0.386}, 4);
-    add_leg(frame, {12.943, 0, 0}, 4);
-    frame.beams.erase(frame.beams.begin());
-    hold_in_plane(frame);
-    sample::clamp(frame, 0);
-    sample::clamp(frame, 8);
-    frame.loads.push_back({NodeIndex(4), {0.0, 0.0, -33.98}});
-    const auto path =
-        trace_path(assemble(frame), {.largest_load_factor = 1.5, .largest_arc = 0.03, .steps = 200});
+    const auto path = trace_path(assemble(verification::williams_toggle()),
+                                 {.largest_load_factor = 1.5, .largest_arc = 0.03, .steps = 200});
     EXPECT_NEAR(first_limit(path), 1.0, 5e-3);
     EXPECT_GT(path.back().load_factor, 1.5);  // through the snap, and stiff again
     EXPECT_TRUE(path.back().stable);

@@ -28,6 +28,23 @@ TEST(Relaxation, FindsNewtonsEquilibrium) {
     }
 }
 
+// The masses only change the way there. At the scale of patterns the published ones make it longer.
+TEST(Relaxation, PublishedMassesFindTheSameEquilibriumMoreSlowly) {
+    Frame pulled = sample::flat_wheel();
+    pulled.prescribed.push_back({NodeIndex(4), Dof::uz, 0.005});
+    for (const Frame& frame : {sample::star(), pulled}) {
+        const Assembly assembly = assemble(frame);
+        const double factors[] = {0.5, 1.0};
+        const Solution expected = follow_load_path(assembly, factors).back();
+        const Solution fair = relax(assembly);
+        const Solution published = relax(assembly, {.rotational_mass = RotationalMass::Published});
+        ASSERT_TRUE(published.converged());
+        EXPECT_LT((published.displacements - expected.displacements).norm(),
+                  1e-6 * expected.displacements.norm());
+        EXPECT_GT(published.iterations, 3 * fair.iterations) << fair.iterations;
+    }
+}
+
 TEST(Relaxation, SpentIterationsAreReported) {
     const Solution solution = relax(assemble(sample::star()), {.iterations = 3});
     EXPECT_EQ(solution.termination, Termination::IterationsSpent);

@@ -75,9 +75,21 @@ class Relaxation {
             }
         }
         mass_ *= kMassShare;
+        if (options_.rotational_mass == RotationalMass::Published) weigh_rotations_as_published();
         for (int node = 0; node < static_cast<int>(system_.assembly().nodes.size()); ++node) {
             make_isotropic(node, 0);
             make_isotropic(node, 3);
+        }
+    }
+
+    void weigh_rotations_as_published() {
+        const double length = detail::characteristic_length(system_.assembly());
+        const double per_square_metre = std::max(1.0, 1.0 / (length * length));
+        for (int node = 0; node < static_cast<int>(system_.assembly().nodes.size()); ++node) {
+            for (int d = 3; d < kDofsPerNode; ++d) {
+                const int equation = system_.layout().equation(node, d);
+                if (equation >= 0) mass_[equation] *= per_square_metre;
+            }
         }
     }
 

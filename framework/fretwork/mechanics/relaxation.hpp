@@ -6,10 +6,17 @@
 
 namespace fretwork::mechanics {
 
+/// How the fictitious masses of rotations grow as elements get shorter.
+enum class RotationalMass {
+    Natural,   ///< as their stiffness, E I / l and G J / l: the fair baseline
+    Published  ///< as E I / l^3 and G J / l^3 with l in metres, as in public implementations of [Sakai2020]
+};
+
 /// Options of dynamic relaxation.
 struct RelaxationOptions {
     double relative_residual = 1e-9;  ///< converged below this
     int iterations = 2000000;         ///< at most
+    RotationalMass rotational_mass = RotationalMass::Natural;
     /// Throws InputError if a value makes no sense.
     void validate() const;
 };
@@ -18,7 +25,8 @@ struct RelaxationOptions {
 /// go at rest, and stopped whenever its kinetic energy has a peak. The paper's ground truth works so
 /// [Sakai2020]; here it acts on the very forces of follow_load_path and finds the same equilibria, stable
 /// ones only, at some hundred times the cost. Fictitious masses bound the stiffness of each equation from
-/// above, rotations with their own (E I / l, G J / l), so that unit time steps are stable.
+/// above, so that unit time steps are stable; those of rotations are larger by 1 / l^2 (l: the mean length of
+/// an element, below one metre) with RotationalMass::Published.
 Solution relax(const Assembly& assembly, const RelaxationOptions& options = {});
 
 }  // namespace fretwork::mechanics

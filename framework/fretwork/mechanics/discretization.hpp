@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/mechanics/equilibrium.hpp>
+#include <fretwork/mechanics/frame.hpp>
+
+#include <span>
+#include <vector>
+
+namespace fretwork::mechanics {
+
+/// The same frame with every beam in `times` as many elements. Throws InputError if `times` is below one.
+Frame refined(Frame frame, int times);
+
+/// How far a solution is from that of endlessly fine divisions, by estimate: the largest over the frame's
+/// nodes.
+struct DiscretizationError {
+    double displacement = 0.0;  ///< metres
+    double rotation = 0.0;      ///< rad
+    double share = 0.0;         ///< of the largest displacement, or rotation; the worse of the two
+    bool known = false;  ///< false: one of the two solutions has not converged, so there is no estimate
+};
+
+/// Estimate the error of each solution of a load path by following it again with twice the divisions
+/// (Richardson). The elements' order is four for sections that bend equally about both axes and two
+/// otherwise; the estimate assumes two, which errs on the safe side for the former. Costs about twice what
+/// the path itself did.
+///
+/// @param solutions  of follow_load_path with these factors
+std::vector<DiscretizationError> estimate_discretization_error(const Frame& frame,
+                                                               std::span<const double> load_factors,
+                                                               std::span<const Solution> solutions,
+                                                               const EquilibriumOptions& options = {});
+
+}  // namespace fretwork::mechanics
