@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "library_show.hpp"
+
+#include <fretwork/base/detail/json_text.hpp>
+#include <fretwork/base/text.hpp>
+
+#include <cstdio>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fretwork::app {
+namespace {
+
+using base::detail::Json;
+using library::CalibrationRecord;
+using library::Library;
+
+/// What a pattern does under one scenario, in short.
+struct ScenarioSummary {
+    std::string name;
+    std::size_t converged = 0;
+    std::size_t samples = 0;
+    int first_unstable_step = 0;        ///< 0: none
+    double largest_magnitude = 0.0;     ///< N, that converged
+    double largest_displacement = 0.0;  ///< m, at it
+    bool meets_limit_load = false;      ///< what did not converge lies beyond a limit load
+};
+
+ScenarioSummary summarize(const reduction::Response& response) {
+    ScenarioSummary summary{response.scenario};
+    summary.samples = response.samples.size();
+    for (const auto& sample : response.samples) {
+        summary.meets_limit_load = summary.meets_limit_load || sample.limit_load;
+        if (!sample.converged) continue;
+        ++summary.converged;
+        if (!sample.stable && summary.first_unstable_step == 0) summary.first_unstable_step = sample.step;
+        summary.largest_magnitude = sample.magnitude;
+        summary.largest_displacement = sample.displacements.leftCols<3>().rowwise().norm().maxCoeff();
+    }
+    return summary;
+}
+
+Json calibration_json(const CalibrationRecord& record) {
+    const reduction::Calibration& calibration = record.calibration;
+    const reduction::Paper6Parameters& p = calibration.parameters;
+    return {{"model", calibration.model},
+            {"optimizer", calibration.optimizer},
+            {"seed", calibration.seed},
+            {"starts", calibration.starts},
+            {"budget", record.budget},
+            {"objective", calibration.objective},
+            {"scenario_errors", calibration.scenario_errors},
+            {"evaluations", calibration.evaluations},
+            {"converged", calibration.converged},
+            {"A", p.A},
+            {"I2", p.I2},
+            {"I3", p.I3},
+            {"J", p.J},
+            {"theta", p.theta},
+            {"R", p.R},
+            {"at_bound", calibration.at_bound},
+            {"seconds", record.seconds}};
+}
+
+std::vector<library::Failure> failures_of(const Library& library, const library::PatternEntry& entry) {
+    std::vector<library::Failure> failures = library.failures();
+    std::erase_if(failures, [&](const library::Failure& failure) { return failure.pattern != entry.id; });
+    return failures;
+}
+
+Json show_json(const Library& library, const library::PatternEntry& entry) {
+    Json document = {{"id", entry.id},
+                     {"layout", library.layout().name()},
+                     {"edges", entry.pattern.edge_count()},
+                     {"responses", Json::array()},
+                     {"calibrations", Json::array()},
+                     {"properties", Json::object()},
+                     {"failures", Json::array()}};
+    for (const reduction::Response& response : library.responses(entry.id)) {
+        const ScenarioSummary summary = summarize(response);
+        document["responses"].push_back({{"scenario", summary.name},
+                                         {"samples", summary.samples},
+                                         {"converged", summary.converged},
+                                         {"first_unstable_step", summary.first_unstable_step},
+                                         {"meets_limit_load", summary.meets_limit_load},
+                                         {"largest_magnitude", summary.largest_magnitude},
+                                         {"largest_displacement", summary.largest_displacement}});
+    }
+    for (const CalibrationRecord& record : library.calibrations(entry.id))
+        document["calibrations"].push_back(calibration_json(record));
+    for (const auto& [name, value] : library.properties(entry.id)) document["properties"][name] = value;
+    for (const library::Failure& failure : failures_of(library, entry))
+        document["failures"].push_back({{"stage", failure.stage}, {"reason", failure.reason}});
+    return document;
+}
+
+void print_response(const reduction::Response& response) {
+    const ScenarioSummary summary = summarize(response);
+    std::printf("  %-8s %2zu of %2zu converged, %6.2f mm at %.3g N", summary.name.c_str(), summary.converged,
+                summary.samples, 1e3 * summary.largest_displacement, summary.largest_magnitude);
+    if (summary.first_unstable_step > 0)
+        std::printf(", unstable from step %d on", summary.first_unstable_step);
+    if (summary.meets_limit_load) std::printf(", then a limit load");
+    std::printf("\n");
+}
+
+void print_calibration(const CalibrationRecord& record) {
+    const reduction::Calibration& calibration = record.calibration;
+    const reduction::Paper6Parameters& p = calibration.parameters;
+    std::printf("  %s by %s, seed %llu, %d starts: E = %.4f after %ld evaluations%s\n",
+                calibration.model.c_str(), calibration.optimizer.c_str(),
+                static_cast<unsigned long long>(calibration.seed), calibration.starts, calibration.objective,
+                calibration.evaluations, calibration.converged ? "" : ", not converged");
+    std::printf("    A %.4g m^2, I2 %.4g m^4, I3 %.4g m^4, J %.4g m^4, theta %.3f deg, R %.4g mm", p.A, p.I2,
+                p.I3, p.J, p.theta * 57.29577951308232, 1e3 * p.R);
+    if (!calibration.at_bound.empty())
+        std::printf("; at a bound: %s", base::join(calibration.at_bound, ", ").c_str());
+    std::printf("\n");
+}
+
+/// Of the properties that reduction::property_values names; none for others.
+std::string_view unit_of(std::string_view property) {
+    if (property == "mass_per_area") return " kg/m^2";
+    if (property.ends_with("_poisson") || property.ends_with("_anisotropy")) return "";
+    if (property.starts_with("membrane_") || property.starts_with("A")) return " N/m";
+    if (property.starts_with("bending_") || property.starts_with("D")) return " N m";
+    return "";
+}
+
+}  // namespace
+
+void print_pattern_json(const Library& library, const library::PatternEntry& entry) {
+    std::fputs(base::detail::json_text(show_json(library, entry)).c_str(), stdout);
+}
+
+void print_pattern(const Library& library, const library::PatternEntry& entry) {
+    std::printf("%s of the layout %s: %d edges\n", entry.id.c_str(), library.layout().name().c_str(),
+                entry.pattern.edge_count());
+    const auto responses = library.responses(entry.id);
+    std::printf("responses:%s\n", responses.empty() ? " none" : "");
+    for (const reduction::Response& response : responses) print_response(response);
+    const auto calibrations = library.calibrations(entry.id);
+    std::printf("calibrations:%s\n", calibrations.empty() ? " none" : "");
+    for (const CalibrationRecord& record : calibrations) print_calibration(record);
+    const auto properties = library.properties(entry.id);
+    std::printf("as an endless plate:%s\n", properties.empty() ? " unknown" : "");
+    for (const auto& [name, value] : properties)
+        std::printf("  %-20s %.6g%s\n", name.c_str(), value, std::string(unit_of(name)).c_str());
+    for (const library::Failure& failure : failures_of(library, entry))
+        std::printf("failed, %s: %s\n", failure.stage.c_str(), failure.reason.c_str());
+}
+
+}  // namespace fretwork::app
