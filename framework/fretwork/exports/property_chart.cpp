@@ -1,20 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
 #include <fretwork/exports/colours.hpp>
+#include <fretwork/exports/detail/chart_svg.hpp>
 #include <fretwork/exports/detail/log_axis.hpp>
 #include <fretwork/exports/library_meshes.hpp>
 #include <fretwork/exports/property_chart.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <functional>
+#include <numbers>
 #include <vector>
 
 namespace fretwork::exports {
 namespace {
 
+using detail::kGrid;
+using detail::kInk;
+using detail::line;
 using detail::LogAxis;
+using detail::number;
+using detail::px;
+using detail::text;
+using detail::tick_text;
+using detail::wrapped;
+using pattern::Point2;
 
 // All in pixels.
 constexpr double kPanelSize = 640.0;
@@ -27,40 +37,6 @@ constexpr double kDrawingStep = 184.0;
 constexpr double kDrawingRadius = 70.0;
 constexpr double kWidth = 1620.0;
 constexpr double kHeight = kDrawingTop + 2.0 * kDrawingRadius + 106.0;
-
-constexpr const char* kInk = "#333333";
-constexpr const char* kGrid = "#e3e6ea";
-
-std::string number(double value, const char* format = "%.4g") {
-    char buffer[40];
-    std::snprintf(buffer, sizeof buffer, format, value);
-    return buffer;
-}
-/// With thin spaces between thousands.
-std::string tick_text(double value) {
-    if (value < 1e4) return number(value);
-    std::string digits = number(value, "%.0f");
-    for (auto at = static_cast<std::ptrdiff_t>(digits.size()) - 3; at > 0; at -= 3)
-        digits.insert(static_cast<std::size_t>(at), "\u2009");
-    return digits;
-}
-std::string px(double value) {
-    return number(value, "%.2f");
-}
-
-struct TextStyle {
-    double size = 15.0;
-    const char* anchor = "middle";
-    const char* more = "";  ///< further attributes
-};
-std::string text(double x, double y, const std::string& content, const TextStyle& style) {
-    return "<text x=\"" + px(x) + "\" y=\"" + px(y) + "\" font-size=\"" + px(style.size) +
-           "\" text-anchor=\"" + style.anchor + "\"" + style.more + ">" + content + "</text>\n";
-}
-std::string line(double x1, double y1, double x2, double y2, const char* colour, double width) {
-    return "<line x1=\"" + px(x1) + "\" y1=\"" + px(y1) + "\" x2=\"" + px(x2) + "\" y2=\"" + px(y2) +
-           "\" stroke=\"" + colour + "\" stroke-width=\"" + px(width) + "\"/>\n";
-}
 
 double value_of(const PatternProperties& entry, const std::string& name) {
     const auto found = entry.values.find(name);
@@ -124,9 +100,9 @@ class Chart {
         : subject_(subject), patterns_(patterns), extremes_(find_extremes(patterns)) {}
 
     std::string document() {
-        body_ += text(kLeft, 40.0, std::to_string(patterns_.size()) + " patterns as endless plates",
+        body_ += text({kLeft, 40.0}, std::to_string(patterns_.size()) + " patterns as endless plates",
                       {24.0, "start", " font-weight=\"bold\""});
-        body_ += text(kLeft, 66.0, setting_line(), {15.0, "start", ""});
+        body_ += text({kLeft, 66.0}, setting_line(), {15.0, "start"});
         draw_panel(kLeft, axis("mass_per_area", "mass per area, kg/m²"),
                    axis("membrane_stiffness", "in-plane stiffness, N/m"),
                    {"mass_per_area", "membrane_stiffness"});
@@ -170,32 +146,32 @@ class Chart {
         const double bottom = kTop + kPanelSize;
         for (const double tick : across.ticks()) {
             const double x = left + kPanelSize * across.share(tick);
-            body_ += line(x, kTop, x, bottom, kGrid, 1.0) + text(x, bottom + 22.0, tick_text(tick), {});
+            body_ += line({x, kTop}, {x, bottom}, kGrid) + text({x, bottom + 22.0}, tick_text(tick));
         }
         for (const double tick : up.ticks()) {
             const double y = bottom - kPanelSize * up.share(tick);
-            body_ += line(left, y, left + kPanelSize, y, kGrid, 1.0) +
-                     text(left - 8.0, y + 5.0, tick_text(tick), {15.0, "end", ""});
+            body_ += line({left, y}, {left + kPanelSize, y}, kGrid) +
+                     text({left - 8.0, y + 5.0}, tick_text(tick), {15.0, "end"});
         }
         body_ += "<rect x=\"" + px(left) + "\" y=\"" + px(kTop) + "\" width=\"" + px(kPanelSize) +
                  "\" height=\"" + px(kPanelSize) + "\" fill=\"none\" stroke=\"" + kInk + "\"/>\n";
-        body_ += text(left + kPanelSize / 2.0, bottom + 50.0, across.label, {17.0, "middle", ""});
+        body_ += text({left + kPanelSize / 2.0, bottom + 50.0}, across.label, {17.0});
         const double x = left - 66.0;
         const double y = kTop + kPanelSize / 2.0;
         const std::string turned = " transform=\"rotate(-90 " + px(x) + " " + px(y) + ")\"";
-        body_ += text(x, y, up.label, {17.0, "middle", turned.c_str()});
+        body_ += text({x, y}, up.label, {17.0, "middle", turned});
         const auto place = [&](const PatternProperties& entry) {
-            return std::pair{left + kPanelSize * across.share(value_of(entry, names.across)),
-                             bottom - kPanelSize * up.share(value_of(entry, names.up))};
+            return Point2{left + kPanelSize * across.share(value_of(entry, names.across)),
+                          bottom - kPanelSize * up.share(value_of(entry, names.up))};
         };
         for (const PatternProperties& entry : patterns_) draw_point(entry, place(entry));
         for (std::size_t i = 0; i < extremes_.size(); ++i)
             draw_mark(letter(i), place(patterns_[extremes_[i].index]));
     }
 
-    void draw_point(const PatternProperties& entry, const std::pair<double, double>& at) {
+    void draw_point(const PatternProperties& entry, const Point2& at) {
         const double poisson = value_of(entry, "membrane_poisson");
-        body_ += "<circle cx=\"" + px(at.first) + "\" cy=\"" + px(at.second) + "\" r=\"3\" fill=\"" +
+        body_ += "<circle cx=\"" + px(at.x) + "\" cy=\"" + px(at.y) + "\" r=\"3\" fill=\"" +
                  scale_colour(poisson_share(poisson)) + "\" stroke=\"#ffffff\" stroke-width=\"0.5\"><title>" +
                  pattern_id(subject_.layout, entry.pattern) + "\nmass per area " +
                  number(value_of(entry, "mass_per_area")) + " kg/m²\nin-plane stiffness " +
@@ -205,10 +181,10 @@ class Chart {
     }
 
     /// A ring around a point, and a letter beside it that is legible on other points.
-    void draw_mark(const std::string& name, const std::pair<double, double>& at) {
-        body_ += "<circle cx=\"" + px(at.first) + "\" cy=\"" + px(at.second) +
+    void draw_mark(const std::string& name, const Point2& at) {
+        body_ += "<circle cx=\"" + px(at.x) + "\" cy=\"" + px(at.y) +
                  "\" r=\"6\" fill=\"none\" stroke=\"#d7301f\" stroke-width=\"1.8\"/>\n";
-        body_ += text(at.first + 9.0, at.second - 7.0, name,
+        body_ += text({at.x + 9.0, at.y - 7.0}, name,
                       {17.0, "start",
                        " font-weight=\"bold\" fill=\"#b30000\" stroke=\"#ffffff\" stroke-width=\"3\" "
                        "paint-order=\"stroke\""});
@@ -225,10 +201,10 @@ class Chart {
         }
         for (const double ratio : {-1.0, -0.5, 0.0, 0.5, 1.0}) {
             const double y = kTop + kPanelSize * (1.0 - poisson_share(ratio));
-            body_ += line(kBarLeft + kBarWidth, y, kBarLeft + kBarWidth + 5.0, y, kInk, 1.0) +
-                     text(kBarLeft + kBarWidth + 10.0, y + 5.0, number(ratio), {15.0, "start", ""});
+            body_ += line({kBarLeft + kBarWidth, y}, {kBarLeft + kBarWidth + 5.0, y}, kInk) +
+                     text({kBarLeft + kBarWidth + 10.0, y + 5.0}, number(ratio), {15.0, "start"});
         }
-        body_ += text(kBarLeft - 8.0, kTop - 14.0, "in-plane Poisson's ratio", {15.0, "middle", ""});
+        body_ += text({kBarLeft - 8.0, kTop - 14.0}, "in-plane Poisson's ratio");
     }
 
     /// One of the extreme patterns in its tile, with its letter, why it is here, and its id.
@@ -238,7 +214,8 @@ class Chart {
         const double x = kLeft + kDrawingRadius + static_cast<double>(extreme) * kDrawingStep;
         const double y = kDrawingTop + kDrawingRadius;
         const reduction::Setting& setting = subject_.setting;
-        const double scale = kDrawingRadius / (setting.tile_side / 2.0 / std::sin(M_PI / setting.sides));
+        const double scale =
+            kDrawingRadius / (setting.tile_side / 2.0 / std::sin(std::numbers::pi / setting.sides));
         const LineSet lines = pattern_lines(subject_.layout, entry.pattern, setting);
         std::string path;
         for (const auto& beam : lines.lines) {
@@ -249,15 +226,15 @@ class Chart {
         }
         body_ += "<path d=\"" + rim(x, y) + "\" fill=\"#f4f6f8\" stroke=\"#b8c0c8\"/>\n<path d=\"" + path +
                  "\" fill=\"none\" stroke=\"#22303c\" stroke-width=\"2.4\" stroke-linecap=\"round\"/>\n";
-        body_ += text(x - kDrawingRadius, kDrawingTop + 14.0, letter(extreme),
+        body_ += text({x - kDrawingRadius, kDrawingTop + 14.0}, letter(extreme),
                       {19.0, "start", " font-weight=\"bold\" fill=\"#b30000\""});
         double row = kDrawingTop + 2.0 * kDrawingRadius + 20.0;
         for (const std::string& part : wrapped(it.reason, 22)) {
-            body_ += text(x, row, part, {13.0, "middle", ""});
+            body_ += text({x, row}, part, {13.0});
             row += 16.0;
         }
         for (const std::string& part : wrapped(pattern_id(subject_.layout, entry.pattern), 26)) {
-            body_ += text(x, row, part, {11.0, "middle", " fill=\"#6b7280\""});
+            body_ += text({x, row}, part, {11.0, "middle", " fill=\"#6b7280\""});
             row += 14.0;
         }
     }
@@ -265,24 +242,11 @@ class Chart {
     [[nodiscard]] std::string rim(double x, double y) const {
         std::string path;
         const pattern::Polygon polygon = pattern::regular_polygon(
-            subject_.setting.sides, 2.0 * kDrawingRadius * std::sin(M_PI / subject_.setting.sides));
-        for (const pattern::Point2& corner : polygon)
+            subject_.setting.sides,
+            2.0 * kDrawingRadius * std::sin(std::numbers::pi / subject_.setting.sides));
+        for (const Point2& corner : polygon)
             path += (path.empty() ? "M" : "L") + px(x + corner.x) + " " + px(y - corner.y);
         return path + "Z";
-    }
-
-    /// Lines of about `width` characters, broken behind blanks and plus signs.
-    static std::vector<std::string> wrapped(const std::string& content, std::size_t width) {
-        std::vector<std::string> rows(1);
-        std::string word;
-        for (const char c : content + " ") {
-            word += c;
-            if (c != ' ' && c != '+') continue;
-            if (!rows.back().empty() && rows.back().size() + word.size() > width + 1) rows.emplace_back();
-            rows.back() += word;
-            word.clear();
-        }
-        return rows;
     }
 
     const ChartSubject& subject_;
