@@ -52,6 +52,20 @@ TEST(Calibration, MoreStartsAreNotWorse) {
     EXPECT_LE(few, many * 1.01);
 }
 
+/// Displacements depend on loads over stiffness only, and so does the objective.
+TEST(Calibration, AnotherMaterialUnderLoadsInProportionGivesTheSameObjective) {
+    const Setting paper = paper_setting();
+    const Setting pla = read_setting(FRETWORK_SOURCE_DIR "/experiments/settings/pla.json");
+    ASSERT_NE(pla.material.young_modulus, paper.material.young_modulus);
+    for (const char* id : {"0-1+1-6", "1-3+3-6"}) {
+        const auto objective = [&](const Setting& setting) {
+            const auto responses = compute_responses(paper_layout(), paper_pattern(id), setting);
+            return calibrate_paper6(responses, setting).objective;
+        };
+        EXPECT_NEAR(objective(pla), objective(paper), 1e-5 * objective(paper)) << id;
+    }
+}
+
 TEST(Calibration, NamesParametersAtABound) {
     // A target far stiffer along its beams than the model may be: A ends at its upper bound.
     const Setting setting = paper_setting();
