@@ -139,7 +139,9 @@ void add_method_options(CLI::App& verb, library::FillOptions& fill) {
         ->capture_default_str();
     verb.add_option("--budget", fill.calibration.budget, "Evaluations of the objective at most")
         ->capture_default_str();
-    verb.add_option("--seed", fill.calibration.seed, "What random numbers begin with")->capture_default_str();
+    verb.add_option("--seed", fill.calibration.seed, "What random numbers begin with")
+        ->check(seed_check())
+        ->capture_default_str();
     verb.add_option("--threads", fill.threads, "Threads to use; 0: all there are")
         ->check(CLI::NonNegativeNumber);
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "enumerate_output.hpp"
+#include "outputs.hpp"
 #include "verbs.hpp"
 
 #include <fretwork/base/error.hpp>
@@ -56,23 +57,31 @@ int parse_edge_count(std::string_view text, const std::string& all) {
     int number = 0;
     const auto result = std::from_chars(text.data(), text.data() + text.size(), number);
     if (text.empty() || result.ec != std::errc{} || result.ptr != text.data() + text.size())
-        throw base::InputError("--edges", "", "'" + all + "' is no range, such as 2..11 or 7");
+        throw base::InputError("--edges", "", "'" + all + "' is no range, such as 2..11, 3..all or 7");
     return number;
 }
 
-pattern::EdgeRange parse_range(const std::string& text) {
+pattern::EdgeRange parse_range(const std::string& text, const NodeLayout& layout) {
     const auto dots = text.find("..");
     if (dots == std::string::npos) {
         const int only = parse_edge_count(text, text);
         return {only, only};
     }
-    return {parse_edge_count(std::string_view(text).substr(0, dots), text),
-            parse_edge_count(std::string_view(text).substr(dots + 2), text)};
+    const auto most = static_cast<int>(layout.candidate_edges().size());
+    const std::string_view end = std::string_view(text).substr(dots + 2);
+    const pattern::EdgeRange range{parse_edge_count(std::string_view(text).substr(0, dots), text),
+                                   end == "all" ? most : parse_edge_count(end, text)};
+    if (range.least > most)
+        throw base::InputError("--edges", "",
+                               "'" + text + "' begins beyond the " + std::to_string(most) +
+                                   " candidate edges of the layout " + layout.name());
+    return range;
 }
 
 pattern::EnumerationOptions make_options(const Wishes& wishes, const NodeLayout& layout) {
     pattern::EnumerationOptions options;
-    options.edges = wishes.edges.empty() ? pattern::default_edge_range(layout) : parse_range(wishes.edges);
+    options.edges =
+        wishes.edges.empty() ? pattern::default_edge_range(layout) : parse_range(wishes.edges, layout);
     for (const std::string& filter : wishes.filters)
         options.filters.choices.push_back(pattern::parse_filter_choice(filter));
     if (!wishes.min_angle.empty())
@@ -152,6 +161,8 @@ void write_files(const NodeLayout& layout, const pattern::EnumerationOptions& op
 }
 
 void enumerate(const Wishes& wishes) {
+    check_outputs({wishes.layout}, {wishes.census_path, wishes.list_path, wishes.library_path,
+                                    wishes.svg_path, wishes.classes_path});
     const NodeLayout layout = pattern::find_node_layout(wishes.layout);
     const pattern::EnumerationOptions options = make_options(wishes, layout);
     if (wishes.count) {
@@ -226,7 +237,9 @@ void add_enumerate(CLI::App& app, ExitCode&) {
     for (const char* other :
          {"--census", "--list", "--library", "--svg", "--classes", "--sample", "--estimate"})
         count->excludes(other);
-    verb->add_option("--seed", wishes->seed, "What randomness starts from")->capture_default_str();
+    verb->add_option("--seed", wishes->seed, "What randomness starts from")
+        ->check(seed_check())
+        ->capture_default_str();
     verb->add_flag("--json", wishes->json, "Print for programs");
     verb->footer(kExample);
     verb->callback([wishes] { enumerate(*wishes); });

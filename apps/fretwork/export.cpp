@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fretwork export: a project, and what was computed of it, as a drawing or a file for other programs.
+#include "outputs.hpp"
 #include "project_library.hpp"
 #include "verbs.hpp"
 
+#include <fretwork/base/error.hpp>
+#include <fretwork/base/file.hpp>
 #include <fretwork/exports/writer_catalogue.hpp>
 
+#include <cmath>
 #include <filesystem>
 #include <memory>
 
@@ -37,8 +41,14 @@ exports::Scene make_scene(const Options& options) {
 
 void run(const Options& options) {
     for (const std::string& path : options.to) (void)exports::find_writer(path);
+    std::vector<std::string> inputs = options.results;
+    inputs.insert(inputs.end(), {options.project, options.library});
+    check_outputs(inputs, options.to);
+    if (!std::isfinite(options.scale)) throw base::InputError("--scale", "", "is not a finite number");
     const exports::Scene scene = make_scene(options);
-    for (const std::string& path : options.to) exports::write_scene(scene, path);
+    base::FileBatch files;
+    for (const std::string& path : options.to) files.add(path, exports::find_writer(path).text(scene));
+    files.commit();
 }
 
 std::string kinds_help() {

@@ -6,7 +6,9 @@
 #include <fretwork/base/text.hpp>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <new>
 #include <string>
 #include <vector>
@@ -19,11 +21,22 @@ constexpr void (*kVerbs[])(CLI::App&, ExitCode&) = {add_enumerate,  add_calibrat
                                                     add_case,       add_simulate,  add_compare, add_solve,
                                                     add_optimizers, add_export};
 
-/// One line, whatever a message may hold.
+/// One line, whatever a message may hold: it may quote a file, which must not drive the terminal.
 void complain(const std::string& message) {
-    std::string line = message;
-    for (char& c : line) c = c == '\n' ? ' ' : c;
+    std::string line;
+    for (const char c : message) {
+        const auto code = static_cast<unsigned char>(c);
+        char escaped[5];
+        std::snprintf(escaped, sizeof escaped, "\\x%02x", code);
+        line += c == '\n' ? " " : code < 0x20 || code == 0x7f ? escaped : std::string(1, c);
+    }
     std::fprintf(stderr, "fretwork: %s\n", line.c_str());
+}
+
+/// A full disk shows itself at the last moment.
+void flush_output() {
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+        throw base::IoError(std::string("the standard output cannot be written: ") + std::strerror(errno));
 }
 
 /// CLI11 would only say that a subcommand is required.
@@ -60,7 +73,9 @@ ExitCode run(int argc, char** argv) {
 int main(int argc, char** argv) {
     using namespace fretwork;
     try {
-        return static_cast<int>(app::run(argc, argv));
+        const app::ExitCode exit_code = app::run(argc, argv);
+        app::flush_output();
+        return static_cast<int>(exit_code);
     } catch (const base::Error& error) {
         app::complain(error.what());
     } catch (const std::bad_alloc&) {

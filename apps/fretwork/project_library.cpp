@@ -7,17 +7,22 @@
 
 namespace fretwork::app {
 
+std::string library_path_of(const std::string& project_file, const simulation::Project& project) {
+    if (project.library_path.empty()) return "";
+    return (std::filesystem::path(project_file).parent_path() / project.library_path).string();
+}
+
 std::optional<library::Library> open_project_library(const std::string& project_file,
                                                      const simulation::Project& project,
                                                      const std::string& wanted) {
     if (!wanted.empty()) return library::Library::open(wanted);
     if (project.library_path.empty()) return std::nullopt;
-    const auto path = std::filesystem::path(project_file).parent_path() / project.library_path;
+    const std::string path = library_path_of(project_file, project);
     library::Library library = library::Library::open(path);
     if (library.content_hash() != project.library_hash) {
         throw base::InputError(
             project_file, "/library/hash",
-            "the library " + path.string() +
+            "the library " + path +
                 " has changed since the project was made; name it with --library to use it as it is now");
     }
     return library;

@@ -9,6 +9,9 @@
 
 namespace fretwork::app {
 
+/// Where a project's library lies; empty if it names none.
+std::string library_path_of(const std::string& project_file, const simulation::Project& project);
+
 /// The library that a project is to be simulated with: the one that is asked for, else the project's own (its
 /// path is relative to the project file), else none. Throws InputError if the project's library has changed
 /// since the project was made.

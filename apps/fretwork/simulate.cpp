@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fretwork simulate: a project under one of its load cases, with the full or a reduced model.
+#include "outputs.hpp"
 #include "project_library.hpp"
 #include "verbs.hpp"
 
 #include <fretwork/base/detail/json_text.hpp>
+#include <fretwork/base/file.hpp>
 #include <fretwork/exports/writer_catalogue.hpp>
 #include <fretwork/simulation/model_catalogue.hpp>
 #include <fretwork/simulation/simulate.hpp>
@@ -30,8 +32,11 @@ struct Options {
     simulation::SimulationOptions simulation;
 };
 
-/// A file is one by its ending or its folder; anything else is the name of a load case of the project.
+/// The name of a load case of the project; else a file is one by its ending or its folder.
 LoadCase chosen_load_case(const Project& project, const std::string& name_or_file) {
+    for (const LoadCase& own : project.load_cases) {
+        if (own.name == name_or_file) return own;
+    }
     const std::filesystem::path path(name_or_file);
     if (path.extension() == ".json" || path.has_parent_path()) return simulation::read_load_case(path);
     return simulation::find_load_case(project, name_or_file);
@@ -67,15 +72,21 @@ ExitCode run(Options options) {
     if (options.linear) options.simulation.analysis = simulation::Analysis::Linear;
     options.simulation.validate();
     const Project project = simulation::read_project(options.project);
+    check_outputs(
+        {options.project, options.load_case, options.library, library_path_of(options.project, project)},
+        {options.out, options.frame_out});
     const auto library = open_project_library(options.project, project, options.library);
     const Surface surface = simulation::make_surface(project, library ? &*library : nullptr);
     const LoadCase load_case = chosen_load_case(project, options.load_case);
-    if (!options.frame_out.empty()) {
-        mechanics::write_frame(simulation::full_model_frame(surface, simulation::resolve(load_case, surface)),
-                               options.frame_out);
-    }
     const mechanics::Result result = simulation::simulate(surface, load_case, options.simulation);
-    mechanics::write_result(result, options.out);
+    base::FileBatch files;
+    files.add(options.out, mechanics::result_text(result));
+    if (!options.frame_out.empty()) {
+        const auto conditions = simulation::resolve(load_case, surface);
+        files.add(options.frame_out,
+                  mechanics::frame_text(simulation::full_model_frame(surface, conditions)));
+    }
+    files.commit();
     const auto told = summary(options, load_case, result);
     if (options.json) {
         std::fputs(base::detail::json_text(told).c_str(), stdout);

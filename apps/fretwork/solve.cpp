@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fretwork solve: any beam structure, from a frame file.
+#include "outputs.hpp"
 #include "verbs.hpp"
 
 #include <fretwork/base/detail/json_text.hpp>
@@ -156,14 +157,17 @@ void print(const mechanics::Result& result, const base::detail::Json& summary) {
 }
 
 ExitCode run(const Wishes& wishes) {
+    check_outputs({wishes.frame}, {wishes.out, wishes.vtu});
     const mechanics::Frame frame = mechanics::read_frame(wishes.frame);
     const mechanics::Result result = solve(frame, wishes);
-    mechanics::write_result(result, wishes.out);
+    base::FileBatch files;
+    files.add(wishes.out, mechanics::result_text(result));
     if (!wishes.vtu.empty()) {
         exports::LineSet lines = exports::frame_lines(frame);
         lines.displacements = result.solution.displacements;
-        base::write_file_atomically(wishes.vtu, exports::vtu_text(lines));
+        files.add(wishes.vtu, exports::vtu_text(lines));
     }
+    files.commit();
     const base::detail::Json summary = summary_of(result);
     if (wishes.json) {
         std::fputs(base::detail::json_text(summary).c_str(), stdout);

@@ -8,6 +8,16 @@ namespace fretwork::app {
 /// How a command ends. Bad input and wrong usage are exceptions, and become exit code 2 in `main`.
 enum class ExitCode { Done = 0, DidNotSucceed = 1, BadInput = 2 };
 
+/// Whole numbers that every seed can hold: CLI11 itself lets negative and larger ones pass, as other numbers.
+inline CLI::Validator seed_check() {
+    const auto check = [](const std::string& text) {
+        const bool is_number = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
+        return is_number && text.size() <= 18 ? std::string()
+                                              : "'" + text + "' is no seed: 0 to 999999999999999999 is";
+    };
+    return {check, "SEED", "seed"};
+}
+
 /// Each adds one verb to the command line: its options, its help with an example, and what it does when it is
 /// chosen. The verb writes how it ended to `exit_code` (Done if it writes nothing).
 void add_enumerate(CLI::App& app, ExitCode& exit_code);

@@ -74,6 +74,21 @@ TEST(File, AFailedWriteLeavesTheOldFileAndNothingElse) {
     EXPECT_EQ(entries(folder.path()), 1U);
 }
 
+TEST(FileBatch, WritesAllOrNothing) {
+    const TemporaryFolder folder;
+    FileBatch fails;
+    fails.add(folder.path() / "first", "1");
+    fails.add("/dev/full", "2");
+    EXPECT_THROW(fails.commit(), IoError);
+    FileBatch works;
+    works.add(folder.path() / "second", "2");
+    works.add(folder.path() / "third", "3");
+    works.commit();
+    EXPECT_FALSE(std::filesystem::exists(folder.path() / "first"));
+    EXPECT_EQ(read_text_file(folder.path() / "second"), "2");
+    EXPECT_EQ(read_text_file(folder.path() / "third"), "3");
+}
+
 TEST(AtomicFile, AppearsWholeWhenItIsCommittedAndNotBefore) {
     const TemporaryFolder folder;
     const auto path = folder.path() / "x";

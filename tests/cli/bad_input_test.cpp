@@ -84,8 +84,21 @@ TEST(CommandLine, RefusesBrokenFiles) {
     expect_refused("fretwork library list --library text.db", folder.path(), "text.db");
 }
 
+TEST(CommandLine, NeverWritesOverWhatItReads) {
+    const TemporaryFolder folder;
+    folder.file("frame.json", "{}");
+    expect_refused("fretwork solve frame.json --out frame.json", folder.path(), "frame.json");
+    expect_refused("fretwork solve frame.json --out ./r.json --vtu r.json", folder.path(), "two outputs");
+    expect_refused("fretwork enumerate --census t.csv --list t.csv", folder.path(), "two outputs");
+    expect_refused("fretwork enumerate --edges 99", folder.path(), "17 candidate edges");
+    expect_refused("fretwork enumerate --sample 2 --seed -1", folder.path(), "-1");
+    folder.file("escape.json", "{\"\\u001b[31m\": 1}");
+    expect_refused("fretwork solve escape.json --out r.json", folder.path(), "x1b");
+}
+
 TEST(CommandLine, RefusesToWriteWhereItCannot) {
     const TemporaryFolder folder;
+    expect_refused("fretwork enumerate --edges 3 >/dev/full", folder.path(), "standard output");
     expect_refused("fretwork enumerate --census nowhere/t.csv", folder.path(), "nowhere/t.csv");
     expect_refused("fretwork enumerate --census /dev/full", folder.path(), "/dev/full");
 }

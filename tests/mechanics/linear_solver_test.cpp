@@ -94,6 +94,27 @@ TEST(LinearSolver, ProppedCantileverMatchesItsClosedForm) {
     EXPECT_NEAR(solution.displacements(2, 2), -7.0 * 16.0 * 8.0 / (768.0 * 1e3), 1e-13);
 }
 
+// A beam on two hinges sags by 5 q l^4 / (384 E I), whatever it is divided into, and hands over no moment.
+TEST(LinearSolver, WeightSagsABeamBetweenHinges) {
+    for (const int divisions : {1, 2, 5}) {
+        Frame frame = sample::cantilever();
+        frame.nodes = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
+        frame.beams.push_back(frame.beams[0]);
+        frame.beams[1].nodes = {NodeIndex(1), NodeIndex(2)};
+        frame.beams[0].releases = {{0, {{false, false, false, false, true, false}}}};
+        frame.beams[1].releases = {{1, {{false, false, false, false, true, false}}}};
+        for (Beam& beam : frame.beams) beam.divisions = divisions;
+        sample::clamp(frame, 2);
+        frame.gravity = {0, 0, -9.81};
+        const Solution solution = solve_linear(assemble(frame));
+        const double weight = 1000.0 * 0.01 * 9.81;  // N/m
+        const double exact = -5.0 * weight * 16.0 / (384.0 * 1e9 * 1e-6);
+        EXPECT_NEAR(solution.displacements(1, 2), exact, 1e-9 * std::abs(exact)) << divisions;
+        EXPECT_NEAR(solution.reactions(0, 4), 0.0, 1e-9 * weight) << divisions;
+        EXPECT_NEAR(solution.reactions(0, 2), weight, 1e-9 * weight) << divisions;
+    }
+}
+
 TEST(LinearSolver, AHingePassesNoMoment) {
     // Two cantilevers that meet in a hinge share the load as two springs 3 E I / L^3.
     Frame frame = sample::cantilever();

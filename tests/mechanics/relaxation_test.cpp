@@ -28,6 +28,19 @@ TEST(Relaxation, FindsNewtonsEquilibrium) {
     }
 }
 
+// One free displacement that feels its whole mass: where the step back after a peak is not half of the last
+// step, the bar swings between rest and twice its elongation for ever.
+TEST(Relaxation, ABarAlongAnAxisComesToRestAtItsElongation) {
+    for (const double force : {1e-3, -50.0}) {
+        Frame frame = sample::cantilever();
+        frame.loads.push_back({NodeIndex(1), {force, 0.0, 0.0}});
+        const Solution found = relax(assemble(frame));
+        ASSERT_TRUE(found.converged());
+        EXPECT_LT(found.iterations, 100);
+        EXPECT_NEAR(found.displacements(1, 0), force / (1e9 * 0.01), 1e-6 * std::abs(force) / (1e9 * 0.01));
+    }
+}
+
 // The masses only change the way there. At the scale of patterns the published ones make it longer.
 TEST(Relaxation, PublishedMassesFindTheSameEquilibriumMoreSlowly) {
     Frame pulled = sample::flat_wheel();

@@ -99,6 +99,18 @@ TEST(Conditions, GravityIsTheWeightOfAllBeams) {
     EXPECT_NEAR(weight, -length * surface.setting.section.area * 1240 * 9.81, 1e-12);
 }
 
+TEST(Conditions, EntriesMayAgreeOnANodeButNotContradictEachOther) {
+    const Surface surface = make_surface(test::honeycomb(3, 2, {"0-1+1-6"}), nullptr);
+    LoadCase load_case = test::cantilever({0, 0, 0});
+    load_case.prescribed = {{NodesById{{1, 2}}, mechanics::Dof::uz, 0.01},
+                            {NodesById{{2}}, mechanics::Dof::uz, 0.01}};
+    EXPECT_EQ(resolve(load_case, surface).prescribed.size(), 2U);
+    load_case.prescribed[1].value = 0.02;
+    EXPECT_THAT(
+        complaint_of([&] { resolve(load_case, surface); }),
+        testing::AllOf(HasSubstr("/prescribed/1"), HasSubstr("0.02 at interface node 2"), HasSubstr("0.01")));
+}
+
 TEST(Conditions, AnEntryThatPicksNothingIsNamed) {
     const Surface surface = make_surface(honeycomb(2, 1, kStar), nullptr);
     LoadCase load_case = test::cantilever({0, 0, 1});

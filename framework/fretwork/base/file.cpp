@@ -126,9 +126,23 @@ void AtomicFile::write(std::string_view content) {
     if (impl_->buffer.size() >= Impl::kBufferSize) impl_->flush();
 }
 
+void AtomicFile::flush() {
+    impl_->flush();
+}
+
 void AtomicFile::commit() {
     impl_->flush();
     impl_->file.move_into_place();
+}
+
+void FileBatch::add(const std::filesystem::path& path, std::string_view content) {
+    files_.emplace_back(path).write(content);
+}
+
+void FileBatch::commit() {
+    for (AtomicFile& file : files_) file.flush();
+    for (AtomicFile& file : files_) file.commit();
+    files_.clear();
 }
 
 void write_file_atomically(const std::filesystem::path& path, std::string_view content) {

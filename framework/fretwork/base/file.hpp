@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace fretwork::base {
 
@@ -28,12 +29,26 @@ class AtomicFile {
 
     /// Append. Throws IoError.
     void write(std::string_view content);
+    /// Send all that was written to the disk, so that only the place is missing. Throws IoError.
+    void flush();
     /// Put all that was written in the place of the path. Throws IoError, and then the path is as it was.
     void commit();
 
   private:
     struct Impl;
     std::unique_ptr<Impl> impl_;
+};
+
+/// Files that belong together: all of them are written, or none (but for a failure between two renamings).
+class FileBatch {
+  public:
+    /// Throws IoError.
+    void add(const std::filesystem::path& path, std::string_view content);
+    /// Throws IoError.
+    void commit();
+
+  private:
+    std::vector<AtomicFile> files_;
 };
 
 }  // namespace fretwork::base

@@ -91,6 +91,8 @@ JsonReader JsonReader::from_text(std::string_view text, std::string source) {
     } catch (const Json::parse_error& error) {
         throw InputError(source, line_and_column(text, error.byte),
                          "malformed JSON: " + parse_complaint(error.what()));
+    } catch (const Json::out_of_range&) {
+        throw InputError(source, "", "holds a number that is too large for double precision (above 1.8e308)");
     } catch (const Json::exception& error) {
         throw InputError(source, "", std::string("malformed JSON: ") + parse_complaint(error.what()));
     }

@@ -51,6 +51,13 @@ std::vector<std::string> split(std::string_view text, char separator) {
     }
 }
 
+std::string csv_field(std::string_view text) {
+    if (text.find_first_of(",\"\n\r") == std::string_view::npos) return std::string(text);
+    std::string quoted = "\"";
+    for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
+    return quoted + "\"";
+}
+
 std::optional<std::string> nearest_name(std::string_view word, std::span<const std::string> candidates) {
     const std::size_t limit = std::max<std::size_t>(1, word.size() / 3);
     std::optional<std::string> nearest;

@@ -18,6 +18,9 @@ std::string join(std::span<const std::string> words, std::string_view separator)
 /// Split at every separator; "a,,b" has an empty middle, "" is one empty word.
 std::vector<std::string> split(std::string_view text, char separator);
 
+/// A text as a field of a CSV file: quoted where it has to be (RFC 4180).
+std::string csv_field(std::string_view text);
+
 /// The candidate most like `word` (edit distance, at most a third of its length and at least one), if any is.
 std::optional<std::string> nearest_name(std::string_view word, std::span<const std::string> candidates);
 

@@ -59,7 +59,8 @@ std::span<const WriterRow> writer_catalogue() {
 }
 
 const WriterRow& find_writer(const std::filesystem::path& path) {
-    const std::string ending = path.extension().string();
+    std::string ending = path.extension().string();
+    for (char& c : ending) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
     std::vector<std::string> endings;
     for (const WriterRow& writer : kWriters) {
         if (writer.ending == ending) return writer;

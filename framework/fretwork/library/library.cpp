@@ -2,6 +2,7 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/library/detail/calibration_rows.hpp>
 #include <fretwork/library/detail/content.hpp>
+#include <fretwork/library/detail/draft.hpp>
 #include <fretwork/library/detail/library_impl.hpp>
 #include <fretwork/library/detail/schema.hpp>
 #include <fretwork/library/library.hpp>
@@ -95,15 +96,19 @@ Library::~Library() = default;
 
 Library Library::create(const std::filesystem::path& path, const pattern::NodeLayout& layout,
                         const reduction::Setting& setting) {
-    Database database(path, Database::Mode::CreateOrWrite);
-    try {
+    std::error_code ignored;
+    if (std::filesystem::exists(path, ignored)) {
+        Database database(path, Database::Mode::CreateOrWrite);
         initialize(database, layout, setting);
-    } catch (const base::IoError&) {
-        std::error_code ignored;
-        if (std::filesystem::file_size(path, ignored) == 0) std::filesystem::remove(path, ignored);
-        throw;
+        return Library(std::make_unique<Impl>(std::move(database)));
     }
-    return Library(std::make_unique<Impl>(std::move(database)));
+    const detail::Draft draft(path);
+    {
+        Database database(draft.path(), Database::Mode::CreateOrWrite);
+        initialize(database, layout, setting);
+    }
+    draft.move_into_place();
+    return open(path, Access::ReadWrite);
 }
 
 Library Library::open(const std::filesystem::path& path, Access access) {

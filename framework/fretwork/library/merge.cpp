@@ -2,6 +2,7 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/library/detail/database.hpp>
+#include <fretwork/library/detail/draft.hpp>
 #include <fretwork/library/detail/schema.hpp>
 #include <fretwork/library/library.hpp>
 
@@ -91,33 +92,6 @@ void merge_into(const std::filesystem::path& path, std::span<const std::filesyst
     transaction.commit();
 }
 
-/// A library beside the output that vanishes unless it is renamed into its place.
-class Draft {
-  public:
-    explicit Draft(const std::filesystem::path& output)
-        : output_(output), path_(output.string() + ".merging") {
-        remove();
-    }
-    Draft(const Draft&) = delete;
-    Draft& operator=(const Draft&) = delete;
-    ~Draft() { remove(); }
-    [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-    void move_into_place() const {
-        std::error_code error;
-        std::filesystem::rename(path_, output_, error);
-        if (error) throw base::IoError(output_.string() + ": cannot be written: " + error.message());
-    }
-
-  private:
-    void remove() const {
-        std::error_code ignored;
-        std::filesystem::remove(path_, ignored);
-        std::filesystem::remove(path_.string() + "-journal", ignored);
-    }
-    std::filesystem::path output_;
-    std::filesystem::path path_;
-};
-
 }  // namespace
 
 void merge(const std::filesystem::path& output, std::span<const std::filesystem::path> inputs) {
@@ -131,7 +105,7 @@ void merge(const std::filesystem::path& output, std::span<const std::filesystem:
         other.check_layout(first.layout());
         other.check_setting(first.setting());
     }
-    const Draft draft(output);
+    const detail::Draft draft(output);
     Library::create(draft.path(), first.layout(), first.setting());
     merge_into(draft.path(), inputs);
     draft.move_into_place();

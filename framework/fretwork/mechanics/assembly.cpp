@@ -74,19 +74,23 @@ class Assembler {
                 last ? beam.nodes[1]
                      : add_node(start + (end - start) * (static_cast<double>(k) / beam.divisions));
             const BeamElement::Geometry geometry{{from, to}, (end - start).norm() / beam.divisions, axes};
-            add_element(std::make_unique<BeamElement>(geometry, beam.section, beam.material),
-                        {k == 1 ? free[0] : DofSet{}, last ? free[1] : DofSet{}});
-            add_weight(geometry, beam);
+            const Hinges hinges =
+                add_element(std::make_unique<BeamElement>(geometry, beam.section, beam.material),
+                            {k == 1 ? free[0] : DofSet{}, last ? free[1] : DofSet{}});
+            add_weight(geometry, beam, hinges);
             from = to;
         }
     }
 
-    void add_element(std::unique_ptr<const BeamElement> element, const std::array<DofSet, 2>& free) {
+    /// The hinge's node at each end; an invalid index where the end is rigid.
+    using Hinges = std::array<NodeIndex, 2>;
+
+    Hinges add_element(std::unique_ptr<const BeamElement> element, const std::array<DofSet, 2>& free) {
+        Hinges hinges;
         if (free[0] == DofSet{} && free[1] == DofSet{}) {
             assembly_.elements.push_back(std::move(element));
-            return;
+            return hinges;
         }
-        std::array<NodeIndex, 2> hinges;
         for (std::size_t end = 0; end < 2; ++end) {
             if (free[end] == DofSet{}) continue;
             hinges[end] = add_node(position(element->geometry().nodes[end]));
@@ -95,18 +99,29 @@ class Assembler {
             assembly_.supports.push_back(held);
         }
         assembly_.elements.push_back(std::make_unique<detail::HingedElement>(std::move(element), hinges));
+        return hinges;
     }
 
     /// Half of the weight goes to each end; with it the moments by which the ends of a clamped beam resist
     /// it.
-    void add_weight(const BeamElement::Geometry& geometry, const Beam& beam) {
+    void add_weight(const BeamElement::Geometry& geometry, const Beam& beam, const Hinges& hinges) {
         const Eigen::Vector3d line_load = beam.material.density * beam.section.area * frame_.gravity;
         const double l = geometry.length;
         const Eigen::Vector3d moment = l * l / 12.0 * geometry.axes.col(0).cross(line_load);
-        for (const NodeIndex node : geometry.nodes) load_of(node).head<3>() += 0.5 * l * line_load;
-        if (options_.lumped_gravity) return;
-        load_of(geometry.nodes[0]).tail<3>() += moment;
-        load_of(geometry.nodes[1]).tail<3>() -= moment;
+        NodeLoad at_end = NodeLoad::Zero();
+        at_end.head<3>() = 0.5 * l * line_load;
+        for (std::size_t end = 0; end < 2; ++end) {
+            if (!options_.lumped_gravity) at_end.tail<3>() = end == 0 ? moment : -moment;
+            load_of(geometry.nodes[end]) += at_end;
+            if (hinges[end].is_valid()) add_to_hinge(hinges[end], geometry.axes, at_end);
+        }
+    }
+
+    /// What acts on a beam's end does work along the hinge's motions, too: so a released moment goes through
+    /// the beam to its other end, and not to the frame's node. These motions are in the beam's axes.
+    void add_to_hinge(NodeIndex hinge, const Eigen::Matrix3d& axes, const NodeLoad& load) {
+        load_of(hinge).head<3>() += axes.transpose() * load.head<3>();
+        load_of(hinge).tail<3>() += axes.transpose() * load.tail<3>();
     }
 
     const Frame& frame_;

@@ -124,5 +124,7 @@ Frame read_frame(const std::filesystem::path& path);
 
 /// Write a frame file; equal materials and sections are written once. read_frame gives an equal frame.
 void write_frame(const Frame& frame, const std::filesystem::path& path);
+/// The text of a frame file.
+std::string frame_text(const Frame& frame);
 
 }  // namespace fretwork::mechanics

@@ -278,13 +278,17 @@ Frame read_frame(const std::filesystem::path& path) {
     return frame;
 }
 
-void write_frame(const Frame& frame, const std::filesystem::path& path) {
+std::string frame_text(const Frame& frame) {
     Json document = {{"format", "fretwork/frame/1"}};
     document["nodes"] = Json::array();
     for (const Eigen::Vector3d& node : frame.nodes) document["nodes"].push_back(vector_json(node));
     append_beams(document, frame);
     append_conditions(document, frame);
-    base::write_file_atomically(path, base::detail::json_text(document));
+    return base::detail::json_text(document);
+}
+
+void write_frame(const Frame& frame, const std::filesystem::path& path) {
+    base::write_file_atomically(path, frame_text(frame));
 }
 
 }  // namespace fretwork::mechanics

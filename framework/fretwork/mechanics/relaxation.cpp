@@ -36,7 +36,7 @@ class Relaxation {
                 termination = Termination::Converged;
                 break;
             }
-            velocity_ += system_.unbalanced().cwiseQuotient(mass_);
+            accelerate();
             const double energy = velocity_.cwiseAbs2().dot(mass_);
             if (energy < last_energy) {
                 restart();
@@ -51,10 +51,19 @@ class Relaxation {
     }
 
   private:
-    /// The peak lies between the last two steps: go half a step back, weigh anew and start from rest.
+    /// Velocities belong to the middles of the steps: from rest, the first is reached after half a step.
+    void accelerate() {
+        last_velocity_ = velocity_;
+        velocity_ += (is_at_rest_ ? 0.5 : 1.0) * system_.unbalanced().cwiseQuotient(mass_);
+        is_at_rest_ = false;
+    }
+
+    /// The peak lies in the middle of the step that was made last: go half of it back, weigh anew and start
+    /// from rest.
     void restart() {
-        system_.move(-0.5 * velocity_, configuration_);
+        system_.move(-0.5 * last_velocity_, configuration_);
         velocity_.setZero();
+        is_at_rest_ = true;
         system_.evaluate(configuration_, 1.0);
         weigh();
     }
@@ -121,6 +130,8 @@ class Relaxation {
     detail::NonlinearSystem system_;
     detail::Configuration configuration_;
     Eigen::VectorXd velocity_;
+    Eigen::VectorXd last_velocity_;
+    bool is_at_rest_ = true;
     Eigen::VectorXd mass_;
 };
 

@@ -125,7 +125,7 @@ Result::Node read_node(const JsonReader& reader) {
 
 }  // namespace
 
-void write_result(const Result& result, const std::filesystem::path& path) {
+std::string result_text(const Result& result) {
     Json json = {{"format", "fretwork/result/1"}, {"solver", result.solver}};
     append_solution(json, result.solution);
     json["seconds"] = result.seconds;
@@ -144,7 +144,11 @@ void write_result(const Result& result, const std::filesystem::path& path) {
         json["vibration_modes"].push_back({{"frequency", mode.value}, {"shape", rows_json(mode.shape)}});
     for (const Mode& mode : result.buckling_modes)
         json["buckling_modes"].push_back({{"load_factor", mode.value}, {"shape", rows_json(mode.shape)}});
-    base::write_file_atomically(path, base::detail::json_text(json));
+    return base::detail::json_text(json);
+}
+
+void write_result(const Result& result, const std::filesystem::path& path) {
+    base::write_file_atomically(path, result_text(result));
 }
 
 Result read_result(const std::filesystem::path& path) {

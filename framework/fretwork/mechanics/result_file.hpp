@@ -26,6 +26,8 @@ struct Result {
     double seconds = 0.0;
 };
 
+/// The text of a result file. Throws NumericalError if a value is not finite.
+std::string result_text(const Result& result);
 /// Throws IoError, or NumericalError if a value is not finite; then nothing is written.
 void write_result(const Result& result, const std::filesystem::path& path);
 /// Throws InputError with file and JSON pointer.

@@ -129,6 +129,9 @@ Comparison compare(const Result& full, const Result& reduced) {
     comparison.relative_l2_error = errors.squared_displacement > 0
                                        ? std::sqrt(errors.squared_difference / errors.squared_displacement)
                                        : 0.0;
+    if (!std::isfinite(comparison.relative_l2_error) || !std::isfinite(comparison.max_translation_error) ||
+        !std::isfinite(comparison.max_rotation_error))
+        throw base::InputError("the results hold displacements that are too large to be compared");
     comparison.full_seconds = full.seconds;
     comparison.reduced_seconds = reduced.seconds;
     return comparison;
@@ -154,7 +157,7 @@ std::string comparison_row(const std::string& example, const Comparison& compari
                              comparison.sd_rotation_error,
                              comparison.full_seconds / 60.0,
                              comparison.reduced_seconds * 1e3};
-    std::string row = example;
+    std::string row = base::csv_field(example);
     for (const double value : values) row += "," + base::format_number(value);
     return row;
 }

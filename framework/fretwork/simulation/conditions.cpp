@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
+#include <fretwork/base/text.hpp>
 #include <fretwork/simulation/conditions.hpp>
 
 namespace fretwork::simulation {
@@ -30,8 +31,23 @@ class Resolver {
     void add_prescribed(std::size_t i) {
         const LoadCase::Prescribe& entry = load_case_.prescribed[i];
         for (const auto node : picked(entry.where, "prescribed", i)) {
-            conditions_.prescribed.push_back({NodeIndex(node.value), entry.dof, entry.value});
+            const mechanics::PrescribedDisplacement wanted{NodeIndex(node.value), entry.dof, entry.value};
+            if (is_new(wanted, i)) conditions_.prescribed.push_back(wanted);
         }
+    }
+
+    /// Several entries may pick one node, but not want different things of it.
+    [[nodiscard]] bool is_new(const mechanics::PrescribedDisplacement& wanted, std::size_t entry) const {
+        for (const mechanics::PrescribedDisplacement& other : conditions_.prescribed) {
+            if (other.node != wanted.node || other.dof != wanted.dof) continue;
+            if (other.value == wanted.value) return false;
+            throw base::InputError(
+                "load case '" + load_case_.name + "'", "/prescribed/" + std::to_string(entry),
+                "prescribes " + base::format_number(wanted.value) + " at interface node " +
+                    std::to_string(wanted.node.value) + ", where an entry before it prescribes " +
+                    base::format_number(other.value));
+        }
+        return true;
     }
 
     void add_load(std::size_t i) {

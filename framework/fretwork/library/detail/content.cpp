@@ -44,22 +44,14 @@ void update(base::Sha256& hash, const Statement& row, int column) {
     }
 }
 
-/// RFC 4180: quoted where it has to be.
-std::string csv_field(std::string_view text) {
-    if (text.find_first_of(",\"\n\r") == std::string_view::npos) return std::string(text);
-    std::string quoted = "\"";
-    for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
-    return quoted + "\"";
-}
-
-std::string csv_field(const Statement& row, int column) {
+std::string csv_cell(const Statement& row, int column) {
     switch (row.type(column)) {
         case SQLITE_INTEGER:
             return std::to_string(row.integer(column));
         case SQLITE_FLOAT:
             return base::format_number(row.real(column));
         default:
-            return csv_field(row.text(column));
+            return base::csv_field(row.text(column));
     }
 }
 
@@ -78,7 +70,7 @@ void write_csv(const Database& database, const Table& table, const std::filesyst
     while (rows.step()) {
         for (int column = 0; column < rows.column_count(); ++column) {
             if (column > 0) file.write(",");
-            file.write(csv_field(rows, column));
+            file.write(csv_cell(rows, column));
         }
         file.write("\n");
     }
