@@ -6,6 +6,7 @@
 #include <fretwork/base/detail/json_text.hpp>
 #include <fretwork/base/file.hpp>
 #include <fretwork/exports/line_files.hpp>
+#include <fretwork/mechanics/calculix_file.hpp>
 #include <fretwork/mechanics/equilibrium.hpp>
 #include <fretwork/mechanics/linear_solver.hpp>
 #include <fretwork/mechanics/modes.hpp>
@@ -37,6 +38,7 @@ struct Wishes {
     std::string solver = "newton";
     std::string out;
     std::string vtu;
+    std::string deck;
     int steps = 0;
     int modes = 0;
     int buckling = 0;
@@ -69,11 +71,20 @@ mechanics::Solution end_of(const std::vector<mechanics::Solution>& steps) {
     return end;
 }
 
-mechanics::Result solve(const mechanics::Frame& frame, const Wishes& wishes) {
+/// A frame file, or a CalculiX or Abaqus deck, whose nodes keep their labels.
+mechanics::LabelledFrame read(const std::string& path) {
+    if (path.ends_with(".inp")) return mechanics::read_calculix(path);
+    mechanics::LabelledFrame named{mechanics::read_frame(path), {}};
+    for (std::size_t i = 0; i < named.frame.nodes.size(); ++i) named.labels.push_back(static_cast<int>(i));
+    return named;
+}
+
+mechanics::Result solve(const mechanics::LabelledFrame& input, const Wishes& wishes) {
+    const mechanics::Frame& frame = input.frame;
     mechanics::Result result;
     result.solver = wishes.solver;
     for (std::size_t i = 0; i < frame.nodes.size(); ++i)
-        result.nodes.push_back({static_cast<int>(i), frame.nodes[i], false});
+        result.nodes.push_back({input.labels[i], frame.nodes[i], false});
     const auto start = std::chrono::steady_clock::now();
     const mechanics::Assembly assembly =
         mechanics::assemble(frame, {.lumped_gravity = wishes.lumped_gravity});
@@ -157,11 +168,13 @@ void print(const mechanics::Result& result, const base::detail::Json& summary) {
 }
 
 ExitCode run(const Wishes& wishes) {
-    check_outputs({wishes.frame}, {wishes.out, wishes.vtu});
-    const mechanics::Frame frame = mechanics::read_frame(wishes.frame);
-    const mechanics::Result result = solve(frame, wishes);
+    check_outputs({wishes.frame}, {wishes.out, wishes.vtu, wishes.deck});
+    const mechanics::LabelledFrame input = read(wishes.frame);
+    const mechanics::Frame& frame = input.frame;
+    const mechanics::Result result = solve(input, wishes);
     base::FileBatch files;
     files.add(wishes.out, mechanics::result_text(result));
+    if (!wishes.deck.empty()) files.add(wishes.deck, mechanics::calculix_text(frame));
     if (!wishes.vtu.empty()) {
         exports::LineSet lines = exports::frame_lines(frame);
         lines.displacements = result.solution.displacements;
@@ -185,7 +198,8 @@ void add_solve(CLI::App& app, ExitCode& exit_code) {
     auto wishes = std::make_shared<Wishes>();
     CLI::App* verb = app.add_subcommand("solve", "Solve any beam structure from a frame file.");
     verb->footer(kExample);
-    verb->add_option("frame", wishes->frame, "frame file")->required();
+    verb->add_option("frame", wishes->frame, "frame file, or the beams of a CalculiX or Abaqus deck (.inp)")
+        ->required();
     verb->add_option("--solver", wishes->solver,
                      "linear; or, for large displacements and rotations, newton or dynamic-relaxation")
         ->check(CLI::IsMember({"linear", "newton", "dynamic-relaxation"}))
@@ -210,6 +224,7 @@ void add_solve(CLI::App& app, ExitCode& exit_code) {
                      "so many natural frequencies and modes of the structure at rest")
         ->check(CLI::Range(1, 1000));
     verb->add_option("--vtu", wishes->vtu, "the displaced beams for ParaView");
+    verb->add_option("--deck", wishes->deck, "write the frame as an input deck for Abaqus (.inp)");
     verb->add_flag("--lumped-gravity", wishes->lumped_gravity,
                    "half of a beam's weight on each end, no moments");
     verb->add_option("--out", wishes->out, "result file")->required();

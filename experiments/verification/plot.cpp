@@ -109,7 +109,9 @@ std::string draw(const Panel& panel) {
         const std::string colour = kColours[i % std::size(kColours)];
         svg += draw_series(panel.series[i], colour, x, y);
         if (panel.series[i].name.empty()) continue;
-        svg += "<g fill=\"" + colour + "\">" + text_at(kLeft + 8.0, line, "start", panel.series[i].name) +
+        const double x_text = panel.legend_at_right ? kWidth - kRight - 8.0 : kLeft + 8.0;
+        svg += "<g fill=\"" + colour + "\">" +
+               text_at(x_text, line, panel.legend_at_right ? "end" : "start", panel.series[i].name) +
                "</g>\n";
         line += 13.0;
     }

@@ -18,6 +18,7 @@ struct Series {
 struct Panel {
     std::string title, x_label, y_label;
     bool logarithmic = false;
+    bool legend_at_right = false;
     std::vector<Series> series{};
 };
 

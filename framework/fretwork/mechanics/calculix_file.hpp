@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/mechanics/frame.hpp>
+
+#include <filesystem>
+#include <vector>
+
+namespace fretwork::mechanics {
+
+/// A frame from a file in which nodes have labels of their own.
+struct LabelledFrame {
+    Frame frame;
+    std::vector<int> labels;  ///< one for each node of the frame, in the file's order
+};
+
+/// Read the beams of a CalculiX or Abaqus input deck (.inp): *NODE; *ELEMENT of type B31, B31R, B33 (two
+/// nodes), B32 or B32R (the middle node becomes a node of the frame); *NSET and *ELSET, also with GENERATE;
+/// *MATERIAL with *ELASTIC and *DENSITY; *BEAM SECTION with RECT, CIRC or PIPE, *BEAM GENERAL SECTION with
+/// GENERAL; *BOUNDARY; *CLOAD; *DLOAD with GRAV. What only steers a solver or its output is passed over; any
+/// other keyword is refused. All steps' loads act together. Numbers are taken to be in SI units. Sections are
+/// shear-rigid with Saint-Venant's torsion constant, where CalculiX itself takes thick beams to be solids.
+/// The direction n1 of a section is its axis 3. Throws InputError with file and line; the frame is valid.
+LabelledFrame read_calculix(const std::filesystem::path& path);
+
+/// Write a frame as such a deck, nodes labelled from 1: one B31 for each beam, *BEAM GENERAL SECTION (which
+/// Abaqus reads, and read_calculix, without loss). What a deck has no words for is refused: releases,
+/// divisions, shear areas, a given shear modulus. Throws InputError that names it, or IoError.
+void write_calculix(const Frame& frame, const std::filesystem::path& path);
+/// The text of such a deck.
+std::string calculix_text(const Frame& frame);
+
+}  // namespace fretwork::mechanics

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/base/file.hpp>
+#include <fretwork/base/text.hpp>
+#include <fretwork/mechanics/calculix_file.hpp>
+#include <fretwork/mechanics/detail/frame_check.hpp>
+
+#include <algorithm>
+
+namespace fretwork::mechanics {
+namespace {
+
+std::string vector_text(const Eigen::Vector3d& v) {
+    return base::format_number(v.x()) + "," + base::format_number(v.y()) + "," + base::format_number(v.z());
+}
+
+/// Refuse what a deck has no words for.
+void check_writable(const Frame& frame) {
+    for (std::size_t i = 0; i < frame.beams.size(); ++i) {
+        const Beam& beam = frame.beams[i];
+        const char* has = !beam.releases.empty()                                 ? "releases"
+                          : beam.divisions != 1                                  ? "divisions"
+                          : beam.section.shear_area2 || beam.section.shear_area3 ? "shear areas"
+                          : beam.material.given_shear_modulus ? "a shear modulus of its own"
+                                                              : nullptr;
+        if (has != nullptr)
+            throw base::InputError("/beams/" + std::to_string(i) + " has " + has +
+                                   ", for which an input deck has no words");
+    }
+}
+
+class Writer {
+  public:
+    explicit Writer(const Frame& frame) : frame_(frame) {}
+
+    std::string run() {
+        text_ = "*HEADING\nwritten by fretwork\n*NODE, NSET=NALL\n";
+        for (std::size_t i = 0; i < frame_.nodes.size(); ++i)
+            text_ += std::to_string(i + 1) + "," + vector_text(frame_.nodes[i]) + "\n";
+        for (std::size_t i = 0; i < frame_.beams.size(); ++i) group_of(frame_.beams[i]).push_back(i);
+        for (std::size_t g = 0; g < groups_.size(); ++g) write_group(g);
+        write_supports();
+        text_ += "*STEP, NLGEOM\n*STATIC\n";
+        write_actions();
+        return text_ + "*END STEP\n";
+    }
+
+  private:
+    /// Beams of one section, material and normal.
+    struct Group {
+        const Beam* like;
+        std::vector<std::size_t> beams;
+    };
+
+    std::vector<std::size_t>& group_of(const Beam& beam) {
+        const auto same = [&](const Group& group) {
+            return group.like->section == beam.section && group.like->material == beam.material &&
+                   normal_of(*group.like) == normal_of(beam);
+        };
+        const auto found = std::find_if(groups_.begin(), groups_.end(), same);
+        return found != groups_.end() ? found->beams : groups_.emplace_back(Group{&beam, {}}).beams;
+    }
+
+    [[nodiscard]] Eigen::Vector3d normal_of(const Beam& beam) const {
+        return beam.normal ? *beam.normal : Eigen::Vector3d(detail::beam_axes(frame_, beam).col(2));
+    }
+
+    void write_group(std::size_t g) {
+        const auto& [like, beams] = groups_[g];
+        const std::string name = std::to_string(g + 1);
+        text_ += "*ELEMENT, TYPE=B31, ELSET=BEAMS" + name + "\n";
+        for (const std::size_t i : beams)
+            text_ += std::to_string(i + 1) + "," + std::to_string(frame_.beams[i].nodes[0].value + 1) + "," +
+                     std::to_string(frame_.beams[i].nodes[1].value + 1) + "\n";
+        const Material& material = like->material;
+        text_ += "*MATERIAL, NAME=MATERIAL" + name + "\n*ELASTIC\n" +
+                 base::format_number(material.young_modulus) + "," +
+                 base::format_number(material.poisson_ratio) + "\n*DENSITY\n" +
+                 base::format_number(material.density) + "\n";
+        const Section& section = like->section;
+        text_ += "*BEAM GENERAL SECTION, SECTION=GENERAL, ELSET=BEAMS" + name + ", MATERIAL=MATERIAL" + name +
+                 "\n";
+        for (const double value : {section.area, section.I3, 0.0, section.I2})
+            text_ += base::format_number(value) + ",";
+        text_ += base::format_number(section.J) + "\n" + vector_text(normal_of(*like)) + "\n";
+    }
+
+    void write_supports() {
+        text_ += "*BOUNDARY\n";
+        for (const Support& support : frame_.supports) {
+            for (std::size_t d = 0; d < kDofsPerNode; ++d) {
+                if (support.fixed.contains[d])
+                    text_ += std::to_string(support.node.value + 1) + "," + std::to_string(d + 1) + "\n";
+            }
+        }
+    }
+
+    void write_actions() {
+        if (!frame_.prescribed.empty()) text_ += "*BOUNDARY\n";
+        for (const PrescribedDisplacement& given : frame_.prescribed) {
+            const std::string d = std::to_string(static_cast<int>(given.dof) + 1);
+            text_ += std::to_string(given.node.value + 1) + "," + d + "," + d + "," +
+                     base::format_number(given.value) + "\n";
+        }
+        if (!frame_.loads.empty()) text_ += "*CLOAD\n";
+        for (const NodalLoad& load : frame_.loads) {
+            for (int d = 0; d < kDofsPerNode; ++d) {
+                const double value = d < 3 ? load.force[d] : load.moment[d - 3];
+                if (value != 0.0)
+                    text_ += std::to_string(load.node.value + 1) + "," + std::to_string(d + 1) + "," +
+                             base::format_number(value) + "\n";
+            }
+        }
+        if (!frame_.gravity.isZero(0.0)) text_ += "*DLOAD\nEALL,GRAV,1," + vector_text(frame_.gravity) + "\n";
+    }
+
+    const Frame& frame_;
+    std::string text_;
+    std::vector<Group> groups_;
+};
+
+}  // namespace
+
+std::string calculix_text(const Frame& frame) {
+    validate(frame);
+    check_writable(frame);
+    return Writer(frame).run();
+}
+
+void write_calculix(const Frame& frame, const std::filesystem::path& path) {
+    base::write_file_atomically(path, calculix_text(frame));
+}
+
+}  // namespace fretwork::mechanics

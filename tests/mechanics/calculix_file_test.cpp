@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sample.hpp"
+#include "support.hpp"
+
+#include <fretwork/base/error.hpp>
+#include <fretwork/mechanics/calculix_file.hpp>
+#include <fretwork/mechanics/linear_solver.hpp>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+namespace fretwork::mechanics {
+namespace {
+
+class CalculixFile : public testing::Test {
+  protected:
+    LabelledFrame read(const std::string& text) {
+        std::ofstream(path_) << text;
+        return read_calculix(path_);
+    }
+    std::string complaint(const std::string& piece, const std::string& by);
+    test::TemporaryFolder folder_;
+    std::filesystem::path path_ = folder_.path() / "deck.inp";
+};
+
+// Two elements of CalculiX's kinds, sets, a generated list, and keywords that only steer the solver.
+constexpr const char* kDeck = R"(*HEADING
+a cantilever of two elements
+** a comment
+*Node, nset=Nall
+10, 0., 0., 0.
+20, 0.5, 0, 0
+30, 1e0, 0, 0
+40, 1.5, 0.,
+*ELEMENT, TYPE=B32R, ELSET=EBEAM
+1, 10, 20,
+30
+*ELEMENT, TYPE=B31, ELSET=EBEAM
+2, 30, 40
+*NSET, NSET=TIP
+40
+*NSET, NSET=MOST, GENERATE
+10, 30, 20
+*MATERIAL, NAME=PLA
+*ELASTIC
+1.E9, .25
+*DENSITY
+1240
+*BEAM SECTION, ELSET=EBEAM, MATERIAL=PLA, SECTION=RECT
+.02, .01
+0., 0., 1.
+*BOUNDARY
+10, 1, 6
+TIP, 2, 2, 0.003
+*STEP, NLGEOM
+*STATIC
+*CLOAD
+TIP, 3, -2.5
+TIP, 5, 0.5
+*DLOAD
+EALL, GRAV, 9.81, 0, 0, -1
+*NODE FILE
+U
+*END STEP
+)";
+
+std::string CalculixFile::complaint(const std::string& piece, const std::string& by) {
+    std::string text = kDeck;
+    const auto place = text.find(piece);
+    EXPECT_NE(place, std::string::npos) << piece;
+    try {
+        read(text.replace(place, piece.size(), by));
+    } catch (const base::InputError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+TEST_F(CalculixFile, BeamsOfADeckAreRead) {
+    const auto [frame, labels] = read(kDeck);
+    EXPECT_THAT(labels, testing::ElementsAre(10, 20, 30, 40));
+    ASSERT_EQ(frame.beams.size(), 3u);  // the middle node of the three-node element is a node
+    EXPECT_EQ(frame.beams[1].nodes[0], NodeIndex(1));
+    EXPECT_EQ(frame.beams[2].nodes[1], NodeIndex(3));
+    EXPECT_EQ(frame.beams[0].section,
+              rectangle_section(0.01, 0.02));  // n1, along which it is 20 mm, is axis 3
+    EXPECT_EQ(frame.beams[0].material,
+              (Material{.young_modulus = 1e9, .poisson_ratio = 0.25, .density = 1240}));
+    ASSERT_EQ(frame.supports.size(), 1u);
+    EXPECT_EQ(frame.supports[0].fixed, DofSet::all());
+    ASSERT_EQ(frame.prescribed.size(), 1u);
+    EXPECT_EQ(frame.prescribed[0].dof, Dof::uy);
+    EXPECT_EQ(frame.prescribed[0].value, 0.003);
+    EXPECT_EQ(frame.loads[0].force, Eigen::Vector3d(0.0, 0.0, -2.5));
+    EXPECT_EQ(frame.loads[1].moment, Eigen::Vector3d(0.0, 0.5, 0.0));
+    EXPECT_EQ(frame.gravity, Eigen::Vector3d(0.0, 0.0, -9.81));
+}
+
+TEST_F(CalculixFile, AWrittenFrameIsReadBackWithoutLoss) {
+    Frame frame = sample::star();
+    frame.beams[1].section = circle_section(0.003);
+    frame.beams[2].normal = Eigen::Vector3d(0.3, 0.1, 1.0);
+    frame.prescribed.push_back({NodeIndex(0), Dof::uz, 1.0 / 3.0e3});
+    frame.gravity = {0.1, 0.0, -9.81};
+    write_calculix(frame, path_);
+    const Frame found = read_calculix(path_).frame;
+    ASSERT_EQ(found.beams.size(), frame.beams.size());
+    for (std::size_t i = 0; i < frame.beams.size(); ++i) {
+        EXPECT_EQ(found.beams[i].section, frame.beams[i].section);
+        EXPECT_EQ(found.beams[i].material, frame.beams[i].material);
+    }
+    const Solution expected = solve_linear(assemble(frame));
+    const Solution solution = solve_linear(assemble(found));
+    EXPECT_LT((solution.displacements - expected.displacements).norm(),
+              1e-12 * expected.displacements.norm());
+}
+
+TEST_F(CalculixFile, WhatADeckCannotSayIsRefused) {
+    Frame divided = sample::star();
+    divided.beams[1].divisions = 2;
+    Frame hinged = sample::star();
+    hinged.beams[2].releases = {{0, {{false, false, false, true, false, false}}}};
+    EXPECT_THROW(write_calculix(divided, path_), base::InputError);
+    EXPECT_THROW(write_calculix(hinged, path_), base::InputError);
+    EXPECT_FALSE(std::filesystem::exists(path_));
+}
+
+TEST_F(CalculixFile, BadDecksAreRefusedByLine) {
+    using testing::HasSubstr;
+    EXPECT_THAT(complaint("20, 0.5, 0, 0", "20, half, 0, 0"), HasSubstr("line 6 has 'HALF'"));
+    EXPECT_THAT(complaint("2, 30, 40", "2, 30, 41"), HasSubstr("node 41, which there is not"));
+    EXPECT_THAT(complaint("TYPE=B31,", "TYPE=C3D8,"), HasSubstr("type C3D8"));
+    EXPECT_THAT(complaint("SECTION=RECT", "SECTION=HEX"), HasSubstr("shape HEX"));
+    EXPECT_THAT(complaint("*DLOAD", "*DFLUX"), HasSubstr("*DFLUX, which is not understood"));
+    EXPECT_THAT(complaint("EALL, GRAV", "EALL, P1"), HasSubstr("no gravity"));
+    EXPECT_THAT(complaint("TIP, 3,", "TIP, 7,"), HasSubstr("degree of freedom 7"));
+    EXPECT_THAT(complaint("ELSET=EBEAM, MATERIAL=PLA", "ELSET=EBEAM, MATERIAL=ABS"),
+                HasSubstr("material ABS"));
+    EXPECT_THAT(complaint("*ELASTIC\n1.E9, .25", "*ELASTIC\n1.E9"), HasSubstr("1 numbers, where 2"));
+}
+
+}  // namespace
+}  // namespace fretwork::mechanics
