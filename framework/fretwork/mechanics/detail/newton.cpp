@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/mechanics/detail/newton.hpp>
 
+#include <Eigen/Jacobi>
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -19,29 +21,38 @@ constexpr double kNegligibleStep = 1e-13;
 constexpr double kResidualFloor = 1e-6;
 
 /// Solve (1 + B) x = b by GMRES, where B is the skew part behind the symmetric part's inverse. Its rank is at
-/// most two for each node with a moment, so a few steps are exact.
+/// most two for each node with a moment, so a few steps are exact. Givens' rotations keep the small problem
+/// triangular, and tell the residual at each step.
 template <class Operator>
 Eigen::VectorXd solve_near_identity(const Operator& b_times, const Eigen::VectorXd& right_side) {
     const double size = right_side.norm();
     if (size == 0.0) return right_side;
     std::vector<Eigen::VectorXd> basis{right_side / size};
-    Eigen::MatrixXd hessenberg = Eigen::MatrixXd::Zero(kMostSkewIterations + 1, kMostSkewIterations);
-    Eigen::VectorXd weights;
-    for (int k = 0; k < kMostSkewIterations; ++k) {
+    Eigen::MatrixXd triangle = Eigen::MatrixXd::Zero(kMostSkewIterations + 1, kMostSkewIterations);
+    Eigen::VectorXd target = size * Eigen::VectorXd::Unit(kMostSkewIterations + 1, 0);
+    std::vector<Eigen::JacobiRotation<double>> rotations;
+    int k = 0;
+    for (bool done = false; !done && k < kMostSkewIterations; ++k) {
         Eigen::VectorXd next = basis.back() + b_times(basis.back());
         for (int i = 0; i <= k; ++i) {
-            hessenberg(i, k) = basis[static_cast<std::size_t>(i)].dot(next);
-            next -= hessenberg(i, k) * basis[static_cast<std::size_t>(i)];
+            triangle(i, k) = basis[static_cast<std::size_t>(i)].dot(next);
+            next -= triangle(i, k) * basis[static_cast<std::size_t>(i)];
         }
-        hessenberg(k + 1, k) = next.norm();
-        const auto h = hessenberg.topLeftCorner(k + 2, k + 1);
-        const Eigen::VectorXd target = size * Eigen::VectorXd::Unit(k + 2, 0);
-        weights = h.colPivHouseholderQr().solve(target);
-        if ((h * weights - target).norm() <= kSkewTolerance * size) break;
-        basis.push_back(next / hessenberg(k + 1, k));
+        const double length = triangle(k + 1, k) = next.norm();
+        for (int i = 0; i < k; ++i)
+            triangle.col(k).applyOnTheLeft(i, i + 1, rotations[static_cast<std::size_t>(i)].adjoint());
+        Eigen::JacobiRotation<double> rotation;
+        rotation.makeGivens(triangle(k, k), triangle(k + 1, k));
+        triangle.col(k).applyOnTheLeft(k, k + 1, rotation.adjoint());
+        target.applyOnTheLeft(k, k + 1, rotation.adjoint());
+        rotations.push_back(rotation);
+        done = std::abs(target[k + 1]) <= kSkewTolerance * size;
+        if (!done) basis.push_back(next / length);
     }
+    const Eigen::VectorXd weights =
+        triangle.topLeftCorner(k, k).triangularView<Eigen::Upper>().solve(target.head(k));
     Eigen::VectorXd x = Eigen::VectorXd::Zero(right_side.size());
-    for (Eigen::Index i = 0; i < weights.size(); ++i) x += weights[i] * basis[static_cast<std::size_t>(i)];
+    for (Eigen::Index i = 0; i < k; ++i) x += weights[i] * basis[static_cast<std::size_t>(i)];
     return x;
 }
 
