@@ -4,7 +4,7 @@
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 programs=${1:-$here/../../build/release}/experiments/verification
-out=${2:-$here}
+out=${2:-$here/../../out/verification}
 mkdir -p "$out"
 "$programs/verification_benchmarks" "$out/verification.svg" | tee "$out/benchmarks.md"
 "$programs/verification_responses" | tee "$out/responses.md"
