@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fretwork optimizers: the methods there are, and how they compare.
+#include "comparison_landscape.hpp"
 #include "comparison_problems.hpp"
 #include "comparison_runs.hpp"
 #include "verbs.hpp"
@@ -34,6 +35,7 @@ struct Wishes {
     std::size_t patterns = 60;
     int starts = 300;
     ComparisonPlan plan;
+    int descents = LandscapeOptions{}.descents;
     bool json = false;
 };
 
@@ -94,17 +96,26 @@ std::vector<Contender> wanted_contenders(const std::string& wish) {
     return chosen;
 }
 
-ExitCode run(Wishes wishes) {
+/// The problems that a person asks for, of those in the file of known values.
+std::vector<std::string> chosen_problems(const Wishes& wishes) {
     std::vector<std::string> ids;
     for (const KnownValue& value : read_known_values(wishes.known)) ids.push_back(value.problem);
-    wishes.plan.problems = wanted_problems(ids, wishes.problems);
+    return wanted_problems(ids, wishes.problems);
+}
+
+std::filesystem::path made_folder(const std::string& path) {
+    std::error_code fault;
+    std::filesystem::create_directories(path, fault);
+    if (fault) throw base::IoError("--out: cannot make the folder '" + path + "': " + fault.message());
+    return path;
+}
+
+ExitCode run(Wishes wishes) {
+    wishes.plan.problems = chosen_problems(wishes);
     wishes.plan.contenders = wanted_contenders(wishes.optimizers);
     if (wishes.plan.repetitions < 1) throw base::InputError("--repetitions", "", "must be at least 1");
     wishes.plan.options.validate();
-    const std::filesystem::path folder(wishes.out);
-    std::error_code fault;
-    std::filesystem::create_directories(folder, fault);
-    if (fault) throw base::IoError("--out: cannot make the folder '" + wishes.out + "': " + fault.message());
+    const std::filesystem::path folder = made_folder(wishes.out);
     const auto begin = std::chrono::steady_clock::now();
     const ComparisonSummary summary = run_comparison(wishes.plan, folder / "results.csv");
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
@@ -117,6 +128,22 @@ ExitCode run(Wishes wishes) {
     } else {
         std::printf("%zu runs in %.1f s, and %zu that were there before, are in %s\n", summary.runs_done,
                     seconds.count(), summary.runs_before, path.c_str());
+    }
+    return ExitCode::Done;
+}
+
+// ---- landscape ----
+
+ExitCode landscape(const Wishes& wishes) {
+    if (wishes.descents < 1) throw base::InputError("--descents", "", "must be at least 1");
+    const auto problems = chosen_problems(wishes);
+    const auto folder = made_folder(wishes.out);
+    write_landscape(problems, {.descents = wishes.descents, .threads = wishes.plan.threads}, folder);
+    if (wishes.json) {
+        print({{"problems", problems.size()}, {"out", wishes.out}});
+    } else {
+        std::printf("descents.csv and sections.csv of %zu problems are in %s\n", problems.size(),
+                    wishes.out.c_str());
     }
     return ExitCode::Done;
 }
@@ -176,6 +203,19 @@ void add_run(CLI::App& verb, const std::shared_ptr<Wishes>& wishes, ExitCode& ex
     action->callback([wishes, &exit_code] { exit_code = run(*wishes); });
 }
 
+void add_landscape(CLI::App& verb, const std::shared_ptr<Wishes>& wishes, ExitCode& exit_code) {
+    CLI::App* action = verb.add_subcommand(
+        "landscape", "Tables of where many single descents end, and of sections through the best point");
+    action->add_option("--known", wishes->known, "The problems, as `known` wrote them")->required();
+    action->add_option("--out", wishes->out, "Folder for descents.csv and sections.csv")->required();
+    action->add_option("--problems", wishes->problems, "all, or ids, families and family:N joined by commas")
+        ->capture_default_str();
+    action->add_option("--descents", wishes->descents, "Of each kind on each problem")->capture_default_str();
+    add_threads(*action, *wishes);
+    action->add_flag("--json", wishes->json, "Print JSON");
+    action->callback([wishes, &exit_code] { exit_code = landscape(*wishes); });
+}
+
 }  // namespace
 
 void add_optimizers(CLI::App& app, ExitCode& exit_code) {
@@ -184,6 +224,7 @@ void add_optimizers(CLI::App& app, ExitCode& exit_code) {
     add_list(*verb, wishes, exit_code);
     add_known(*verb, wishes, exit_code);
     add_run(*verb, wishes, exit_code);
+    add_landscape(*verb, wishes, exit_code);
     verb->require_subcommand(1);
     verb->footer(kExamples);
 }

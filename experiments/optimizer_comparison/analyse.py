@@ -186,7 +186,7 @@ def sections_of(analysis, groups, runs, known, out):
            figure("final_gaps", figures.final_gaps(analysis.groups), out) + html_table(*tables["final"]))
     yield ("On the way", "The median run, best so far.", figure(
         "convergence", figures.convergence(analysis.groups, ["ceres-multistart", "gauss-newton-multistart",
-                                                             "ceres-residuals", "ceres-smoothed", "bobyqa", "cma-es",
+                                                             "ceres-residuals", "ceres-smoothed", "slsqp", "mlsl", "bobyqa", "cma-es",
                                                              "simulated-annealing", "annealing-cool", "random-search"]), out))
     yield ("Pairs", f"{analysis.ours} beside each other method: Wilcoxon's signed-rank test of the gaps, paired by pattern (median "
            "of the repetitions), two-sided, corrected by Holm; and the share of patterns on which ours ends lower. Gaps that "

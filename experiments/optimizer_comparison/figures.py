@@ -51,17 +51,17 @@ def step_curve(axes, values, limit, **style):
     """The ECDF of the values; infinite ones never come."""
     finite = values[np.isfinite(values)]
     if len(finite):
-        x = np.concatenate([[finite[0]], finite, [limit]])
-        y = np.concatenate([[0.0], np.arange(1, len(finite) + 1), [len(finite)]]) / len(values)
-        axes.step(x, y, where="post", **style)
+        # Thousands of jumps would make the file large and the picture no finer.
+        x = np.unique(np.concatenate([np.geomspace(finite[0], limit, 300), finite if len(finite) < 300 else []]))
+        axes.step(x, np.searchsorted(finite, x, side="right") / len(values), where="post", **style)
     else:
         axes.plot([1, limit], [0.0, 0.0], **style)
 
 
-def profile_panels(curves, limit, labels):
+def profile_panels(curves, limit, labels, places):
     """One panel for each kind of method; the others stand behind in grey. `curves`: name -> sorted values."""
     figure, grid = plt.subplots(2, 3, figsize=(10.2, 6.2), sharex=True, sharey=True)
-    for axes, (kind, _, members) in zip(grid.flat, KINDS):
+    for axes, place, (kind, _, members) in zip(grid.flat, places, KINDS):
         for name, values in curves.items():
             if name not in members:
                 step_curve(axes, values, limit, color="#d0d0d0", linewidth=0.7)
@@ -70,8 +70,8 @@ def profile_panels(curves, limit, labels):
                 step_curve(axes, curves[name], limit, label=name, **style_of(name))
         axes.set(xscale="log", xlim=(1, limit), ylim=(-0.01, 1.02))
         axes.set_title(kind, loc="left", fontsize=9)
-        axes.legend(loc="upper left" if limit > 1e5 else "lower right", fontsize=7, frameon=True, framealpha=0.85,
-                    edgecolor="none", handlelength=3.0)
+        if set(members) & set(curves):
+            axes.legend(loc=place, fontsize=7, framealpha=0.85, edgecolor="none", handlelength=3.0)
     figure.supxlabel(labels[0], fontsize=9)
     figure.supylabel(labels[1], fontsize=9)
     figure.tight_layout()
@@ -81,12 +81,14 @@ def profile_panels(curves, limit, labels):
 def data_profiles(groups):
     curves = {name: measures.data_profile(by_problem) for name, by_problem in groups.items()}
     return profile_panels(curves, 1e6, ("stiffness factorizations, with simulated restarts",
-                                        "share of pairs (pattern, target) that are hit"))
+                                        "share of pairs (pattern, target) that are hit"),
+                          ["lower right"] * 3 + ["center right"] + ["upper left"] * 2)
 
 
 def performance_profiles(groups, target):
     curves = {name: np.sort(ratios) for name, ratios in measures.performance_ratios(groups, target).items()}
-    return profile_panels(curves, 1e4, ("aRT of the method over the least aRT on the pattern", "share of patterns"))
+    return profile_panels(curves, 1e4, ("aRT of the method over the least aRT on the pattern", "share of patterns"),
+                          ["lower right"] * 4 + ["upper left"] * 2)
 
 
 def final_gaps(groups):
@@ -98,7 +100,7 @@ def final_gaps(groups):
         colour = style_of(name)["color"]
         low, middle, high = np.quantile(gaps, [0.25, 0.5, 0.75])
         jitter = np.random.default_rng(row).uniform(-0.28, 0.28, len(gaps))
-        axes.plot(gaps, row + jitter, ".", color=colour, markersize=2.0, alpha=0.35, markeredgewidth=0.0)
+        axes.plot(gaps, row + jitter, ".", color=colour, markersize=3.5, alpha=0.45, markeredgewidth=0.0)
         axes.plot([low, high], [row, row], color=colour, linewidth=3.5, alpha=0.9, solid_capstyle="butt")
         axes.plot([middle], [row], "o", color="white", markeredgecolor=colour, markersize=5.0)
     axes.axvline(1e-3, color="black", linewidth=0.8, linestyle="--")

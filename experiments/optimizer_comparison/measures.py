@@ -2,6 +2,7 @@
 """What is measured on a table of runs. Definitions: README.md. Every random number comes from a seeded generator."""
 import csv
 import dataclasses
+import gzip
 import math
 import warnings
 
@@ -48,12 +49,18 @@ def read_known(path):
         return {row["problem"]: Known(float(row["best_value"]), float(row["scale"])) for row in csv.DictReader(file)}
 
 
+def open_text(path):
+    return gzip.open(path, "rt", newline="") if str(path).endswith(".gz") else open(path, newline="")
+
+
 def read_runs(path, known):
+    """The rows of results.csv, which may be compressed by gzip."""
+
     def number(text):
         return float(text) if text else math.nan
 
     runs = []
-    with open(path, newline="") as file:
+    with open_text(path) as file:
         for row in csv.DictReader(file):
             reference = known[row["problem"]]
             pairs = [point.split(":") for point in row["trace"].split()]

@@ -1,13 +1,16 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Compare all optimizers on the calibration of the paper's model, and write tables, figures and report.html.
-# Usage: run.sh [--subset] [PROGRAM] [OUTPUT FOLDER]     Goes on where it was stopped; --subset takes about a minute.
+# Usage: run.sh [--subset] [PROGRAM] [OUTPUT FOLDER]     Goes on where it was stopped; --subset takes about a minute
+# on two free cores, the whole two hours.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 subset=()
+landscape=(--problems calibration:6)
 name=optimizer_comparison
 if [[ ${1:-} == --subset ]]; then
   subset=(--problems calibration:3,synthetic:1,analytic:2 --repetitions 2 --budget 20000)
+  landscape=(--problems calibration:2 --descents 50)
   name=optimizer_comparison_subset
   shift
 fi
@@ -21,4 +24,6 @@ python=${PYTHON:-/usr/bin/python3}  # Debian's, which has SciPy and Matplotlib
 mkdir -p "$out"
 "$program" optimizers run --known "$here/best_known.csv" "${subset[@]}" --out "$out"
 "$python" "$here/analyse.py" "$out/results.csv" "$here/best_known.csv" "$out"
-echo "The report is $out/report.html"
+"$program" optimizers landscape --known "$here/best_known.csv" "${landscape[@]}" --out "$out"
+"$python" "$here/landscape.py" "$out" >/dev/null
+echo "The reports are $out/report.html and $out/landscape.html"
