@@ -9,7 +9,7 @@ demo=(g++ cmake ninja-build git ca-certificates
       libopenblas0-serial libnauty2-dev libsqlite3-dev nlohmann-json3-dev libcli11-dev libpugixml-dev
       librsvg2-bin fonts-dejavu-core)
 test=("${demo[@]}" libgtest-dev libgmock-dev libbenchmark-dev clang-format gringo)
-check=("${test[@]}" clang-tidy-16 sqlite3 slurm-wlm munge snakemake)
+check=("${test[@]}" clang-tidy-16 sqlite3 slurm-wlm munge snakemake python3-numpy python3-scipy python3-matplotlib)
 
 case "${1:-test}" in
   demo) wanted=("${demo[@]}") ;;

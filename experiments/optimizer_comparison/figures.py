@@ -52,7 +52,7 @@ def step_curve(axes, values, limit, **style):
     finite = values[np.isfinite(values)]
     if len(finite):
         # Thousands of jumps would make the file large and the picture no finer.
-        x = np.unique(np.concatenate([np.geomspace(finite[0], limit, 300), finite if len(finite) < 300 else []]))
+        x = np.unique(np.concatenate([np.geomspace(finite[0], limit, 140), finite if len(finite) < 140 else []]))
         axes.step(x, np.searchsorted(finite, x, side="right") / len(values), where="post", **style)
     else:
         axes.plot([1, limit], [0.0, 0.0], **style)

@@ -16,8 +16,8 @@ from figures import plt
 
 KINDS = {"smoothed": "kinks smoothed by continuation", "sharp": "the last stage alone", "residuals": "Ceres on bare residuals"}
 VARIABLES = ("ln A", "ln I2", "ln I3", "ln J", "theta", "R")
-TOLD_APART = 1e-3  # minima whose values differ by less than this share are counted as one
-COUNTS = 0.01      # a minimum counts if at least this share of the descents ends in it
+TOLD_APART = 1e-3  # ends whose values differ by less than this share are counted as one
+COUNTS = 0.01      # a level counts if at least this share of the descents ends in it
 AT_BOUND = 1e-6
 
 
@@ -39,7 +39,7 @@ def levels(values):
 
 
 def summary(descents):
-    header = ["problem", "descents from", "kind", "best E", "minima that hold 1 % of the descents", "share within 0.1 % of the best",
+    header = ["problem", "descents from", "kind", "best E", "levels that hold 1 % of the descents", "share within 0.1 % of the best",
               "share within 1 %", "share more than 10 % above", "variables at a bound in the best point"]
     rows = []
     for problem, kinds in descents.items():
@@ -85,7 +85,8 @@ def draw_sections(path, wanted):
             axes.plot(share, rounder, color="#56b4e9", linewidth=1.1, label="smoothing 0.1")
             axes.plot(share, sharper, color="#0072b2", linewidth=1.1, label="smoothing 0.01")
             axes.plot(share, objective, color="black", linewidth=0.9, label="E")
-            axes.set(yscale="log")
+            if rounder.max() > 30.0 * objective.min():
+                axes.set_yscale("log")
             if axes in grid[0]:
                 axes.set_title(VARIABLES[variable], loc="left")
         row[0].set_ylabel(problem.split("/")[1][:24], fontsize=6)
@@ -123,11 +124,11 @@ def main():
     wanted = list(descents)[:: max(1, len(descents) // 3)][:3]
     sections = [
         ("Where single descents end", "Descents from uniform random points, sorted by where they end. A plateau is a minimum, "
-         "its width the share of the box from which it is reached. Minima are told apart by value (0.1 %), since some are "
-         "valleys: a parameter that no scenario feels leaves the value alone.",
+         "and its width the share of the box from which it is reached: its basin. A slope is a method that stops beside a minimum. "
+         "Levels are told apart by value (0.1 %), since some minima are valleys.",
          analyse.figure("landscape_ends", draw_ends(descents), folder) + analyse.html_table(header, rows)),
         ("Sections through the best point", "One variable moves over its whole range, the others stay. Kinks of E, where a norm "
-         "is zero, often lie at the minimum itself; smoothing rounds them off and widens the valley.",
+         "is zero, lie at or near the minimum; smoothing rounds them off.",
          analyse.figure("landscape_sections", draw_sections(folder / "sections.csv", wanted), folder)),
         ("Active bounds", "Of the descents with smoothing that end within 1 % of the best: how often a variable is at a bound. "
          "A method that creeps along bounds loses there.", analyse.figure("landscape_bounds", draw_bounds(descents), folder))]
