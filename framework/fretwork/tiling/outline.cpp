@@ -55,9 +55,9 @@ Outline outline_of_loops(const std::filesystem::path& path) {
 constexpr std::array<Reader, 6> kReaders = {{{".json", detail::read_json_outline},
                                              {".svg", outline_of_loops<detail::read_svg_loops>},
                                              {".dxf", outline_of_loops<detail::read_dxf_loops>},
-                                             {".obj", outline_of_loops<detail::read_mesh_loops>},
-                                             {".ply", outline_of_loops<detail::read_mesh_loops>},
-                                             {".off", outline_of_loops<detail::read_mesh_loops>}}};
+                                             {".obj", outline_of_loops<detail::read_obj_loops>},
+                                             {".ply", outline_of_loops<detail::read_ply_loops>},
+                                             {".off", outline_of_loops<detail::read_off_loops>}}};
 
 }  // namespace
 

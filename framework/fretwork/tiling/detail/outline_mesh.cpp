@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
-#include <fretwork/base/file.hpp>
 #include <fretwork/base/text.hpp>
+#include <fretwork/tiling/detail/mesh_text.hpp>
 #include <fretwork/tiling/detail/outline_readers.hpp>
 
-#include <OpenMesh/Core/IO/MeshIO.hh>
 #include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace fretwork::tiling::detail {
@@ -33,36 +33,39 @@ class QuietOpenMesh {
     bool was_enabled_;
 };
 
-Mesh read_mesh(const std::filesystem::path& path) {
-    base::read_text_file(path);  // a missing file is told as everywhere
-    const QuietOpenMesh quiet;
-    Mesh mesh;
-    OpenMesh::IO::Options options;
-    if (!OpenMesh::IO::read_mesh(mesh, path.string(), options))
-        throw base::InputError(path.string(), "", "is no mesh that can be read");
-    if (mesh.n_faces() == 0) throw base::InputError(path.string(), "", "has no face");
-    return mesh;
-}
-
-/// All points must be finite and have the same z, but for rounding.
-void check_flat(const Mesh& mesh, const std::filesystem::path& path) {
-    OpenMesh::Vec3d low(std::numeric_limits<double>::infinity());
-    OpenMesh::Vec3d high(-std::numeric_limits<double>::infinity());
-    for (const auto vertex : mesh.vertices()) {
-        const OpenMesh::Vec3d point = mesh.point(vertex);
-        if (!std::isfinite(point[0]) || !std::isfinite(point[1]) || !std::isfinite(point[2]))
-            throw base::InputError(path.string(), "vertex " + std::to_string(vertex.idx()), "is not finite");
-        low.minimize(point);
-        high.maximize(point);
+/// All points must have the same z, but for rounding.
+void check_flat(const MeshFile& file, const std::filesystem::path& path) {
+    std::array<double, 3> low = file.points.front();
+    std::array<double, 3> high = low;
+    for (const auto& point : file.points) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            low[i] = std::min(low[i], point[i]);
+            high[i] = std::max(high[i], point[i]);
+        }
     }
     constexpr double kFlat = 1e-6;  // of the size: what single-precision files can hold
     const double size = std::max(high[0] - low[0], high[1] - low[1]);
-    for (const auto vertex : mesh.vertices()) {
-        if (const double z = mesh.point(vertex)[2]; std::abs(z - low[2]) > kFlat * size)
-            throw base::GeometryError(path.string(), "vertex " + std::to_string(vertex.idx()),
+    for (std::size_t vertex = 0; vertex < file.points.size(); ++vertex) {
+        if (const double z = file.points[vertex][2]; std::abs(z - low[2]) > kFlat * size)
+            throw base::GeometryError(path.string(), "vertex " + std::to_string(vertex),
                                       "the surface is not flat: z is " + base::format_number(z) +
                                           ", and elsewhere " + base::format_number(low[2]));
     }
+}
+
+Mesh make_mesh(const MeshFile& file, const std::filesystem::path& path) {
+    const QuietOpenMesh quiet;
+    Mesh mesh;
+    for (const auto& [x, y, z] : file.points) mesh.add_vertex({x, y, z});
+    for (std::size_t face = 0; face < file.faces.size(); ++face) {
+        std::vector<OpenMesh::VertexHandle> vertices;
+        for (const int vertex : file.faces[face]) vertices.emplace_back(vertex);
+        if (!mesh.add_face(vertices).is_valid())
+            throw base::GeometryError(
+                path.string(), "face " + std::to_string(face),
+                "does not fit to the faces before it: two faces share a side, in opposite directions");
+    }
+    return mesh;
 }
 
 void check_one_piece(const Mesh& mesh, const std::filesystem::path& path) {
@@ -86,11 +89,10 @@ void check_one_piece(const Mesh& mesh, const std::filesystem::path& path) {
                               "the surface is not one piece: this face does not hang together with face 0");
 }
 
-}  // namespace
-
-std::vector<Loop> read_mesh_loops(const std::filesystem::path& path) {
-    const Mesh mesh = read_mesh(path);
-    check_flat(mesh, path);
+std::vector<Loop> loops_of_mesh(const std::filesystem::path& path, const MeshFile& file) {
+    if (file.faces.empty()) throw base::InputError(path.string(), "", "has no face");
+    check_flat(file, path);
+    const Mesh mesh = make_mesh(file, path);
     check_one_piece(mesh, path);
     std::vector<Loop> loops;
     std::vector<bool> done(mesh.n_halfedges(), false);
@@ -108,6 +110,18 @@ std::vector<Loop> read_mesh_loops(const std::filesystem::path& path) {
         loops.push_back(std::move(loop));
     }
     return loops;
+}
+
+}  // namespace
+
+std::vector<Loop> read_obj_loops(const std::filesystem::path& path) {
+    return loops_of_mesh(path, read_obj(path));
+}
+std::vector<Loop> read_off_loops(const std::filesystem::path& path) {
+    return loops_of_mesh(path, read_off(path));
+}
+std::vector<Loop> read_ply_loops(const std::filesystem::path& path) {
+    return loops_of_mesh(path, read_ply(path));
 }
 
 }  // namespace fretwork::tiling::detail

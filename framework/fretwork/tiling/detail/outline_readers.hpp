@@ -23,7 +23,9 @@ struct Loop {
 
 std::vector<Loop> read_svg_loops(const std::filesystem::path& path);
 std::vector<Loop> read_dxf_loops(const std::filesystem::path& path);
-std::vector<Loop> read_mesh_loops(const std::filesystem::path& path);
+std::vector<Loop> read_obj_loops(const std::filesystem::path& path);
+std::vector<Loop> read_ply_loops(const std::filesystem::path& path);
+std::vector<Loop> read_off_loops(const std::filesystem::path& path);
 /// The holes come after the boundary.
 Outline read_json_outline(const std::filesystem::path& path);
 
