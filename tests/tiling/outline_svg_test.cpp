@@ -189,6 +189,22 @@ TEST(OutlineSvg, WhatIsNotDrawnDoesNotCount) {
         4U);
 }
 
+TEST(OutlineSvg, GroupsNestOnlySoDeep) {
+    const auto nested = [](int depth) {
+        std::string text;
+        for (int i = 0; i < depth; ++i) text += "<g>";
+        text += "<rect width='10' height='10'/>";
+        for (int i = 0; i < depth; ++i) text += "</g>";
+        return drawing(text);
+    };
+    EXPECT_THAT(refuse(nested(100000)), AllOf(HasSubstr("line 1, g"), HasSubstr("256")));
+    EXPECT_NEAR(area_of(read(nested(200))), 100e-6, 1e-12);
+}
+
+TEST(OutlineSvg, ACurveBeyondAllMeasureIsRefused) {
+    EXPECT_THAT(refuse(drawing("<circle r='1e200'/>")), HasSubstr("is the unit right?"));
+}
+
 TEST(OutlineSvg, ComplaintsNameLineElementAndValue) {
     EXPECT_THAT(refuse("<svg width='1mm'"), HasSubstr("malformed XML"));
     EXPECT_THAT(refuse(""), HasSubstr("malformed XML"));

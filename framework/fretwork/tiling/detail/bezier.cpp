@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/base/text.hpp>
 #include <fretwork/tiling/detail/bezier.hpp>
 #include <fretwork/tiling/detail/outline_readers.hpp>
 #include <fretwork/tiling/detail/plane.hpp>
@@ -13,12 +15,20 @@ Point2 at(const Bezier& curve, double t) {
     return s * s * s * curve[0] + 3 * s * s * t * curve[1] + 3 * s * t * t * curve[2] + t * t * t * curve[3];
 }
 
+/// A curve with more pieces is kilometres long.
+constexpr double kMostPieces = 1e5;
+
 /// A chord over a parameter step h is off by at most h^2 / 8 times the largest second derivative, and that is
 /// 6 times the larger second difference of the control points.
 int pieces_for_tolerance(const Bezier& curve) {
     const double bend =
         std::max(length(curve[0] - 2.0 * curve[1] + curve[2]), length(curve[1] - 2.0 * curve[2] + curve[3]));
-    return std::max(1, static_cast<int>(std::ceil(std::sqrt(0.75 * bend / kFlatteningTolerance))));
+    const double pieces = std::ceil(std::sqrt(0.75 * bend / kFlatteningTolerance));
+    if (!(pieces <= kMostPieces))
+        throw base::GeometryError("a curve near (" + base::format_number(curve[0].x) + ", " +
+                                  base::format_number(curve[0].y) +
+                                  ") m is far too large for an outline; is the unit right?");
+    return std::max(1, static_cast<int>(pieces));
 }
 
 }  // namespace

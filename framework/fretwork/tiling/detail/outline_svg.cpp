@@ -16,6 +16,7 @@
 namespace fretwork::tiling::detail {
 namespace {
 
+constexpr int kDeepest = 256;  // of groups: no drawing needs more, and the reader's stack has an end
 constexpr double kMetresPerPixel = 0.0254 / 96;
 
 /// What is never drawn by itself.
@@ -45,7 +46,7 @@ class SvgReader {
         if (local_name(root) != "svg")
             throw base::InputError(source_, place(root),
                                    "the document is no SVG drawing: its root is not 'svg'");
-        read_children(root, to_metres(root));
+        read_children(root, to_metres(root), 1);
         return std::move(loops_);
     }
 
@@ -125,7 +126,9 @@ class SvgReader {
                style.find("display:none") != std::string::npos;
     }
 
-    void read_children(pugi::xml_node parent, const Affine& map) {
+    void read_children(pugi::xml_node parent, const Affine& map, int depth) {
+        if (depth > kDeepest)
+            fail(parent, "groups lie more than " + std::to_string(kDeepest) + " deep in one another");
         for (const pugi::xml_node node : parent.children()) {
             if (node.type() != pugi::node_element || is_hidden(node)) continue;
             const std::string_view name = local_name(node);
@@ -140,7 +143,7 @@ class SvgReader {
             Affine inner = map;
             if (node.attribute("transform")) inner = map.after(read(node, "transform", parse_svg_transform));
             if (name == "g" || name == "a")
-                read_children(node, inner);
+                read_children(node, inner, depth + 1);
             else
                 add(node, subpaths_of(node, name), inner);
         }
