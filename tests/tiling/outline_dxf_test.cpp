@@ -58,7 +58,10 @@ TEST(OutlineDxf, APolylineMayBeOldAndHaveBulges) {
 TEST(OutlineDxf, ComplaintsNameTheLine) {
     EXPECT_THAT(refuse(""), HasSubstr("no section ENTITIES"));
     EXPECT_THAT(refuse("0\n"), HasSubstr("line 1"));
-    EXPECT_THAT(refuse("AutoCAD Binary DXF\nx\n"), HasSubstr("ASCII"));
+    EXPECT_THAT(refuse("AutoCAD Binary DXF\nx\n"), HasSubstr("binary"));
+    EXPECT_THAT(refuse(std::string("AutoCAD Binary DXF\r\n\x1a\0\0SECTION", 29)),
+                HasSubstr("is a binary DXF file"));
+    EXPECT_THAT(refuse("x\ny\n"), HasSubstr("ASCII"));
     EXPECT_THAT(refuse("0\nSECTION\n2\nENTITIES\n0\nLINE\n"), HasSubstr("ENDSEC"));
     EXPECT_THAT(refuse(dxf("0 LINE 10 0 20 0 11 1 21 0")),
                 AllOf(HasSubstr("line 5"), HasSubstr("not closed")));
@@ -68,6 +71,10 @@ TEST(OutlineDxf, ComplaintsNameTheLine) {
     EXPECT_THAT(refuse(dxf("0 CIRCLE 10 0 20 0 40 1 230 -1")), HasSubstr("from below"));
     EXPECT_THAT(refuse(dxf("0 SPLINE 70 8")), AllOf(HasSubstr("line 6"), HasSubstr("SPLINE")));
     EXPECT_THAT(refuse(dxf("0 LWPOLYLINE 90 0 70 1")), HasSubstr("0 vertices"));
+    EXPECT_THAT(refuse(dxf("0 LWPOLYLINE 90 1000000000 70 1 10 0 20 0 10 1 20 0 10 1 20 1")),
+                AllOf(HasSubstr("line 8"), HasSubstr("promises 1000000000 vertices, and has 3")));
+    EXPECT_THAT(refuse(dxf("0 LWPOLYLINE 90 3 70 1e300 10 0 20 0 10 1 20 0 10 1 20 1")),
+                HasSubstr("'1e300'"));
     EXPECT_THAT(refuse(dxf("0 POINT 10 0 20 0")), HasSubstr("no closed curve"));
 }
 

@@ -45,6 +45,8 @@ struct Piece {
 class DxfReader {
   public:
     DxfReader(std::string source, const std::string& text) : source_(std::move(source)) {
+        if (text.starts_with("AutoCAD Binary DXF"))
+            throw base::InputError(source_, "", "is a binary DXF file, where an ASCII one is needed");
         std::istringstream stream(text);
         std::string code;
         std::string value;
@@ -191,7 +193,15 @@ class DxfReader {
             if (group.code == 20) vertices.back().place.y = metres_per_unit_ * number(group);
             if (group.code == 42) vertices.back().bulge = number(group);
         }
+        check_count(entity, vertices.size());
         return vertices;
+    }
+    /// Group 90 says how many vertices there are.
+    void check_count(const Entity& entity, std::size_t vertices) const {
+        const Group* group = find(entity, 90);
+        if (!group || whole_number(group->value, group->line + 1) == static_cast<long>(vertices)) return;
+        fail(group->line + 1,
+             entity.name + " promises " + group->value + " vertices, and has " + std::to_string(vertices));
     }
     [[nodiscard]] std::vector<Vertex> heavy_vertices(const std::vector<Entity>& entities,
                                                      std::size_t i) const {
@@ -217,10 +227,15 @@ class DxfReader {
         points.push_back(to);
     }
 
+    [[nodiscard]] long flags_of(const Entity& entity) const {
+        const Group* group = find(entity, 70);
+        return group ? whole_number(group->value, group->line + 1) : 0;
+    }
+
     void add_polyline(const Entity& entity, const std::vector<Vertex>& vertices) {
         if (vertices.size() < 2)
             fail(entity.line, entity.name + " has " + std::to_string(vertices.size()) + " vertices");
-        const bool is_closed = (static_cast<long>(value_or(entity, 70, 0)) & 1L) != 0;
+        const bool is_closed = (flags_of(entity) & 1L) != 0;
         Polygon points{vertices.front().place};
         for (std::size_t i = 0; i + 1 < vertices.size(); ++i)
             add_side(vertices[i], vertices[i + 1].place, points);
