@@ -251,6 +251,20 @@ TEST(Tessellate, WhatCannotBeTiledIsRefused) {
     EXPECT_THAT(complaint_of([&] { tile(square, 1e-5); }), HasSubstr("is the unit of the outline right?"));
 }
 
+TEST(Tessellate, AnOutlineThatIsNarrowerThanATileIsRefused) {
+    for (const double width : {1e-2, 1e-3, 1e-5, 1e-7}) {
+        const Outline sliver = make_outline({{0, 0}, {1, 0}, {1, width}, {0, width}}, {});
+        EXPECT_THAT(complaint_of([&] { tile(sliver); }), HasSubstr("too narrow"));
+    }
+}
+
+TEST(Tessellate, AnOutlineThatIsFarTooLargeIsRefusedByItsSize) {
+    const Outline huge = make_outline({{0, 0}, {1e200, 0}, {1e200, 1e200}, {0, 1e200}}, {});
+    EXPECT_THAT(complaint_of([&] { tile(huge); }), HasSubstr("1e+200 m wide and 1e+200 m high"));
+    const Outline thread = make_outline({{0, 0}, {1e5, 0}, {1e5, 1e-9}, {0, 1e-9}}, {});
+    EXPECT_THAT(complaint_of([&] { tile(thread); }), HasSubstr("1e+05 m wide"));
+}
+
 TEST(Tessellate, HardlyMoreThanOneTileIsStillATessellation) {
     for (const double size : {0.03, 0.045, 0.06}) {
         const Outline outline = make_outline(circle({0, 0}, size, 60), {});

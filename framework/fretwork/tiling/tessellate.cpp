@@ -56,20 +56,33 @@ Candidate best_candidate(const Outline& outline, const TessellationOptions& opti
     return std::move(*std::min_element(candidates.begin(), candidates.end(), detail::is_better));
 }
 
-/// A slip of units should not fill the memory.
+/// How far the boundary reaches in x and in y, metres.
+std::pair<double, double> extent(const Outline& outline) {
+    const auto [left, right] = std::minmax_element(outline.boundary.begin(), outline.boundary.end(),
+                                                   [](auto& a, auto& b) { return a.x < b.x; });
+    const auto [low, high] = std::minmax_element(outline.boundary.begin(), outline.boundary.end(),
+                                                 [](auto& a, auto& b) { return a.y < b.y; });
+    return {right->x - left->x, high->y - low->y};
+}
+
+/// A slip of units should not fill the memory. An outline without area could still be too long.
 void check_size(const Outline& outline, const TessellationOptions& options) {
-    const double tiles = estimated_tiles(outline, options);
+    const auto [width, height] = extent(outline);
+    const double tiles = std::max(estimated_tiles(outline, options), (width + height) / options.edge_length);
     if (tiles <= kMostTiles) return;
-    throw base::InputError("tiles with sides of " + base::format_number(options.edge_length) +
-                           " m are so small that the outline would need about " +
-                           base::format_number(std::round(tiles)) + ", where " + std::to_string(kMostTiles) +
-                           " are the most; is the unit of the outline right?");
+    const std::string need =
+        std::isfinite(tiles) ? "about " + base::format_number(std::round(tiles)) : "countless";
+    throw base::InputError(
+        "the outline is " + base::format_number(width) + " m wide and " + base::format_number(height) +
+        " m high: with sides of " + base::format_number(options.edge_length) + " m it would need " + need +
+        " tiles, where " + std::to_string(kMostTiles) + " are the most; is the unit of the outline right?");
 }
 
 /// Refuse what could not be painted or simulated.
 void check(const Candidate& candidate, const TessellationOptions& options) {
     const std::string tiles = "tiles with sides of " + base::format_number(options.edge_length) + " m";
-    if (candidate.dual.cells.empty()) throw base::GeometryError("the outline is too small for " + tiles);
+    if (candidate.dual.cells.empty())
+        throw base::GeometryError("the outline is too small or too narrow for " + tiles);
     if (candidate.pieces > 1)
         throw base::GeometryError("the outline is too narrow somewhere for " + tiles +
                                   ": they would fall into " + std::to_string(candidate.pieces) +

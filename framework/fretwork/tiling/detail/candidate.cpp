@@ -16,6 +16,7 @@ namespace fretwork::tiling::detail {
 namespace {
 
 constexpr int kSearchRounds = 8;
+constexpr double kFinestEdge = 0.25;         // of the first: finer sites make tiles of another size
 constexpr double kGoodSideError = 0.005;     // ends the search for the density
 constexpr double kAcceptedSideError = 0.01;  // below, regularity decides
 constexpr int kRegularizingIterations = 100;
@@ -205,10 +206,11 @@ bool is_better_density(const Candidate& first, const Candidate& second) {
 Candidate make_candidate(const Outline& outline, const TessellationOptions& options, const Start& start) {
     Candidate best;
     best.side_error = std::numeric_limits<double>::infinity();
-    EdgeSearch search(std::numbers::sqrt3 *
-                      options.edge_length);  // the distance of regular hexagons' centers
+    const double first_edge = std::numbers::sqrt3 * options.edge_length;  // between regular hexagons
+    EdgeSearch search(first_edge);
     const auto is_good = [&] { return best.side_error <= kGoodSideError && best.pinched == 0; };
     for (int round = 0; round < kSearchRounds && !is_good(); ++round) {
+        if (search.edge() < kFinestEdge * first_edge) break;
         Candidate candidate;
         candidate.dual = tiles_at(outline, options, start, search.edge());
         if (candidate.dual.cells.empty()) {

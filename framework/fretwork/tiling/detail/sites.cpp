@@ -33,6 +33,23 @@ Mesh surface_mesh(const Triangulation& triangulation) {
     return mesh;
 }
 
+/// The first and the last of -reach .. reach for which start + k step may lie in the box of these half sizes
+/// around the origin: a long, narrow outline has few lattice points in a box that could hold a great many.
+std::pair<int, int> steps_within(Point2 start, Point2 step, Point2 half, int reach) {
+    double first = -reach;
+    double last = reach;
+    const auto narrow = [&](double from, double by, double bound) {
+        if (std::abs(by) * reach < 1e-9 * bound) return;  // hardly moves: the other direction decides
+        const double one = (-bound - from) / by;
+        const double other = (bound - from) / by;
+        first = std::max(first, std::ceil(std::min(one, other) - 1e-6));
+        last = std::min(last, std::floor(std::max(one, other) + 1e-6));
+    };
+    narrow(start.x, step.x, half.x);
+    narrow(start.y, step.y, half.y);
+    return {static_cast<int>(first), static_cast<int>(std::max(last, first - 1))};
+}
+
 }  // namespace
 
 std::vector<Point2> remeshed_sites(const Rim& rim, double edge, int iterations) {
@@ -62,13 +79,15 @@ std::vector<Point2> lattice_sites(const Rim& rim, double edge, double angle) {
     const Point2 along{edge * std::cos(angle), edge * std::sin(angle)};
     const Point2 across{edge * std::cos(angle + std::numbers::pi / 3),
                         edge * std::sin(angle + std::numbers::pi / 3)};
+    const Point2 half = 0.5 * (high - low);
     // Rows of a triangular lattice are sqrt(3)/2 apart.
     const int reach = static_cast<int>(std::ceil(distance(low, high) / edge)) + 1;
     std::vector<Point2> sites;
     for (int row = -reach; row <= reach; ++row) {
-        for (int column = -reach; column <= reach; ++column) {
-            const Point2 site =
-                middle + static_cast<double>(column) * along + static_cast<double>(row) * across;
+        const Point2 start = static_cast<double>(row) * across;
+        const auto [first, last] = steps_within(start, along, half, reach);
+        for (int column = first; column <= last; ++column) {
+            const Point2 site = middle + static_cast<double>(column) * along + start;
             if (is_inside(rim, site, kLatticeMargin * edge)) sites.push_back(site);
         }
     }
