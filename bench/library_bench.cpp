@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Storing, reading, hashing and exporting, at the size of the paper's library: 1,824 patterns x 5 scenarios x
 // 10 magnitudes x 6 nodes.
-#include <fretwork/library/library.hpp>
+#include <fretwork/library/fill.hpp>
 #include <fretwork/pattern/enumerate.hpp>
 
 #include <benchmark/benchmark.h>
@@ -94,6 +94,22 @@ void store_paper_library(benchmark::State& state) {
                                                     benchmark::Counter::kIsIterationInvariantRate);
 }
 BENCHMARK(store_paper_library)->Arg(16)->Arg(64)->Unit(benchmark::kMillisecond);
+
+/// Responses, properties and calibrations of the nine patterns of two edges, and storing them, on one thread.
+void fill_two_edge_patterns(benchmark::State& state) {
+    base::SilentProgress silent;
+    FillOptions options;
+    options.threads = 1;
+    for (auto _ : state) {
+        state.PauseTiming();
+        TemporaryLibrary library;
+        std::vector<PatternEntry> patterns = (*library).patterns();
+        std::erase_if(patterns, [](const PatternEntry& entry) { return entry.pattern.edge_count() > 2; });
+        state.ResumeTiming();
+        benchmark::DoNotOptimize(fill(*library, patterns, options, silent));
+    }
+}
+BENCHMARK(fill_two_edge_patterns)->Unit(benchmark::kMillisecond);
 
 Library& filled() {
     static TemporaryLibrary library;
