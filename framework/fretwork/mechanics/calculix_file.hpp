@@ -23,9 +23,10 @@ struct LabelledFrame {
 /// The direction n1 of a section is its axis 3. Throws InputError with file and line; the frame is valid.
 LabelledFrame read_calculix(const std::filesystem::path& path);
 
-/// Write a frame as such a deck, nodes labelled from 1: one B31 for each beam, *BEAM GENERAL SECTION (which
-/// Abaqus reads, and read_calculix, without loss). What a deck has no words for is refused: releases,
-/// divisions, shear areas, a given shear modulus. Throws InputError that names it, or IoError.
+/// Write a frame as such a deck, nodes labelled from 1: one B31 for each beam, *BEAM GENERAL SECTION, which
+/// Abaqus reads, and read_calculix; numbers are rounded to the twenty characters of a deck's fields, 14
+/// digits or more. What a deck has no words for is refused: releases, divisions, shear areas, a given shear
+/// modulus. Throws InputError that names it, or IoError.
 void write_calculix(const Frame& frame, const std::filesystem::path& path);
 /// The text of such a deck.
 std::string calculix_text(const Frame& frame);

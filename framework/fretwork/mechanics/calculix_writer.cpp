@@ -1,17 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/file.hpp>
-#include <fretwork/base/text.hpp>
 #include <fretwork/mechanics/calculix_file.hpp>
 #include <fretwork/mechanics/detail/frame_check.hpp>
 
 #include <algorithm>
+#include <cstdio>
 
 namespace fretwork::mechanics {
 namespace {
 
+/// A deck's fields have at most twenty characters; CalculiX does not survive longer ones.
+std::string field(double value) {
+    constexpr int kLongest = 20;
+    char text[40];
+    for (int digits = 17, length = kLongest + 1; length > kLongest; --digits)
+        length = std::snprintf(text, sizeof text, "%.*g", digits, value);
+    return text;
+}
+
 std::string vector_text(const Eigen::Vector3d& v) {
-    return base::format_number(v.x()) + "," + base::format_number(v.y()) + "," + base::format_number(v.z());
+    return field(v.x()) + "," + field(v.y()) + "," + field(v.z());
 }
 
 /// Refuse what a deck has no words for.
@@ -73,16 +82,13 @@ class Writer {
             text_ += std::to_string(i + 1) + "," + std::to_string(frame_.beams[i].nodes[0].value + 1) + "," +
                      std::to_string(frame_.beams[i].nodes[1].value + 1) + "\n";
         const Material& material = like->material;
-        text_ += "*MATERIAL, NAME=MATERIAL" + name + "\n*ELASTIC\n" +
-                 base::format_number(material.young_modulus) + "," +
-                 base::format_number(material.poisson_ratio) + "\n*DENSITY\n" +
-                 base::format_number(material.density) + "\n";
+        text_ += "*MATERIAL, NAME=MATERIAL" + name + "\n*ELASTIC\n" + field(material.young_modulus) + "," +
+                 field(material.poisson_ratio) + "\n*DENSITY\n" + field(material.density) + "\n";
         const Section& section = like->section;
         text_ += "*BEAM GENERAL SECTION, SECTION=GENERAL, ELSET=BEAMS" + name + ", MATERIAL=MATERIAL" + name +
                  "\n";
-        for (const double value : {section.area, section.I3, 0.0, section.I2})
-            text_ += base::format_number(value) + ",";
-        text_ += base::format_number(section.J) + "\n" + vector_text(normal_of(*like)) + "\n";
+        for (const double value : {section.area, section.I3, 0.0, section.I2}) text_ += field(value) + ",";
+        text_ += field(section.J) + "\n" + vector_text(normal_of(*like)) + "\n";
     }
 
     void write_supports() {
@@ -99,8 +105,8 @@ class Writer {
         if (!frame_.prescribed.empty()) text_ += "*BOUNDARY\n";
         for (const PrescribedDisplacement& given : frame_.prescribed) {
             const std::string d = std::to_string(static_cast<int>(given.dof) + 1);
-            text_ += std::to_string(given.node.value + 1) + "," + d + "," + d + "," +
-                     base::format_number(given.value) + "\n";
+            text_ +=
+                std::to_string(given.node.value + 1) + "," + d + "," + d + "," + field(given.value) + "\n";
         }
         if (!frame_.loads.empty()) text_ += "*CLOAD\n";
         for (const NodalLoad& load : frame_.loads) {
@@ -108,7 +114,7 @@ class Writer {
                 const double value = d < 3 ? load.force[d] : load.moment[d - 3];
                 if (value != 0.0)
                     text_ += std::to_string(load.node.value + 1) + "," + std::to_string(d + 1) + "," +
-                             base::format_number(value) + "\n";
+                             field(value) + "\n";
             }
         }
         if (!frame_.gravity.isZero(0.0)) text_ += "*DLOAD\nEALL,GRAV,1," + vector_text(frame_.gravity) + "\n";
