@@ -32,7 +32,7 @@ class TemporaryFolder {
 
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
     /// A file of this folder, written.
-    [[nodiscard]] std::filesystem::path file(std::string_view name, std::string_view content) const {
+    std::filesystem::path file(std::string_view name, std::string_view content) const {
         base::write_file_atomically(path_ / name, content);
         return path_ / name;
     }

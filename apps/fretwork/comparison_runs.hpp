@@ -41,8 +41,8 @@ std::vector<KnownValue> read_known_values(const std::filesystem::path& path);
 std::string known_values_csv(const std::vector<KnownValue>& values);
 
 /// Search each problem by many starts of our two calibrators, unless its minimum is known in closed form. The
-/// scale is the value itself for calibrations, 1 for synthetic problems, whose least value is 0, and for analytic
-/// ones the median of 1,001 spread points above the minimum.
+/// scale is the value itself for calibrations, 1 for synthetic problems, whose least value is 0, and for
+/// analytic ones the median of 1,001 spread points above the minimum.
 std::vector<KnownValue> find_known_values(const std::vector<std::string>& problems, int starts, int threads);
 
 /// Take over what the runs of a table found lower.

@@ -62,15 +62,12 @@ int parse_edge_count(std::string_view text, const std::string& all) {
 }
 
 pattern::EdgeRange parse_range(const std::string& text, const NodeLayout& layout) {
-    const auto dots = text.find("..");
-    if (dots == std::string::npos) {
-        const int only = parse_edge_count(text, text);
-        return {only, only};
-    }
     const auto most = static_cast<int>(layout.candidate_edges().size());
-    const std::string_view end = std::string_view(text).substr(dots + 2);
-    const pattern::EdgeRange range{parse_edge_count(std::string_view(text).substr(0, dots), text),
-                                   end == "all" ? most : parse_edge_count(end, text)};
+    const auto dots = text.find("..");
+    const std::string least = text.substr(0, dots);
+    const std::string last = dots == std::string::npos ? least : text.substr(dots + 2);
+    const pattern::EdgeRange range{parse_edge_count(least, text),
+                                   last == "all" ? most : parse_edge_count(last, text)};
     if (range.least > most)
         throw base::InputError("--edges", "",
                                "'" + text + "' begins beyond the " + std::to_string(most) +

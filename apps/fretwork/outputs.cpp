@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 std::string name_of(const std::string& path) {
     std::error_code ignored;
     if (path.empty() || (fs::exists(path, ignored) && !fs::is_regular_file(path, ignored))) return "";
-    const fs::path name = fs::weakly_canonical(path, ignored);
+    const fs::path name = fs::weakly_canonical(fs::absolute(path, ignored), ignored);
     return name.empty() ? path : name.string();
 }
 

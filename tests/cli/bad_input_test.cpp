@@ -92,7 +92,7 @@ TEST(CommandLine, NeverWritesOverWhatItReads) {
     expect_refused("fretwork enumerate --census t.csv --list t.csv", folder.path(), "two outputs");
     expect_refused("fretwork enumerate --edges 99", folder.path(), "17 candidate edges");
     expect_refused("fretwork enumerate --sample 2 --seed -1", folder.path(), "-1");
-    folder.file("escape.json", "{\"\\u001b[31m\": 1}");
+    folder.file("escape.json", R"({"format": "fretwork/frame/1", "\u001b[31m": 1})");
     expect_refused("fretwork solve escape.json --out r.json", folder.path(), "x1b");
 }
 

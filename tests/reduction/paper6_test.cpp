@@ -46,8 +46,9 @@ TEST(Paper6Hexagon, StaysAccurateAtTheBounds) {
         double tolerance;
     };
     // Links or ring beams of a hundredth of the usual length are 1e6 times as stiff, of a thousandth 1e9
-    // times: what round-off leaves of the soft modes shrinks accordingly, in either solver. In the first corner
-    // A / (I2 / L^2) is 1e9 as well, and rounding the stiffnesses alone (1e-16) moves the answers by 1e-7.
+    // times: what round-off leaves of the soft modes shrinks accordingly, in either solver. In the first
+    // corner A / (I2 / L^2) is 1e9 as well, and rounding the stiffnesses alone (1e-16) moves the answers by
+    // 1e-7.
     const Corner corners[] = {
         {{high.A, low.I2, low.I3, low.J, high.theta, 0.5 * high.R}, 1e-6},
         {{low.A, high.I2, high.I3, high.J, low.theta, 0.5 * high.R}, 1e-7},
