@@ -75,6 +75,17 @@ TEST(TessellationCheck, EachFlawNamesItsTile) {
         HasSubstr("vertex 3 is not finite"));
 }
 
+TEST(TessellationCheck, NothingIsThereTwiceOrForNothing) {
+    EXPECT_THAT(complaint_after([](Tessellation& t) {
+                    t.vertices.push_back({5, 5});
+                }),
+                HasSubstr("vertex 6 is on no tile"));
+    EXPECT_THAT(complaint_after([](Tessellation& t) {
+                    t.patterns = {"0-1+1-6", "0-5+5-6", "1-6+0-1"};
+                }),
+                HasSubstr("pattern 2 is pattern 0 again: '0-1+1-6'"));
+}
+
 TEST(TessellationCheck, AnInterfaceNodeIsOnOneSideOnly) {
     const std::string message = complaint_after([](Tessellation& t) {
         // The second square moves onto the first, with vertices of its own.

@@ -31,7 +31,7 @@ class Checker {
                                    "', and not for '" + layout_.name() + "'");
         check_places(tessellation_.vertices, "vertex");
         check_places(tessellation_.interface_nodes, "interface node");
-        for (const std::string& id : tessellation_.patterns) (void)pattern::parse_pattern_id(layout_, id);
+        check_patterns();
         for (std::size_t t = 0; t < tessellation_.tiles.size(); ++t) {
             check_indices(t);
             check_shape(t);
@@ -58,6 +58,17 @@ class Checker {
         for (std::size_t i = 0; i < places.size(); ++i) {
             if (!std::isfinite(places[i].x) || !std::isfinite(places[i].y))
                 throw base::InputError(what + " " + std::to_string(i) + " is not finite");
+        }
+    }
+
+    void check_patterns() const {
+        std::map<std::string, std::size_t> first_uses;
+        for (std::size_t i = 0; i < tessellation_.patterns.size(); ++i) {
+            const auto pattern = pattern::parse_pattern_id(layout_, tessellation_.patterns[i]);
+            const auto [entry, is_new] = first_uses.try_emplace(pattern::pattern_id(layout_, pattern), i);
+            if (!is_new)
+                throw base::InputError("pattern " + std::to_string(i) + " is pattern " +
+                                       std::to_string(entry->second) + " again: '" + entry->first + "'");
         }
     }
 
@@ -132,6 +143,11 @@ class Checker {
             if (!used_.contains(InterfaceIndex(node)))
                 throw base::InputError("interface node " + std::to_string(node) + " is on no tile");
         }
+        std::vector<bool> has_tile(tessellation_.vertices.size(), false);
+        for (const auto& [ends, side] : sides_) has_tile[static_cast<std::size_t>(ends.first.value)] = true;
+        const auto unused = std::find(has_tile.begin(), has_tile.end(), false);
+        if (unused != has_tile.end())
+            throw base::InputError("vertex " + std::to_string(unused - has_tile.begin()) + " is on no tile");
     }
 
     const Tessellation& tessellation_;
