@@ -53,6 +53,16 @@ double chosen_edge_length(const Wishes& wishes, const Library* library) {
     return library ? library->setting().tile_side : reduction::paper_setting().tile_side;
 }
 
+/// A palette whose complaints name the option that it came from.
+std::vector<std::string> palette_of(const std::string& option, const pattern::NodeLayout& layout,
+                                    const std::vector<std::string>& ids) {
+    try {
+        return tiling::make_palette(layout, ids);
+    } catch (const base::InputError& error) {
+        throw base::InputError(option, "", error.what());
+    }
+}
+
 /// The patterns that a random painting chooses from: those that are named, else those that the library has
 /// calibrated.
 std::vector<std::string> chosen_palette(const Wishes& wishes, const pattern::NodeLayout& layout,
@@ -60,11 +70,7 @@ std::vector<std::string> chosen_palette(const Wishes& wishes, const pattern::Nod
     std::vector<std::string> palette;
     if (std::filesystem::path(wishes.palette).extension() == ".json")
         return tiling::read_painting(wishes.palette, layout).patterns;
-    if (!wishes.palette.empty()) {
-        for (const std::string& id : base::split(wishes.palette, ','))
-            palette.push_back(pattern::pattern_id(layout, pattern::parse_pattern_id(layout, id)));
-        return palette;
-    }
+    if (!wishes.palette.empty()) return palette_of("--palette", layout, base::split(wishes.palette, ','));
     if (!library)
         throw base::InputError(
             "--patterns", wishes.patterns,
@@ -96,8 +102,8 @@ void paint(Tessellation& tessellation, const Wishes& wishes, const pattern::Node
         return tiling::paint_randomly(tessellation, palette, seed);
     }
     if (std::filesystem::path(wishes.patterns).extension() != ".json") {
-        const auto pattern = pattern::parse_pattern_id(layout, wishes.patterns);
-        return tiling::paint_uniformly(tessellation, pattern::pattern_id(layout, pattern));
+        const auto palette = palette_of("--patterns", layout, {wishes.patterns});
+        return tiling::paint_uniformly(tessellation, palette.front());
     }
     try {
         tiling::paint(tessellation, tiling::read_painting(wishes.patterns, layout));

@@ -77,11 +77,23 @@ TEST(Painting, OnePatternPaintsAll) {
     EXPECT_THAT(tessellation.patterns, ElementsAre("0-1+1-6"));
 }
 
+TEST(Painting, APaletteHasValidPatternsOnceEach) {
+    const auto palette = [](const std::vector<std::string>& ids) {
+        return make_palette(paper_layout(), ids);
+    };
+    EXPECT_THAT(palette({"1-6+0-1", "0-5+5-6"}), ElementsAre("0-1+1-6", "0-5+5-6"));
+    EXPECT_THAT(complaint_of([&] {
+                    palette({"0-1+1-6", "0-1"});
+                }),
+                AllOf(HasSubstr("'0-1'"), HasSubstr("no beam ends at interface node n6")));
+    EXPECT_THAT(complaint_of([&] { palette({"0-1+1-6", "1-6+0-1"}); }), HasSubstr("0-1+1-6 twice"));
+}
+
 TEST(PaintingFile, ReadsBackWhatWasWritten) {
     const TemporaryFolder folder;
     const auto layout = paper_layout();
     for (const std::vector<int>& tiles : {std::vector<int>{}, std::vector<int>{1, 0, 1}}) {
-        const Painting painting{{"0-1+1-6", "0-6+1-6"}, tiles};
+        const Painting painting{{"0-1+1-6", "0-5+5-6"}, tiles};
         write_painting(painting, layout, folder.path() / "p.json");
         const Painting read = read_painting(folder.path() / "p.json", layout);
         EXPECT_EQ(read.patterns, painting.patterns);
@@ -111,13 +123,17 @@ TEST(PaintingFile, ComplaintsNameFileAndPlace) {
         EXPECT_THAT(message, HasSubstr("p.json"));
         return message;
     };
-    EXPECT_THAT(refuse(R"("layout":"other","patterns":["0-1"])"), HasSubstr("/layout"));
+    EXPECT_THAT(refuse(R"("layout":"other","patterns":["0-1+1-6"])"), HasSubstr("/layout"));
     EXPECT_THAT(refuse(R"("layout":"paper7","patterns":[])"), HasSubstr("/patterns"));
-    EXPECT_THAT(refuse(R"("layout":"paper7","patterns":["0-1","9-9"])"), HasSubstr("/patterns/1"));
-    EXPECT_THAT(refuse(R"("layout":"paper7","patterns":["0-1"],"tiles":[0,1])"), HasSubstr("/tiles/1"));
-    EXPECT_THAT(refuse(R"("layout":"paper7","patterns":["0-1"],"tiles":[])"), HasSubstr("/tiles"));
-    EXPECT_THAT(refuse(R"("layout":"paper7","patterns":["0-1"],"tile":[0])"),
+    EXPECT_THAT(refuse(R"("layout":"paper7","patterns":["0-1+1-6","9-9"])"), HasSubstr("/patterns/1"));
+    EXPECT_THAT(refuse(R"("layout":"paper7","patterns":["0-1+1-6"],"tiles":[0,1])"), HasSubstr("/tiles/1"));
+    EXPECT_THAT(refuse(R"("layout":"paper7","patterns":["0-1+1-6"],"tiles":[])"), HasSubstr("/tiles"));
+    EXPECT_THAT(refuse(R"("layout":"paper7","patterns":["0-1+1-6"],"tile":[0])"),
                 HasSubstr("unknown key 'tile'"));
+    EXPECT_THAT(refuse(R"("layout":"paper7","patterns":["0-1+1-6","0-1"])"),
+                AllOf(HasSubstr("/patterns/1"), HasSubstr("no_interface")));
+    EXPECT_THAT(refuse(R"("layout":"paper7","patterns":["0-1+1-6","1-6+0-1"])"),
+                AllOf(HasSubstr("/patterns/1"), HasSubstr("twice")));
     EXPECT_THAT(refuse(R"("layout":"paper7","patterns":[1])"), HasSubstr("/patterns/0"));
 }
 

@@ -3,10 +3,12 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/file.hpp>
 #include <fretwork/base/json_reader.hpp>
+#include <fretwork/pattern/filter_catalogue.hpp>
 #include <fretwork/pattern/pattern.hpp>
 #include <fretwork/tiling/painting.hpp>
 
 #include <limits>
+#include <set>
 
 namespace fretwork::tiling {
 namespace {
@@ -35,21 +37,63 @@ class SplitMix64 {
     std::uint64_t state_;
 };
 
+/// What makes a graph a pattern in every tile. The paper's other two filters have numbers, and so are a
+/// matter of what a person wants.
+std::vector<pattern::Filter> structural_filters(const pattern::NodeLayout& layout) {
+    std::vector<pattern::Filter> filters = pattern::make_filters(layout);
+    std::erase_if(filters, [](const pattern::Filter& filter) {
+        return pattern::find_filter_kind(filter.name).parameter != pattern::FilterParameter::None;
+    });
+    return filters;
+}
+
+/// Takes patterns one by one.
+class Palette {
+  public:
+    explicit Palette(const pattern::NodeLayout& layout)
+        : layout_(layout), filters_(structural_filters(layout)) {}
+
+    /// Throws InputError that names the pattern and the rule which it breaks.
+    void add(std::string_view text) {
+        const pattern::Pattern pattern = pattern::parse_pattern_id(layout_, text);
+        const std::string id = pattern::pattern_id(layout_, pattern);
+        const pattern::Verdict verdict = pattern::judge(layout_, filters_, pattern);
+        if (!verdict.accepted)
+            throw base::InputError("'" + id + "' is no valid pattern (" + verdict.filter +
+                                   "): " + verdict.reason);
+        if (!known_.insert(id).second) throw base::InputError("names the pattern " + id + " twice");
+        ids_.push_back(id);
+    }
+    [[nodiscard]] std::vector<std::string> ids() const { return ids_; }
+
+  private:
+    const pattern::NodeLayout& layout_;
+    std::vector<pattern::Filter> filters_;
+    std::set<std::string> known_;
+    std::vector<std::string> ids_;
+};
+
 std::vector<std::string> read_patterns(const base::JsonReader& list, const pattern::NodeLayout& layout) {
-    std::vector<std::string> patterns;
+    Palette palette(layout);
     for (const base::JsonReader& element : list.elements()) {
         const std::string id = element.string();
         try {
-            patterns.push_back(pattern::pattern_id(layout, pattern::parse_pattern_id(layout, id)));
+            palette.add(id);
         } catch (const base::InputError& error) {
             element.fail(error.what());
         }
     }
-    if (patterns.empty()) list.fail("is empty, where at least one pattern is needed");
-    return patterns;
+    if (palette.ids().empty()) list.fail("is empty, where at least one pattern is needed");
+    return palette.ids();
 }
 
 }  // namespace
+
+std::vector<std::string> make_palette(const pattern::NodeLayout& layout, std::span<const std::string> ids) {
+    Palette palette(layout);
+    for (const std::string& id : ids) palette.add(id);
+    return palette.ids();
+}
 
 void paint_randomly(Tessellation& tessellation, std::span<const std::string> patterns, std::uint64_t seed) {
     if (patterns.empty()) throw base::InputError("there is no pattern to paint with");

@@ -12,6 +12,11 @@
 
 namespace fretwork::tiling {
 
+/// The patterns of these ids, in their order, as a painting may have them. Throws InputError that names the
+/// pattern and the rule if one crosses itself, misses an interface node, falls apart or has a part that bears
+/// nothing, or is named twice.
+std::vector<std::string> make_palette(const pattern::NodeLayout& layout, std::span<const std::string> ids);
+
 /// Paint every tile with one of the patterns, evenly by chance. `patterns` are ids; the same seed gives the
 /// same painting on every machine. Throws InputError if there is no pattern to choose from.
 void paint_randomly(Tessellation& tessellation, std::span<const std::string> patterns, std::uint64_t seed);
@@ -32,7 +37,7 @@ struct Painting {
 ///       "patterns": ["0-1+1-6", "0-5+5-6"], "tiles": [0, 0, 1, 0] }
 ///
 /// `tiles` has one entry for each tile, in their order, and may be left out. Throws InputError with file and
-/// JSON pointer; ids are checked against the layout.
+/// JSON pointer; the patterns are checked as by make_palette.
 Painting read_painting(const std::filesystem::path& path, const pattern::NodeLayout& layout);
 
 /// Write a painting file; read_painting gives an equal painting.
