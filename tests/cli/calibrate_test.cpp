@@ -45,8 +45,10 @@ TEST_F(Calibrate, KilledAndStartedAgainItEndsWithTheTablesOfAnUndisturbedRun) {
 
 TEST_F(Calibrate, CtrlCEndsItCleanlyAndItGoesOn) {
     ASSERT_EQ(run("fretwork enumerate --library lib.db").exit_code, 0);
+    // In the foreground: else timeout sends the signal to the process and to its group, which is two.
     const auto stopped =
-        run("timeout --preserve-status -s INT 1 fretwork calibrate --library lib.db --starts 64 --json");
+        run("timeout --foreground --preserve-status -s INT 1 fretwork calibrate --library lib.db --starts 64 "
+            "--json");
     EXPECT_EQ(stopped.exit_code, 1);
     EXPECT_THAT(stopped.out, HasSubstr("\"interrupted\": true"));
     EXPECT_EQ(stopped.err, "fretwork: interrupted; what is done is stored, run again to go on\n");
