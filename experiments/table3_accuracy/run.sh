@@ -7,7 +7,7 @@ here=$(cd "$(dirname "$0")" && pwd)
 program=${1:-$here/../../build/release/apps/fretwork/fretwork}
 out=${2:-$here/../../out/reproduce}
 mkdir -p "$out"
-library=$out/library.db
+library=$out/table3.db   # of its own: the palette is what is calibrated in it
 
 "$program" enumerate --layout paper7 --library "$library" >/dev/null
 "$program" calibrate --library "$library" --patterns sample:24 >/dev/null
