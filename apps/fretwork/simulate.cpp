@@ -27,6 +27,7 @@ struct Options {
     std::string library;
     std::string out;
     std::string frame_out;
+    std::vector<std::string> drawings;  ///< a VTU and an SVG file, where asked for
     bool linear = false;
     bool json = false;
     simulation::SimulationOptions simulation;
@@ -68,13 +69,24 @@ void print(const base::detail::Json& summary) {
                 summary["seconds"].get<double>());
 }
 
+/// The result drawn or for ParaView, as `export` would write it.
+void add_drawings(const Options& options, const Surface& surface, const mechanics::Result& result,
+                  base::FileBatch& files) {
+    if (options.drawings.empty()) return;
+    exports::Scene scene{surface};
+    scene.results.push_back({options.simulation.model, result});
+    for (const std::string& path : options.drawings) files.add(path, exports::find_writer(path).text(scene));
+}
+
 ExitCode run(Options options) {
     if (options.linear) options.simulation.analysis = simulation::Analysis::Linear;
     options.simulation.validate();
     const Project project = simulation::read_project(options.project);
+    std::vector<std::string> outputs = options.drawings;
+    outputs.insert(outputs.end(), {options.out, options.frame_out});
     check_outputs(
         {options.project, options.load_case, options.library, library_path_of(options.project, project)},
-        {options.out, options.frame_out});
+        outputs);
     const auto library = open_project_library(options.project, project, options.library);
     const Surface surface = simulation::make_surface(project, library ? &*library : nullptr);
     const LoadCase load_case = chosen_load_case(project, options.load_case);
@@ -86,6 +98,7 @@ ExitCode run(Options options) {
         files.add(options.frame_out,
                   mechanics::frame_text(simulation::full_model_frame(surface, conditions)));
     }
+    add_drawings(options, surface, result, files);
     files.commit();
     const auto told = summary(options, load_case, result);
     if (options.json) {
@@ -120,6 +133,14 @@ void add_simulate(CLI::App& app, ExitCode& exit_code) {
                      "Library with the setting and the calibrations (default: the project's)");
     verb->add_option("--out", options->out, "Result file")->required();
     verb->add_option("--frame-out", options->frame_out, "Write the full model as a frame file, too");
+    for (const std::string ending : {"vtu", "svg"}) {
+        verb->add_option_function<std::string>(
+                "--" + ending, [options](const std::string& path) { options->drawings.push_back(path); },
+                "Write the displaced beams as ." + ending + ", too")
+            ->check([ending](const std::string& path) {
+                return path.ends_with("." + ending) ? "" : path + " does not end in ." + ending;
+            });
+    }
     verb->add_flag("--json", options->json, "Print JSON");
     verb->footer(
         "Example: fretwork simulate project.json --case cantilever --model condensed --out reduced.json");

@@ -35,6 +35,13 @@ TEST(Readme, ItsTourRuns) {
         const auto outcome = run_command(line, folder.path());
         ASSERT_EQ(outcome.exit_code, 0) << line << "\n" << outcome.out << outcome.err;
     }
+    EXPECT_EQ(
+        run_command("fretwork simulate project.json --model condensed --out r.json --vtu r.vtu --svg r.svg",
+                    folder.path())
+            .exit_code,
+        0);
+    EXPECT_TRUE(std::filesystem::exists(folder.path() / "r.vtu"));
+    EXPECT_TRUE(std::filesystem::exists(folder.path() / "r.svg"));
     for (const char* file : {"surface.svg", "deformed.svg", "full.vtu"}) {
         EXPECT_TRUE(std::filesystem::exists(folder.path() / file)) << file;
     }
