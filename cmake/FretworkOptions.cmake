@@ -35,4 +35,7 @@ if(FRETWORK_SANITIZE)
   target_compile_options(fretwork_flags INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=undefined
                                                   -fno-omit-frame-pointer)
   target_link_options(fretwork_flags INTERFACE -fsanitize=address,undefined)
+  # Under the address sanitizer Eigen keeps room of its own before each block, and libraries of the system that share
+  # its matrices (pagmo) do not: free() would miss the start. The sanitizer's malloc is aligned to 16 bytes, as any.
+  target_compile_definitions(fretwork_flags INTERFACE EIGEN_MALLOC_ALREADY_ALIGNED=1)
 endif()
