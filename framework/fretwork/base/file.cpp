@@ -52,10 +52,14 @@ class TemporaryFile {
         }
     }
 
+    /// Devices and pipes have no disk to wait for.
+    void synchronize() const {
+        if (!path_.empty() && ::fsync(descriptor_) != 0) fail_to_write(target_, errno);
+    }
+
     void move_into_place() {
         if (path_.empty()) return close_device();
-        if (::fchmod(descriptor_, wanted_mode()) != 0 || ::fsync(descriptor_) != 0)
-            fail_to_write(target_, errno);
+        if (::fchmod(descriptor_, wanted_mode()) != 0) fail_to_write(target_, errno);
         const int closed = ::close(descriptor_);
         descriptor_ = -1;
         if (closed != 0 || ::rename(path_.c_str(), target_.c_str()) != 0) fail_to_write(target_, errno);
@@ -128,10 +132,11 @@ void AtomicFile::write(std::string_view content) {
 
 void AtomicFile::flush() {
     impl_->flush();
+    impl_->file.synchronize();
 }
 
 void AtomicFile::commit() {
-    impl_->flush();
+    flush();
     impl_->file.move_into_place();
 }
 
