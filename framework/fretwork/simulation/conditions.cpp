@@ -3,6 +3,9 @@
 #include <fretwork/base/text.hpp>
 #include <fretwork/simulation/conditions.hpp>
 
+#include <map>
+#include <utility>
+
 namespace fretwork::simulation {
 namespace {
 
@@ -37,17 +40,15 @@ class Resolver {
     }
 
     /// Several entries may pick one node, but not want different things of it.
-    [[nodiscard]] bool is_new(const mechanics::PrescribedDisplacement& wanted, std::size_t entry) const {
-        for (const mechanics::PrescribedDisplacement& other : conditions_.prescribed) {
-            if (other.node != wanted.node || other.dof != wanted.dof) continue;
-            if (other.value == wanted.value) return false;
-            throw base::InputError(
-                "load case '" + load_case_.name + "'", "/prescribed/" + std::to_string(entry),
-                "prescribes " + base::format_number(wanted.value) + " at interface node " +
-                    std::to_string(wanted.node.value) + ", where an entry before it prescribes " +
-                    base::format_number(other.value));
-        }
-        return true;
+    [[nodiscard]] bool is_new(const mechanics::PrescribedDisplacement& wanted, std::size_t entry) {
+        const auto [other, is_first] =
+            prescribed_values_.try_emplace({wanted.node, wanted.dof}, wanted.value);
+        if (is_first || other->second == wanted.value) return is_first;
+        throw base::InputError("load case '" + load_case_.name + "'", "/prescribed/" + std::to_string(entry),
+                               "prescribes " + base::format_number(wanted.value) + " at interface node " +
+                                   std::to_string(wanted.node.value) +
+                                   ", where an entry before it prescribes " +
+                                   base::format_number(other->second));
     }
 
     void add_load(std::size_t i) {
@@ -83,6 +84,7 @@ class Resolver {
     const LoadCase& load_case_;
     const Surface& surface_;
     Conditions conditions_;
+    std::map<std::pair<NodeIndex, mechanics::Dof>, double> prescribed_values_;
 };
 
 }  // namespace
