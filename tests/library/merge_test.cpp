@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sample.hpp"
 
+#include <fretwork/base/error.hpp>
+#include <fretwork/base/file.hpp>
+#include <fretwork/library/detail/draft.hpp>
+
 namespace fretwork::library {
 namespace {
 
@@ -80,6 +84,14 @@ TEST_F(Merge, SettingsThatDifferAreRefused) {
     Library::create(path("b.db"), paper_layout(), setting);
     const auto a = shard("a.db", {});
     EXPECT_THAT(complaint_of([&] { merge(path("ab.db"), Paths{a, path("b.db")}); }), HasSubstr("tile_side"));
+}
+
+TEST_F(Merge, AnOutputThatAppearsMeanwhileIsNeverTouched) {
+    const detail::Draft draft(path("out.db"));
+    base::write_file_atomically(draft.path(), "draft");
+    base::write_file_atomically(path("out.db"), "of another process");
+    EXPECT_THROW(draft.move_into_place(), base::IoError);
+    EXPECT_EQ(base::read_text_file(path("out.db")), "of another process");
 }
 
 TEST_F(Merge, AnOutputThatExistsIsNeverTouched) {
