@@ -197,6 +197,7 @@ void add_run(CLI::App& verb, const std::shared_ptr<Wishes>& wishes, ExitCode& ex
                      "Of one run, in the problem's unit of cost")
         ->capture_default_str();
     action->add_option("--seed", wishes->plan.options.seed, "Changes the seeds of all runs")
+        ->check(seed_check())
         ->capture_default_str();
     add_threads(*action, *wishes);
     action->add_flag("--json", wishes->json, "Print JSON");
