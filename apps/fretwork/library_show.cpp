@@ -21,10 +21,11 @@ struct ScenarioSummary {
     std::string name;
     std::size_t converged = 0;
     std::size_t samples = 0;
-    int first_unstable_step = 0;        ///< 0: none
-    double largest_magnitude = 0.0;     ///< N, that converged
-    double largest_displacement = 0.0;  ///< m, at it
-    bool meets_limit_load = false;      ///< what did not converge lies beyond a limit load
+    int first_unstable_step = 0;                   ///< 0: none
+    double largest_magnitude = 0.0;                ///< N, that converged
+    double largest_displacement = 0.0;             ///< m, at it
+    std::optional<double> discretization_error{};  ///< share, the largest that is known
+    bool meets_limit_load = false;                 ///< what did not converge lies beyond a limit load
 };
 
 ScenarioSummary summarize(const reduction::Response& response) {
@@ -34,6 +35,7 @@ ScenarioSummary summarize(const reduction::Response& response) {
         summary.meets_limit_load = summary.meets_limit_load || sample.limit_load;
         if (!sample.converged) continue;
         ++summary.converged;
+        summary.discretization_error = std::max(summary.discretization_error, sample.discretization_error);
         if (!sample.stable && summary.first_unstable_step == 0) summary.first_unstable_step = sample.step;
         summary.largest_magnitude = sample.magnitude;
         summary.largest_displacement = sample.displacements.leftCols<3>().rowwise().norm().maxCoeff();
@@ -79,13 +81,16 @@ Json show_json(const Library& library, const library::PatternEntry& entry) {
                      {"failures", Json::array()}};
     for (const reduction::Response& response : library.responses(entry.id)) {
         const ScenarioSummary summary = summarize(response);
-        document["responses"].push_back({{"scenario", summary.name},
-                                         {"samples", summary.samples},
-                                         {"converged", summary.converged},
-                                         {"first_unstable_step", summary.first_unstable_step},
-                                         {"meets_limit_load", summary.meets_limit_load},
-                                         {"largest_magnitude", summary.largest_magnitude},
-                                         {"largest_displacement", summary.largest_displacement}});
+        document["responses"].push_back(
+            {{"scenario", summary.name},
+             {"samples", summary.samples},
+             {"converged", summary.converged},
+             {"first_unstable_step", summary.first_unstable_step},
+             {"meets_limit_load", summary.meets_limit_load},
+             {"discretization_error",
+              summary.discretization_error ? Json(*summary.discretization_error) : Json(nullptr)},
+             {"largest_magnitude", summary.largest_magnitude},
+             {"largest_displacement", summary.largest_displacement}});
     }
     for (const CalibrationRecord& record : library.calibrations(entry.id))
         document["calibrations"].push_back(calibration_json(record));
@@ -99,6 +104,7 @@ void print_response(const reduction::Response& response) {
     const ScenarioSummary summary = summarize(response);
     std::printf("  %-8s %2zu of %2zu converged, %6.2f mm at %.3g N", summary.name.c_str(), summary.converged,
                 summary.samples, 1e3 * summary.largest_displacement, summary.largest_magnitude);
+    if (summary.discretization_error) std::printf(", to about %.1g", *summary.discretization_error);
     if (summary.first_unstable_step > 0)
         std::printf(", unstable from step %d on", summary.first_unstable_step);
     if (summary.meets_limit_load) std::printf(", then a limit load");

@@ -4,9 +4,11 @@
 #include "verbs.hpp"
 
 #include <fretwork/base/detail/json_text.hpp>
+#include <fretwork/base/error.hpp>
 #include <fretwork/base/file.hpp>
 #include <fretwork/exports/line_files.hpp>
 #include <fretwork/mechanics/calculix_file.hpp>
+#include <fretwork/mechanics/discretization.hpp>
 #include <fretwork/mechanics/equilibrium.hpp>
 #include <fretwork/mechanics/linear_solver.hpp>
 #include <fretwork/mechanics/modes.hpp>
@@ -25,6 +27,7 @@ Examples:
   fretwork solve frame.json --out result.json                   nonlinear, to the full load
   fretwork solve frame.json --solver linear --out result.json
   fretwork solve frame.json --steps 20 --out result.json        with the 20 equilibria on the way
+  fretwork solve frame.json --estimate-error --out result.json  and how far it is from endlessly fine divisions
   fretwork solve frame.json --branch stable --out result.json   past a bifurcation, as a specimen would go
   fretwork solve frame.json --solver linear --buckling 3 --out result.json
   fretwork solve frame.json --solver linear --modes 6 --out result.json --vtu result.vtu)";
@@ -45,17 +48,22 @@ struct Wishes {
     std::string branch = "primary";
     std::string masses = "natural";
     bool lumped_gravity = false;
+    bool estimate_error = false;
     bool json = false;
 };
 
-std::vector<mechanics::Solution> follow(const mechanics::Assembly& assembly, const Wishes& wishes) {
-    const int steps = wishes.steps > 0 ? wishes.steps : kDefaultSteps;
+mechanics::EquilibriumOptions path_options(const Wishes& wishes) {
     mechanics::EquilibriumOptions options;
     options.locate_critical_loads = true;
     if (wishes.branch == "stable") options.branch = mechanics::Branch::Stable;
+    return options;
+}
+
+std::vector<double> load_factors(const Wishes& wishes) {
+    const int steps = wishes.steps > 0 ? wishes.steps : kDefaultSteps;
     std::vector<double> factors;
     for (int k = 1; k <= steps; ++k) factors.push_back(static_cast<double>(k) / steps);
-    return mechanics::follow_load_path(assembly, factors, options);
+    return factors;
 }
 
 /// The end of a path, with what was met on all of it.
@@ -96,8 +104,12 @@ mechanics::Result solve(const mechanics::LabelledFrame& input, const Wishes& wis
             mechanics::relax(assembly, {.rotational_mass = published ? mechanics::RotationalMass::Published
                                                                      : mechanics::RotationalMass::Natural});
     } else {
-        auto steps = follow(assembly, wishes);
+        auto steps = mechanics::follow_load_path(assembly, load_factors(wishes), path_options(wishes));
         result.solution = end_of(steps);
+        if (wishes.estimate_error)
+            result.discretization_error = mechanics::estimate_discretization_error(
+                                              frame, load_factors(wishes), steps, path_options(wishes))
+                                              .back();
         if (wishes.steps > 0) result.load_steps = std::move(steps);
     }
     if (wishes.modes > 0) result.vibration_modes = mechanics::vibration_modes(assembly, wishes.modes);
@@ -144,6 +156,13 @@ std::string stability_text(const mechanics::Solution& solution) {
     return "";
 }
 
+std::string discretization_text(const mechanics::DiscretizationError& error) {
+    char text[160];
+    std::snprintf(text, sizeof text, "off by about %.2g of that for its divisions: %.2g mm, %.2g deg",
+                  error.share, 1e3 * error.displacement, error.rotation * 57.29577951308232);
+    return text;
+}
+
 void print(const mechanics::Result& result, const base::detail::Json& summary) {
     const mechanics::Solution& solution = result.solution;
     std::printf("%zu nodes, %s: %s%s\n", result.nodes.size(), result.solver.c_str(),
@@ -155,6 +174,11 @@ void print(const mechanics::Result& result, const base::detail::Json& summary) {
     std::printf("largest displacement %.6g mm, largest rotation %.6g deg\n",
                 1e3 * summary["largest_displacement"].get<double>(),
                 summary["largest_rotation"].get<double>() * 57.29577951308232);
+    if (const auto& error = result.discretization_error)
+        std::printf("%s\n",
+                    error->known
+                        ? discretization_text(*error).c_str()
+                        : "no estimate of the discretization error: other divisions did not converge");
     for (const mechanics::StabilityLoss& loss : solution.stability_losses)
         std::printf("unstable from %.6g of the load on%s: node %d along %s\n", loss.load_factor,
                     loss.pushed ? "; pushed onto a stable branch" : "", loss.node.value,
@@ -168,6 +192,8 @@ void print(const mechanics::Result& result, const base::detail::Json& summary) {
 }
 
 ExitCode run(const Wishes& wishes) {
+    if (wishes.estimate_error && wishes.solver != "newton")
+        throw base::InputError("--estimate-error works with --solver newton, not with " + wishes.solver);
     check_outputs({wishes.frame}, {wishes.out, wishes.vtu, wishes.deck});
     const mechanics::LabelledFrame input = read(wishes.frame);
     const mechanics::Frame& frame = input.frame;
@@ -218,6 +244,12 @@ void add_solve(CLI::App& app, ExitCode& exit_code) {
             "slower")
         ->check(CLI::IsMember({"natural", "published"}))
         ->capture_default_str();
+    CLI::Option* lumped = verb->add_flag("--lumped-gravity", wishes->lumped_gravity,
+                                         "half of a beam's weight on each end, no moments");
+    verb->add_flag("--estimate-error", wishes->estimate_error,
+                   "tell how far the solution is from that of endlessly fine divisions (newton only: linear "
+                   "solutions of straight beams are exact at the nodes)")
+        ->excludes(lumped);
     verb->add_option("--buckling", wishes->buckling, "so many critical load factors by linearized buckling")
         ->check(CLI::Range(1, 1000));
     verb->add_option("--modes", wishes->modes,
@@ -225,8 +257,6 @@ void add_solve(CLI::App& app, ExitCode& exit_code) {
         ->check(CLI::Range(1, 1000));
     verb->add_option("--vtu", wishes->vtu, "the displaced beams for ParaView");
     verb->add_option("--deck", wishes->deck, "write the frame as an input deck for Abaqus (.inp)");
-    verb->add_flag("--lumped-gravity", wishes->lumped_gravity,
-                   "half of a beam's weight on each end, no moments");
     verb->add_option("--out", wishes->out, "result file")->required();
     verb->add_flag("--json", wishes->json, "print a summary for programs");
     verb->callback([wishes, &exit_code] { exit_code = run(*wishes); });

@@ -97,7 +97,8 @@ void tally(const pattern::NodeLayout& layout, const reduction::Setting& setting,
     std::vector<std::vector<Ending>> endings(chosen.size());
     const auto start = std::chrono::steady_clock::now();
     base::parallel_for(chosen.size(), wishes.threads, [&](std::size_t i) {
-        const auto tile = reduction::pattern_frame(layout, chosen[i], setting);
+        const auto tile =
+            mechanics::refined(reduction::pattern_frame(layout, chosen[i], setting), setting.divisions);
         for (const auto& scenario : setting.scenarios)
             endings[i].push_back(follow(reduction::scenario_frame(tile, scenario), factors, wishes));
     });

@@ -49,7 +49,7 @@ TEST_F(BadLibrary, AnotherSqliteFileIsNoLibraryAndIsNotOverwritten) {
 TEST_F(BadLibrary, ANewerVersionIsRefusedWithBothNumbers) {
     make_library(path());
     sql("PRAGMA user_version = 7");
-    EXPECT_THAT(complaint(), AllOf(HasSubstr("version 7"), HasSubstr("reads version 2")));
+    EXPECT_THAT(complaint(), AllOf(HasSubstr("version 7"), HasSubstr("reads version 3")));
 }
 
 TEST_F(BadLibrary, ALibraryThatExistsIsNotMadeAgain) {

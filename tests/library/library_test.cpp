@@ -35,6 +35,7 @@ void expect_equal(const std::vector<reduction::Response>& left,
             EXPECT_EQ(a.converged, b.converged);
             EXPECT_EQ(a.stable, b.stable);
             EXPECT_EQ(a.limit_load, b.limit_load);
+            EXPECT_EQ(a.discretization_error, b.discretization_error);
             EXPECT_EQ(a.displacements, b.displacements);
         }
     }

@@ -41,9 +41,11 @@ inline std::vector<reduction::Response> sample_responses(const reduction::Settin
             for (int i = 0; i < 36; ++i)
                 sample.displacements(i / 6, i % 6) = i % 5 == 0 ? 0.0 : std::sin(seed + i) * k / 3.0 * 1e-3;
             sample.stable = k < 9;
+            sample.discretization_error = 1e-5 * k / 3.0;
             if (k == setting.magnitudes) {
                 sample.converged = false;
                 sample.limit_load = true;
+                sample.discretization_error.reset();
                 sample.displacements.setZero();
             }
             response.samples.push_back(sample);

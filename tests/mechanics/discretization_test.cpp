@@ -29,6 +29,25 @@ TEST(Discretization, TheEstimateIsOfTheErrorsSize) {
     }
 }
 
+TEST(Discretization, FromHalfTheDivisionsTheEstimateIsNotTooSmall) {
+    const double factors[] = {0.5, 1.0};
+    for (const Frame& frame : {sample::star(), sample::flat_wheel()}) {
+        Frame loaded = refined(frame, 4);
+        loaded.loads = {{NodeIndex(frame.nodes.size() == 4 ? 0 : 4), {0.3, -0.2, 1.0}}};
+        const auto solutions = follow_load_path(assemble(loaded), factors);
+        const auto exact = follow_load_path(assemble(refined(loaded, 4)), factors);
+        const auto errors = estimate_discretization_error(loaded, factors, solutions);
+        for (std::size_t i = 0; i < 2; ++i) {
+            const NodeValues difference = solutions[i].displacements - exact[i].displacements;
+            const double true_error = difference.leftCols<3>().rowwise().norm().maxCoeff();
+            ASSERT_TRUE(errors[i].known);
+            EXPECT_GE(errors[i].displacement, true_error);
+            // With half the divisions the error is up to 2^5 times as large here: (2^5 - 1) / 3 of it.
+            EXPECT_LE(errors[i].displacement, 11.0 * true_error);
+        }
+    }
+}
+
 TEST(Discretization, WhatHasNotConvergedHasNoEstimate) {
     const double factors[] = {1.0};
     auto solutions = follow_load_path(assemble(sample::star()), factors);

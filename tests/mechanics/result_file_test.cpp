@@ -41,6 +41,7 @@ Result some_result() {
     result.buckling_modes = {{2.5, NodeValues::Constant(2, kDofsPerNode, 0.2)}};
     result.solution.stability_losses = {{0.4, NodeIndex(1), Dof::ry, true},
                                         {0.6, NodeIndex(0), Dof::uz, false}};
+    result.discretization_error = DiscretizationError{1e-5, 2.0 / 3.0, 0.1, true};
     result.seconds = 0.25;
     return result;
 }
@@ -73,6 +74,7 @@ TEST_F(ResultFile, WhatIsWrittenIsReadBackExactly) {
     EXPECT_EQ(read.nodes[0].id, 4);
     EXPECT_TRUE(read.nodes[0].is_interface);
     EXPECT_EQ(read.nodes[1].rest_position, written.nodes[1].rest_position);
+    EXPECT_EQ(read.discretization_error, written.discretization_error);
     EXPECT_EQ(read.solution.displacements, written.solution.displacements);
     EXPECT_EQ(read.solution.reactions, written.solution.reactions);
     EXPECT_EQ(read.solution.termination, Termination::LimitLoad);

@@ -59,6 +59,29 @@ TEST(Responses, HaveTenMagnitudesInEvenStepsUpToTheLargest) {
     }
 }
 
+TEST(Responses, TellTheirDiscretizationErrorFromAnyDivisions) {
+    Setting setting = paper_setting();
+    const auto pattern = paper_pattern(kPattern);
+    setting.divisions = 16;
+    const auto exact = compute_responses(paper_layout(), pattern, setting);
+    for (const int divisions : {1, 2}) {
+        setting.divisions = divisions;
+        const auto responses = compute_responses(paper_layout(), pattern, setting);
+        for (std::size_t s = 0; s < 5; ++s) {
+            const auto& sample = responses[s].samples.back();
+            const mechanics::NodeValues& finest = exact[s].samples.back().displacements;
+            const auto difference = (sample.displacements - finest).leftCols<3>();
+            const double share =
+                difference.rowwise().norm().maxCoeff() / finest.leftCols<3>().rowwise().norm().maxCoeff();
+            ASSERT_TRUE(sample.discretization_error.has_value());
+            // The tile's inner nodes and rotations, which count in the estimate, may be off by more.
+            EXPECT_LE(share, 1.5 * *sample.discretization_error)
+                << responses[s].scenario << ", " << divisions;
+            EXPECT_LT(share, divisions == 1 ? 2e-3 : 3e-4) << responses[s].scenario;
+        }
+    }
+}
+
 TEST(Responses, KeepHeldComponentsAtZero) {
     const Setting setting = paper_setting();
     const auto responses = compute_responses(paper_layout(), paper_pattern(kPattern), setting);

@@ -36,6 +36,7 @@ TEST(PaperSetting, IsTheFileOfTheExperiments) {
 TEST(SettingText, ReadsBackAsTheSameSetting) {
     Setting setting = paper_setting();
     setting.branch = Branch::Stable;
+    setting.divisions = 3;
     setting.tile_side = 0.1 / 3.0;
     setting.material.given_shear_modulus = 3.7e8;
     setting.section.shear_area2 = 3.3e-6;
@@ -86,6 +87,7 @@ TEST(SettingFile, BadInputIsRefusedByItsPlace) {
     EXPECT_THAT(complaint(R"("tile_side": 1e999)"), HasSubstr("mine.json"));
     EXPECT_THAT(complaint(R"("sides": 2)"), HasSubstr("/sides"));
     EXPECT_THAT(complaint(R"("magnitudes": 0)"), HasSubstr("/magnitudes"));
+    EXPECT_THAT(complaint(R"("divisions": 0)"), HasSubstr("/divisions"));
     EXPECT_THAT(complaint(R"("branch": "unstable")"), HasSubstr("/branch"));
     EXPECT_THAT(complaint(R"("scenarios": [])"), HasSubstr("/scenarios"));
     EXPECT_THAT(complaint(R"("scenarios": ["axail"])"), HasSubstr("axial"));

@@ -8,24 +8,35 @@
 namespace fretwork::mechanics {
 namespace {
 
-/// 1 / (1 - 2^-order) with order two.
-constexpr double kRichardson = 4.0 / 3.0;
+/// The share of the difference to a solution with other divisions that is a solution's own error, with order
+/// two: 1 / (1 - 2^-2) to one with twice, 1 / (2^2 - 1) to one with half the divisions.
+constexpr double kErrorFromFiner = 4.0 / 3.0;
+constexpr double kErrorFromCoarser = 1.0 / 3.0;
 
 double largest_row(const NodeValues& values, int first) {
     return values.rows() == 0 ? 0.0 : values.middleCols<3>(first).rowwise().norm().maxCoeff();
 }
 
-DiscretizationError compare(const Solution& coarse, const Solution& fine) {
+DiscretizationError compare(const Solution& solution, const Solution& other, double error_of_difference) {
     DiscretizationError error;
-    error.known = coarse.converged() && fine.converged();
+    error.known = solution.converged() && other.converged();
     if (!error.known) return error;
-    const NodeValues difference = fine.displacements - coarse.displacements;
-    error.displacement = kRichardson * largest_row(difference, 0);
-    error.rotation = kRichardson * largest_row(difference, 3);
+    const NodeValues difference = other.displacements - solution.displacements;
+    error.displacement = error_of_difference * largest_row(difference, 0);
+    error.rotation = error_of_difference * largest_row(difference, 3);
     const auto share = [](double part, double whole) { return whole > 0.0 ? part / whole : 0.0; };
-    error.share = std::max(share(error.displacement, largest_row(fine.displacements, 0)),
-                           share(error.rotation, largest_row(fine.displacements, 3)));
+    error.share = std::max(share(error.displacement, largest_row(solution.displacements, 0)),
+                           share(error.rotation, largest_row(solution.displacements, 3)));
     return error;
+}
+
+bool can_be_halved(const Frame& frame) {
+    return std::ranges::all_of(frame.beams, [](const Beam& beam) { return beam.divisions % 2 == 0; });
+}
+
+Frame halved(Frame frame) {
+    for (Beam& beam : frame.beams) beam.divisions /= 2;
+    return frame;
 }
 
 }  // namespace
@@ -45,9 +56,13 @@ std::vector<DiscretizationError> estimate_discretization_error(const Frame& fram
     if (solutions.size() != load_factors.size())
         throw base::InputError("there are " + std::to_string(solutions.size()) + " solutions for " +
                                std::to_string(load_factors.size()) + " load factors");
-    const auto fine = follow_load_path(assemble(refined(frame, 2)), load_factors, options);
+    const bool from_coarser = can_be_halved(frame);
+    const Frame other = from_coarser ? halved(frame) : refined(frame, 2);
+    const auto others = follow_load_path(assemble(other), load_factors, options);
     std::vector<DiscretizationError> errors;
-    for (std::size_t i = 0; i < fine.size(); ++i) errors.push_back(compare(solutions[i], fine[i]));
+    for (std::size_t i = 0; i < others.size(); ++i)
+        errors.push_back(
+            compare(solutions[i], others[i], from_coarser ? kErrorFromCoarser : kErrorFromFiner));
     return errors;
 }
 

@@ -19,12 +19,15 @@ struct DiscretizationError {
     double rotation = 0.0;      ///< rad
     double share = 0.0;         ///< of the largest displacement, or rotation; the worse of the two
     bool known = false;  ///< false: one of the two solutions has not converged, so there is no estimate
+    friend bool operator==(const DiscretizationError&, const DiscretizationError&) = default;
 };
 
-/// Estimate the error of each solution of a load path by following it again with twice the divisions
-/// (Richardson). The elements' order is four for sections that bend equally about both axes and two
-/// otherwise; the estimate assumes two, which errs on the safe side for the former. Costs about twice what
-/// the path itself did.
+/// Estimate the error of each solution of a load path by following it again (Richardson): with half the
+/// divisions, at about half of the path's own cost, if those of all beams are even; else with twice as many,
+/// at twice its cost. The elements' order is four for sections that bend equally about both axes and two
+/// otherwise; the estimate assumes two, which errs on the safe side for the former. With one element
+/// a beam, errors of either sign can cancel: an estimate with one division on its side can be too small by a
+/// factor of a few.
 ///
 /// @param solutions  of follow_load_path with these factors
 std::vector<DiscretizationError> estimate_discretization_error(const Frame& frame,

@@ -115,6 +115,19 @@ Solution read_solution(const JsonReader& reader, std::size_t nodes) {
     return solution;
 }
 
+Json error_json(const DiscretizationError& error) {
+    return {{"displacement", error.displacement},
+            {"rotation", error.rotation},
+            {"share", error.share},
+            {"known", error.known}};
+}
+
+DiscretizationError read_error(const JsonReader& reader) {
+    reader.allow_only({"displacement", "rotation", "share", "known"});
+    return {reader.at("displacement").number(), reader.at("rotation").number(), reader.at("share").number(),
+            reader.at("known").boolean()};
+}
+
 Result::Node read_node(const JsonReader& reader) {
     reader.allow_only({"id", "rest_position", "interface"});
     const std::vector<double> position = reader.at("rest_position").numbers(3);
@@ -142,6 +155,7 @@ std::string result_text(const Result& result) {
     }
     for (const Mode& mode : result.vibration_modes)
         json["vibration_modes"].push_back({{"frequency", mode.value}, {"shape", rows_json(mode.shape)}});
+    if (result.discretization_error) json["discretization_error"] = error_json(*result.discretization_error);
     for (const Mode& mode : result.buckling_modes)
         json["buckling_modes"].push_back({{"load_factor", mode.value}, {"shape", rows_json(mode.shape)}});
     return base::detail::json_text(json);
@@ -156,7 +170,8 @@ Result read_result(const std::filesystem::path& path) {
     document.expect_format("result");
     document.allow_only({"format", "solver", "load_factor", "converged", "stable", "stability", "termination",
                          "energy", "residual", "iterations", "displacements", "reactions", "seconds", "nodes",
-                         "load_steps", "stability_losses", "vibration_modes", "buckling_modes"});
+                         "load_steps", "stability_losses", "vibration_modes", "buckling_modes",
+                         "discretization_error"});
     Result result;
     result.solver = document.at("solver").string();
     for (const JsonReader& node : document.at("nodes").elements()) result.nodes.push_back(read_node(node));
@@ -169,6 +184,8 @@ Result read_result(const std::filesystem::path& path) {
             result.load_steps.push_back(read_solution(step, result.nodes.size()));
         }
     }
+    if (const auto error = document.find("discretization_error"))
+        result.discretization_error = read_error(*error);
     if (const auto modes = document.find("vibration_modes"))
         result.vibration_modes = read_modes(*modes, "frequency", result.nodes.size());
     if (const auto modes = document.find("buckling_modes"))

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <fretwork/mechanics/discretization.hpp>
 #include <fretwork/mechanics/modes.hpp>
 #include <fretwork/mechanics/solution.hpp>
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,9 +22,10 @@ struct Result {
     std::string solver;       ///< "linear", "newton", ...
     std::vector<Node> nodes;  ///< as many as the solution has rows
     Solution solution;
-    std::vector<Solution> load_steps;     ///< only where asked for
-    std::vector<Mode> vibration_modes{};  ///< only where asked for
-    std::vector<Mode> buckling_modes{};   ///< only where asked for
+    std::vector<Solution> load_steps;                           ///< only where asked for
+    std::vector<Mode> vibration_modes{};                        ///< only where asked for
+    std::vector<Mode> buckling_modes{};                         ///< only where asked for
+    std::optional<DiscretizationError> discretization_error{};  ///< of the solution; only where asked for
     double seconds = 0.0;
 };
 

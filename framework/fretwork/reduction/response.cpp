@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
+#include <fretwork/mechanics/discretization.hpp>
 #include <fretwork/mechanics/equilibrium.hpp>
 #include <fretwork/pattern/fan.hpp>
 #include <fretwork/reduction/response.hpp>
@@ -29,15 +30,17 @@ Response::Sample to_sample(const mechanics::Solution& solution, const Setting& s
 }
 
 Response follow_scenario(const mechanics::Frame& tile, const Scenario& scenario, const Setting& setting) {
-    const auto assembly = mechanics::assemble(scenario_frame(tile, scenario));
+    const mechanics::Frame frame = scenario_frame(tile, scenario);
     const std::vector<double> factors = load_factors(setting.magnitudes);
-    const auto solutions = mechanics::follow_load_path(assembly, factors);
+    const auto solutions = mechanics::follow_load_path(mechanics::assemble(frame), factors);
+    const auto errors = mechanics::estimate_discretization_error(frame, factors, solutions);
     Response response;
     response.scenario = scenario.name;
     for (std::size_t i = 0; i < solutions.size(); ++i) {
         Response::Sample sample = to_sample(solutions[i], setting);
         sample.step = static_cast<int>(i) + 1;
         sample.magnitude = factors[i] * scenario.max_magnitude;
+        if (errors[i].known) sample.discretization_error = errors[i].share;
         response.samples.push_back(std::move(sample));
     }
     return response;
@@ -89,7 +92,8 @@ mechanics::Frame scenario_frame(mechanics::Frame tile, const Scenario& scenario)
 std::vector<Response> compute_responses(const pattern::NodeLayout& layout, const pattern::Pattern& pattern,
                                         const Setting& setting) {
     require_one_interface_node(layout);
-    const mechanics::Frame tile = pattern_frame(layout, pattern, setting);
+    const mechanics::Frame tile =
+        mechanics::refined(pattern_frame(layout, pattern, setting), setting.divisions);
     mechanics::validate(scenario_frame(tile, setting.scenarios.front()));
     std::vector<Response> responses;
     for (const Scenario& scenario : setting.scenarios) {

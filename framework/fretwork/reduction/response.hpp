@@ -6,6 +6,7 @@
 #include <fretwork/pattern/polygon.hpp>
 #include <fretwork/reduction/setting.hpp>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,9 @@ struct Response {
         bool converged = true;
         bool stable = true;
         bool limit_load = false;  ///< did not converge, since the path turns back before this magnitude
+        /// Of the largest displacement, or rotation, of the tile's nodes; estimated by Richardson. Empty: not
+        /// known, since this sample or its twin with other divisions did not converge.
+        std::optional<double> discretization_error{};
     };
     std::string scenario;
     std::vector<Sample> samples;
@@ -43,7 +47,8 @@ mechanics::Frame pattern_frame(const pattern::NodeLayout& layout, const pattern:
 /// A frame of one tile, held and loaded as a scenario says, at its largest magnitude.
 mechanics::Frame scenario_frame(mechanics::Frame tile, const Scenario& scenario);
 
-/// The nonlinear responses of a pattern, one for each scenario of the setting. Paper, Eq. (2).
+/// The nonlinear responses of a pattern, one for each scenario of the setting, with every beam in as many
+/// elements as the setting says. Paper, Eq. (2); the paper takes one element a beam.
 std::vector<Response> compute_responses(const pattern::NodeLayout& layout, const pattern::Pattern& pattern,
                                         const Setting& setting);
 

@@ -42,6 +42,7 @@ void Setting::validate(const std::string& source) const {
     };
     require(std::isfinite(tile_side) && tile_side > 0.0, "/tile_side", "must be a length above zero");
     require(sides >= 3, "/sides", "a polygon has at least 3 sides");
+    require(divisions >= 1, "/divisions", "at least 1 is needed");
     require(magnitudes >= 1, "/magnitudes", "at least 1 is needed");
     require(!scenarios.empty(), "/scenarios", "at least one is needed");
     std::set<std::string> names;

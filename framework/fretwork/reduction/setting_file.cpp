@@ -82,6 +82,9 @@ Scenario read_scenario_entry(const JsonReader& json) {
 
 void read_counts(const JsonReader& json, Setting& setting) {
     if (const auto sides = json.find("sides")) setting.sides = static_cast<int>(sides->integer(3, 100));
+    if (const auto count = json.find("divisions")) {
+        setting.divisions = static_cast<int>(count->integer(1, 100));
+    }
     if (const auto count = json.find("magnitudes")) {
         setting.magnitudes = static_cast<int>(count->integer(1, 1000));
     }
@@ -92,8 +95,8 @@ void read_counts(const JsonReader& json, Setting& setting) {
 
 Setting read_document(const JsonReader& json) {
     json.expect_format("setting");
-    json.allow_only(
-        {"format", "material", "section", "tile_side", "sides", "magnitudes", "branch", "scenarios"});
+    json.allow_only({"format", "material", "section", "tile_side", "sides", "divisions", "magnitudes",
+                     "branch", "scenarios"});
     Setting setting = paper_setting();
     if (const auto material = json.find("material")) setting.material = read_material(*material);
     if (const auto section = json.find("section")) setting.section = read_section(*section);
@@ -130,6 +133,7 @@ Json setting_json(const Setting& setting) {
                  {"section", section_json(setting.section)},
                  {"tile_side", setting.tile_side},
                  {"sides", setting.sides},
+                 {"divisions", setting.divisions},
                  {"magnitudes", setting.magnitudes},
                  {"branch", branch_name(setting.branch)},
                  {"scenarios", Json::array()}};

@@ -67,6 +67,10 @@ void Statement::bind(int parameter, double value) {
 void Statement::bind(int parameter, std::int64_t value) {
     check(sqlite3_bind_int64(handle_.get(), parameter, value));
 }
+void Statement::bind(int parameter, std::optional<double> value) {
+    if (value) return bind(parameter, *value);
+    check(sqlite3_bind_null(handle_.get(), parameter));
+}
 
 bool Statement::step() {
     const int code = sqlite3_step(handle_.get());

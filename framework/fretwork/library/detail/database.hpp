@@ -46,6 +46,7 @@ class Statement {
     void bind(int parameter, double value);
     void bind(int parameter, std::int64_t value);
     void bind(int parameter, int value) { bind(parameter, static_cast<std::int64_t>(value)); }
+    void bind(int parameter, std::optional<double> value);  ///< NULL if empty
     /// Bind all parameters in turn.
     template <class... Values>
     Statement& bind_all(const Values&... values) {
@@ -66,6 +67,9 @@ class Statement {
     /// The text stays until the next step.
     [[nodiscard]] std::string_view text(int column) const;
     [[nodiscard]] double real(int column) const { return sqlite3_column_double(handle_.get(), column); }
+    [[nodiscard]] std::optional<double> optional_real(int column) const {
+        return type(column) == SQLITE_NULL ? std::nullopt : std::optional(real(column));
+    }
     [[nodiscard]] std::int64_t integer(int column) const {
         return sqlite3_column_int64(handle_.get(), column);
     }

@@ -33,14 +33,15 @@ std::string response_fault(const Response& response, const ResponseShape& shape)
 }
 
 bool is_finite(const Sample& sample) {
-    return std::isfinite(sample.magnitude) && (!sample.converged || sample.displacements.allFinite());
+    return std::isfinite(sample.magnitude) && std::isfinite(sample.discretization_error.value_or(0.0)) &&
+           (!sample.converged || sample.displacements.allFinite());
 }
 
 void insert_sample(Statement& states, Statement& rows, const Sample& sample, std::string_view pattern_id,
                    const std::string& scenario) {
     states
         .bind_all(pattern_id, scenario, sample.step, sample.magnitude, int{sample.converged},
-                  int{sample.stable}, int{sample.limit_load})
+                  int{sample.stable}, int{sample.limit_load}, sample.discretization_error)
         .run();
     if (!sample.converged) return;
     for (int node = 0; node < static_cast<int>(sample.displacements.rows()); ++node) {
@@ -51,9 +52,10 @@ void insert_sample(Statement& states, Statement& rows, const Sample& sample, std
 
 std::vector<Sample> read_states(const Database& database, std::string_view pattern_id,
                                 const std::string& scenario) {
-    Statement statement(database,
-                        "SELECT step, magnitude, converged, stable, limit_load FROM response_state "
-                        "WHERE pattern_id = ? AND scenario = ? ORDER BY step");
+    Statement statement(
+        database,
+        "SELECT step, magnitude, converged, stable, limit_load, discretization_error FROM response_state "
+        "WHERE pattern_id = ? AND scenario = ? ORDER BY step");
     statement.bind_all(pattern_id, scenario);
     std::vector<Sample> samples;
     while (statement.step()) {
@@ -62,7 +64,8 @@ std::vector<Sample> read_states(const Database& database, std::string_view patte
                            {},
                            statement.integer(2) != 0,
                            statement.integer(3) != 0,
-                           statement.integer(4) != 0});
+                           statement.integer(4) != 0,
+                           statement.optional_real(5)});
     }
     return samples;
 }
@@ -89,7 +92,7 @@ void read_displacements(const Database& database, std::string_view pattern_id, R
 bool are_equal(const Sample& left, const Sample& right) {
     return left.step == right.step && left.magnitude == right.magnitude &&
            left.converged == right.converged && left.stable == right.stable &&
-           left.limit_load == right.limit_load &&
+           left.limit_load == right.limit_load && left.discretization_error == right.discretization_error &&
            (!left.converged || left.displacements == right.displacements);
 }
 
@@ -116,7 +119,7 @@ void check_responses(const Database& database, const std::string& pattern_id,
 
 void insert_responses(const Database& database, const std::string& pattern_id,
                       const std::vector<Response>& responses) {
-    Statement states(database, "INSERT INTO response_state VALUES (?, ?, ?, ?, ?, ?, ?)");
+    Statement states(database, "INSERT INTO response_state VALUES (?, ?, ?, ?, ?, ?, ?, ?)");
     Statement rows(database, "INSERT INTO response VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
     for (const Response& response : responses) {
         for (const Sample& sample : response.samples)

@@ -40,6 +40,7 @@ CREATE TABLE response_state(
     converged  INTEGER NOT NULL CHECK (converged IN (0, 1)),
     stable     INTEGER NOT NULL CHECK (stable IN (0, 1)),
     limit_load INTEGER NOT NULL CHECK (limit_load IN (0, 1)),
+    discretization_error REAL,
     PRIMARY KEY (pattern_id, scenario, step)
 ) WITHOUT ROWID;
 
@@ -142,7 +143,7 @@ std::span<const Table> content_tables() {
         {"pattern", {"id"}, {"layout", "edges", "mirror"}, {}},
         {"response_state",
          {"pattern_id", "scenario", "step"},
-         {"magnitude", "converged", "stable", "limit_load"},
+         {"magnitude", "converged", "stable", "limit_load", "discretization_error"},
          {}},
         {"response", {"pattern_id", "scenario", "step", "node"}, {"ux", "uy", "uz", "rx", "ry", "rz"}, {}},
         {"calibration",

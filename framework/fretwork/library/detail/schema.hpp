@@ -13,7 +13,7 @@ namespace fretwork::library::detail {
 /// "FRWK": what the header of a library file says that it is.
 inline constexpr std::int64_t kApplicationId = 0x4652574B;
 /// Rises with every change of the tables.
-inline constexpr std::int64_t kSchemaVersion = 2;
+inline constexpr std::int64_t kSchemaVersion = 3;
 
 /// A table whose rows are content: they are hashed, merged and exported. (Provenance is none.)
 struct Table {
