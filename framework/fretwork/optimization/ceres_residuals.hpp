@@ -9,7 +9,11 @@
 namespace fretwork::optimization {
 
 /// How Ceres chooses its steps.
-enum class CeresStep { LevenbergMarquardt, Dogleg, SubspaceDogleg };
+enum class CeresStep {
+    LevenbergMarquardt,
+    Dogleg,          ///< on the path from the steepest to the Gauss-Newton step [Powell1970]
+    SubspaceDogleg,  ///< anywhere in the plane that the two span [Byrd1988]
+};
 
 /// How bounds are kept.
 enum class CeresBounds {

@@ -2,14 +2,21 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/optimization/annealing_then_ceres.hpp>
+#include <fretwork/optimization/bobyqa.hpp>
 #include <fretwork/optimization/ceres_multistart.hpp>
 #include <fretwork/optimization/ceres_residuals.hpp>
+#include <fretwork/optimization/cma_es.hpp>
+#include <fretwork/optimization/corana_annealing.hpp>
+#include <fretwork/optimization/crs2.hpp>
+#include <fretwork/optimization/differential_evolution.hpp>
+#include <fretwork/optimization/direct_l.hpp>
 #include <fretwork/optimization/gauss_newton_multistart.hpp>
-#include <fretwork/optimization/nlopt_methods.hpp>
+#include <fretwork/optimization/mlsl.hpp>
 #include <fretwork/optimization/optimizer_catalogue.hpp>
-#include <fretwork/optimization/pagmo_methods.hpp>
 #include <fretwork/optimization/random_search.hpp>
 #include <fretwork/optimization/simulated_annealing.hpp>
+#include <fretwork/optimization/slsqp.hpp>
+#include <fretwork/optimization/subplex.hpp>
 
 #include <algorithm>
 #include <array>
@@ -54,6 +61,9 @@ constexpr std::array kRows = {
     OptimizerRow{"ceres-dogleg", "As ceres-residuals with Powell's dogleg", OptimizerClass::Local,
                  Evaluation::Residuals,
                  [](Options o) { return ceres_residuals({.step = CeresStep::Dogleg}, o); }},
+    OptimizerRow{"ceres-subspace-dogleg", "As ceres-residuals with the dogleg in a plane of two directions",
+                 OptimizerClass::Local, Evaluation::Residuals,
+                 [](Options o) { return ceres_residuals({.step = CeresStep::SubspaceDogleg}, o); }},
     OptimizerRow{"ceres-sine", "As ceres-residuals with bounds kept by x = middle + half width * sin(u)",
                  OptimizerClass::Local, Evaluation::Residuals,
                  [](Options o) { return ceres_residuals({.bounds = CeresBounds::Sine}, o); }},
@@ -64,6 +74,11 @@ constexpr std::array kRows = {
         "ceres-smoothed-dogleg", "As ceres-smoothed with Powell's dogleg", OptimizerClass::Local,
         Evaluation::Residuals,
         [](Options o) { return ceres_residuals({.step = CeresStep::Dogleg, .smoothing = stages()}, o); }},
+    OptimizerRow{"ceres-smoothed-subspace-dogleg", "As ceres-smoothed with the step of ceres-subspace-dogleg",
+                 OptimizerClass::Local, Evaluation::Residuals,
+                 [](Options o) {
+                     return ceres_residuals({.step = CeresStep::SubspaceDogleg, .smoothing = stages()}, o);
+                 }},
     OptimizerRow{
         "ceres-smoothed-sine", "As ceres-smoothed with the bounds of ceres-sine", OptimizerClass::Local,
         Evaluation::Residuals,
