@@ -3,6 +3,9 @@
 
 #include <ceres/ceres.h>
 
+#include <algorithm>
+#include <glog/logging.h>
+
 namespace fretwork::optimization::detail {
 namespace {
 
@@ -41,6 +44,18 @@ class RememberingCost final : public ceres::CostFunction {
     mutable Eigen::VectorXd last_point_;
     mutable std::optional<Linearization> last_;
 };
+
+/// Ceres warns on stderr when its subspace dogleg takes a plain one's step instead, which nobody can act on.
+/// A program that has set up glog decides for itself.
+void silence_warnings() {
+    static const bool is_done = [] {
+        if (!google::IsGoogleLoggingInitialized()) {
+            FLAGS_minloglevel = std::max<int>(FLAGS_minloglevel, google::GLOG_ERROR);
+        }
+        return true;
+    }();
+    (void)is_done;
+}
 
 void choose_step(CeresStep step, ceres::Solver::Options& options) {
     if (step == CeresStep::LevenbergMarquardt) return;
@@ -81,6 +96,7 @@ bool solve_with_ceres(const CeresTask& task, const CeresSettings& settings, Eige
     problem.AddParameterBlock(point.data(), static_cast<int>(point.size()));
     if (task.bounds) set_bounds(problem, *task.bounds, point.data());
     problem.AddResidualBlock(&cost, nullptr, point.data());
+    silence_warnings();
     ceres::Solver::Summary summary;
     ceres::Solve(solver_options(settings), &problem, &summary);
     if (task.bounds) point = task.bounds->clamp(point);
