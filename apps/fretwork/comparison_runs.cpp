@@ -13,7 +13,7 @@
 #include <algorithm>
 #include <chrono>
 #include <map>
-#include <span>
+#include <mutex>
 
 namespace fretwork::app {
 namespace {
@@ -46,30 +46,62 @@ std::vector<Task> missing_tasks(const ComparisonPlan& plan, const ComparisonTabl
     return tasks;
 }
 
-/// Problems that were made once; making one takes longer than some runs.
+/// Problems that were made once; making one takes longer than some runs. Threads may share it.
 class ProblemStore {
   public:
     const ComparisonProblem& get(const std::string& id) {
+        const std::lock_guard lock(mutex_);
         const auto found = problems_.find(id);
         return found != problems_.end() ? found->second
                                         : problems_.emplace(id, make_comparison_problem(id)).first->second;
     }
 
   private:
+    std::mutex mutex_;
     std::map<std::string, ComparisonProblem> problems_;
 };
 
-std::vector<RunRecord> run_batch(std::span<const Task> tasks, ProblemStore& store,
-                                 const ComparisonPlan& plan) {
-    std::vector<const ComparisonProblem*> problems;
-    for (const Task& task : tasks) problems.push_back(&store.get(task.key.problem));
-    std::vector<RunRecord> records(tasks.size());
-    base::parallel_for(tasks.size(), plan.threads, [&](std::size_t i) {
-        records[i] = record_run(*problems[i]->problem, tasks[i].contender, tasks[i].key, plan.options,
-                                problems[i]->optimum);
-    });
-    return records;
-}
+/// Takes what threads have done, in any order: the table sorts it.
+class TableWriter {
+  public:
+    TableWriter(ComparisonTable table, std::filesystem::path path, std::size_t tasks)
+        : table_(std::move(table)), path_(std::move(path)) {
+        progress_.start("compare optimizers", tasks);
+    }
+
+    void add(const RunRecord& record) {
+        const std::lock_guard lock(mutex_);
+        table_.add(record);
+        progress_.update(++runs_done_);
+        if (Clock::now() >= next_write_) write();
+    }
+
+    void finish() {
+        progress_.finish();
+        write();
+    }
+
+  private:
+    using Clock = std::chrono::steady_clock;
+
+    /// Every few seconds, but at most a twentieth of the time goes into it: a whole table is tens of
+    /// megabytes.
+    void write() {
+        constexpr std::chrono::seconds kLeastPause(5);
+        constexpr int kPausePerWrite = 19;
+        const auto begin = Clock::now();
+        base::write_file_atomically(path_, table_.csv());
+        const auto end = Clock::now();
+        next_write_ = end + std::max<Clock::duration>(kLeastPause, kPausePerWrite * (end - begin));
+    }
+
+    std::mutex mutex_;
+    ComparisonTable table_;
+    std::filesystem::path path_;
+    base::TerminalProgress progress_;
+    std::size_t runs_done_ = 0;
+    Clock::time_point next_write_ = Clock::now();
+};
 
 ComparisonTable table_so_far(const std::filesystem::path& path, const ComparisonPlan& plan) {
     if (!std::filesystem::exists(path)) return {};
@@ -114,27 +146,16 @@ KnownValue find_known_value(const std::string& id, int starts) {
 ComparisonSummary run_comparison(const ComparisonPlan& plan, const std::filesystem::path& path) {
     plan.options.validate();
     ComparisonTable table = table_so_far(path, plan);
-    ComparisonSummary summary{table.size(), 0};
     const std::vector<Task> tasks = missing_tasks(plan, table);
+    const ComparisonSummary summary{table.size(), tasks.size()};
     ProblemStore store;
-    base::TerminalProgress progress;
-    progress.start("compare optimizers", tasks.size());
-    const std::size_t batch = 8 * static_cast<std::size_t>(base::resolved_thread_count(plan.threads));
-    constexpr std::chrono::seconds kBetweenWrites(5);
-    auto written = std::chrono::steady_clock::now();
-    for (std::size_t begin = 0; begin < tasks.size(); begin += batch) {
-        const std::size_t count = std::min(batch, tasks.size() - begin);
-        for (const RunRecord& record : run_batch(std::span(tasks).subspan(begin, count), store, plan)) {
-            table.add(record);
-        }
-        summary.runs_done += count;
-        progress.update(summary.runs_done);
-        if (std::chrono::steady_clock::now() - written < kBetweenWrites) continue;
-        base::write_file_atomically(path, table.csv());
-        written = std::chrono::steady_clock::now();
-    }
-    progress.finish();
-    base::write_file_atomically(path, table.csv());
+    TableWriter writer(std::move(table), path, tasks.size());
+    base::parallel_for(tasks.size(), plan.threads, [&](std::size_t i) {
+        const Task& task = tasks[i];
+        const ComparisonProblem& entry = store.get(task.key.problem);
+        writer.add(record_run(*entry.problem, task.contender, task.key, plan.options, entry.optimum));
+    });
+    writer.finish();
     return summary;
 }
 
