@@ -43,7 +43,7 @@ def write_csv(path, header, rows):
 
 def shared_problems(groups):
     """Problems that every method has run on: only there may all be compared."""
-    return sorted(set.intersection(*(set(by_problem) for by_problem in groups.values())))
+    return sorted(set.intersection(*(set(by_problem) for by_problem in groups.values()))) if groups else []
 
 
 def restrict(groups, problems):
@@ -118,9 +118,14 @@ class Analysis:
         return ["claim", "wanted", "measured", "met"], [row[:3] + ["yes" if row[3] else "no"] for row in rows]
 
 
-def family_table(groups, name_of_family, target):
+def of_family(runs, name):
+    """Grouped; a method that has not run on the family is not among them."""
+    return measures.group([run for run in runs if family(run.problem) == name])
+
+
+def family_table(groups, target):
     """Success and aRT of every method on the problems of a family whose optimum is known."""
-    problems = [problem for problem in shared_problems(groups) if family(problem) == name_of_family]
+    problems = shared_problems(groups)
     header = ["optimizer", "problems", f"success within {target:g} of the scale", "aRT",
               "median miss of the optimum, share of the box"]
     rows = []
@@ -161,7 +166,7 @@ def figure(name, svg, out):
     return f"<figure>{svg}</figure>"
 
 
-def sections_of(analysis, groups, runs, known, out):
+def sections_of(analysis, runs, known, out):
     tables = {"verdicts": analysis.verdicts(), "final": analysis.final_table(), "runtimes": analysis.runtime_table(),
               "tests": analysis.test_table()}
     for name, (header, rows) in tables.items():
@@ -192,7 +197,7 @@ def sections_of(analysis, groups, runs, known, out):
            "of the repetitions), two-sided, corrected by Holm; and the share of patterns on which ours ends lower. Gaps that "
            "differ by at most 1e-6 are ties.", html_table(*tables["tests"]))
     for name, target in (("synthetic", 1e-3), ("analytic", 1e-6)):
-        header, rows = family_table(groups, name, target)
+        header, rows = family_table(of_family(runs, name), target)
         if rows:
             write_csv(out / f"{name}.csv", header, rows)
             yield (f"Problems with a known optimum: {name}", "Success and aRT within the given share of the scale that README.md "
@@ -213,15 +218,18 @@ def main():
     options = parser.parse_args()
     known = measures.read_known(options.known)
     runs = measures.read_runs(options.results, known)
-    groups = measures.group(runs)
-    calibrations = measures.group([run for run in runs if family(run.problem) == "calibration"])
+    calibrations = of_family(runs, "calibration")
     missing = {options.ours, options.annealing} - set(calibrations)
     if missing:
         sys.exit(f"analyse.py: {options.results}: no calibration runs of {', '.join(sorted(missing))}")
+    if not shared_problems(calibrations):
+        fewest = min(calibrations, key=lambda name: len(calibrations[name]))
+        sys.exit(f"analyse.py: {options.results}: no calibration problem on which all methods have run; {fewest} has run on "
+                 f"{len(calibrations[fewest])} only")
     options.out.mkdir(parents=True, exist_ok=True)
     analysis = Analysis(calibrations, known, options.ours, options.annealing)
     text = report("How optimizers compare on the calibration of the paper's model",
-                  sections_of(analysis, groups, runs, known, options.out))
+                  sections_of(analysis, runs, known, options.out))
     (options.out / "report.html").write_text(text)
     for row in analysis.verdicts()[1]:
         print(" | ".join(number(cell) for cell in row))

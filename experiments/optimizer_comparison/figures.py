@@ -18,14 +18,15 @@ matplotlib.rcParams.update({"svg.hashsalt": "fretwork", "svg.fonttype": "none", 
 # One colour for a kind of method; its members differ by line style. The colours can be told apart by the colour blind.
 KINDS = (("this project's calibrators", "#0072b2", ("ceres-multistart", "gauss-newton-multistart")),
          ("Ceres on the residuals", "#2a8fc4", ("ceres-residuals", "ceres-dogleg", "ceres-sine", "ceres-smoothed",
-                                                "ceres-smoothed-dogleg", "ceres-smoothed-sine")),
+                                                "ceres-smoothed-dogleg", "ceres-smoothed-sine", "ceres-subspace-dogleg",
+                                                "ceres-smoothed-subspace-dogleg")),
          ("NLopt, local", "#009e73", ("bobyqa", "subplex", "slsqp")),
          ("NLopt, global", "#8a7a00", ("direct-l", "mlsl", "crs2")),
          ("annealing", "#d55e00", ("simulated-annealing", "annealing-clamp", "annealing-reject", "annealing-raw",
                                    "annealing-cool", "corana-annealing", "annealing-then-ceres")),
          ("evolution, and the floor", "#b0578d", ("cma-es", "differential-evolution", "random-search")))
 ORDER = [name for _, _, members in KINDS for name in members]
-STYLES = ("-", "--", ":", "-.", (0, (6, 2, 1, 2, 1, 2)), (0, (1, 3)), (0, (8, 3)))
+STYLES = ("-", "--", ":", "-.", (0, (6, 2, 1, 2, 1, 2)), (0, (1, 3)), (0, (8, 3)), (0, (3, 1, 1, 1)))
 
 
 def style_of(name):
