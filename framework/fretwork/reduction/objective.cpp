@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace fretwork::reduction {
 namespace {
@@ -55,24 +56,68 @@ SmoothNorm smooth_norm(const Vector3d& a, double rounding) {
 
 }  // namespace
 
+/// How a node moves in one scenario of a linear model, from magnitude to magnitude.
+class Objective::NodeMotion {
+  public:
+    template <class Row>
+    explicit NodeMotion(const Row& unit)
+        : unit_translation_(unit.template head<3>()), rotation_(unit.template tail<3>()) {}
+
+    void advance_to(const Sample& sample) {
+        if (sample.is_other_step) rotation_.set_step(sample.step);
+        rotation_.advance();
+    }
+    [[nodiscard]] Vector3d missed_translation(const Sample& sample, std::size_t node) const {
+        return sample.magnitude * unit_translation_ - sample.targets[node].translation;
+    }
+    [[nodiscard]] Eigen::Quaterniond missed_rotation(const Sample& sample, std::size_t node) const {
+        return sample.targets[node].inverse_rotation * rotation_.rotation();
+    }
+    [[nodiscard]] Matrix3d right_jacobian() const { return rotation_.right_jacobian(); }
+
+    static std::vector<NodeMotion> of_all(const mechanics::NodeValues& unit) {
+        return {unit.rowwise().begin(), unit.rowwise().end()};
+    }
+
+  private:
+    Vector3d unit_translation_;
+    detail::GrowingRotation rotation_;
+};
+
 Objective::Objective(const std::vector<Response>& responses, const Setting& setting,
                      const ErrorMetric& metric)
-    : metric_(metric), scenario_count_(setting.scenarios.size()) {
+    : metric_(metric) {
     check_fit(responses, setting);
     for (std::size_t s = 0; s < responses.size(); ++s) {
+        first_samples_.push_back(samples_.size());
         const auto used = used_samples(responses[s], setting);
         left_out_ += responses[s].samples.size() - used.size();
         for (const Response::Sample* sample : used) {
             samples_.push_back(make_sample(*sample, setting.scenarios[s].weight, metric));
-            samples_.back().scenario = s;
         }
+        set_steps(std::span(samples_).subspan(first_samples_.back()));
+    }
+    first_samples_.push_back(samples_.size());
+}
+
+/// Equal steps differ by the rounding of the magnitudes alone.
+void Objective::set_steps(std::span<Sample> samples) {
+    constexpr double kRoundOff = 4.0 * std::numeric_limits<double>::epsilon();
+    double magnitude = 0.0;
+    double step = 0.0;
+    for (Sample& sample : samples) {
+        sample.step = sample.magnitude - magnitude;
+        sample.is_other_step = std::abs(sample.step - step) > kRoundOff * sample.magnitude;
+        if (sample.is_other_step) step = sample.step;
+        magnitude = sample.magnitude;
     }
 }
 
 Objective::Sample Objective::make_sample(const Response::Sample& sample, double weight,
                                          const ErrorMetric& metric) {
-    Sample result{.scenario = 0,
-                  .magnitude = sample.magnitude,
+    Sample result{.magnitude = sample.magnitude,
+                  .step = sample.magnitude,
+                  .is_other_step = true,
                   .weight = weight,
                   .translation_factor = 0.0,
                   .rotation_factor = 0.0,
@@ -92,55 +137,58 @@ Objective::Sample Objective::make_sample(const Response::Sample& sample, double 
     return result;
 }
 
-double Objective::sample_error(const Sample& sample, const mechanics::NodeValues& unit) {
+double Objective::sample_error(const Sample& sample, std::span<const NodeMotion> motions) {
     double translations = 0.0;
-    double rotations = 0.0;
-    for (std::size_t node = 0; node < sample.targets.size(); ++node) {
-        const auto row = unit.row(static_cast<Eigen::Index>(node));
-        const Target& target = sample.targets[node];
-        translations += (sample.magnitude * row.head<3>().transpose() - target.translation).norm();
-        const Eigen::Quaterniond relative =
-            target.inverse_rotation * detail::rotation_of(sample.magnitude * row.tail<3>().transpose());
-        rotations += 2.0 * std::atan2(relative.vec().norm(), std::abs(relative.w()));
+    detail::AngleSum half_rotations;
+    for (std::size_t node = 0; node < motions.size(); ++node) {
+        translations += motions[node].missed_translation(sample, node).norm();
+        const Eigen::Quaterniond missed = motions[node].missed_rotation(sample, node);
+        half_rotations.add(missed.vec().norm(), std::abs(missed.w()));
     }
-    return sample.translation_factor * translations + sample.rotation_factor * rotations;
+    return sample.translation_factor * translations + sample.rotation_factor * 2.0 * half_rotations.value();
 }
 
-double Objective::value(const UnitDisplacements& model) const {
+std::span<const Objective::Sample> Objective::samples_of(std::size_t scenario) const {
+    const std::size_t first = first_samples_[scenario];
+    return std::span(samples_).subspan(first, first_samples_[scenario + 1] - first);
+}
+
+double Objective::scenario_error(std::size_t scenario, const UnitDisplacements& model) const {
+    auto motions = NodeMotion::of_all(model[scenario]);
     double sum = 0.0;
-    for (const Sample& sample : samples_) {
-        const double error = sample_error(sample, model[sample.scenario]);
+    for (const Sample& sample : samples_of(scenario)) {
+        for (NodeMotion& motion : motions) motion.advance_to(sample);
+        const double error = sample_error(sample, motions);
         sum += sample.weight * error * error;
     }
     return sum;
 }
 
+double Objective::value(const UnitDisplacements& model) const {
+    double sum = 0.0;
+    for (std::size_t s = 0; s < model.size(); ++s) sum += scenario_error(s, model);
+    return sum;
+}
+
 std::vector<double> Objective::scenario_errors(const UnitDisplacements& model) const {
-    std::vector<double> errors(scenario_count_, 0.0);
-    for (const Sample& sample : samples_) {
-        const double error = sample_error(sample, model[sample.scenario]);
-        errors[sample.scenario] += sample.weight * error * error;
-    }
+    std::vector<double> errors;
+    for (std::size_t s = 0; s < model.size(); ++s) errors.push_back(scenario_error(s, model));
     return errors;
 }
 
 /// One interface node in one sample: how its two smoothed norms depend on the six components of its unit
 /// displacement.
 struct Objective::NodeTerm {
-    NodeTerm(const Sample& sample, std::size_t node, const mechanics::NodeValues& unit,
+    NodeTerm(const Sample& sample, std::size_t node, const NodeMotion& motion,
              const std::array<double, 2>& rounding) {
-        const Target& target = sample.targets[node];
-        const auto row = unit.row(static_cast<Eigen::Index>(node));
         const double m = sample.magnitude;
-        const Vector3d difference = m * row.head<3>().transpose() - target.translation;
-        const Vector3d turn = m * row.tail<3>().transpose();
-        const detail::RotationRate turned = detail::rotation_rate(turn);
-        const Vector3d angle = detail::rotation_vector(target.inverse_rotation * turned.rotation);
+        const Vector3d difference = motion.missed_translation(sample, node);
+        const Vector3d angle = detail::rotation_vector(motion.missed_rotation(sample, node));
         const SmoothNorm translation = smooth_norm(difference, rounding[0]);
         const SmoothNorm rotation = smooth_norm(angle, rounding[1]);
         // The rotation vector `angle` changes by J_r(angle)^-1 J_r(turn) m du. It is itself a fixed vector of
         // the first factor, so the slope is exact without it; the curvature takes it as the identity.
-        const Matrix3d rate = m * turned.right_jacobian;
+        const Matrix3d rate = m * motion.right_jacobian();
         exact = {difference.norm(), angle.norm()};
         smoothed = {translation.value, rotation.value};
         slope << sample.translation_factor * m * translation.slope,
@@ -170,8 +218,7 @@ class Objective::Differentiation {
             bends_[s].resize(static_cast<std::size_t>(model.displacements[s].rows()));
         }
         slopes_.resize(6 * model.displacements.front().rows(), jacobian.rows());
-        for (std::size_t k = 0; k < owner.samples_.size(); ++k) add(k);
-        multiply_slopes();
+        for (std::size_t s = 0; s < bends_.size(); ++s) add_scenario(s);
     }
 
     /// Sum over nodes of the parts of the curvature that come from the norms.
@@ -203,49 +250,44 @@ class Objective::Differentiation {
         Matrix3d rotation = Matrix3d::Zero();
     };
 
-    void add(std::size_t k) {
-        const Sample& sample = owner_.samples_[k];
-        const mechanics::NodeValues& unit = model_.displacements[sample.scenario];
+    void add_scenario(std::size_t s) {
+        auto motions = NodeMotion::of_all(model_.displacements[s]);
+        const auto samples = owner_.samples_of(s);
+        const auto first = static_cast<Eigen::Index>(owner_.first_samples_[s]);
+        const auto count = static_cast<Eigen::Index>(samples.size());
+        for (Eigen::Index k = 0; k < count; ++k) {
+            for (NodeMotion& motion : motions) motion.advance_to(samples[k]);
+            add_sample(samples[k], motions, first + k);
+            add_bends(samples[k], bends_[s], errors[first + k]);
+        }
+        jacobian.middleRows(first, count).noalias() =
+            slopes_.middleCols(first, count).transpose() * model_.derivatives[s];
+    }
+
+    void add_sample(const Sample& sample, std::span<const NodeMotion> motions, Eigen::Index row) {
         const std::array<double, 2> rounding = rounding_of(sample);
         terms_.clear();
-        const auto row = static_cast<Eigen::Index>(k);
         const double root = std::sqrt(sample.weight);
         double exact = 0.0;
         double smoothed = 0.0;
-        for (std::size_t node = 0; node < sample.targets.size(); ++node) {
-            const NodeTerm& term = terms_.emplace_back(sample, node, unit, rounding);
+        for (std::size_t node = 0; node < motions.size(); ++node) {
+            const NodeTerm& term = terms_.emplace_back(sample, node, motions[node], rounding);
             exact += sample.translation_factor * term.exact[0] + sample.rotation_factor * term.exact[1];
             smoothed +=
                 sample.translation_factor * term.smoothed[0] + sample.rotation_factor * term.smoothed[1];
             slopes_.block<6, 1>(static_cast<Eigen::Index>(6 * node), row) = root * term.slope;
         }
-        add_bends(sample, smoothed);
         objective += sample.weight * exact * exact;
         value += sample.weight * smoothed * smoothed;
         errors[row] = root * smoothed;
     }
 
-    /// Samples of one scenario stand together, and share the derivatives of the model.
-    void multiply_slopes() {
-        const auto& samples = owner_.samples_;
-        for (std::size_t begin = 0; begin < samples.size();) {
-            const std::size_t scenario = samples[begin].scenario;
-            std::size_t end = begin;
-            while (end < samples.size() && samples[end].scenario == scenario) ++end;
-            const auto first = static_cast<Eigen::Index>(begin);
-            const auto count = static_cast<Eigen::Index>(end - begin);
-            jacobian.middleRows(first, count).noalias() =
-                slopes_.middleCols(first, count).transpose() * model_.derivatives[scenario];
-            begin = end;
-        }
-    }
-
-    void add_bends(const Sample& sample, double error) {
-        const double factor = 2.0 * sample.weight * error;
+    /// `error`: sqrt(w) e.
+    void add_bends(const Sample& sample, std::vector<NodeBend>& bends, double error) {
+        const double factor = 2.0 * std::sqrt(sample.weight) * error;
         for (std::size_t node = 0; node < terms_.size(); ++node) {
-            NodeBend& bend = bends_[sample.scenario][node];
-            bend.translation += factor * terms_[node].translation_bend;
-            bend.rotation += factor * terms_[node].rotation_bend;
+            bends[node].translation += factor * terms_[node].translation_bend;
+            bends[node].rotation += factor * terms_[node].rotation_bend;
         }
     }
 

@@ -58,23 +58,28 @@ class Objective {
         Eigen::Quaterniond inverse_rotation;
     };
     struct Sample {
-        std::size_t scenario;
         double magnitude;
+        double step;         ///< from the sample before, or from 0
+        bool is_other_step;  ///< than the one before took
         double weight;
         double translation_factor;  ///< w_trans over the normalizer of Eq. (10)
         double rotation_factor;     ///< w_rot over the normalizer of Eq. (11)
         std::vector<Target> targets;
     };
+    class NodeMotion;
     struct NodeTerm;
     class Differentiation;
 
     static Sample make_sample(const Response::Sample& sample, double weight, const ErrorMetric& metric);
-    static double sample_error(const Sample& sample, const mechanics::NodeValues& unit);
+    static void set_steps(std::span<Sample> samples);
+    static double sample_error(const Sample& sample, std::span<const NodeMotion> motions);
+    [[nodiscard]] std::span<const Sample> samples_of(std::size_t scenario) const;
+    [[nodiscard]] double scenario_error(std::size_t scenario, const UnitDisplacements& model) const;
 
     ErrorMetric metric_;
-    std::size_t scenario_count_ = 0;
     std::size_t left_out_ = 0;
     std::vector<Sample> samples_;
+    std::vector<std::size_t> first_samples_;  ///< of each scenario; at last: the number of samples
 };
 
 }  // namespace fretwork::reduction

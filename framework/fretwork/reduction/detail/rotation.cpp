@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/reduction/detail/rotation.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
 
 namespace fretwork::reduction::detail {
 namespace {
@@ -29,33 +32,33 @@ Eigen::Vector3d rotation_vector(const Eigen::Quaterniond& rotation) {
     return sign * 2.0 * std::atan2(sine, std::abs(rotation.w())) / sine * rotation.vec();
 }
 
-RotationRate rotation_rate(const Eigen::Vector3d& vector) {
-    const double square = vector.squaredNorm();
-    double first = 0.5 - square / 24.0;          // (1 - cos t) / t^2
-    double second = 1.0 / 6.0 - square / 120.0;  // (t - sin t) / t^3
-    Eigen::Quaterniond rotation;
-    if (square < kSmallSquare) {
-        rotation = rotation_of(vector);
-    } else {
-        // One sine and cosine, of the half angle, give all.
-        const double angle = std::sqrt(square);
-        const double sine = std::sin(angle / 2.0);
-        const double cosine = std::cos(angle / 2.0);
-        const Eigen::Vector3d half = sine / angle * vector;
-        rotation = {cosine, half.x(), half.y(), half.z()};
-        first = 2.0 * sine * sine / square;
-        second = (angle - 2.0 * sine * cosine) / (square * angle);
-    }
-    // 1 - first [v] + second [v]^2, where [v]^2 = v v^T - |v|^2.
-    Eigen::Matrix3d jacobian = second * vector * vector.transpose();
-    jacobian.diagonal().array() += 1.0 - second * square;
-    jacobian(0, 1) += first * vector.z();
-    jacobian(1, 0) -= first * vector.z();
-    jacobian(0, 2) -= first * vector.y();
-    jacobian(2, 0) += first * vector.y();
-    jacobian(1, 2) += first * vector.x();
-    jacobian(2, 1) -= first * vector.x();
-    return {rotation, jacobian};
+GrowingRotation::GrowingRotation(const Eigen::Vector3d& rate)
+    : rate_(rate.norm()), axis_(rate / std::max(rate_, std::numeric_limits<double>::min())) {}
+
+void GrowingRotation::set_step(double magnitude) {
+    step_angle_ = magnitude * rate_;
+    step_sine_ = std::sin(step_angle_ / 2.0);
+    step_cosine_ = std::cos(step_angle_ / 2.0);
+}
+
+Eigen::Matrix3d GrowingRotation::right_jacobian() const {
+    if (angle_ == 0.0) return Eigen::Matrix3d::Identity();
+    // (sin t / t) (1 - a a^T) + a a^T - ((1 - cos t) / t) [a], with sine and cosine of t from those of t/2.
+    const double along = 2.0 * sine_ * cosine_ / angle_;
+    const Eigen::Vector3d across = 2.0 * sine_ * sine_ / angle_ * axis_;
+    Eigen::Matrix3d jacobian = (1.0 - along) * axis_ * axis_.transpose();
+    jacobian.diagonal().array() += along;
+    jacobian(0, 1) += across.z();
+    jacobian(1, 0) -= across.z();
+    jacobian(0, 2) -= across.y();
+    jacobian(2, 0) += across.y();
+    jacobian(1, 2) += across.x();
+    jacobian(2, 1) -= across.x();
+    return jacobian;
+}
+
+double AngleSum::value() const {
+    return quarters_ * (std::numbers::pi / 2.0) + std::atan2(sine_, cosine_);
 }
 
 }  // namespace fretwork::reduction::detail

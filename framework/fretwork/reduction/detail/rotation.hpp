@@ -9,11 +9,59 @@ namespace fretwork::reduction::detail {
 Eigen::Quaterniond rotation_of(const Eigen::Vector3d& vector);
 /// The rotation vector of a rotation, at most pi long.
 Eigen::Vector3d rotation_vector(const Eigen::Quaterniond& rotation);
-/// A rotation, and how it changes: J with exp(v + dv) = exp(v) exp(J dv) to first order.
-struct RotationRate {
-    Eigen::Quaterniond rotation;
-    Eigen::Matrix3d right_jacobian;
+
+/// The rotation about a fixed axis by an angle that is proportional to a magnitude. The magnitude grows by
+/// steps: half angles add up, so that steps of one size share one sine and cosine. Starts at 0.
+class GrowingRotation {
+  public:
+    /// `rate`: the rotation vector for a magnitude of 1.
+    explicit GrowingRotation(const Eigen::Vector3d& rate);
+
+    /// By how much advance() raises the magnitude from now on.
+    void set_step(double magnitude);
+    void advance() {
+        angle_ += step_angle_;
+        const double sine = sine_ * step_cosine_ + cosine_ * step_sine_;
+        cosine_ = cosine_ * step_cosine_ - sine_ * step_sine_;
+        sine_ = sine;
+    }
+
+    [[nodiscard]] Eigen::Quaterniond rotation() const {
+        return {cosine_, sine_ * axis_.x(), sine_ * axis_.y(), sine_ * axis_.z()};
+    }
+    /// J with exp(v + dv) = exp(v) exp(J dv) to first order, where v is the rotation vector.
+    [[nodiscard]] Eigen::Matrix3d right_jacobian() const;
+
+  private:
+    double rate_;  ///< angle for a magnitude of 1
+    Eigen::Vector3d axis_;
+    double angle_ = 0.0;
+    double sine_ = 0.0;  ///< of half the angle
+    double cosine_ = 1.0;
+    double step_angle_ = 0.0;
+    double step_sine_ = 0.0;  ///< of half the step
+    double step_cosine_ = 1.0;
 };
-RotationRate rotation_rate(const Eigen::Vector3d& vector);
+
+/// The sum of angles between 0 and pi/2 for the price of one arctangent: sine and cosine of the sum follow
+/// from theorems of addition, and quarter turns are counted as they fill up. As exact as a sum of
+/// arctangents, for large angles and small.
+class AngleSum {
+  public:
+    void add(double sine, double cosine) {
+        const double sum_sine = sine_ * cosine + cosine_ * sine;
+        const double sum_cosine = cosine_ * cosine - sine_ * sine;
+        const bool is_filled = sum_cosine < 0.0;
+        quarters_ += is_filled ? 1 : 0;
+        sine_ = is_filled ? -sum_cosine : sum_sine;
+        cosine_ = is_filled ? sum_sine : sum_cosine;
+    }
+    [[nodiscard]] double value() const;
+
+  private:
+    int quarters_ = 0;
+    double sine_ = 0.0;  ///< of what goes beyond the quarters
+    double cosine_ = 1.0;
+};
 
 }  // namespace fretwork::reduction::detail
