@@ -1,19 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
 #include <fretwork/reduction/detail/condensed_hexagon.hpp>
+#include <fretwork/reduction/detail/free_factor.hpp>
 #include <fretwork/reduction/paper6_hexagon.hpp>
 
 #include <Eigen/Cholesky>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 namespace fretwork::reduction {
 namespace {
 
+using detail::BlockCirculant;
 using detail::CondensedHexagon;
+using detail::FreeFactor;
 using detail::HexagonBlocks;
 using detail::kPlaneParameters;
 using detail::kSectors;
@@ -21,13 +23,9 @@ using detail::NodeColumns;
 using detail::Plane;
 using detail::PlaneParameters;
 using detail::PlaneStiffness;
+using detail::PlaneVector;
 
 constexpr int kPlaneDofs = 3 * kSectors;
-/// Matrices of the free dofs live on the stack.
-using FreeMatrix =
-    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, kPlaneDofs, kPlaneDofs>;
-using FreeVector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, kPlaneDofs, 1>;
-using PlaneVector = Eigen::Matrix<double, kPlaneDofs, 1>;
 
 /// The components of a node in one plane: in the order of the blocks.
 std::array<int, 3> plane_components(Plane plane) {
@@ -112,7 +110,7 @@ class Paper6Hexagon::Impl {
                 detail::hexagon_blocks(plane, plane_parameters(plane, parameters), apothem_));
             const PlaneStiffness stiffness = global_stiffness(plane, hexagon);
             for (const SupportGroup& group : groups_[index(plane)]) {
-                const Factor factor(stiffness, group);
+                const FreeFactor factor(stiffness, group.free_dofs);
                 for (const auto& load_case : group.cases) {
                     write(factor.solve(load_case.load), plane, result[load_case.scenario]);
                 }
@@ -131,7 +129,7 @@ class Paper6Hexagon::Impl {
             const auto changes = detail::hexagon_block_derivatives(plane, own, apothem_);
             const PlaneStiffness stiffness = global_stiffness(plane, hexagon);
             for (const SupportGroup& group : groups_[index(plane)]) {
-                const Factor factor(stiffness, group);
+                const FreeFactor factor(stiffness, group.free_dofs);
                 for (const auto& load_case : group.cases) {
                     const PlaneVector solution = factor.solve(load_case.load);
                     write(solution, plane, result.displacements[load_case.scenario]);
@@ -150,7 +148,7 @@ class Paper6Hexagon::Impl {
                 detail::hexagon_blocks(plane, plane_parameters(plane, parameters), apothem_));
             const SupportGroup group{free_dofs(scenario, plane), {}};
             const PlaneStiffness stiffness = global_stiffness(plane, hexagon);
-            const FreeMatrix free = stiffness(group.free_dofs, group.free_dofs);
+            const Eigen::MatrixXd free = stiffness(group.free_dofs, group.free_dofs);
             if (group.free_dofs.empty() || free.ldlt().rcond() > kSmallestConditioning) continue;
             throw base::InputError("scenario '" + scenario.name + "' lets the tile move freely " +
                                    (plane == Plane::InPlane ? "in its plane" : "out of its plane"));
@@ -162,35 +160,12 @@ class Paper6Hexagon::Impl {
     static constexpr double kSmallestConditioning = 1e-13;
     static std::size_t index(Plane plane) { return static_cast<std::size_t>(plane); }
 
-    /// The factorized stiffness of the free dofs of one support group.
-    class Factor {
-      public:
-        Factor(const PlaneStiffness& stiffness, const SupportGroup& group)
-            : group_(group), factor_(FreeMatrix(stiffness(group.free_dofs, group.free_dofs))) {}
-
-        [[nodiscard]] PlaneVector solve(const PlaneVector& load) const {
-            PlaneVector result = PlaneVector::Zero();
-            if (factor_.info() != Eigen::Success) {
-                result.setConstant(std::numeric_limits<double>::quiet_NaN());
-                return result;
-            }
-            const FreeVector free_load = load(group_.free_dofs);
-            const FreeVector solution = factor_.solve(free_load);
-            result(group_.free_dofs) = solution;
-            return result;
-        }
-
-      private:
-        const SupportGroup& group_;
-        Eigen::LLT<FreeMatrix> factor_;
-    };
-
     /// What one plane at given parameters is.
     struct PlaneState {
         Plane plane;
         const CondensedHexagon& hexagon;
         const std::array<HexagonBlocks, kPlaneParameters>& changes;
-        const Factor& factor;
+        const FreeFactor& factor;
     };
 
     [[nodiscard]] PlaneParameters plane_parameters(Plane plane, const Paper6Parameters& p) const {
@@ -206,12 +181,15 @@ class Paper6Hexagon::Impl {
     }
 
     [[nodiscard]] PlaneStiffness global_stiffness(Plane plane, const CondensedHexagon& hexagon) const {
-        PlaneStiffness stiffness = hexagon.stiffness();
+        const BlockCirculant own = hexagon.stiffness();
         const auto& turns = turns_[index(plane)];
+        PlaneStiffness stiffness;
         for (int i = 0; i < kSectors; ++i) {
-            for (int j = 0; j < kSectors; ++j) {
-                auto block = stiffness.block<3, 3>(3 * i, 3 * j);
-                block = (turns[i].transpose() * block * turns[j]).eval();
+            const Eigen::Matrix3d turned_back = turns[i].transpose();
+            for (int j = i; j < kSectors; ++j) {
+                const Eigen::Matrix3d half = turned_back * own.blocks[j - i];
+                stiffness.block<3, 3>(3 * i, 3 * j) = half * turns[j];
+                stiffness.block<3, 3>(3 * j, 3 * i) = stiffness.block<3, 3>(3 * i, 3 * j).transpose();
             }
         }
         return stiffness;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/reduction/detail/condensed_hexagon.hpp>
 
-#include <Eigen/Cholesky>
-
 #include <complex>
 #include <numbers>
 
@@ -11,6 +9,9 @@ namespace {
 
 using Eigen::Matrix3cd;
 using Eigen::Matrix3d;
+using Complex = std::complex<double>;
+
+constexpr int kHalf = kSectors / 2;
 
 /// Columns shifted so that column i is column i + by.
 NodeColumns shifted(const NodeColumns& columns, int by) {
@@ -19,24 +20,60 @@ NodeColumns shifted(const NodeColumns& columns, int by) {
     return result;
 }
 
+/// The sixth roots of 1.
+std::array<Complex, kSectors> roots_of_one() {
+    std::array<Complex, kSectors> roots;
+    for (int d = 0; d < kSectors; ++d) roots[d] = std::polar(1.0, 2.0 * std::numbers::pi * d / kSectors);
+    return roots;
+}
+
+/// Of a positive definite matrix M = L D L^*, of which the lower triangle is read: L^-* D^-1 L^-1.
+Matrix3cd inverse_of_hermitian(const Matrix3cd& M) {
+    const double D0 = M(0, 0).real();
+    const Complex L10 = M(1, 0) / D0;
+    const Complex L20 = M(2, 0) / D0;
+    const double D1 = M(1, 1).real() - std::norm(L10) * D0;
+    const Complex L21 = (M(2, 1) - M(2, 0) * std::conj(L10)) / D1;
+    const double D2 = M(2, 2).real() - std::norm(L20) * D0 - std::norm(L21) * D1;
+    const Complex X20 = L21 * L10 - L20;  // of L^-1, which has -L10 and -L21 beside its diagonal
+    Matrix3cd inverse;
+    inverse(2, 2) = 1.0 / D2;
+    inverse(2, 1) = -L21 / D2;
+    inverse(2, 0) = X20 / D2;
+    inverse(1, 1) = 1.0 / D1 + std::norm(L21) / D2;
+    inverse(1, 0) = -L10 / D1 - std::conj(L21) * inverse(2, 0);
+    inverse(0, 0) = 1.0 / D0 + std::norm(L10) / D1 + std::norm(X20) / D2;
+    inverse(0, 1) = std::conj(inverse(1, 0));
+    inverse(0, 2) = std::conj(inverse(2, 0));
+    inverse(1, 2) = std::conj(inverse(2, 1));
+    return inverse;
+}
+
+/// The blocks beyond the half are transposes of those before it.
+void complete(BlockCirculant& matrix) {
+    for (int d = kHalf + 1; d < kSectors; ++d) matrix.blocks[d] = matrix.blocks[kSectors - d].transpose();
+}
+
 /// The inverse of the ring's matrix. The discrete Fourier transform over the sectors splits it into one
 /// Hermitian 3 x 3 matrix for each harmonic; harmonics m and 6 - m are conjugates.
 BlockCirculant inverse_of_ring(const HexagonBlocks& blocks) {
-    constexpr int kHarmonics = kSectors / 2 + 1;
+    static const auto kRoots = roots_of_one();
+    const Matrix3d even = blocks.ring_next + blocks.ring_next.transpose();
+    const Matrix3d odd = blocks.ring_next - blocks.ring_next.transpose();
     BlockCirculant inverse;
-    for (Matrix3d& block : inverse.blocks) block.setZero();
-    for (int m = 0; m < kHarmonics; ++m) {
-        const auto phase = std::polar(1.0, 2.0 * std::numbers::pi * m / kSectors);
-        const Matrix3cd matrix = blocks.ring_own.cast<std::complex<double>>() + phase * blocks.ring_next +
-                                 std::conj(phase) * blocks.ring_next.transpose();
-        const Matrix3cd harmonic = matrix.llt().solve(Matrix3cd::Identity());
-        const double share = (m == 0 || m == kSectors / 2 ? 1.0 : 2.0) / kSectors;
-        std::complex<double> factor = share;
-        for (int d = 0; d < kSectors; ++d) {
-            inverse.blocks[d] += (factor * harmonic).real();
-            factor *= std::conj(phase);
+    for (int d = 0; d <= kHalf; ++d) inverse.blocks[d].setZero();
+    for (int m = 0; m <= kHalf; ++m) {
+        Matrix3cd matrix;
+        matrix.real() = blocks.ring_own + kRoots[m].real() * even;
+        matrix.imag() = kRoots[m].imag() * odd;
+        const Matrix3cd harmonic = inverse_of_hermitian(matrix);
+        const double share = (m == 0 || m == kHalf ? 1.0 : 2.0) / kSectors;
+        for (int d = 0; d <= kHalf; ++d) {
+            const Complex factor = share * std::conj(kRoots[(d * m) % kSectors]);
+            inverse.blocks[d] += factor.real() * harmonic.real() - factor.imag() * harmonic.imag();
         }
     }
+    complete(inverse);
     return inverse;
 }
 
@@ -51,18 +88,15 @@ NodeColumns BlockCirculant::apply(const NodeColumns& columns) const {
 CondensedHexagon::CondensedHexagon(const HexagonBlocks& blocks)
     : blocks_(blocks), ring_inverse_(inverse_of_ring(blocks)) {}
 
-PlaneStiffness CondensedHexagon::stiffness() const {
-    std::array<Matrix3d, kSectors> rows;
-    for (int d = 0; d < kSectors; ++d) {
-        rows[d] = -blocks_.interface_ring * ring_inverse_.blocks[d] * blocks_.interface_ring.transpose();
+BlockCirculant CondensedHexagon::stiffness() const {
+    const Matrix3d back = blocks_.interface_ring.transpose();
+    BlockCirculant result;
+    for (int d = 0; d <= kHalf; ++d) {
+        const Matrix3d forces = blocks_.interface_ring * ring_inverse_.blocks[d];
+        result.blocks[d] = -forces * back;
     }
-    rows[0] += blocks_.interface_own;
-    PlaneStiffness result;
-    for (int i = 0; i < kSectors; ++i) {
-        for (int j = 0; j < kSectors; ++j) {
-            result.block<3, 3>(3 * i, 3 * j) = rows[(j - i + kSectors) % kSectors];
-        }
-    }
+    result.blocks[0] += blocks_.interface_own;
+    complete(result);
     return result;
 }
 

@@ -12,7 +12,8 @@ using NodeColumns = Eigen::Matrix<double, 3, kSectors>;
 /// A stiffness of the six interface nodes in one plane, node by node.
 using PlaneStiffness = Eigen::Matrix<double, 3 * kSectors, 3 * kSectors>;
 
-/// A block-circulant matrix: block (i, j) is blocks[(j - i) mod 6].
+/// A symmetric block-circulant matrix: block (i, j) is blocks[(j - i) mod 6], so that blocks d and 6 - d are
+/// each other's transpose.
 struct BlockCirculant {
     std::array<Eigen::Matrix3d, kSectors> blocks;
     [[nodiscard]] NodeColumns apply(const NodeColumns& columns) const;
@@ -24,7 +25,7 @@ class CondensedHexagon {
     explicit CondensedHexagon(const HexagonBlocks& blocks);
 
     /// The stiffness of the interface nodes, in their own axes.
-    [[nodiscard]] PlaneStiffness stiffness() const;
+    [[nodiscard]] BlockCirculant stiffness() const;
     /// What the ring does when the interface nodes are displaced so.
     [[nodiscard]] NodeColumns ring_displacements(const NodeColumns& interface) const;
     /// dS u, where dS is how the condensed stiffness changes with the blocks.
