@@ -2,6 +2,7 @@
 #include "comparison_problems.hpp"
 
 #include <fretwork/base/error.hpp>
+#include <fretwork/base/quantity.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/optimization/analytic_problems.hpp>
 #include <fretwork/optimization/random.hpp>
@@ -12,7 +13,6 @@
 #include <fretwork/reduction/stratified_sample.hpp>
 
 #include <algorithm>
-#include <charconv>
 #include <map>
 #include <set>
 
@@ -55,11 +55,9 @@ ComparisonProblem calibration_problem(const std::string& id, const std::string& 
 }
 
 ComparisonProblem synthetic_problem(const std::string& id, const std::string& number) {
-    int n = 0;
-    const auto [end, fault] = std::from_chars(number.data(), number.data() + number.size(), n);
-    if (fault != std::errc{} || end != number.data() + number.size() || n < 1) {
+    const int n = base::read_number<int>(number).value_or(0);
+    if (n < 1)
         throw base::InputError("--problems", "", "'" + id + "' is no synthetic problem, such as synthetic/1");
-    }
     const auto setting = reduction::paper_setting();
     const reduction::Paper6Hexagon model(setting);
     const auto any = make_calibration(
@@ -127,10 +125,7 @@ void choose_family(const std::vector<std::string>& ids, const std::string& word,
     std::ranges::copy_if(ids, std::back_inserter(members),
                          [&](const std::string& id) { return family_of(id) == parts.front(); });
     std::size_t count = members.size();
-    if (parts.size() == 2) {
-        const auto [end, fault] = std::from_chars(parts[1].data(), parts[1].data() + parts[1].size(), count);
-        if (fault != std::errc{} || end != parts[1].data() + parts[1].size()) count = 0;
-    }
+    if (parts.size() == 2) count = base::read_number<std::size_t>(parts[1]).value_or(0);
     count = std::min(count, members.size());
     if (members.empty() || count == 0 || parts.size() > 2) {
         throw base::InputError("--problems", "",

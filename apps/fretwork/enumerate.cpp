@@ -9,7 +9,6 @@
 #include <fretwork/exports/rejection_drawing.hpp>
 #include <fretwork/pattern/rejections.hpp>
 
-#include <charconv>
 #include <memory>
 #include <optional>
 
@@ -54,11 +53,8 @@ struct Wishes {
 };
 
 int parse_edge_count(std::string_view text, const std::string& all) {
-    int number = 0;
-    const auto result = std::from_chars(text.data(), text.data() + text.size(), number);
-    if (text.empty() || result.ec != std::errc{} || result.ptr != text.data() + text.size())
-        throw base::InputError("--edges", "", "'" + all + "' is no range, such as 2..11, 3..all or 7");
-    return number;
+    if (const auto number = base::read_number<int>(text)) return *number;
+    throw base::InputError("--edges", "", "'" + all + "' is no range, such as 2..11, 3..all or 7");
 }
 
 pattern::EdgeRange parse_range(const std::string& text, const NodeLayout& layout) {

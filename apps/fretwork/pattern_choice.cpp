@@ -2,10 +2,10 @@
 #include "pattern_choice.hpp"
 
 #include <fretwork/base/error.hpp>
+#include <fretwork/base/quantity.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/reduction/stratified_sample.hpp>
 
-#include <charconv>
 #include <set>
 #include <string_view>
 
@@ -15,9 +15,7 @@ namespace {
 using library::PatternEntry;
 
 std::size_t parse_count(std::string_view text, const char* option, const char* what) {
-    std::size_t number = 0;
-    const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), number);
-    if (fault == std::errc{} && end == text.data() + text.size() && number > 0) return number;
+    if (const auto number = base::read_number<std::size_t>(text); number && *number > 0) return *number;
     throw base::InputError(option, "", "'" + std::string(text) + "' is no " + what);
 }
 

@@ -12,7 +12,6 @@
 #include <fretwork/tiling/painting.hpp>
 #include <fretwork/tiling/tessellate.hpp>
 
-#include <charconv>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -84,11 +83,8 @@ std::vector<std::string> chosen_palette(const Wishes& wishes, const pattern::Nod
 }
 
 std::uint64_t parse_seed(std::string_view text) {
-    std::uint64_t seed = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
-    if (text.empty() || error != std::errc() || end != text.data() + text.size())
-        throw base::InputError("--patterns", "", "'" + std::string(text) + "' is no seed; random:1 has one");
-    return seed;
+    if (const auto seed = base::read_number<std::uint64_t>(text)) return *seed;
+    throw base::InputError("--patterns", "", "'" + std::string(text) + "' is no seed; random:1 has one");
 }
 
 /// Paint as `--patterns` says: random:SEED, a painting file, or the id of one pattern.

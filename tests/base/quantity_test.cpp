@@ -31,5 +31,13 @@ TEST(Quantity, AnythingElseIsRefusedWithTheText) {
     EXPECT_THROW(parse_number("3x"), InputError);
 }
 
+TEST(Quantity, AReadNumberIsTheWholeText) {
+    EXPECT_EQ(read_number<int>("-12"), -12);
+    EXPECT_EQ(read_number<double>("+1.5e3"), 1500.0);
+    for (const char* text : {"", "+", "1 ", " 1", "1.5", "+-1", "++1", "0x1", "3000000000"})
+        EXPECT_EQ(read_number<int>(text), std::nullopt) << text;
+    EXPECT_EQ(read_number<unsigned>("-1"), std::nullopt);
+}
+
 }  // namespace
 }  // namespace fretwork::base

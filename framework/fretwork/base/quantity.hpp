@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <charconv>
+#include <optional>
 #include <string_view>
+#include <system_error>
 
 namespace fretwork::base {
 
@@ -15,5 +18,17 @@ double parse_angle(std::string_view text);
 
 /// Read a finite number. Throws InputError on anything else, trailing characters included.
 double parse_number(std::string_view text);
+
+/// The number that the whole of a text is, which may begin with one sign; nothing if it is none, or too large
+/// for its type.
+template <class Number>
+std::optional<Number> read_number(std::string_view text) {
+    if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
+    Number number{};
+    const char* last = text.data() + text.size();
+    const auto [end, error] = std::from_chars(text.data(), last, number);
+    if (error != std::errc() || end != last) return std::nullopt;
+    return number;
+}
 
 }  // namespace fretwork::base

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/file.hpp>
+#include <fretwork/base/quantity.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/mechanics/calculix_file.hpp>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <list>
 #include <map>
@@ -68,20 +68,14 @@ class Deck {
     }
 
     [[nodiscard]] double number(std::size_t line, const std::string& word) const {
-        double value = 0.0;
-        const char* begin = word.data() + (word.starts_with("+") ? 1 : 0);
-        const auto [end, error] = std::from_chars(begin, word.data() + word.size(), value);
-        if (error != std::errc() || end != word.data() + word.size() || !std::isfinite(value))
-            fail(line, "has '" + word + "' where a number is needed");
-        return value;
+        const auto value = base::read_number<double>(word);
+        if (!value || !std::isfinite(*value)) fail(line, "has '" + word + "' where a number is needed");
+        return *value;
     }
 
     [[nodiscard]] int integer(std::size_t line, const std::string& word) const {
-        int value = 0;
-        const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-        if (error != std::errc() || end != word.data() + word.size())
-            fail(line, "has '" + word + "' where a whole number is needed");
-        return value;
+        if (const auto value = base::read_number<int>(word)) return *value;
+        fail(line, "has '" + word + "' where a whole number is needed");
     }
 
     [[nodiscard]] std::vector<double> numbers(std::size_t line, const Words& words,

@@ -4,7 +4,6 @@
 #include <fretwork/base/text.hpp>
 #include <fretwork/pattern/detail/filters.hpp>
 
-#include <charconv>
 #include <cmath>
 #include <numbers>
 
@@ -75,10 +74,8 @@ Rule forbid(const NodeLayout& layout, std::span<const EdgeGroup> groups) {
 
 std::optional<LayoutNodeIndex> parse_node(const NodeLayout& layout, std::string_view text) {
     if (text.starts_with('n')) text.remove_prefix(1);
-    int number = -1;
-    const auto result = std::from_chars(text.data(), text.data() + text.size(), number);
-    const bool is_number = result.ec == std::errc{} && result.ptr == text.data() + text.size();
-    if (!is_number || number < 0 || number >= static_cast<int>(layout.nodes().size())) return std::nullopt;
+    const int number = base::read_number<int>(text).value_or(-1);
+    if (number < 0 || number >= static_cast<int>(layout.nodes().size())) return std::nullopt;
     return LayoutNodeIndex(number);
 }
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
+#include <fretwork/base/quantity.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/pattern/pattern.hpp>
 
 #include <algorithm>
-#include <charconv>
 #include <optional>
 
 namespace fretwork::pattern {
@@ -15,11 +15,10 @@ std::string edge_text(const Edge& edge) {
 }
 
 std::optional<LayoutNodeIndex> parse_node(std::string_view text) {
-    int number = 0;
-    const auto result = std::from_chars(text.data(), text.data() + text.size(), number);
-    const bool is_plain = !text.empty() && text.front() >= '0' && text.front() <= '9';
-    if (!is_plain || result.ec != std::errc{} || result.ptr != text.data() + text.size()) return std::nullopt;
-    return LayoutNodeIndex(number);
+    const bool has_sign = text.starts_with('+') || text.starts_with('-');
+    const auto number = base::read_number<int>(text);
+    if (has_sign || !number) return std::nullopt;
+    return LayoutNodeIndex(*number);
 }
 
 std::optional<Edge> parse_edge(std::string_view text) {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/file.hpp>
+#include <fretwork/base/quantity.hpp>
 #include <fretwork/tiling/detail/mesh_text.hpp>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 namespace fretwork::tiling::detail {
@@ -28,15 +28,6 @@ std::vector<std::string_view> words_of(std::string_view text) {
         first = text.find_first_not_of(kSpace, end);
     }
     return words;
-}
-
-template <class Number>
-std::optional<Number> parse(std::string_view word) {
-    if (word.starts_with('+')) word.remove_prefix(1);
-    Number value{};
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (error != std::errc() || end != word.data() + word.size()) return std::nullopt;
-    return value;
 }
 
 }  // namespace
@@ -67,13 +58,13 @@ void MeshText::fail(const TextLine& line, const std::string& message) const {
 }
 
 double MeshText::number(const TextLine& line, std::string_view word) const {
-    const auto value = parse<double>(word);
+    const auto value = base::read_number<double>(word);
     if (!value || !std::isfinite(*value)) fail(line, quoted(word) + " is no finite number");
     return *value;
 }
 
 long long MeshText::whole_number(const TextLine& line, std::string_view word) const {
-    const auto value = parse<long long>(word);
+    const auto value = base::read_number<long long>(word);
     if (!value) fail(line, quoted(word) + " is no whole number");
     return *value;
 }

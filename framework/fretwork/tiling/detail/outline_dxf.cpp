@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/file.hpp>
+#include <fretwork/base/quantity.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/tiling/detail/bezier.hpp>
 #include <fretwork/tiling/detail/outline_readers.hpp>
 #include <fretwork/tiling/detail/plane.hpp>
 
 #include <algorithm>
-#include <charconv>
 #include <map>
 #include <numbers>
 #include <optional>
@@ -72,20 +72,14 @@ class DxfReader {
         throw base::InputError(source_, "line " + std::to_string(line), message);
     }
     [[nodiscard]] long whole_number(const std::string& text, int line) const {
-        long value = 0;
-        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-        if (error != std::errc() || end != text.data() + text.size())
-            fail(line, "'" + text + "' is no whole number; is this an ASCII DXF file?");
-        return value;
+        if (const auto value = base::read_number<long>(text)) return *value;
+        fail(line, "'" + text + "' is no whole number; is this an ASCII DXF file?");
     }
     [[nodiscard]] double number(const Group& group) const {
-        double value = 0;
-        const char* first = group.value.data() + (group.value.starts_with('+') ? 1 : 0);
-        const char* last = group.value.data() + group.value.size();
-        const auto [end, error] = std::from_chars(first, last, value);
-        if (error != std::errc() || end != last || !std::isfinite(value))
+        const auto value = base::read_number<double>(group.value);
+        if (!value || !std::isfinite(*value))
             fail(group.line + 1, "'" + group.value + "' is no finite number");
-        return value;
+        return *value;
     }
 
     [[nodiscard]] const Group* find(const Entity& entity, int code) const {
