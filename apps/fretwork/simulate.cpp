@@ -2,6 +2,7 @@
 // fretwork simulate: a project under one of its load cases, with the full or a reduced model.
 #include "outputs.hpp"
 #include "project_library.hpp"
+#include "solve_output.hpp"
 #include "verbs.hpp"
 
 #include <fretwork/base/detail/json_text.hpp>
@@ -46,6 +47,7 @@ LoadCase chosen_load_case(const Project& project, const std::string& name_or_fil
 base::detail::Json summary(const Options& options, const LoadCase& load_case,
                            const mechanics::Result& result) {
     const auto& solution = result.solution;
+    const auto& error = result.discretization_error;
     return {{"model", options.simulation.model},
             {"load_case", load_case.name},
             {"solver", result.solver},
@@ -55,6 +57,8 @@ base::detail::Json summary(const Options& options, const LoadCase& load_case,
             {"largest_displacement", solution.displacements.leftCols<3>().rowwise().norm().maxCoeff()},
             {"largest_rotation", solution.displacements.rightCols<3>().rowwise().norm().maxCoeff()},
             {"iterations", solution.iterations},
+            {"discretization_error",
+             error && error->known ? base::detail::Json(error->share) : base::detail::Json(nullptr)},
             {"seconds", result.seconds}};
 }
 
@@ -105,6 +109,8 @@ ExitCode run(Options options) {
         std::fputs(base::detail::json_text(told).c_str(), stdout);
     } else {
         print(told);
+        if (const auto& error = result.discretization_error)
+            std::printf("%s\n", discretization_text(*error).c_str());
     }
     return result.solution.converged() ? ExitCode::Done : ExitCode::DidNotSucceed;
 }
@@ -129,6 +135,8 @@ void add_simulate(CLI::App& app, ExitCode& exit_code) {
     verb->add_flag("--linear", options->linear, "Small displacements, whatever the model");
     verb->add_option("--steps", options->simulation.load_steps, "Results at so many equal shares of the load")
         ->capture_default_str();
+    verb->add_flag("--estimate-error", options->simulation.estimate_error,
+                   "Tell how far the full model is from endlessly fine divisions of its beams");
     verb->add_option("--library", options->library,
                      "Library with the setting and the calibrations (default: the project's)");
     verb->add_option("--out", options->out, "Result file")->required();

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fretwork solve: any beam structure, from a frame file.
 #include "outputs.hpp"
+#include "solve_output.hpp"
 #include "verbs.hpp"
 
-#include <fretwork/base/detail/json_text.hpp>
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/file.hpp>
 #include <fretwork/exports/line_files.hpp>
@@ -18,6 +18,7 @@
 #include <chrono>
 #include <cstdio>
 #include <memory>
+#include <utility>
 
 namespace fretwork::app {
 namespace {
@@ -106,94 +107,34 @@ mechanics::Result solve(const mechanics::LabelledFrame& input, const Wishes& wis
     } else {
         auto steps = mechanics::follow_load_path(assembly, load_factors(wishes), path_options(wishes));
         result.solution = end_of(steps);
-        if (wishes.estimate_error)
-            result.discretization_error = mechanics::estimate_discretization_error(
-                                              frame, load_factors(wishes), steps, path_options(wishes))
-                                              .back();
-        if (wishes.steps > 0) result.load_steps = std::move(steps);
+        result.load_steps = std::move(steps);
     }
+    result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    if (wishes.estimate_error)
+        result.discretization_error =
+            mechanics::estimate_discretization_error(frame, load_factors(wishes), result.load_steps,
+                                                     path_options(wishes))
+                .back();
+    if (wishes.steps == 0) result.load_steps.clear();
     if (wishes.modes > 0) result.vibration_modes = mechanics::vibration_modes(assembly, wishes.modes);
     if (wishes.buckling > 0) result.buckling_modes = mechanics::buckling_modes(assembly, wishes.buckling);
-    result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return result;
 }
 
-base::detail::Json summary_of(const mechanics::Result& result) {
-    const mechanics::Solution& solution = result.solution;
-    base::detail::Json frequencies = base::detail::Json::array();
-    for (const mechanics::Mode& mode : result.vibration_modes) frequencies.push_back(mode.value);
-    base::detail::Json buckling = base::detail::Json::array();
-    for (const mechanics::Mode& mode : result.buckling_modes) buckling.push_back(mode.value);
-    base::detail::Json critical = base::detail::Json::array();
-    for (const mechanics::StabilityLoss& loss : solution.stability_losses)
-        critical.push_back(loss.load_factor);
-    return {{"solver", result.solver},
-            {"converged", solution.converged()},
-            {"termination", mechanics::termination_name(solution.termination)},
-            {"load_factor", solution.load_factor},
-            {"stable", solution.stable},
-            {"stability", mechanics::stability_test_name(solution.stability)},
-            {"largest_displacement", solution.displacements.leftCols<3>().rowwise().norm().maxCoeff()},
-            {"largest_rotation", solution.displacements.rightCols<3>().rowwise().norm().maxCoeff()},
-            {"energy", solution.energy},
-            {"residual", solution.residual},
-            {"iterations", solution.iterations},
-            {"frequencies", frequencies},
-            {"buckling_load_factors", buckling},
-            {"critical_load_factors", critical},
-            {"seconds", result.seconds}};
-}
-
-std::string stability_text(const mechanics::Solution& solution) {
-    switch (solution.stability) {
-        case mechanics::StabilityTest::None:
-            return "";
-        case mechanics::StabilityTest::Tangent:
-            return solution.stable ? ", stable" : ", unstable";
-        case mechanics::StabilityTest::SymmetricPart:
-            return solution.stable ? ", stable" : ", stability undecided (moments of fixed direction)";
+/// Options that one solver alone looks at: with another they are a misunderstanding.
+void refuse_ignored_options(const CLI::App& verb, const std::string& solver) {
+    constexpr std::pair<const char*, const char*> kOwnOptions[] = {{"--steps", "newton"},
+                                                                   {"--branch", "newton"},
+                                                                   {"--estimate-error", "newton"},
+                                                                   {"--masses", "dynamic-relaxation"}};
+    for (const auto& [option, owner] : kOwnOptions) {
+        if (verb.count(option) > 0 && solver != owner)
+            throw base::InputError(std::string(option) + " works with --solver " + owner + ", not with " +
+                                   solver);
     }
-    return "";
-}
-
-std::string discretization_text(const mechanics::DiscretizationError& error) {
-    char text[160];
-    std::snprintf(text, sizeof text, "off by about %.2g of that for its divisions: %.2g mm, %.2g deg",
-                  error.share, 1e3 * error.displacement, error.rotation * 57.29577951308232);
-    return text;
-}
-
-void print(const mechanics::Result& result, const base::detail::Json& summary) {
-    const mechanics::Solution& solution = result.solution;
-    std::printf("%zu nodes, %s: %s%s\n", result.nodes.size(), result.solver.c_str(),
-                std::string(mechanics::termination_name(solution.termination)).c_str(),
-                stability_text(solution).c_str());
-    if (!solution.converged())
-        std::printf("the path ends at %.6g of the load; the result holds the last equilibrium\n",
-                    solution.load_factor);
-    std::printf("largest displacement %.6g mm, largest rotation %.6g deg\n",
-                1e3 * summary["largest_displacement"].get<double>(),
-                summary["largest_rotation"].get<double>() * 57.29577951308232);
-    if (const auto& error = result.discretization_error)
-        std::printf("%s\n",
-                    error->known
-                        ? discretization_text(*error).c_str()
-                        : "no estimate of the discretization error: other divisions did not converge");
-    for (const mechanics::StabilityLoss& loss : solution.stability_losses)
-        std::printf("unstable from %.6g of the load on%s: node %d along %s\n", loss.load_factor,
-                    loss.pushed ? "; pushed onto a stable branch" : "", loss.node.value,
-                    mechanics::kDofNames[static_cast<std::size_t>(loss.dof)]);
-    for (std::size_t i = 0; i < result.buckling_modes.size(); ++i)
-        std::printf("buckling load %zu: %.6g times the load\n", i + 1, result.buckling_modes[i].value);
-    for (std::size_t i = 0; i < result.vibration_modes.size(); ++i)
-        std::printf("mode %zu: %.6g Hz\n", i + 1, result.vibration_modes[i].value);
-    std::printf("relative residual %.1e, %d iterations, %.3g s\n", solution.residual, solution.iterations,
-                result.seconds);
 }
 
 ExitCode run(const Wishes& wishes) {
-    if (wishes.estimate_error && wishes.solver != "newton")
-        throw base::InputError("--estimate-error works with --solver newton, not with " + wishes.solver);
     check_outputs({wishes.frame}, {wishes.out, wishes.vtu, wishes.deck});
     const mechanics::LabelledFrame input = read(wishes.frame);
     const mechanics::Frame& frame = input.frame;
@@ -207,11 +148,10 @@ ExitCode run(const Wishes& wishes) {
         files.add(wishes.vtu, exports::vtu_text(lines));
     }
     files.commit();
-    const base::detail::Json summary = summary_of(result);
     if (wishes.json) {
-        std::fputs(base::detail::json_text(summary).c_str(), stdout);
+        print_solution_json(result);
     } else {
-        print(result, summary);
+        print_solution(result);
         std::printf("wrote %s\n", wishes.out.c_str());
         if (!wishes.vtu.empty()) std::printf("wrote %s\n", wishes.vtu.c_str());
     }
@@ -259,7 +199,10 @@ void add_solve(CLI::App& app, ExitCode& exit_code) {
     verb->add_option("--deck", wishes->deck, "write the frame as an input deck for Abaqus (.inp)");
     verb->add_option("--out", wishes->out, "result file")->required();
     verb->add_flag("--json", wishes->json, "print a summary for programs");
-    verb->callback([wishes, &exit_code] { exit_code = run(*wishes); });
+    verb->callback([wishes, verb, &exit_code] {
+        refuse_ignored_options(*verb, wishes->solver);
+        exit_code = run(*wishes);
+    });
 }
 
 }  // namespace fretwork::app

@@ -90,6 +90,8 @@ TEST(CommandLine, NeverWritesOverWhatItReads) {
     expect_refused("fretwork solve frame.json --out frame.json", folder.path(), "frame.json");
     expect_refused("fretwork solve frame.json --out ./r.json --vtu r.json", folder.path(), "two outputs");
     expect_refused("fretwork enumerate --census t.csv --list t.csv", folder.path(), "two outputs");
+    expect_refused("fretwork solve frame.json --solver linear --steps 4 --out r.json", folder.path(),
+                   "newton");
     expect_refused("fretwork enumerate --edges 99", folder.path(), "17 candidate edges");
     expect_refused("fretwork enumerate --sample 2 --seed -1", folder.path(), "-1");
     folder.file("escape.json", R"({"format": "fretwork/frame/1", "\u001b[31m": 1})");

@@ -41,8 +41,8 @@ Surface with_parameters(Surface surface) {
 TEST(Simulate, CondensedEqualsTheLinearFullModelAtTheInterfaceNodes) {
     const Surface surface = make_surface(honeycomb(4, 3, kPatterns), nullptr);
     const LoadCase load_case = cantilever({0.1, 0.05, -0.2});
-    const auto full = simulate(surface, load_case, {"full", Analysis::Linear, 1});
-    const auto condensed = simulate(surface, load_case, {"condensed", Analysis::OfTheModel, 1});
+    const auto full = simulate(surface, load_case, {.model = "full", .analysis = Analysis::Linear});
+    const auto condensed = simulate(surface, load_case, {.model = "condensed"});
     // Condensation is exact; what is left is rounding, magnified by the condition of the two systems.
     EXPECT_LT(relative_difference(interface_rows(full, surface), interface_rows(condensed, surface)), 1e-8);
 }
@@ -51,8 +51,7 @@ TEST(Simulate, ReactionsOfEveryModelBalanceTheLoad) {
     const Surface surface = with_parameters(make_surface(honeycomb(3, 2, kPatterns), nullptr));
     const Eigen::Vector3d force(0.02, 0.01, -0.05);
     for (const ModelRow& model : model_catalogue()) {
-        const auto result =
-            simulate(surface, cantilever(force), {std::string(model.name), Analysis::OfTheModel, 1});
+        const auto result = simulate(surface, cantilever(force), {.model = std::string(model.name)});
         ASSERT_TRUE(result.solution.converged()) << model.name;
         const Eigen::Vector3d sum = result.solution.reactions.leftCols<3>().colwise().sum();
         EXPECT_LT((sum + force).norm(), 1e-7 * force.norm()) << model.name;
@@ -62,9 +61,9 @@ TEST(Simulate, ReactionsOfEveryModelBalanceTheLoad) {
 TEST(Simulate, NonlinearTendsToLinearAsTheLoadVanishes) {
     const Surface surface = make_surface(honeycomb(3, 2, kPatterns), nullptr);
     const auto relative = [&](double force) {
-        const auto nonlinear =
-            simulate(surface, cantilever({0, 0, force}), {"full", Analysis::OfTheModel, 1});
-        const auto linear = simulate(surface, cantilever({0, 0, force}), {"full", Analysis::Linear, 1});
+        const auto nonlinear = simulate(surface, cantilever({0, 0, force}), {.model = "full"});
+        const auto linear =
+            simulate(surface, cantilever({0, 0, force}), {.model = "full", .analysis = Analysis::Linear});
         return relative_difference(nonlinear.solution.displacements, linear.solution.displacements);
     };
     EXPECT_LT(relative(1e-6), 1e-5);
@@ -79,7 +78,7 @@ TEST(Simulate, DoesNotDependOnWhichVertexOfAHexagonIsTheFirst) {
     const Surface turned = with_parameters(make_surface(honeycomb(3, 2, kPatterns, 2), nullptr));
     const auto place = [](const Surface& s, std::size_t i) { return s.tessellation.interface_nodes[i]; };
     for (const ModelRow& model : model_catalogue()) {
-        const SimulationOptions options{std::string(model.name), Analysis::Linear, 1};
+        const SimulationOptions options{.model = std::string(model.name), .analysis = Analysis::Linear};
         const auto a = simulate(surface, load_case, options).solution.displacements;
         const auto b = simulate(turned, load_case, options).solution.displacements;
         for (std::size_t i = 0; i < surface.tessellation.interface_nodes.size(); ++i) {
@@ -99,8 +98,8 @@ TEST(Simulate, DoesNotDependOnWhichVertexOfAHexagonIsTheFirst) {
 
 TEST(Simulate, LoadStepsEndInTheSameState) {
     const Surface surface = make_surface(honeycomb(3, 2, kPatterns), nullptr);
-    const auto once = simulate(surface, cantilever({0, 0, 0.2}), {"full", Analysis::OfTheModel, 1});
-    const auto steps = simulate(surface, cantilever({0, 0, 0.2}), {"full", Analysis::OfTheModel, 5});
+    const auto once = simulate(surface, cantilever({0, 0, 0.2}), {.model = "full"});
+    const auto steps = simulate(surface, cantilever({0, 0, 0.2}), {.model = "full", .load_steps = 5});
     ASSERT_EQ(steps.load_steps.size(), 5U);
     EXPECT_LT(relative_difference(once.solution.displacements, steps.solution.displacements), 1e-7);
 }
@@ -108,7 +107,7 @@ TEST(Simulate, LoadStepsEndInTheSameState) {
 TEST(Simulate, ThePaperModelNeedsACalibrationOfEveryPattern) {
     const Surface surface = make_surface(honeycomb(2, 2, kPatterns), nullptr);
     EXPECT_THAT(complaint_of([&] {
-                    simulate(surface, cantilever({0, 0, 1}), {"paper6", Analysis::OfTheModel, 1});
+                    simulate(surface, cantilever({0, 0, 1}), {.model = "paper6"});
                 }),
                 HasSubstr("0-1+1-6"));
 }
@@ -119,8 +118,7 @@ TEST(Simulate, ASurfaceThatNothingHoldsIsRefused) {
     load_case.supports.clear();
     for (const ModelRow& model : model_catalogue()) {
         if (model.name == "paper6") continue;
-        EXPECT_THROW(simulate(surface, load_case, {std::string(model.name), Analysis::OfTheModel, 1}),
-                     base::Error)
+        EXPECT_THROW(simulate(surface, load_case, {.model = std::string(model.name)}), base::Error)
             << model.name;
     }
 }
@@ -128,13 +126,28 @@ TEST(Simulate, ASurfaceThatNothingHoldsIsRefused) {
 TEST(Simulate, AnUnknownModelAndZeroStepsAreRefused) {
     const Surface surface = make_surface(honeycomb(2, 1, kPatterns), nullptr);
     EXPECT_THAT(complaint_of([&] {
-                    simulate(surface, cantilever({0, 0, 1}), {"ful", Analysis::OfTheModel, 1});
+                    simulate(surface, cantilever({0, 0, 1}), {.model = "ful"});
                 }),
                 HasSubstr("did you mean 'full'?"));
     EXPECT_THAT(complaint_of([&] {
-                    simulate(surface, cantilever({0, 0, 1}), {"full", Analysis::OfTheModel, 0});
+                    simulate(surface, cantilever({0, 0, 1}), {.model = "full", .load_steps = 0});
                 }),
                 HasSubstr("load_steps is 0"));
+}
+
+TEST(Simulate, OnlyTheNonlinearFullModelHasStepsAndADiscretizationError) {
+    const Surface surface = make_surface(honeycomb(2, 1, kPatterns), nullptr);
+    const LoadCase load_case = cantilever({0, 0, 0.2});
+    const auto result = simulate(surface, load_case, {.estimate_error = true});
+    ASSERT_TRUE(result.discretization_error.has_value());
+    EXPECT_TRUE(result.discretization_error->known);
+    EXPECT_GT(result.discretization_error->share, 0.0);
+    EXPECT_LT(result.discretization_error->share, 1e-3);
+    for (const SimulationOptions& wrong :
+         {SimulationOptions{.analysis = Analysis::Linear, .estimate_error = true},
+          SimulationOptions{.model = "condensed", .estimate_error = true},
+          SimulationOptions{.model = "condensed", .load_steps = 4}})
+        EXPECT_THROW(simulate(surface, load_case, wrong), base::InputError);
 }
 
 TEST(FullModelFrame, SolvedOnItsOwnGivesTheSameDisplacements) {
@@ -145,13 +158,13 @@ TEST(FullModelFrame, SolvedOnItsOwnGivesTheSameDisplacements) {
                            folder.path() / "frame.json");
     const auto solution =
         mechanics::solve_linear(mechanics::assemble(mechanics::read_frame(folder.path() / "frame.json")));
-    const auto result = simulate(surface, load_case, {"full", Analysis::Linear, 1});
+    const auto result = simulate(surface, load_case, {.model = "full", .analysis = Analysis::Linear});
     EXPECT_EQ(relative_difference(result.solution.displacements, solution.displacements), 0.0);
 }
 
 TEST(Compare, OfAResultWithItselfIsZero) {
     const Surface surface = make_surface(honeycomb(3, 2, kPatterns), nullptr);
-    const auto result = simulate(surface, cantilever({0, 0, 0.2}), {"full", Analysis::OfTheModel, 1});
+    const auto result = simulate(surface, cantilever({0, 0, 0.2}), {.model = "full"});
     const Comparison comparison = compare(result, result);
     EXPECT_EQ(comparison.max_translation_error, 0.0);
     EXPECT_EQ(comparison.relative_l2_error, 0.0);

@@ -26,7 +26,7 @@ struct Setting {
     double tile_side = 0.0;  ///< m; side of the regular polygon, a hexagon
     int sides = 6;
     std::vector<Scenario> scenarios;
-    int divisions = 2;    ///< elements a beam in responses: off by at most 2.4e-4 in experiments/verification
+    int divisions = 2;    ///< elements a beam in responses: off by at most 7e-4 in experiments/verification
     int magnitudes = 10;  ///< k = 1..magnitudes, at k / magnitudes of the scenario's largest magnitude
     Branch branch = Branch::Paper;
     /// Throws InputError if a value makes no sense, or a scenario does not fit the polygon. `source` names

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
+#include <fretwork/mechanics/discretization.hpp>
 #include <fretwork/mechanics/equilibrium.hpp>
 #include <fretwork/mechanics/linear_solver.hpp>
 #include <fretwork/simulation/conditions.hpp>
@@ -11,10 +12,10 @@
 namespace fretwork::simulation {
 namespace {
 
-std::vector<mechanics::Solution> follow_in_steps(const mechanics::Assembly& assembly, int load_steps) {
+std::vector<double> load_factors(int load_steps) {
     std::vector<double> factors;
     for (int k = 1; k <= load_steps; ++k) factors.push_back(static_cast<double>(k) / load_steps);
-    return mechanics::follow_load_path(assembly, factors);
+    return factors;
 }
 
 std::vector<mechanics::Result::Node> result_nodes(const mechanics::Assembly& assembly,
@@ -29,8 +30,16 @@ std::vector<mechanics::Result::Node> result_nodes(const mechanics::Assembly& ass
 
 }  // namespace
 
+bool SimulationOptions::is_nonlinear() const {
+    return find_model(model).is_nonlinear && analysis == Analysis::OfTheModel;
+}
+
 void SimulationOptions::validate() const {
-    (void)find_model(model);
+    if (estimate_error && (model != "full" || !is_nonlinear()))
+        throw base::InputError("the discretization error is estimated for the nonlinear full model only");
+    if (load_steps > 1 && !is_nonlinear())
+        throw base::InputError("load_steps is " + std::to_string(load_steps) +
+                               ", where a linear solution has no path to divide");
     constexpr int kMostSteps = 10000;
     if (load_steps < 1 || load_steps > kMostSteps) {
         throw base::InputError("load_steps is " + std::to_string(load_steps) + ", where 1 to " +
@@ -42,21 +51,27 @@ mechanics::Result simulate(const Surface& surface, const LoadCase& load_case,
                            const SimulationOptions& options) {
     options.validate();
     const ModelRow& model = find_model(options.model);
+    const bool nonlinear = options.is_nonlinear();
     const auto started = std::chrono::steady_clock::now();
-    const mechanics::Assembly assembly = model.build(surface, resolve(load_case, surface));
-    const bool nonlinear = model.is_nonlinear && options.analysis == Analysis::OfTheModel;
+    const Conditions conditions = resolve(load_case, surface);
+    const mechanics::Assembly assembly = model.build(surface, conditions);
 
     mechanics::Result result;
     result.solver = nonlinear ? "newton" : "linear";
     result.nodes = result_nodes(assembly, surface);
     if (nonlinear) {
-        std::vector<mechanics::Solution> steps = follow_in_steps(assembly, options.load_steps);
-        result.solution = steps.back();
-        if (options.load_steps > 1) result.load_steps = std::move(steps);
+        result.load_steps = mechanics::follow_load_path(assembly, load_factors(options.load_steps));
+        result.solution = result.load_steps.back();
     } else {
         result.solution = mechanics::solve_linear(assembly);
     }
     result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+    if (options.estimate_error)
+        result.discretization_error =
+            mechanics::estimate_discretization_error(full_model_frame(surface, conditions),
+                                                     load_factors(options.load_steps), result.load_steps)
+                .back();
+    if (options.load_steps == 1) result.load_steps.clear();
     return result;
 }
 

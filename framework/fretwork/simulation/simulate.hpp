@@ -15,8 +15,11 @@ enum class Analysis { OfTheModel, Linear };
 struct SimulationOptions {
     std::string model = "full";                ///< a row of the model catalogue
     Analysis analysis = Analysis::OfTheModel;  ///< of the model: what its row says
-    int load_steps = 1;  ///< results at so many equal shares of the load; nonlinear only
-    /// Throws InputError if a value makes no sense.
+    bool estimate_error = false;  ///< Result::discretization_error; of the nonlinear full model only
+    int load_steps = 1;           ///< results at so many equal shares of the load; nonlinear only
+    /// Whether equilibrium is sought in the deformed state. Throws InputError if there is no such model.
+    [[nodiscard]] bool is_nonlinear() const;
+    /// Throws InputError if a value makes no sense, or goes with none of the others.
     void validate() const;
 };
 

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solve_output.hpp"
+
+#include <fretwork/base/detail/json_text.hpp>
+
+#include <cstdio>
+
+namespace fretwork::app {
+namespace {
+
+base::detail::Json summary_of(const mechanics::Result& result) {
+    const mechanics::Solution& solution = result.solution;
+    const auto& error = result.discretization_error;
+    base::detail::Json frequencies = base::detail::Json::array();
+    for (const mechanics::Mode& mode : result.vibration_modes) frequencies.push_back(mode.value);
+    base::detail::Json buckling = base::detail::Json::array();
+    for (const mechanics::Mode& mode : result.buckling_modes) buckling.push_back(mode.value);
+    base::detail::Json critical = base::detail::Json::array();
+    for (const mechanics::StabilityLoss& loss : solution.stability_losses)
+        critical.push_back(loss.load_factor);
+    return {{"solver", result.solver},
+            {"converged", solution.converged()},
+            {"termination", mechanics::termination_name(solution.termination)},
+            {"load_factor", solution.load_factor},
+            {"stable", solution.stable},
+            {"stability", mechanics::stability_test_name(solution.stability)},
+            {"largest_displacement", solution.displacements.leftCols<3>().rowwise().norm().maxCoeff()},
+            {"largest_rotation", solution.displacements.rightCols<3>().rowwise().norm().maxCoeff()},
+            {"energy", solution.energy},
+            {"residual", solution.residual},
+            {"iterations", solution.iterations},
+            {"frequencies", frequencies},
+            {"buckling_load_factors", buckling},
+            {"critical_load_factors", critical},
+            {"discretization_error",
+             error && error->known ? base::detail::Json(error->share) : base::detail::Json(nullptr)},
+            {"seconds", result.seconds}};
+}
+
+std::string stability_text(const mechanics::Solution& solution) {
+    switch (solution.stability) {
+        case mechanics::StabilityTest::None:
+            return "";
+        case mechanics::StabilityTest::Tangent:
+            return solution.stable ? ", stable" : ", unstable";
+        case mechanics::StabilityTest::SymmetricPart:
+            return solution.stable ? ", stable" : ", stability undecided (moments of fixed direction)";
+    }
+    return "";
+}
+
+}  // namespace
+
+std::string discretization_text(const mechanics::DiscretizationError& error) {
+    if (!error.known) return "no estimate of the discretization error: other divisions did not converge";
+    char text[160];
+    std::snprintf(text, sizeof text, "off by about %.2g of that for its divisions: %.2g mm, %.2g deg",
+                  error.share, 1e3 * error.displacement, error.rotation * 57.29577951308232);
+    return text;
+}
+
+void print_solution_json(const mechanics::Result& result) {
+    std::fputs(base::detail::json_text(summary_of(result)).c_str(), stdout);
+}
+
+void print_solution(const mechanics::Result& result) {
+    const auto summary = summary_of(result);
+    const mechanics::Solution& solution = result.solution;
+    std::printf("%zu nodes, %s: %s%s\n", result.nodes.size(), result.solver.c_str(),
+                std::string(mechanics::termination_name(solution.termination)).c_str(),
+                stability_text(solution).c_str());
+    if (!solution.converged())
+        std::printf("the path ends at %.6g of the load; the result holds the last equilibrium\n",
+                    solution.load_factor);
+    std::printf("largest displacement %.6g mm, largest rotation %.6g deg\n",
+                1e3 * summary["largest_displacement"].get<double>(),
+                summary["largest_rotation"].get<double>() * 57.29577951308232);
+    if (const auto& error = result.discretization_error)
+        std::printf("%s\n", discretization_text(*error).c_str());
+    for (const mechanics::StabilityLoss& loss : solution.stability_losses)
+        std::printf("unstable from %.6g of the load on%s: node %d along %s\n", loss.load_factor,
+                    loss.pushed ? "; pushed onto a stable branch" : "", loss.node.value,
+                    mechanics::kDofNames[static_cast<std::size_t>(loss.dof)]);
+    for (std::size_t i = 0; i < result.buckling_modes.size(); ++i)
+        std::printf("buckling load %zu: %.6g times the load\n", i + 1, result.buckling_modes[i].value);
+    for (std::size_t i = 0; i < result.vibration_modes.size(); ++i)
+        std::printf("mode %zu: %.6g Hz\n", i + 1, result.vibration_modes[i].value);
+    std::printf("relative residual %.1e, %d iterations, %.3g s\n", solution.residual, solution.iterations,
+                result.seconds);
+}
+
+}  // namespace fretwork::app

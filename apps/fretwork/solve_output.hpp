@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/mechanics/result_file.hpp>
+
+#include <string>
+
+namespace fretwork::app {
+
+// What the verbs solve and simulate print.
+
+void print_solution(const mechanics::Result& result);
+void print_solution_json(const mechanics::Result& result);
+
+/// A line about how far a solution is from that of endlessly fine divisions.
+std::string discretization_text(const mechanics::DiscretizationError& error);
+
+}  // namespace fretwork::app
