@@ -21,8 +21,8 @@ std::size_t at(int index) {
 Ldlt::Ldlt(const SystemLayout& layout)
     : layout_(&layout),
       tree_(supernode_tree(layout)),
-      factor_(std::make_unique_for_overwrite<double[]>(tree_.factor_size)),
-      storage_(std::make_unique_for_overwrite<double[]>(tree_.storage_size)),
+      factor_(make_large_array(tree_.factor_size)),
+      storage_(make_large_array(tree_.storage_size)),
       diagonal_(at(layout.equations())),
       place_(at(layout.equations())) {
     int most_rows = 0;

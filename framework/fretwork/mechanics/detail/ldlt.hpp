@@ -2,9 +2,9 @@
 #pragma once
 
 #include <fretwork/mechanics/detail/dense_ldlt.hpp>
+#include <fretwork/mechanics/detail/large_array.hpp>
 #include <fretwork/mechanics/detail/supernodes.hpp>
 
-#include <memory>
 #include <span>
 #include <vector>
 
@@ -41,8 +41,8 @@ class Ldlt {
 
     const SystemLayout* layout_;
     SupernodeTree tree_;
-    std::unique_ptr<double[]> factor_;   ///< the panels, one after the other
-    std::unique_ptr<double[]> storage_;  ///< what waits for its parent
+    LargeArray factor_;   ///< the panels, one after the other
+    LargeArray storage_;  ///< what waits for its parent
     std::vector<double> diagonal_;
     std::vector<double> scratch_;
     std::vector<int> place_;        ///< of an equation in the front at hand
