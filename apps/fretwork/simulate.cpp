@@ -137,6 +137,9 @@ void add_simulate(CLI::App& app, ExitCode& exit_code) {
         ->capture_default_str();
     verb->add_flag("--estimate-error", options->simulation.estimate_error,
                    "Tell how far the full model is from endlessly fine divisions of its beams");
+    verb->add_option("--threads", options->simulation.threads, "Threads to use; 0: all there are")
+        ->check(CLI::NonNegativeNumber)
+        ->capture_default_str();
     verb->add_option("--library", options->library,
                      "Library with the setting and the calibrations (default: the project's)");
     verb->add_option("--out", options->out, "Result file")->required();

@@ -46,6 +46,7 @@ struct Wishes {
     int steps = 0;
     int modes = 0;
     int buckling = 0;
+    int threads = 0;
     std::string branch = "primary";
     std::string masses = "natural";
     bool lumped_gravity = false;
@@ -56,6 +57,7 @@ struct Wishes {
 mechanics::EquilibriumOptions path_options(const Wishes& wishes) {
     mechanics::EquilibriumOptions options;
     options.locate_critical_loads = true;
+    options.threads = wishes.threads;
     if (wishes.branch == "stable") options.branch = mechanics::Branch::Stable;
     return options;
 }
@@ -98,7 +100,7 @@ mechanics::Result solve(const mechanics::LabelledFrame& input, const Wishes& wis
     const mechanics::Assembly assembly =
         mechanics::assemble(frame, {.lumped_gravity = wishes.lumped_gravity});
     if (wishes.solver == "linear") {
-        result.solution = mechanics::solve_linear(assembly);
+        result.solution = mechanics::solve_linear(assembly, {.threads = wishes.threads});
     } else if (wishes.solver == "dynamic-relaxation") {
         const bool published = wishes.masses == "published";
         result.solution =
@@ -195,6 +197,10 @@ void add_solve(CLI::App& app, ExitCode& exit_code) {
     verb->add_option("--modes", wishes->modes,
                      "so many natural frequencies and modes of the structure at rest")
         ->check(CLI::Range(1, 1000));
+    verb->add_option("--threads", wishes->threads,
+                     "Threads to use; 0: all there are (linear and newton; the result is the same)")
+        ->check(CLI::NonNegativeNumber)
+        ->capture_default_str();
     verb->add_option("--vtu", wishes->vtu, "the displaced beams for ParaView");
     verb->add_option("--deck", wishes->deck, "write the frame as an input deck for Abaqus (.inp)");
     verb->add_option("--out", wishes->out, "result file")->required();

@@ -33,6 +33,47 @@ TEST(ParallelFor, ThrowsTheFailureOfTheSmallestIndex) {
     }
 }
 
+/// Two trees: 4 over 0, 1 and 3, which is over 2; and 5 alone.
+constexpr int kParents[] = {4, 4, 3, 4, -1, -1};
+
+TEST(ParallelTree, CallsEveryNodeOnceAndAfterItsChildren) {
+    for (const int threads : {1, 2, 7}) {
+        for (int round = 0; round < 20; ++round) {
+            std::atomic<int> clock{0};
+            int called[6] = {};
+            parallel_tree(kParents, threads, [&](std::size_t i) { called[i] = ++clock; });
+            EXPECT_EQ(clock.load(), 6);
+            for (std::size_t i = 0; i < 6; ++i) {
+                EXPECT_GT(called[i], 0);
+                if (kParents[i] >= 0) {
+                    EXPECT_LT(called[i], called[kParents[i]]);
+                }
+            }
+        }
+    }
+}
+
+TEST(ParallelTree, CallsNothingAboveAFailureAndThrowsThatOfTheSmallestIndex) {
+    for (const int threads : {1, 4}) {
+        for (int round = 0; round < 20; ++round) {
+            std::atomic<bool> called[6] = {};
+            const std::string message = test::complaint_of([&] {
+                parallel_tree(kParents, threads, [&](std::size_t i) {
+                    called[i] = true;
+                    if (i == 2 || i == 5) throw InputError(std::to_string(i));
+                });
+            });
+            EXPECT_EQ(message, "2");
+            EXPECT_TRUE(called[0] && called[1] && called[5]);
+            EXPECT_FALSE(called[3] || called[4]);
+        }
+    }
+}
+
+TEST(ParallelTree, OfNothingCallsNothing) {
+    parallel_tree({}, 4, [](std::size_t) { FAIL(); });
+}
+
 TEST(ParallelFor, TakesAllThreadsForZero) {
     EXPECT_GE(resolved_thread_count(0), 1);
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <condition_variable>
 #include <exception>
 #include <mutex>
 #include <thread>
@@ -30,6 +31,84 @@ class FirstFailure {
     std::size_t index_ = 0;
 };
 
+/// The nodes of a tree, from its leaves to its roots.
+class TreeWork {
+  public:
+    TreeWork(std::span<const int> parent, const std::function<void(std::size_t)>& body)
+        : parent_(parent),
+          body_(body),
+          waits_for_(parent.size(), 0),
+          is_spoiled_(parent.size(), false),
+          unfinished_(parent.size()) {
+        for (const int above : parent_) {
+            if (above >= 0) ++waits_for_[static_cast<std::size_t>(above)];
+        }
+        for (std::size_t i = parent_.size(); i-- > 0;) {
+            if (waits_for_[i] == 0) ready_.push_back(i);
+        }
+    }
+
+    void run() {
+        std::unique_lock lock(mutex_);
+        for (;;) {
+            changed_.wait(lock, [&] { return !ready_.empty() || unfinished_ == 0; });
+            if (unfinished_ == 0) return;
+            const std::size_t index = ready_.back();
+            ready_.pop_back();
+            if (!is_spoiled_[index]) {
+                lock.unlock();
+                const bool succeeded = call(index);
+                lock.lock();
+                is_spoiled_[index] = !succeeded;
+            }
+            finish(index);
+        }
+    }
+
+    void rethrow_if_any() const { failure_.rethrow_if_any(); }
+
+  private:
+    bool call(std::size_t index) {
+        try {
+            body_(index);
+            return true;
+        } catch (...) {
+            failure_.record(index);
+            return false;
+        }
+    }
+
+    void finish(std::size_t index) {
+        if (--unfinished_ == 0) changed_.notify_all();
+        if (parent_[index] < 0) return;
+        const auto above = static_cast<std::size_t>(parent_[index]);
+        if (is_spoiled_[index]) is_spoiled_[above] = true;
+        if (--waits_for_[above] > 0) return;
+        ready_.push_back(above);
+        changed_.notify_one();
+    }
+
+    std::span<const int> parent_;
+    const std::function<void(std::size_t)>& body_;
+    std::vector<int> waits_for_;
+    std::vector<bool> is_spoiled_;  ///< it, or a node below it, has thrown
+    std::vector<std::size_t> ready_;
+    std::size_t unfinished_;
+    std::mutex mutex_;
+    std::condition_variable changed_;
+    FirstFailure failure_;
+};
+
+/// Run `work` on this thread and on as many others as are useful for `count` pieces.
+void run_on_threads(std::size_t count, int threads, const std::function<void()>& work) {
+    const std::size_t helpers =
+        std::min<std::size_t>(resolved_thread_count(threads), std::max<std::size_t>(count, 1)) - 1;
+    std::vector<std::jthread> pool;
+    pool.reserve(helpers);
+    for (std::size_t i = 0; i < helpers; ++i) pool.emplace_back(work);
+    work();
+}
+
 }  // namespace
 
 int resolved_thread_count(int wanted) {
@@ -55,15 +134,15 @@ void parallel_for(std::size_t count, int threads, const std::function<void(std::
             }
         }
     };
-    const std::size_t helpers =
-        std::min<std::size_t>(resolved_thread_count(threads), std::max<std::size_t>(count, 1)) - 1;
-    {
-        std::vector<std::jthread> pool;
-        pool.reserve(helpers);
-        for (std::size_t i = 0; i < helpers; ++i) pool.emplace_back(work);
-        work();
-    }
+    run_on_threads(count, threads, work);
     failure.rethrow_if_any();
+}
+
+void parallel_tree(std::span<const int> parent, int threads, const std::function<void(std::size_t)>& body) {
+    if (parent.size() == 1) return body(0);
+    TreeWork tree(parent, body);
+    run_on_threads(parent.size(), threads, [&] { tree.run(); });
+    tree.rethrow_if_any();
 }
 
 }  // namespace fretwork::base

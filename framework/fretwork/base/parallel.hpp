@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <span>
 
 namespace fretwork::base {
 
@@ -15,5 +16,12 @@ int resolved_thread_count(int wanted);
 /// result does not depend on the number of threads. Of several exceptions the one of the smallest index is
 /// thrown on.
 void parallel_for(std::size_t count, int threads, const std::function<void(std::size_t)>& body);
+
+/// Call body(i) for every node of a tree after the calls for its children, on up to `threads` threads (0: all
+/// there are). parent[i] > i, or -1 at a root.
+///
+/// As for parallel_for, when and where a node is called is left open. Above a node that throws none is
+/// called; the others are, and the exception of the smallest index is thrown on.
+void parallel_tree(std::span<const int> parent, int threads, const std::function<void(std::size_t)>& body);
 
 }  // namespace fretwork::base

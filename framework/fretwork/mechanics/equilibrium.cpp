@@ -35,7 +35,7 @@ class LoadPath {
   public:
     LoadPath(const Assembly& assembly, const EquilibriumOptions& options)
         : options_(options),
-          system_(assembly),
+          system_(assembly, options.threads),
           newton_(system_, options),
           configuration_(system_.rest()),
           predictor_(system_) {
@@ -234,6 +234,7 @@ void EquilibriumOptions::validate() const {
     require(largest_rotation_step > 0.0 && largest_rotation_step < 3.0,
             "largest_rotation_step is " + base::format_number(largest_rotation_step) +
                 ", where a number in (0, 3) is needed");
+    require(threads >= 0, "threads is " + std::to_string(threads) + ", and must not be negative");
     require(iterations_per_step > 0, "iterations_per_step must be above zero");
     require(largest_cut_back >= 0 && largest_cut_back <= 30, "largest_cut_back must be from 0 to 30");
 }

@@ -25,6 +25,7 @@ struct EquilibriumOptions {
     bool classify_stability = true;
     Branch branch = Branch::Primary;
     bool locate_critical_loads = false;  ///< fill Solution::stability_losses; Branch::Stable always does
+    int threads = 1;  ///< 0: all there are. They change no bit of a result, and small structures use one.
     /// Throws InputError if a value makes no sense.
     void validate() const;
 };

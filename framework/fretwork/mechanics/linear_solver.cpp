@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
+#include <fretwork/base/parallel.hpp>
 #include <fretwork/mechanics/detail/constraints.hpp>
 #include <fretwork/mechanics/detail/ldlt.hpp>
 #include <fretwork/mechanics/linear_solver.hpp>
@@ -30,13 +31,14 @@ struct HeldEntry {
 
 /// Equations that can be solved on their own: all of a structure, or its half in or out of the plane.
 struct Subsystem {
-    explicit Subsystem(SystemLayout equations)
+    Subsystem(SystemLayout equations, int threads)
         : layout(std::make_unique<SystemLayout>(std::move(equations))),
           values(layout->row().size(), 0.0),
-          factors(*layout) {}
+          factors(*layout, threads) {}
     std::unique_ptr<SystemLayout> layout;
     std::vector<double> values;
     Ldlt factors;
+    Eigen::VectorXd displacements, forces;  ///< of the solve at hand
 };
 
 bool is_flat(const Assembly& assembly) {
@@ -62,7 +64,10 @@ bool decouples(const Eigen::MatrixXd& stiffness) {
 
 class LinearSolver::Impl {
   public:
-    explicit Impl(const Assembly& assembly) { build(assembly); }
+    Impl(const Assembly& assembly, const LinearOptions& options)
+        : threads_(base::resolved_thread_count(options.threads)) {
+        build(assembly);
+    }
 
     void refactorize(const Assembly& assembly) {
         constraints_ = detail::constraints_of(assembly);
@@ -124,7 +129,7 @@ class LinearSolver::Impl {
                     dofs.contains[d] = !dofs.contains[d] && part.contains[d];
             }
             SystemLayout layout(assembly, graph, free, order);
-            if (layout.equations() > 0) systems_.emplace_back(std::move(layout));
+            if (layout.equations() > 0) systems_.emplace_back(std::move(layout), threads_);
         }
         split_ = parts.size() > 1;
     }
@@ -178,24 +183,31 @@ class LinearSolver::Impl {
         }
     }
 
+    /// Call body for each of the systems. They share no equation, so the result is that of one thread.
+    template <class Body>
+    void for_each_system(const Body& body) {
+        constexpr int kManyEquations = 3000;
+        const bool many = !systems_.empty() && systems_.front().layout->equations() > kManyEquations;
+        base::parallel_for(systems_.size(), many ? threads_ : 1, [&](std::size_t i) { body(systems_[i]); });
+    }
+
     /// Loads less internal forces. At held dofs that is the negative reaction.
-    [[nodiscard]] NodeValues out_of_balance(const NodeValues& loads, const NodeValues& displacements) const {
+    [[nodiscard]] NodeValues out_of_balance(const NodeValues& loads, const NodeValues& displacements) {
         NodeValues result = loads;
-        Eigen::VectorXd d, product;
-        NodeValues internal = NodeValues::Zero(loads.rows(), kDofsPerNode);
-        for (const Subsystem& system : systems_) {
-            system.layout->gather(displacements, d);
-            product.setZero(d.size());
-            detail::add_product(*system.layout, system.values, d, product);
-            system.layout->scatter(product, internal);
-        }
+        for_each_system([&](Subsystem& system) {
+            system.layout->gather(displacements, system.displacements);
+            system.forces.setZero(system.displacements.size());
+            detail::add_product(*system.layout, system.values, system.displacements, system.forces);
+            system.layout->gather(loads, system.displacements);
+            system.forces = system.displacements - system.forces;
+            system.layout->scatter(system.forces, result);
+        });
         for (const HeldEntry& entry : held_entries_) {
-            internal(entry.node, entry.dof) += entry.value * displacements(entry.other_node, entry.other_dof);
+            result(entry.node, entry.dof) -= entry.value * displacements(entry.other_node, entry.other_dof);
             if (!is_held(entry.other_node, entry.other_dof))
-                internal(entry.other_node, entry.other_dof) +=
+                result(entry.other_node, entry.other_dof) -=
                     entry.value * displacements(entry.node, entry.dof);
         }
-        result -= internal;
         return result;
     }
 
@@ -204,15 +216,14 @@ class LinearSolver::Impl {
     }
 
     void correct(const NodeValues& unbalanced, NodeValues& displacements) {
-        NodeValues step = NodeValues::Zero(displacements.rows(), kDofsPerNode);
-        Eigen::VectorXd vector;
-        for (Subsystem& system : systems_) {
-            system.layout->gather(unbalanced, vector);
-            if (vector.isZero(0.0)) continue;  // loaded in its plane only, or across it
-            system.factors.solve(vector);
-            system.layout->scatter(vector, step);
-        }
-        displacements += step;
+        for_each_system([&](Subsystem& system) {
+            system.layout->gather(unbalanced, system.forces);
+            if (system.forces.isZero(0.0)) return;  // loaded in its plane only, or across it
+            system.factors.solve(system.forces);
+            system.layout->gather(displacements, system.displacements);
+            system.displacements += system.forces;
+            system.layout->scatter(system.displacements, displacements);
+        });
     }
 
     /// Keep the held rows, negated, or the others.
@@ -226,10 +237,18 @@ class LinearSolver::Impl {
         return reactions;
     }
 
+    /// The out-of-balance forces of the free dofs; those of the held ones are the reactions.
     [[nodiscard]] double relative_residual(const NodeValues& loads, const NodeValues& unbalanced) const {
-        const NodeValues reactions = reactions_of(unbalanced);
-        const double scale = detail::force_norm(loads, length_) + detail::force_norm(reactions, length_);
-        return scale > 0 ? detail::force_norm(unbalanced + reactions, length_) / scale : 0.0;
+        double free = 0.0;
+        double held = 0.0;
+        for (int node = 0; node < static_cast<int>(unbalanced.rows()); ++node) {
+            for (int d = 0; d < kDofsPerNode; ++d) {
+                const double force = unbalanced(node, d) / (d < 3 ? 1.0 : length_);
+                (is_held(node, d) ? held : free) += force * force;
+            }
+        }
+        const double scale = detail::force_norm(loads, length_) + std::sqrt(held);
+        return scale > 0 ? std::sqrt(free) / scale : 0.0;
     }
 
     void finish(const NodeValues& loads, const NodeValues& displacements, const NodeValues& unbalanced,
@@ -240,6 +259,7 @@ class LinearSolver::Impl {
         solution.reactions = reactions.topRows(reported_);
     }
 
+    int threads_;
     detail::Constraints constraints_;
     NodeValues loads_;
     int reported_ = 0;
@@ -250,7 +270,8 @@ class LinearSolver::Impl {
     std::vector<HeldEntry> held_entries_;
 };
 
-LinearSolver::LinearSolver(const Assembly& assembly) : impl_(std::make_unique<Impl>(assembly)) {}
+LinearSolver::LinearSolver(const Assembly& assembly, const LinearOptions& options)
+    : impl_(std::make_unique<Impl>(assembly, options)) {}
 LinearSolver::LinearSolver(LinearSolver&&) noexcept = default;
 LinearSolver& LinearSolver::operator=(LinearSolver&&) noexcept = default;
 LinearSolver::~LinearSolver() = default;
@@ -267,8 +288,8 @@ void LinearSolver::refactorize(const Assembly& assembly) {
     impl_->refactorize(assembly);
 }
 
-Solution solve_linear(const Assembly& assembly) {
-    return LinearSolver(assembly).solve();
+Solution solve_linear(const Assembly& assembly, const LinearOptions& options) {
+    return LinearSolver(assembly, options).solve();
 }
 
 }  // namespace fretwork::mechanics

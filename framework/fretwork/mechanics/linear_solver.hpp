@@ -8,16 +8,21 @@
 
 namespace fretwork::mechanics {
 
+/// Options of the linear solve.
+struct LinearOptions {
+    int threads = 1;  ///< 0: all there are. They change no bit of a result.
+};
+
 /// The linear equilibrium K d = F of a structure at rest, factorized once: another load is a
 /// back-substitution.
 ///
 /// A flat structure whose elements decouple is solved as two problems of three dofs a node: in plane (ux uy
 /// rz) and out of plane (uz rx ry). The node graph is ordered, not the dof graph; multifrontal
-/// L D L^T, one thread.
+/// L D L^T.
 class LinearSolver {
   public:
     /// Throws NumericalError that names a node if the structure, as held, can move without strain.
-    explicit LinearSolver(const Assembly& assembly);
+    explicit LinearSolver(const Assembly& assembly, const LinearOptions& options = {});
     LinearSolver(LinearSolver&&) noexcept;
     LinearSolver& operator=(LinearSolver&&) noexcept;
     ~LinearSolver();
@@ -36,6 +41,6 @@ class LinearSolver {
 };
 
 /// Solve once. Throws as LinearSolver.
-Solution solve_linear(const Assembly& assembly);
+Solution solve_linear(const Assembly& assembly, const LinearOptions& options = {});
 
 }  // namespace fretwork::mechanics

@@ -35,6 +35,7 @@ bool SimulationOptions::is_nonlinear() const {
 }
 
 void SimulationOptions::validate() const {
+    if (threads < 0) throw base::InputError("threads: " + std::to_string(threads) + " must not be negative");
     if (estimate_error && (model != "full" || !is_nonlinear()))
         throw base::InputError("the discretization error is estimated for the nonlinear full model only");
     if (load_steps > 1 && !is_nonlinear())
@@ -60,16 +61,19 @@ mechanics::Result simulate(const Surface& surface, const LoadCase& load_case,
     result.solver = nonlinear ? "newton" : "linear";
     result.nodes = result_nodes(assembly, surface);
     if (nonlinear) {
-        result.load_steps = mechanics::follow_load_path(assembly, load_factors(options.load_steps));
+        const mechanics::EquilibriumOptions path_options{.threads = options.threads};
+        result.load_steps =
+            mechanics::follow_load_path(assembly, load_factors(options.load_steps), path_options);
         result.solution = result.load_steps.back();
     } else {
-        result.solution = mechanics::solve_linear(assembly);
+        result.solution = mechanics::solve_linear(assembly, {.threads = options.threads});
     }
     result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
     if (options.estimate_error)
         result.discretization_error =
             mechanics::estimate_discretization_error(full_model_frame(surface, conditions),
-                                                     load_factors(options.load_steps), result.load_steps)
+                                                     load_factors(options.load_steps), result.load_steps,
+                                                     {.threads = options.threads})
                 .back();
     if (options.load_steps == 1) result.load_steps.clear();
     return result;

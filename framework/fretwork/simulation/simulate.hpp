@@ -17,6 +17,7 @@ struct SimulationOptions {
     Analysis analysis = Analysis::OfTheModel;  ///< of the model: what its row says
     bool estimate_error = false;  ///< Result::discretization_error; of the nonlinear full model only
     int load_steps = 1;           ///< results at so many equal shares of the load; nonlinear only
+    int threads = 0;              ///< 0: all there are. They change no bit of the result.
     /// Whether equilibrium is sought in the deformed state. Throws InputError if there is no such model.
     [[nodiscard]] bool is_nonlinear() const;
     /// Throws InputError if a value makes no sense, or goes with none of the others.

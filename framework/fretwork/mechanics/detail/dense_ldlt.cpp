@@ -44,6 +44,7 @@ struct Product {
     Index stride;
     const double* packed;
     Index depth;
+    bool replaces = false;  ///< what is in the columns does not count
 };
 
 /// How the rows below a diagonal block end up as rows of L.
@@ -65,7 +66,11 @@ FRETWORK_INLINE void subtract_tile(double* target, Index stride, const Product& 
     }
 #pragma GCC unroll 6
     for (int c = 0; c < kBlock; ++c) {
-        if (c < count) sum[c] = *reinterpret_cast<const Strip*>(target + c * stride) - sum[c];
+        if (product.replaces) {
+            sum[c] = -sum[c];
+        } else if (c < count) {
+            sum[c] = *reinterpret_cast<const Strip*>(target + c * stride) - sum[c];
+        }
     }
     if (solve != nullptr) {
 #pragma GCC unroll 6
@@ -160,7 +165,7 @@ FRETWORK_CLONES void update_rest(const Front& front, Index from, Index to, doubl
         for (Index column = 0; column < end; column += kBlock) {
             const int count = static_cast<int>(std::min<Index>(kBlock, front.rows - column));
             subtract_rows({front.rest + column * front.rows, front.rows, end, count}, row,
-                          {left, stride, packed + column * depth, depth});
+                          {left, stride, packed + column * depth, depth, front.rest_is_empty && from == 0});
         }
     }
 }

@@ -11,8 +11,9 @@ namespace fretwork::mechanics::detail {
 struct Front {
     int width = 0;
     int rows = 0;
-    double* panel = nullptr;  ///< (width + rows) x width; afterwards D on the diagonal, unit L below it
-    double* rest = nullptr;   ///< rows x rows, lower triangle; the upper one may be overwritten with anything
+    double* panel = nullptr;     ///< (width + rows) x width; afterwards D on the diagonal, unit L below it
+    double* rest = nullptr;      ///< rows x rows, lower triangle; the upper one may hold anything
+    bool rest_is_empty = false;  ///< the rest holds nothing yet, not even zeros
 };
 
 /// What was met on the way.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
+#include <fretwork/base/parallel.hpp>
 #include <fretwork/mechanics/detail/ldlt.hpp>
 
 #include <algorithm>
@@ -16,24 +17,42 @@ std::size_t at(int index) {
     return static_cast<std::size_t>(index);
 }
 
+/// Where each entry of the matrix comes in its column of a front.
+std::vector<int> entry_places(const SystemLayout& layout, const SupernodeTree& tree) {
+    std::vector<int> place(at(layout.equations()));
+    std::vector<int> places(layout.row().size());
+    for (const Supernode& supernode : tree.supernodes) {
+        for (int i = 0; i < supernode.width; ++i) place[at(supernode.first + i)] = i;
+        for (int i = 0; i < supernode.rows; ++i)
+            place[at(tree.row[supernode.row_start + at(i)])] = supernode.width + i;
+        const auto end = at(layout.column_start()[at(supernode.first + supernode.width)]);
+        for (auto k = at(layout.column_start()[at(supernode.first)]); k < end; ++k)
+            places[k] = place[at(layout.row()[k])];
+    }
+    return places;
+}
+
 }  // namespace
 
-Ldlt::Ldlt(const SystemLayout& layout)
+Ldlt::Ldlt(const SystemLayout& layout, int threads)
     : layout_(&layout),
+      threads_(base::resolved_thread_count(threads)),
       tree_(supernode_tree(layout)),
+      plan_(plan_elimination(tree_, threads_)),
       factor_(make_large_array(tree_.factor_size)),
-      storage_(make_large_array(tree_.storage_size)),
+      storage_(make_large_array(plan_.storage_size)),
+      entry_place_(entry_places(layout, tree_)),
       diagonal_(at(layout.equations())),
-      place_(at(layout.equations())) {
+      pivots_(tree_.supernodes.size()) {
     int most_rows = 0;
     for (const Supernode& supernode : tree_.supernodes) most_rows = std::max(most_rows, supernode.rows);
     scratch_.resize(at(most_rows));
-    child_place_.resize(at(most_rows));
 }
 
-Front Ldlt::front_of(const Supernode& supernode) {
-    return {supernode.width, supernode.rows, factor_.get() + supernode.panel_start,
-            storage_.get() + supernode.rest_start};
+Front Ldlt::front_of(std::size_t supernode) const {
+    const Supernode& own = tree_.supernodes[supernode];
+    return {own.width, own.rows, factor_.get() + own.panel_start,
+            storage_.get() + plan_.rest_start[supernode], true};
 }
 
 Ldlt::Outcome Ldlt::factorize(std::span<const double> values) {
@@ -42,58 +61,80 @@ Ldlt::Outcome Ldlt::factorize(std::span<const double> values) {
         if (!std::isfinite(diagonal_[at(i)]))
             throw base::NumericalError("the stiffness holds a number that is not finite");
     }
+    pivots_.assign(pivots_.size(), {});
+    base::parallel_tree(plan_.parent, threads_, [&](std::size_t task) { eliminate_task(task, values); });
     Outcome outcome;
-    for (std::size_t s = 0; s < tree_.supernodes.size(); ++s) {
-        const Supernode& supernode = tree_.supernodes[s];
-        const Front front = front_of(supernode);
-        assemble(supernode, values, front);
-        for (int k = tree_.child_start[s]; k < tree_.child_start[s + 1]; ++k)
-            add_rest(tree_.supernodes[at(tree_.child[at(k)])], front);
-        const auto diagonal = std::span(diagonal_).subspan(at(supernode.first), at(supernode.width));
-        const Pivots pivots = eliminate(front, diagonal, kZeroPivot, scratch_);
-        outcome.negative_pivots += pivots.negative;
-        if (pivots.zero < 0) continue;
-        outcome.zero_pivot = supernode.first + pivots.zero;
-        break;
+    for (std::size_t s = 0; s < pivots_.size() && outcome.zero_pivot < 0; ++s) {
+        outcome.negative_pivots += pivots_[s].negative;
+        if (pivots_[s].zero >= 0) outcome.zero_pivot = tree_.supernodes[s].first + pivots_[s].zero;
     }
     return outcome;
 }
 
-/// Start the front with the matrix's own entries.
-void Ldlt::assemble(const Supernode& supernode, std::span<const double> values, const Front& front) {
-    const int height = supernode.height();
-    for (int j = 0; j < front.width; ++j) std::fill_n(front.panel + at(j) * at(height + 1), height - j, 0.0);
-    for (int j = 0; j < front.rows; ++j)
-        std::fill_n(front.rest + at(j) * at(front.rows + 1), front.rows - j, 0.0);
-    for (int i = 0; i < supernode.width; ++i) place_[at(supernode.first + i)] = i;
-    for (int i = 0; i < supernode.rows; ++i)
-        place_[at(tree_.row[supernode.row_start + at(i)])] = supernode.width + i;
-    const int* start = layout_->column_start().data() + supernode.first;
-    for (int column = 0; column < supernode.width; ++column) {
-        double* target = front.panel + at(column) * at(height);
-        for (int k = start[column]; k < start[column + 1]; ++k)
-            target[place_[at(layout_->row()[at(k)])]] = values[at(k)];
+void Ldlt::eliminate_task(std::size_t task, std::span<const double> values) {
+    // A thread's own, and kept: small systems are factorized a thousand times a second.
+    thread_local std::vector<double> scratch;
+    for (const int supernode : plan_.supernodes_of(task)) {
+        const auto s = at(supernode);
+        const Supernode& own = tree_.supernodes[s];
+        const Front front = front_of(s);
+        const auto children =
+            std::span(tree_.child)
+                .subspan(at(tree_.child_start[s]), at(tree_.child_start[s + 1] - tree_.child_start[s]));
+        // What follows a pivot that vanished is of no use; it is left out, so as to be the same always.
+        const auto failed = [&](int child) { return pivots_[at(child)].zero >= 0; };
+        if (std::any_of(children.begin(), children.end(), failed)) {
+            pivots_[s].zero = 0;
+            continue;
+        }
+        assemble(own, values, front);
+        for (const int child : children) add_to_panel(at(child), front);
+        const auto diagonal = std::span(diagonal_).subspan(at(own.first), at(own.width));
+        pivots_[s] = eliminate(front, diagonal, kZeroPivot, scratch);
+        if (pivots_[s].zero >= 0) continue;
+        for (const int child : children) add_to_rest(at(child), front);
     }
 }
 
-/// Add what a child has left.
-void Ldlt::add_rest(const Supernode& child, const Front& front) {
-    for (int i = 0; i < child.rows; ++i) child_place_[at(i)] = place_[at(tree_.row[child.row_start + at(i)])];
-    const int* place = child_place_.data();
-    const int height = front.width + front.rows;
-    for (int column = 0; column < child.rows; ++column) {
-        const int j = place[column];
-        double* target = j < front.width ? front.panel + at(j) * at(height)
-                                         : front.rest + at(j - front.width) * at(front.rows) - front.width;
-        const double* source = storage_.get() + child.rest_start + at(column) * at(child.rows);
-        for (int i = column; i < child.rows; ++i) target[place[i]] += source[i];
+/// Start the panel with the matrix's own entries.
+void Ldlt::assemble(const Supernode& supernode, std::span<const double> values, const Front& front) const {
+    const int height = supernode.height();
+    for (int j = 0; j < front.width; ++j) std::fill_n(front.panel + at(j) * at(height + 1), height - j, 0.0);
+    const int* start = layout_->column_start().data() + supernode.first;
+    for (int column = 0; column < supernode.width; ++column) {
+        double* target = front.panel + at(column) * at(height);
+        for (auto k = at(start[column]); k < at(start[column + 1]); ++k) target[entry_place_[k]] = values[k];
+    }
+}
+
+/// Add the columns of what a child has left that its parent eliminates: the first ones.
+void Ldlt::add_to_panel(std::size_t child, const Front& front) const {
+    const Supernode& own = tree_.supernodes[child];
+    const int* place = tree_.place.data() + own.row_start;
+    const double* source = storage_.get() + plan_.rest_start[child];
+    for (int column = 0; column < own.rows && place[column] < front.width; ++column) {
+        double* target = front.panel + at(place[column]) * at(front.width + front.rows);
+        for (int i = column; i < own.rows; ++i) target[place[i]] += source[at(column) * at(own.rows) + at(i)];
+    }
+}
+
+/// Add the others.
+void Ldlt::add_to_rest(std::size_t child, const Front& front) const {
+    const Supernode& own = tree_.supernodes[child];
+    const int* place = tree_.place.data() + own.row_start;
+    const double* source = storage_.get() + plan_.rest_start[child];
+    const auto first = static_cast<int>(std::lower_bound(place, place + own.rows, front.width) - place);
+    for (int column = first; column < own.rows; ++column) {
+        double* target = front.rest + at(place[column] - front.width) * at(front.rows) - front.width;
+        for (int i = column; i < own.rows; ++i) target[place[i]] += source[at(column) * at(own.rows) + at(i)];
     }
 }
 
 void Ldlt::solve_column(double* x) {
-    for (const Supernode& supernode : tree_.supernodes) {
+    for (std::size_t s = 0; s < tree_.supernodes.size(); ++s) {
+        const Supernode& supernode = tree_.supernodes[s];
         std::fill_n(scratch_.data(), supernode.rows, 0.0);
-        substitute_forward(front_of(supernode), x + supernode.first, scratch_.data());
+        substitute_forward(front_of(s), x + supernode.first, scratch_.data());
         const int* row = tree_.row.data() + supernode.row_start;
         for (int i = 0; i < supernode.rows; ++i) x[row[i]] -= scratch_[at(i)];
     }
@@ -101,7 +142,7 @@ void Ldlt::solve_column(double* x) {
         const Supernode& supernode = tree_.supernodes[s];
         const int* row = tree_.row.data() + supernode.row_start;
         for (int i = 0; i < supernode.rows; ++i) scratch_[at(i)] = x[row[i]];
-        substitute_back(front_of(supernode), x + supernode.first, scratch_.data());
+        substitute_back(front_of(s), x + supernode.first, scratch_.data());
     }
 }
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <fretwork/mechanics/detail/dense_ldlt.hpp>
+#include <fretwork/mechanics/detail/elimination_plan.hpp>
 #include <fretwork/mechanics/detail/large_array.hpp>
-#include <fretwork/mechanics/detail/supernodes.hpp>
 
 #include <span>
 #include <vector>
@@ -16,7 +16,8 @@ namespace fretwork::mechanics::detail {
 /// tangents of structures only those next to a singular one suffer from that, and a vanishing pivot says so.
 class Ldlt {
   public:
-    explicit Ldlt(const SystemLayout& layout);
+    /// @param threads  that factorize() uses where it is worth them; 0: all there are. They change no bit.
+    explicit Ldlt(const SystemLayout& layout, int threads = 1);
 
     /// How a factorization ended.
     struct Outcome {
@@ -34,19 +35,23 @@ class Ldlt {
     void solve(Eigen::MatrixXd& right_sides);
 
   private:
-    void assemble(const Supernode& supernode, std::span<const double> values, const Front& front);
-    void add_rest(const Supernode& child, const Front& front);
+    void eliminate_task(std::size_t task, std::span<const double> values);
+    void assemble(const Supernode& supernode, std::span<const double> values, const Front& front) const;
+    void add_to_panel(std::size_t child, const Front& front) const;
+    void add_to_rest(std::size_t child, const Front& front) const;
     void solve_column(double* x);
-    [[nodiscard]] Front front_of(const Supernode& supernode);
+    [[nodiscard]] Front front_of(std::size_t supernode) const;
 
     const SystemLayout* layout_;
+    int threads_;
     SupernodeTree tree_;
-    LargeArray factor_;   ///< the panels, one after the other
-    LargeArray storage_;  ///< what waits for its parent
+    EliminationPlan plan_;
+    LargeArray factor_;             ///< the panels, one after the other
+    LargeArray storage_;            ///< what waits for its parent
+    std::vector<int> entry_place_;  ///< of the layout's entries: rows of their columns in the fronts
     std::vector<double> diagonal_;
+    std::vector<Pivots> pivots_;  ///< of each supernode
     std::vector<double> scratch_;
-    std::vector<int> place_;        ///< of an equation in the front at hand
-    std::vector<int> child_place_;  ///< of a child's rows in it
 };
 
 /// y += A x for the symmetric matrix of a layout.

@@ -13,7 +13,7 @@ namespace fretwork::mechanics::detail {
 class Newton {
   public:
     Newton(NonlinearSystem& system, const EquilibriumOptions& options)
-        : system_(system), options_(options), factors_(system.layout()) {}
+        : system_(system), options_(options), factors_(system.layout(), options.threads) {}
 
     /// Bring a configuration to equilibrium under this load factor. On Converged the system is evaluated
     /// there.

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/parallel.hpp>
 #include <fretwork/mechanics/detail/nonlinear_system.hpp>
 #include <fretwork/mechanics/detail/rotation.hpp>
 
@@ -30,6 +31,11 @@ std::unique_ptr<SystemLayout> lay_out(const Assembly& assembly, const Constraint
     return std::make_unique<SystemLayout>(assembly, graph, free, elimination_order(graph, takes_part));
 }
 
+/// Elements that threads evaluate before they are added, one after the other, and what one thread takes of
+/// them at a time. What is in a batch stays in the cache.
+constexpr std::size_t kBatch = 2048;
+constexpr std::size_t kPiece = 64;
+
 /// What an unloaded structure's forces come to in floating point: rounding of the elements' geometry times
 /// the largest stiffness.
 double rounding_force(const Assembly& assembly, double length) {
@@ -44,13 +50,16 @@ double rounding_force(const Assembly& assembly, double length) {
 
 }  // namespace
 
-NonlinearSystem::NonlinearSystem(const Assembly& assembly)
+NonlinearSystem::NonlinearSystem(const Assembly& assembly, int threads)
     : assembly_(assembly),
       constraints_(constraints_of(assembly)),
       length_(characteristic_length(assembly)),
       layout_(lay_out(assembly, constraints_)),
       vector_slot_(assembly.nodes.size(), -1),
-      has_prescribed_(!constraints_.values.isZero(0.0)) {
+      has_prescribed_(!constraints_.values.isZero(0.0)),
+      threads_(assembly.elements.size() < kBatch / 2 ? 1 : base::resolved_thread_count(threads)),
+      batch_(threads_ > 1 ? kBatch : 1),
+      responses_(batch_) {
     for (std::size_t node = 0; node < assembly.nodes.size(); ++node) {
         const auto& held = constraints_.held[node].contains;
         const auto free = std::count(held.begin() + 3, held.end(), false);
@@ -183,15 +192,14 @@ void NonlinearSystem::map_spins(const Configuration& configuration) {
 }
 
 /// From spins to components of the rotation vector, where these are the unknowns.
-void NonlinearSystem::map_to_unknowns(std::span<const NodeIndex> nodes) {
+void NonlinearSystem::map_to_unknowns(std::span<const NodeIndex> nodes, Eigen::MatrixXd& tangent) const {
     for (std::size_t i = 0; i < nodes.size(); ++i) {
         const int slot = vector_slot_[at(nodes[i].value)];
         if (slot < 0) continue;
         const Eigen::Matrix3d& map = spin_maps_[at(slot)];
         const Eigen::Index place = static_cast<Eigen::Index>(i) * kDofsPerNode + 3;
-        response_.tangent.middleCols<3>(place) = (response_.tangent.middleCols<3>(place) * map).eval();
-        response_.tangent.middleRows<3>(place) =
-            (map.transpose() * response_.tangent.middleRows<3>(place)).eval();
+        tangent.middleCols<3>(place) = (tangent.middleCols<3>(place) * map).eval();
+        tangent.middleRows<3>(place) = (map.transpose() * tangent.middleRows<3>(place)).eval();
     }
 }
 
@@ -207,24 +215,43 @@ void NonlinearSystem::add_prescribed_rate(std::span<const NodeIndex> nodes, cons
     }
 }
 
+/// Elements are added in their order, whoever has evaluated them, so that sums do not depend on threads.
 void NonlinearSystem::add_elements(const Configuration& configuration, Demand demand) {
-    for (std::size_t e = 0; e < assembly_.elements.size(); ++e) {
-        const Element& element = *assembly_.elements[e];
-        const auto nodes = element.nodes();
-        element_states_.resize(nodes.size());
-        for (std::size_t i = 0; i < nodes.size(); ++i)
-            element_states_[i] = configuration.states[at(nodes[i].value)];
-        element.evaluate(element_states_, demand, response_);
-        energy_ += response_.energy;
-        for (std::size_t i = 0; i < nodes.size(); ++i)
-            internal_.row(nodes[i].value) +=
-                response_.force.segment<kDofsPerNode>(static_cast<Eigen::Index>(i) * kDofsPerNode)
-                    .transpose();
-        if (demand == Demand::Force) continue;
-        if (!vector_nodes_.empty()) map_to_unknowns(nodes);
-        layout_->add(e, nodes, response_.tangent, values_);
-        if (has_prescribed_) add_prescribed_rate(nodes, response_.tangent);
+    for (std::size_t first = 0; first < assembly_.elements.size(); first += batch_) {
+        const std::size_t count = std::min(batch_, assembly_.elements.size() - first);
+        if (threads_ == 1) {
+            evaluate_element(first, configuration, demand, responses_[0]);
+        } else {
+            base::parallel_for((count + kPiece - 1) / kPiece, threads_, [&](std::size_t piece) {
+                const std::size_t end = std::min(count, (piece + 1) * kPiece);
+                for (std::size_t i = piece * kPiece; i < end; ++i)
+                    evaluate_element(first + i, configuration, demand, responses_[i]);
+            });
+        }
+        for (std::size_t i = 0; i < count; ++i) add_response(first + i, responses_[i], demand);
     }
+}
+
+void NonlinearSystem::evaluate_element(std::size_t index, const Configuration& configuration, Demand demand,
+                                       ElementResponse& response) const {
+    thread_local std::vector<NodeState> states;
+    const Element& element = *assembly_.elements[index];
+    const auto nodes = element.nodes();
+    states.resize(nodes.size());
+    for (std::size_t i = 0; i < nodes.size(); ++i) states[i] = configuration.states[at(nodes[i].value)];
+    element.evaluate(states, demand, response);
+    if (demand == Demand::Tangent && !vector_nodes_.empty()) map_to_unknowns(nodes, response.tangent);
+}
+
+void NonlinearSystem::add_response(std::size_t index, const ElementResponse& response, Demand demand) {
+    const auto nodes = assembly_.elements[index]->nodes();
+    energy_ += response.energy;
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+        internal_.row(nodes[i].value) +=
+            response.force.segment<kDofsPerNode>(static_cast<Eigen::Index>(i) * kDofsPerNode).transpose();
+    if (demand == Demand::Force) return;
+    layout_->add(index, nodes, response.tangent, values_);
+    if (has_prescribed_) add_prescribed_rate(nodes, response.tangent);
 }
 
 /// What moments add to the tangent: at vector nodes the change of the map itself (it meets the out-of-balance

@@ -26,7 +26,8 @@ struct Configuration {
 /// skew blocks.
 class NonlinearSystem {
   public:
-    explicit NonlinearSystem(const Assembly& assembly);
+    /// @param threads  that evaluate the elements where these are many; 0: all there are
+    explicit NonlinearSystem(const Assembly& assembly, int threads = 1);
 
     [[nodiscard]] const SystemLayout& layout() const { return *layout_; }
     [[nodiscard]] const Assembly& assembly() const { return assembly_; }
@@ -81,7 +82,10 @@ class NonlinearSystem {
     [[nodiscard]] bool has_held_dof(int node, int dof) const;
     void map_spins(const Configuration& configuration);
     void add_elements(const Configuration& configuration, Demand demand);
-    void map_to_unknowns(std::span<const NodeIndex> nodes);
+    void evaluate_element(std::size_t index, const Configuration& configuration, Demand demand,
+                          ElementResponse& response) const;
+    void add_response(std::size_t index, const ElementResponse& response, Demand demand);
+    void map_to_unknowns(std::span<const NodeIndex> nodes, Eigen::MatrixXd& tangent) const;
     void add_prescribed_rate(std::span<const NodeIndex> nodes, const Eigen::MatrixXd& tangent);
     void add_moment_terms(const Configuration& configuration, double load_factor);
     [[nodiscard]] Eigen::Matrix3d skew_of_moment(int node, double load_factor) const;
@@ -98,6 +102,9 @@ class NonlinearSystem {
     std::vector<int> moment_nodes_;           ///< with applied moments and at least two free rotations
     std::vector<Eigen::Matrix3d> spin_maps_;  ///< of the vector nodes
     bool has_prescribed_ = false;
+    int threads_;
+    std::size_t batch_;  ///< elements that are evaluated before they are added
+    std::vector<ElementResponse> responses_;
 
     NodeValues internal_;
     NodeValues forces_;  ///< loads less internal, true moments
@@ -108,8 +115,6 @@ class NonlinearSystem {
     std::vector<SkewBlock> skew_;
     Eigen::VectorXd unbalanced_;
     Eigen::VectorXd load_rate_;
-    std::vector<NodeState> element_states_;
-    ElementResponse response_;
 };
 
 }  // namespace fretwork::mechanics::detail

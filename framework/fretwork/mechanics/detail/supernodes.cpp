@@ -2,7 +2,6 @@
 #include <fretwork/mechanics/detail/supernodes.hpp>
 
 #include <algorithm>
-#include <map>
 #include <utility>
 
 namespace fretwork::mechanics::detail {
@@ -162,48 +161,6 @@ class Grouping {
     std::vector<Group> groups_;
 };
 
-/// Hands out places in one piece of storage, and takes them back.
-class Storage {
-  public:
-    std::size_t take(std::size_t size) {
-        for (auto gap = gaps_.begin(); gap != gaps_.end(); ++gap) {
-            if (gap->second < size) continue;
-            const auto [start, length] = *gap;
-            gaps_.erase(gap);
-            if (length > size) gaps_.emplace(start + size, length - size);
-            return start;
-        }
-        const std::size_t start = size_;
-        size_ += size;
-        return start;
-    }
-
-    void give_back(std::size_t start, std::size_t size) {
-        if (size == 0) return;
-        auto place = gaps_.emplace(start, size).first;
-        const auto next = std::next(place);
-        if (next != gaps_.end() && place->first + place->second == next->first) {
-            place->second += next->second;
-            gaps_.erase(next);
-        }
-        if (place == gaps_.begin()) return;
-        const auto before = std::prev(place);
-        if (before->first + before->second != place->first) return;
-        before->second += place->second;
-        gaps_.erase(place);
-    }
-
-    [[nodiscard]] std::size_t size() const { return size_; }
-
-  private:
-    std::map<std::size_t, std::size_t> gaps_;
-    std::size_t size_ = 0;
-};
-
-std::size_t square(int size) {
-    return at(size) * at(size);
-}
-
 void add_rows(const Blocks& blocks, const BlockFactor& factor, int block, SupernodeTree& tree) {
     std::vector<int> below(factor.row.begin() + static_cast<std::ptrdiff_t>(factor.start[at(block)]),
                            factor.row.begin() + static_cast<std::ptrdiff_t>(factor.start[at(block) + 1]));
@@ -235,19 +192,31 @@ void link(SupernodeTree& tree, int equations) {
     }
 }
 
-void plan_storage(SupernodeTree& tree) {
-    Storage storage;
-    for (std::size_t s = 0; s < tree.supernodes.size(); ++s) {
-        Supernode& own = tree.supernodes[s];
-        own.panel_start = tree.factor_size;
-        tree.factor_size += at(own.height()) * at(own.width);
-        own.rest_start = storage.take(square(own.rows));
-        for (int k = tree.child_start[s]; k < tree.child_start[s + 1]; ++k) {
-            const Supernode& child = tree.supernodes[at(tree.child[at(k)])];
-            storage.give_back(child.rest_start, square(child.rows));
+void place_panels(SupernodeTree& tree) {
+    for (Supernode& supernode : tree.supernodes) {
+        supernode.panel_start = tree.factor_size;
+        tree.factor_size += at(supernode.height()) * at(supernode.width);
+    }
+}
+
+/// Where the rows of each supernode come in its parent's front: both are ascending.
+void place_in_parents(SupernodeTree& tree) {
+    tree.place.resize(tree.row.size());
+    for (const Supernode& child : tree.supernodes) {
+        if (child.parent < 0) continue;
+        const Supernode& parent = tree.supernodes[at(child.parent)];
+        const int* rows = tree.row.data() + parent.row_start;
+        int below = 0;
+        for (std::size_t k = child.row_start; k < child.row_start + at(child.rows); ++k) {
+            const int own = tree.row[k] - parent.first;
+            if (own < parent.width) {
+                tree.place[k] = own;
+                continue;
+            }
+            while (rows[below] != tree.row[k]) ++below;
+            tree.place[k] = parent.width + below;
         }
     }
-    tree.storage_size = storage.size();
 }
 
 }  // namespace
@@ -264,7 +233,8 @@ SupernodeTree supernode_tree(const SystemLayout& layout) {
         add_rows(blocks, factor, group.last, tree);
     }
     link(tree, layout.equations());
-    plan_storage(tree);
+    place_panels(tree);
+    place_in_parents(tree);
     return tree;
 }
 

@@ -16,7 +16,6 @@ struct Supernode {
     int parent = -1;              ///< the supernode of the first row below; -1: none
     std::size_t row_start = 0;    ///< of its rows in SupernodeTree::row
     std::size_t panel_start = 0;  ///< of its columns in the factor
-    std::size_t rest_start = 0;   ///< of what it leaves to its parent, in the working storage
     [[nodiscard]] int height() const { return width + rows; }
 };
 
@@ -26,8 +25,8 @@ struct SupernodeTree {
     std::vector<int> row;               ///< equations of the rows below, ascending for each supernode
     std::vector<int> child_start;       ///< supernodes + 1
     std::vector<int> child;             ///< ascending for each supernode
+    std::vector<int> place;             ///< of each of `row` in the front of the supernode's parent
     std::size_t factor_size = 0;
-    std::size_t storage_size = 0;  ///< of what waits for its parent
 };
 
 /// The elimination in the layout's order. Small supernodes are merged with their parents where few zeros come

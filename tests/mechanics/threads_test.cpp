@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Results do not depend on the number of threads: not by a bit.
+#include "sample.hpp"
+
+#include <fretwork/mechanics/detail/ldlt.hpp>
+#include <fretwork/mechanics/detail/nonlinear_system.hpp>
+#include <fretwork/mechanics/equilibrium.hpp>
+#include <fretwork/mechanics/linear_solver.hpp>
+
+#include <gtest/gtest.h>
+
+namespace fretwork::mechanics {
+namespace {
+
+/// Hexagons: rows of zigzags, each joined to the next one at every second node. Clamped at its left side, and
+/// pulled and lifted at its right one.
+Frame honeycomb(int columns, int rows) {
+    constexpr double kSide = 0.01;
+    Frame frame;
+    for (int j = 0; j < rows; ++j) {
+        for (int i = 0; i < columns; ++i) {
+            const double up = (i + j) % 2 == 0 ? 0.5 : 0.0;
+            frame.nodes.emplace_back(0.866 * kSide * i, kSide * (1.5 * j + up), 0.0);
+            const int node = j * columns + i;
+            if (i > 0) frame.beams.push_back(sample::beam_between(node - 1, node));
+            if (j + 1 < rows && up > 0.0) frame.beams.push_back(sample::beam_between(node, node + columns));
+        }
+    }
+    for (int j = 0; j < rows; ++j) {
+        sample::clamp(frame, j * columns);
+        const NodeIndex right((j + 1) * columns - 1);
+        frame.loads.push_back({right, {1e-3, 0.0, 2e-3}, {0.0, 1e-6, 0.0}});
+    }
+    return frame;
+}
+
+/// Some 4,500 beams: enough for threads to start, in all of their places.
+const Frame& large_frame() {
+    static const Frame frame = honeycomb(60, 50);
+    return frame;
+}
+
+bool same_bits(const Solution& a, const Solution& b) {
+    return a.displacements == b.displacements && a.reactions == b.reactions && a.energy == b.energy &&
+           a.residual == b.residual && a.iterations == b.iterations && a.stable == b.stable;
+}
+
+TEST(Threads, TheElementsAreManyEnoughAndTheEliminationIsCut) {
+    const Assembly assembly = assemble(large_frame());
+    const detail::NonlinearSystem system(assembly);
+    const detail::SupernodeTree tree = detail::supernode_tree(system.layout());
+    EXPECT_GT(assembly.elements.size(), 4000U);
+    EXPECT_EQ(detail::plan_elimination(tree, 1).parent.size(), 1U);
+    EXPECT_GT(detail::plan_elimination(tree, 2).parent.size(), 4U);
+}
+
+TEST(Threads, APlanHoldsEverySupernodeOnceAndAfterItsChildren) {
+    const Assembly assembly = assemble(large_frame());
+    const detail::NonlinearSystem system(assembly);
+    const detail::SupernodeTree tree = detail::supernode_tree(system.layout());
+    for (const int threads : {1, 2, 4}) {
+        const detail::EliminationPlan plan = detail::plan_elimination(tree, threads);
+        std::vector<int> task_of(tree.supernodes.size(), -1);
+        for (std::size_t task = 0; task < plan.parent.size(); ++task) {
+            for (const int s : plan.supernodes_of(task)) {
+                EXPECT_EQ(task_of[static_cast<std::size_t>(s)], -1);
+                task_of[static_cast<std::size_t>(s)] = static_cast<int>(task);
+            }
+        }
+        for (std::size_t s = 0; s < tree.supernodes.size(); ++s) {
+            ASSERT_GE(task_of[s], 0);
+            if (tree.supernodes[s].parent < 0) continue;
+            const int above = task_of[static_cast<std::size_t>(tree.supernodes[s].parent)];
+            if (above == task_of[s]) continue;
+            EXPECT_EQ(plan.parent[static_cast<std::size_t>(task_of[s])], above);
+            EXPECT_GT(above, task_of[s]);
+        }
+    }
+}
+
+TEST(Threads, ChangeNoBitOfALinearSolution) {
+    const Assembly assembly = assemble(large_frame());
+    const Solution one = solve_linear(assembly);
+    EXPECT_GT(one.displacements.cwiseAbs().maxCoeff(), 0.0);
+    for (const int threads : {2, 4})
+        EXPECT_TRUE(same_bits(solve_linear(assembly, {.threads = threads}), one)) << threads;
+}
+
+TEST(Threads, ChangeNoBitOfANonlinearPath) {
+    const Assembly assembly = assemble(large_frame());
+    const double factors[] = {0.5, 1.0};
+    const auto one = follow_load_path(assembly, factors);
+    EXPECT_TRUE(one.back().converged());
+    for (const int threads : {2, 4}) {
+        const auto path = follow_load_path(assembly, factors, {.threads = threads});
+        for (std::size_t i = 0; i < path.size(); ++i) EXPECT_TRUE(same_bits(path[i], one[i])) << threads;
+    }
+}
+
+TEST(Threads, MeetTheSameVanishingPivot) {
+    const Assembly assembly = assemble(large_frame());
+    detail::NonlinearSystem system(assembly);
+    system.evaluate(system.rest(), 0.0);
+    std::vector<double> values(system.tangent().begin(), system.tangent().end());
+    // Uncouple some equations and leave them without stiffness, far apart and negative ones among the rest.
+    const auto& start = system.layout().column_start();
+    for (const int equation : {9000, 12000, 15000}) {
+        for (int column = 0; column <= equation; ++column) {
+            for (auto k = start[static_cast<std::size_t>(column)];
+                 k < start[static_cast<std::size_t>(column) + 1]; ++k) {
+                if (column == equation || system.layout().row()[static_cast<std::size_t>(k)] == equation)
+                    values[static_cast<std::size_t>(k)] = 0.0;
+            }
+        }
+    }
+    for (std::size_t column = 0; column < 8000; column += 100)
+        values[static_cast<std::size_t>(start[column])] *= -1.0;
+    const auto one = detail::Ldlt(system.layout()).factorize(values);
+    EXPECT_EQ(one.zero_pivot, 9000);
+    EXPECT_GT(one.negative_pivots, 0);
+    for (const int threads : {2, 4}) {
+        const auto found = detail::Ldlt(system.layout(), threads).factorize(values);
+        EXPECT_EQ(found.zero_pivot, one.zero_pivot);
+        EXPECT_EQ(found.negative_pivots, one.negative_pivots);
+    }
+}
+
+}  // namespace
+}  // namespace fretwork::mechanics
