@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One thread. The honeycombs are flat, clamped on their left side and loaded on their right one; the sizes
-// are those at which other programs have been measured (508, 2,044, 9,938 and 49,926 nodes, as near as whole
-// rows come).
+// One thread, but for the rows that end in the number of theirs. The honeycombs are flat, clamped on their
+// left side and loaded on their right one; the sizes are those at which other programs have been measured
+// (508, 2,044, 9,938 and 49,926 nodes, as near as whole rows come).
 #include <fretwork/mechanics/condensation.hpp>
 #include <fretwork/mechanics/equilibrium.hpp>
 #include <fretwork/mechanics/linear_solver.hpp>
@@ -133,14 +133,16 @@ void report_size(benchmark::State& state, const Frame& frame) {
 
 void linear_from_frame_to_displacements(benchmark::State& state) {
     const Frame frame = held_honeycomb(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)));
-    for (auto _ : state) benchmark::DoNotOptimize(solve_linear(assemble(frame)).displacements.data());
+    const LinearOptions options{.threads = static_cast<int>(state.range(2))};
+    for (auto _ : state)
+        benchmark::DoNotOptimize(solve_linear(assemble(frame), options).displacements.data());
     report_size(state, frame);
 }
 
 void linear_another_load(benchmark::State& state) {
     const Frame frame = held_honeycomb(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)));
     const Assembly assembly = assemble(frame);
-    const LinearSolver solver(assembly);
+    const LinearSolver solver(assembly, {.threads = static_cast<int>(state.range(2))});
     for (auto _ : state) benchmark::DoNotOptimize(solver.solve(assembly.loads).displacements.data());
     report_size(state, frame);
 }
@@ -148,7 +150,7 @@ void linear_another_load(benchmark::State& state) {
 void linear_other_sections(benchmark::State& state) {
     const Frame frame = held_honeycomb(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)));
     const Assembly assembly = assemble(frame);
-    LinearSolver solver(assembly);
+    LinearSolver solver(assembly, {.threads = static_cast<int>(state.range(2))});
     for (auto _ : state) solver.refactorize(assembly);
     report_size(state, frame);
 }
@@ -189,7 +191,8 @@ void nonlinear_surface(benchmark::State& state) {
     double deflection = 0.0;
     int iterations = 0;
     for (auto _ : state) {
-        const auto path = follow_load_path(assemble(frame), factors);
+        const auto path =
+            follow_load_path(assemble(frame), factors, {.threads = static_cast<int>(state.range(2))});
         if (!path.back().converged()) state.SkipWithError("not converged");
         iterations = iterations_of(path);
         deflection = path.back().displacements.leftCols<3>().rowwise().norm().maxCoeff();
@@ -199,18 +202,29 @@ void nonlinear_surface(benchmark::State& state) {
     state.counters["solves"] = iterations;
 }
 
-BENCHMARK(linear_from_frame_to_displacements)
-    ->Args({15, 15})
-    ->Args({31, 31})
-    ->Args({69, 70})
-    ->Args({155, 160})
-    ->Unit(benchmark::kMillisecond);
-BENCHMARK(linear_another_load)->Args({69, 70})->Unit(benchmark::kMillisecond);
-BENCHMARK(linear_other_sections)->Args({69, 70})->Unit(benchmark::kMillisecond);
+void of_all_sizes(benchmark::internal::Benchmark* rows) {
+    rows->ArgNames({"columns", "rows", "threads"})->Unit(benchmark::kMillisecond)->UseRealTime();
+    rows->Args({15, 15, 1})->Args({31, 31, 1})->Args({69, 70, 1})->Args({155, 160, 1});
+    rows->Args({69, 70, 2})->Args({155, 160, 2});
+}
+
+void of_ten_thousand_nodes(benchmark::internal::Benchmark* rows) {
+    rows->ArgNames({"columns", "rows", "threads"})->Unit(benchmark::kMillisecond)->UseRealTime();
+    rows->Args({69, 70, 1})->Args({69, 70, 2});
+}
+
+void of_twenty_thousand_beams(benchmark::internal::Benchmark* rows) {
+    rows->ArgNames({"columns", "rows", "threads"})->Unit(benchmark::kMillisecond)->UseRealTime();
+    rows->Args({80, 83, 1})->Args({80, 83, 2});
+}
+
+BENCHMARK(linear_from_frame_to_displacements)->Apply(of_all_sizes);
+BENCHMARK(linear_another_load)->Apply(of_ten_thousand_nodes);
+BENCHMARK(linear_other_sections)->Apply(of_ten_thousand_nodes);
 BENCHMARK_CAPTURE(hexagon_path, bending, bent_hexagon)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(hexagon_path, dome, domed_hexagon)->Unit(benchmark::kMillisecond);
 BENCHMARK(condense_hexagon)->Unit(benchmark::kMicrosecond);
-BENCHMARK(nonlinear_surface)->Args({80, 83})->Unit(benchmark::kMillisecond);
+BENCHMARK(nonlinear_surface)->Apply(of_twenty_thousand_beams);
 
 }  // namespace
 }  // namespace fretwork::mechanics

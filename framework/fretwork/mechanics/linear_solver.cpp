@@ -38,7 +38,10 @@ struct Subsystem {
     std::unique_ptr<SystemLayout> layout;
     std::vector<double> values;
     Ldlt factors;
-    Eigen::VectorXd displacements, forces;  ///< of the solve at hand
+    // Of the solve at hand.
+    Eigen::VectorXd displacements;
+    Eigen::VectorXd unbalanced;  ///< loads less internal forces
+    Eigen::VectorXd internal;
 };
 
 bool is_flat(const Assembly& assembly) {
@@ -79,12 +82,12 @@ class LinearSolver::Impl {
     [[nodiscard]] const NodeValues& own_loads() const { return loads_; }
 
     [[nodiscard]] Solution solve(const NodeValues& loads) {
-        NodeValues displacements = constraints_.values;
         Solution solution;
-        NodeValues unbalanced =
-            constraints_.values.isZero(0.0) ? loads : out_of_balance(loads, displacements);
+        NodeValues displacements = constraints_.values;
+        start(loads, displacements);
+        NodeValues unbalanced;
         for (int pass = 0; pass < 2; ++pass) {
-            correct(unbalanced, displacements);
+            correct(displacements);
             unbalanced = out_of_balance(loads, displacements);
             ++solution.iterations;
             solution.residual = relative_residual(loads, unbalanced);
@@ -191,23 +194,32 @@ class LinearSolver::Impl {
         base::parallel_for(systems_.size(), many ? threads_ : 1, [&](std::size_t i) { body(systems_[i]); });
     }
 
-    /// Loads less internal forces. At held dofs that is the negative reaction.
+    /// All free dofs at rest, the held ones where they are to be.
+    void start(const NodeValues& loads, const NodeValues& displacements) {
+        for_each_system([&](Subsystem& system) {
+            system.layout->gather(loads, system.unbalanced);
+            system.displacements.setZero(system.unbalanced.size());
+        });
+        if (!constraints_.values.isZero(0.0)) (void)out_of_balance(loads, displacements);
+    }
+
+    /// Loads less internal forces, those of the free dofs in the systems, too. At held dofs that is
+    /// the negative reaction.
     [[nodiscard]] NodeValues out_of_balance(const NodeValues& loads, const NodeValues& displacements) {
         NodeValues result = loads;
-        for_each_system([&](Subsystem& system) {
-            system.layout->gather(displacements, system.displacements);
-            system.forces.setZero(system.displacements.size());
-            detail::add_product(*system.layout, system.values, system.displacements, system.forces);
-            system.layout->gather(loads, system.displacements);
-            system.forces = system.displacements - system.forces;
-            system.layout->scatter(system.forces, result);
-        });
         for (const HeldEntry& entry : held_entries_) {
             result(entry.node, entry.dof) -= entry.value * displacements(entry.other_node, entry.other_dof);
             if (!is_held(entry.other_node, entry.other_dof))
                 result(entry.other_node, entry.other_dof) -=
                     entry.value * displacements(entry.node, entry.dof);
         }
+        for_each_system([&](Subsystem& system) {
+            system.layout->gather(result, system.unbalanced);
+            system.internal.setZero(system.displacements.size());
+            detail::add_product(*system.layout, system.values, system.displacements, system.internal);
+            system.unbalanced -= system.internal;
+            system.layout->scatter(system.unbalanced, result);
+        });
         return result;
     }
 
@@ -215,13 +227,11 @@ class LinearSolver::Impl {
         return constraints_.held[static_cast<std::size_t>(node)].contains[static_cast<std::size_t>(dof)];
     }
 
-    void correct(const NodeValues& unbalanced, NodeValues& displacements) {
+    void correct(NodeValues& displacements) {
         for_each_system([&](Subsystem& system) {
-            system.layout->gather(unbalanced, system.forces);
-            if (system.forces.isZero(0.0)) return;  // loaded in its plane only, or across it
-            system.factors.solve(system.forces);
-            system.layout->gather(displacements, system.displacements);
-            system.displacements += system.forces;
+            if (system.unbalanced.isZero(0.0)) return;  // loaded in its plane only, or across it
+            system.factors.solve(system.unbalanced);
+            system.displacements += system.unbalanced;
             system.layout->scatter(system.displacements, displacements);
         });
     }
