@@ -98,13 +98,13 @@ struct Group {
 /// Whether the columns of a child may join its parent's: at any price while they are few, later for few
 /// zeros.
 bool worth_merging(const Group& merged) {
-    constexpr long kNarrow = 12;
+    constexpr long kNarrow = 24;
     constexpr long kMiddling = 48;
     const auto entries =
         static_cast<double>(merged.width * (merged.width + 1) / 2 + merged.width * merged.rows);
     const double share = static_cast<double>(merged.zeros) / entries;
-    if (merged.width <= kNarrow) return share < 0.5;
-    return share < (merged.width <= kMiddling ? 0.15 : 0.05);
+    if (merged.width <= kNarrow) return share < 0.2;
+    return share < (merged.width <= kMiddling ? 0.10 : 0.05);
 }
 
 class Grouping {
