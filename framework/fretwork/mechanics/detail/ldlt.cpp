@@ -133,6 +133,9 @@ void Ldlt::add_to_rest(std::size_t child, const Front& front) const {
 void Ldlt::solve_column(double* x) {
     for (std::size_t s = 0; s < tree_.supernodes.size(); ++s) {
         const Supernode& supernode = tree_.supernodes[s];
+        // A load on a few nodes meets few supernodes on its way to the roots.
+        const double* own = x + supernode.first;
+        if (std::all_of(own, own + supernode.width, [](double value) { return value == 0.0; })) continue;
         std::fill_n(scratch_.data(), supernode.rows, 0.0);
         substitute_forward(front_of(s), x + supernode.first, scratch_.data());
         const int* row = tree_.row.data() + supernode.row_start;
