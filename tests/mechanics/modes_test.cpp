@@ -40,6 +40,44 @@ TEST(Modes, BucklingLoadsOfAColumnAreEulers) {
     EXPECT_NEAR(modes[2].value, 9.0 * kPi * kPi / 4.0 * 1e3, 1e-3 * modes[2].value);
 }
 
+// In linearized buckling nothing depends on how far the structure bends before.
+TEST(Modes, AForceAcrossAColumnDoesNotChangeItsBucklingLoads) {
+    // Every node is held in the plane of the bending: else it would buckle sideways.
+    Frame frame;
+    const Beam bar = sample::cantilever().beams.front();
+    for (int i = 0; i <= 8; ++i) {
+        frame.nodes.emplace_back(i / 8.0, 0.0, 0.0);
+        frame.supports.push_back({NodeIndex(i), {{false, true, false, true, false, true}}});
+        if (i == 0) continue;
+        frame.beams.push_back(bar);
+        frame.beams.back().nodes = {NodeIndex(i - 1), NodeIndex(i)};
+    }
+    sample::clamp(frame, 0);
+    // A shear force turns with its beam, and so meets the axial stiffness: an effect of the axial strain's
+    // size.
+    for (const double across : {0.0, 0.01, 1.0}) {
+        frame.loads = {{NodeIndex(8), {-1.0, 0.0, across}}};
+        const auto modes = buckling_modes(assemble(frame), 1);
+        ASSERT_EQ(modes.size(), 1u);
+        EXPECT_NEAR(modes[0].value, kPi * kPi / 4.0 * 1e3, 5e-4 * modes[0].value) << across;
+    }
+    const Eigen::Vector3d across(0.0, 0.0, 1.0);
+    frame.loads = {{NodeIndex(8), across}};
+    for (const Mode& mode : buckling_modes(assemble(frame), 1)) EXPECT_GT(mode.value, 100.0 * 1e3);
+}
+
+// Euler: pinned at both ends, by a hinge of the beam at one and of the support at the other.
+TEST(Modes, AHingedColumnBucklesAsEulersPinnedOne) {
+    Frame frame = sample::cantilever({.divisions = 8});
+    frame.beams[0].releases = {{0, {{false, false, false, false, true, true}}}};
+    frame.supports.push_back({NodeIndex(1), {{false, true, true, true, false, false}}});
+    frame.loads = {{NodeIndex(1), {-1.0, 0.0, 0.0}}};
+    const auto modes = buckling_modes(assemble(frame), 2);
+    ASSERT_EQ(modes.size(), 2u);
+    EXPECT_NEAR(modes[0].value, kPi * kPi * 1e3, 1e-3 * modes[0].value);
+    EXPECT_NEAR(modes[1].value, kPi * kPi * 2e3, 1e-3 * modes[1].value);
+}
+
 TEST(Modes, APulledColumnDoesNotBuckle) {
     Frame frame = sample::cantilever({.divisions = 4});
     frame.loads.push_back({NodeIndex(1), {1.0, 0.0, 0.0}});

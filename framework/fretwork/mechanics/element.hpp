@@ -54,6 +54,13 @@ class Element {
     virtual void evaluate(std::span<const NodeState> states, Demand demand,
                           ElementResponse& response) const = 0;
 
+    /// Write the geometric stiffness, 6n x 6n: how the internal forces that small displacements cause (6n,
+    /// linear) change the stiffness at rest. What the displacements themselves change of the geometry is left
+    /// out, as in linearized buckling. Zero for an element that stays linear.
+    virtual void geometric_stiffness(const Eigen::VectorXd& displacements, Eigen::MatrixXd& stiffness) const {
+        stiffness.setZero(displacements.size(), displacements.size());
+    }
+
     /// Write the consistent mass at rest, 6n x 6n (kg, kg m, kg m^2); zero for an element without mass.
     virtual void mass(Eigen::MatrixXd& mass) const {
         const auto size = static_cast<Eigen::Index>(nodes().size()) * kDofsPerNode;

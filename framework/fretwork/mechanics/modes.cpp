@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
+#include <fretwork/mechanics/detail/constraints.hpp>
 #include <fretwork/mechanics/detail/newton.hpp>
 #include <fretwork/mechanics/modes.hpp>
 
@@ -139,21 +140,24 @@ std::vector<double> mass_values(const detail::NonlinearSystem& system) {
     return values;
 }
 
-/// Minus the geometric stiffness: the change of the tangent along the linear solution.
-std::vector<double> softening(detail::NonlinearSystem& system, const VectorXd& linear_rate) {
-    const double largest = system.largest_component(linear_rate);
-    const double share = largest > 0.0 ? 1e-4 / largest : 1.0;
-    const auto tangent_at = [&](double factor) {
-        detail::Configuration configuration = system.rest();
-        system.prescribe(factor, configuration);
-        system.move(factor * linear_rate, configuration);
-        system.evaluate(configuration, factor);
-        return std::vector<double>(system.tangent().begin(), system.tangent().end());
-    };
-    std::vector<double> change = tangent_at(-share);
-    const std::vector<double> plus = tangent_at(share);
-    for (std::size_t i = 0; i < change.size(); ++i) change[i] = (change[i] - plus[i]) / (2.0 * share);
-    return change;
+/// Minus the geometric stiffness of the linear solution.
+std::vector<double> softening(const detail::NonlinearSystem& system, const VectorXd& linear_rate) {
+    const Assembly& assembly = system.assembly();
+    NodeValues table = detail::constraints_of(assembly).values;
+    system.layout().scatter(linear_rate, table);
+    std::vector<double> values(system.layout().row().size(), 0.0);
+    MatrixXd stiffness;
+    for (std::size_t e = 0; e < assembly.elements.size(); ++e) {
+        const auto nodes = assembly.elements[e]->nodes();
+        VectorXd displacements(static_cast<Eigen::Index>(nodes.size()) * kDofsPerNode);
+        for (std::size_t i = 0; i < nodes.size(); ++i)
+            displacements.segment<kDofsPerNode>(static_cast<Eigen::Index>(i) * kDofsPerNode) =
+                table.row(nodes[i].value).transpose();
+        assembly.elements[e]->geometric_stiffness(displacements, stiffness);
+        stiffness = -stiffness;
+        system.layout().add(e, nodes, stiffness, values);
+    }
+    return values;
 }
 
 }  // namespace
@@ -180,9 +184,7 @@ std::vector<Mode> buckling_modes(const Assembly& assembly, int count) {
     require_definite(system, factors.factorize(system.tangent()));
     VectorXd rate = system.load_rate();
     factors.solve(rate);
-    std::vector<double> operand = softening(system, rate);
-    system.evaluate(system.rest(), 0.0);
-    const auto pairs = SubspaceIteration(system, std::move(operand)).run(count);
+    const auto pairs = SubspaceIteration(system, softening(system, rate)).run(count);
     std::vector<Mode> modes;
     for (Eigen::Index i = 0; i < pairs.values.size() && static_cast<int>(modes.size()) < count; ++i) {
         // What is left of an unloaded structure's zeros are factors beyond all loads.

@@ -274,6 +274,15 @@ void expand_force(const MotionVector& motion, Eigen::VectorXd& force) {
     force.segment<3>(9) = motion.segment<3>(kSpin2);
 }
 
+/// The motions that small displacements and rotations of the two nodes are.
+MotionVector motion_of(const Eigen::VectorXd& displacements) {
+    MotionVector motion;
+    motion.segment<3>(kChord) = displacements.segment<3>(6) - displacements.segment<3>(0);
+    motion.segment<3>(kSpin1) = displacements.segment<3>(3);
+    motion.segment<3>(kSpin2) = displacements.segment<3>(9);
+    return motion;
+}
+
 void expand_tangent(const MotionMatrix& motion, Eigen::MatrixXd& tangent) {
     tangent.resize(2 * kDofsPerNode, 2 * kDofsPerNode);
     constexpr int kPlace[4] = {kChord, kSpin1, kChord, kSpin2};
@@ -330,6 +339,18 @@ void BeamElement::evaluate(std::span<const NodeState> states, Demand demand,
     const DeformationSlopes scaled = energy_.hessian(d, state).lazyProduct(slopes);
     tangent += slopes.transpose().lazyProduct(scaled);
     expand_tangent(tangent, response.tangent);
+}
+
+void BeamElement::geometric_stiffness(const Eigen::VectorXd& displacements,
+                                      Eigen::MatrixXd& stiffness) const {
+    const std::array<NodeState, 2> at_rest{};
+    const Deformed rest(geometry_, at_rest);
+    const DeformationSlopes slopes = rest.slopes();
+    BeamEnergy::State state = energy_.evaluate(BeamVector::Zero());
+    state.stress = energy_.rest_hessian().cwiseProduct(slopes * motion_of(displacements));
+    BeamMatrix hessian = energy_.hessian(BeamVector::Zero(), state);
+    hessian.diagonal() -= energy_.rest_hessian();
+    expand_tangent(rest.curvature(state.stress) + slopes.transpose() * hessian * slopes, stiffness);
 }
 
 void BeamElement::mass(Eigen::MatrixXd& mass) const {

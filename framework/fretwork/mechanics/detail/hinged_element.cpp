@@ -3,19 +3,11 @@
 #include <fretwork/mechanics/detail/rotation.hpp>
 
 namespace fretwork::mechanics::detail {
-namespace {
-
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/// The state of a beam's end behind a hinge, and what its derivatives need.
-struct HingedEnd {
-    Matrix3d turned_axes;  ///< the beam's axes, turned with the frame's node
-    Vector3d arm;          ///< from the frame's node to the beam's end
-    NodeState state;
-};
-
-HingedEnd compose(const Matrix3d& axes, const NodeState& node, const NodeState& hinge) {
+HingedElement::HingedEnd HingedElement::compose(const Matrix3d& axes, const NodeState& node,
+                                                const NodeState& hinge) {
     HingedEnd end;
     end.turned_axes = node.rotation.toRotationMatrix() * axes;
     end.arm = end.turned_axes * hinge.displacement;
@@ -25,8 +17,6 @@ HingedEnd compose(const Matrix3d& axes, const NodeState& node, const NodeState& 
     end.state.rotation.normalize();
     return end;
 }
-
-}  // namespace
 
 HingedElement::HingedElement(std::unique_ptr<const BeamElement> beam, const std::array<NodeIndex, 2>& hinges)
     : beam_(std::move(beam)), nodes_(beam_->nodes().begin(), beam_->nodes().end()) {
@@ -82,24 +72,42 @@ void HingedElement::evaluate(std::span<const NodeState> states, Demand demand,
     response.force = map.transpose() * own.force;
     if (demand == Demand::Force) return;
     response.tangent = map.transpose() * own.tangent * map;
+    add_hinge_curvature(own.force, hinged, response.tangent);
+}
+
+void HingedElement::geometric_stiffness(const Eigen::VectorXd& displacements,
+                                        Eigen::MatrixXd& stiffness) const {
+    const Eigen::MatrixXd map = rest_map();
+    const Eigen::VectorXd beam_displacements = map * displacements;
+    Eigen::MatrixXd own;
+    beam_->rest_stiffness(own);
+    const Eigen::VectorXd force = own * beam_displacements;
+    beam_->geometric_stiffness(beam_displacements, own);
+    stiffness = map.transpose() * own * map;
+    const HingedEnd at_rest = compose(beam_->geometry().axes, {}, {});
+    add_hinge_curvature(force, {at_rest, at_rest}, stiffness);
+}
+
+void HingedElement::add_hinge_curvature(const Eigen::VectorXd& force, const std::array<HingedEnd, 2>& hinged,
+                                        Eigen::MatrixXd& tangent) const {
     for (const Hinge& hinge : hinges_) {
         const auto end = static_cast<std::size_t>(hinge.end);
-        const Vector3d force = own.force.segment<3>(6 * hinge.end);
-        const Vector3d moment = own.force.segment<3>(6 * hinge.end + 3);
+        const Vector3d pull = force.segment<3>(6 * hinge.end);
+        const Vector3d moment = force.segment<3>(6 * hinge.end + 3);
         const Matrix3d& turned = hinged[end].turned_axes;
         const Vector3d& arm = hinged[end].arm;
         const int spin = 6 * hinge.end + 3;
         const int slide = 6 * hinge.slot;
         // Second order of exp(w) (arm + s) and of exp(w) exp(h), whose commutator is w x h / 2.
-        Matrix3d lever = 0.5 * (force * arm.transpose() + arm * force.transpose());
-        lever.diagonal().array() -= force.dot(arm);
-        response.tangent.block<3, 3>(spin, spin) += lever;
-        const Matrix3d follow = -cross_matrix(force) * turned;
-        response.tangent.block<3, 3>(spin, slide) += follow;
-        response.tangent.block<3, 3>(slide, spin) += follow.transpose();
+        Matrix3d lever = 0.5 * (pull * arm.transpose() + arm * pull.transpose());
+        lever.diagonal().array() -= pull.dot(arm);
+        tangent.block<3, 3>(spin, spin) += lever;
+        const Matrix3d follow = -cross_matrix(pull) * turned;
+        tangent.block<3, 3>(spin, slide) += follow;
+        tangent.block<3, 3>(slide, spin) += follow.transpose();
         const Matrix3d commute = -0.5 * cross_matrix(moment) * turned;
-        response.tangent.block<3, 3>(spin, slide + 3) += commute;
-        response.tangent.block<3, 3>(slide + 3, spin) += commute.transpose();
+        tangent.block<3, 3>(spin, slide + 3) += commute;
+        tangent.block<3, 3>(slide + 3, spin) += commute.transpose();
     }
 }
 

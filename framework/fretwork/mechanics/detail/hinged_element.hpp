@@ -19,6 +19,7 @@ class HingedElement final : public Element {
     [[nodiscard]] std::span<const NodeIndex> nodes() const override { return nodes_; }
     void rest_stiffness(Eigen::MatrixXd& stiffness) const override;
     void evaluate(std::span<const NodeState> states, Demand demand, ElementResponse& response) const override;
+    void geometric_stiffness(const Eigen::VectorXd& displacements, Eigen::MatrixXd& stiffness) const override;
     void mass(Eigen::MatrixXd& mass) const override;
 
   private:
@@ -26,7 +27,18 @@ class HingedElement final : public Element {
         int end;   ///< 0 or 1
         int slot;  ///< its place in nodes_
     };
+    /// The state of a beam's end behind a hinge, and what its derivatives need.
+    struct HingedEnd {
+        Eigen::Matrix3d turned_axes;  ///< the beam's axes, turned with the frame's node
+        Eigen::Vector3d arm;          ///< from the frame's node to the beam's end
+        NodeState state;
+    };
+    static HingedEnd compose(const Eigen::Matrix3d& axes, const NodeState& node, const NodeState& hinge);
     [[nodiscard]] Eigen::MatrixXd rest_map() const;
+    /// Add what the forces on the beam's ends contribute, since these move with the frame's nodes to second
+    /// order.
+    void add_hinge_curvature(const Eigen::VectorXd& force, const std::array<HingedEnd, 2>& hinged,
+                             Eigen::MatrixXd& tangent) const;
     [[nodiscard]] Eigen::Index size() const {
         return static_cast<Eigen::Index>(nodes_.size()) * kDofsPerNode;
     }
