@@ -56,7 +56,7 @@ ComparisonProblem calibration_problem(const std::string& id, const std::string& 
 
 ComparisonProblem synthetic_problem(const std::string& id, const std::string& number) {
     const int n = base::read_number<int>(number).value_or(0);
-    if (n < 1)
+    if (n < 1 || number != std::to_string(n))  // one problem has one id
         throw base::InputError("--problems", "", "'" + id + "' is no synthetic problem, such as synthetic/1");
     const auto setting = reduction::paper_setting();
     const reduction::Paper6Hexagon model(setting);

@@ -14,6 +14,7 @@
 #include <chrono>
 #include <map>
 #include <mutex>
+#include <optional>
 
 namespace fretwork::app {
 namespace {
@@ -46,19 +47,27 @@ std::vector<Task> missing_tasks(const ComparisonPlan& plan, const ComparisonTabl
     return tasks;
 }
 
-/// Problems that were made once; making one takes longer than some runs. Threads may share it.
+/// Problems that were made once; making one takes longer than some runs. Threads may share it, and one makes
+/// a problem while others get theirs.
 class ProblemStore {
   public:
     const ComparisonProblem& get(const std::string& id) {
-        const std::lock_guard lock(mutex_);
-        const auto found = problems_.find(id);
-        return found != problems_.end() ? found->second
-                                        : problems_.emplace(id, make_comparison_problem(id)).first->second;
+        Entry& entry = entry_of(id);
+        std::call_once(entry.made, [&] { entry.problem = make_comparison_problem(id); });
+        return *entry.problem;
     }
 
   private:
+    struct Entry {
+        std::once_flag made;
+        std::optional<ComparisonProblem> problem;
+    };
+    Entry& entry_of(const std::string& id) {
+        const std::lock_guard lock(mutex_);
+        return entries_[id];
+    }
     std::mutex mutex_;
-    std::map<std::string, ComparisonProblem> problems_;
+    std::map<std::string, Entry> entries_;
 };
 
 /// Takes what threads have done, in any order: the table sorts it.

@@ -47,7 +47,6 @@ LoadCase chosen_load_case(const Project& project, const std::string& name_or_fil
 base::detail::Json summary(const Options& options, const LoadCase& load_case,
                            const mechanics::Result& result) {
     const auto& solution = result.solution;
-    const auto& error = result.discretization_error;
     return {{"model", options.simulation.model},
             {"load_case", load_case.name},
             {"solver", result.solver},
@@ -57,8 +56,7 @@ base::detail::Json summary(const Options& options, const LoadCase& load_case,
             {"largest_displacement", solution.displacements.leftCols<3>().rowwise().norm().maxCoeff()},
             {"largest_rotation", solution.displacements.rightCols<3>().rowwise().norm().maxCoeff()},
             {"iterations", solution.iterations},
-            {"discretization_error",
-             error && error->known ? base::detail::Json(error->share) : base::detail::Json(nullptr)},
+            {"discretization_error", discretization_json(result)},
             {"seconds", result.seconds}};
 }
 
@@ -69,7 +67,7 @@ void print(const base::detail::Json& summary) {
                 summary["stable"].get<bool>() ? "" : ", unstable");
     std::printf("largest displacement %.4g mm, largest rotation %.4g deg, %.3g s\n",
                 1e3 * summary["largest_displacement"].get<double>(),
-                summary["largest_rotation"].get<double>() * 57.29577951308232,
+                summary["largest_rotation"].get<double>() * kDegreesPerRadian,
                 summary["seconds"].get<double>());
 }
 

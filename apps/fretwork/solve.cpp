@@ -63,10 +63,7 @@ mechanics::EquilibriumOptions path_options(const Wishes& wishes) {
 }
 
 std::vector<double> load_factors(const Wishes& wishes) {
-    const int steps = wishes.steps > 0 ? wishes.steps : kDefaultSteps;
-    std::vector<double> factors;
-    for (int k = 1; k <= steps; ++k) factors.push_back(static_cast<double>(k) / steps);
-    return factors;
+    return mechanics::even_load_factors(wishes.steps > 0 ? wishes.steps : kDefaultSteps);
 }
 
 /// The end of a path, with what was met on all of it.
@@ -125,6 +122,8 @@ mechanics::Result solve(const mechanics::LabelledFrame& input, const Wishes& wis
 
 /// Options that one solver alone looks at: with another they are a misunderstanding.
 void refuse_ignored_options(const CLI::App& verb, const std::string& solver) {
+    if (verb.count("--threads") > 0 && solver == "dynamic-relaxation")
+        throw base::InputError("--threads: dynamic-relaxation works on one thread");
     constexpr std::pair<const char*, const char*> kOwnOptions[] = {{"--steps", "newton"},
                                                                    {"--branch", "newton"},
                                                                    {"--estimate-error", "newton"},

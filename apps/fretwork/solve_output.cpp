@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve_output.hpp"
 
-#include <fretwork/base/detail/json_text.hpp>
-
 #include <cstdio>
 
 namespace fretwork::app {
@@ -10,7 +8,6 @@ namespace {
 
 base::detail::Json summary_of(const mechanics::Result& result) {
     const mechanics::Solution& solution = result.solution;
-    const auto& error = result.discretization_error;
     base::detail::Json frequencies = base::detail::Json::array();
     for (const mechanics::Mode& mode : result.vibration_modes) frequencies.push_back(mode.value);
     base::detail::Json buckling = base::detail::Json::array();
@@ -32,8 +29,7 @@ base::detail::Json summary_of(const mechanics::Result& result) {
             {"frequencies", frequencies},
             {"buckling_load_factors", buckling},
             {"critical_load_factors", critical},
-            {"discretization_error",
-             error && error->known ? base::detail::Json(error->share) : base::detail::Json(nullptr)},
+            {"discretization_error", discretization_json(result)},
             {"seconds", result.seconds}};
 }
 
@@ -51,11 +47,18 @@ std::string stability_text(const mechanics::Solution& solution) {
 
 }  // namespace
 
+base::detail::Json discretization_json(const mechanics::Result& result) {
+    const auto& error = result.discretization_error;
+    return error && error->known ? base::detail::Json(error->share) : base::detail::Json(nullptr);
+}
+
 std::string discretization_text(const mechanics::DiscretizationError& error) {
-    if (!error.known) return "no estimate of the discretization error: other divisions did not converge";
+    if (!error.known)
+        return "no estimate of the discretization error: with other divisions the path ends elsewhere";
     char text[160];
-    std::snprintf(text, sizeof text, "off by about %.2g of that for its divisions: %.2g mm, %.2g deg",
-                  error.share, 1e3 * error.displacement, error.rotation * 57.29577951308232);
+    std::snprintf(text, sizeof text,
+                  "off by about %.2g %% through the divisions of the beams: %.2g mm, %.2g deg",
+                  100.0 * error.share, 1e3 * error.displacement, error.rotation * kDegreesPerRadian);
     return text;
 }
 
@@ -74,7 +77,7 @@ void print_solution(const mechanics::Result& result) {
                     solution.load_factor);
     std::printf("largest displacement %.6g mm, largest rotation %.6g deg\n",
                 1e3 * summary["largest_displacement"].get<double>(),
-                summary["largest_rotation"].get<double>() * 57.29577951308232);
+                summary["largest_rotation"].get<double>() * kDegreesPerRadian);
     if (const auto& error = result.discretization_error)
         std::printf("%s\n", discretization_text(*error).c_str());
     for (const mechanics::StabilityLoss& loss : solution.stability_losses)

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <fretwork/base/detail/json_text.hpp>
 #include <fretwork/mechanics/result_file.hpp>
 
+#include <numbers>
 #include <string>
 
 namespace fretwork::app {
@@ -12,6 +14,10 @@ namespace fretwork::app {
 void print_solution(const mechanics::Result& result);
 void print_solution_json(const mechanics::Result& result);
 
+inline constexpr double kDegreesPerRadian = 180.0 / std::numbers::pi;
+
+/// The share, or null if there is none.
+base::detail::Json discretization_json(const mechanics::Result& result);
 /// A line about how far a solution is from that of endlessly fine divisions.
 std::string discretization_text(const mechanics::DiscretizationError& error);
 

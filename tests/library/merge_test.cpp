@@ -90,7 +90,7 @@ TEST_F(Merge, AnOutputThatAppearsMeanwhileIsNeverTouched) {
     const detail::Draft draft(path("out.db"));
     base::write_file_atomically(draft.path(), "draft");
     base::write_file_atomically(path("out.db"), "of another process");
-    EXPECT_THROW(draft.move_into_place(), base::IoError);
+    EXPECT_FALSE(draft.move_into_place());
     EXPECT_EQ(base::read_text_file(path("out.db")), "of another process");
 }
 

@@ -42,8 +42,9 @@ TEST(Discretization, FromHalfTheDivisionsTheEstimateIsNotTooSmall) {
             const double true_error = difference.leftCols<3>().rowwise().norm().maxCoeff();
             ASSERT_TRUE(errors[i].known);
             EXPECT_GE(errors[i].displacement, true_error);
-            // With half the divisions the error is up to 2^5 times as large here: (2^5 - 1) / 3 of it.
-            EXPECT_LE(errors[i].displacement, 11.0 * true_error);
+            // The order of these sections is four, with which the estimate is (2^4 - 1) / 3 = 5 times the
+            // error; it may double, since coarse divisions are not yet where the order rules.
+            EXPECT_LE(errors[i].displacement, 2.0 * 5.0 * true_error);
         }
     }
 }

@@ -262,6 +262,19 @@ TEST(Equilibrium, FixedMomentsOnFreelyTurningNodesAreJudgedBySymmetricPart) {
 
 // Von Mises' truss: with hinged bars of rest length l0 that rise by h, the load at the depth w of the apex is
 // 2 E A (l0 - l) / l0 (h - w) / l; its largest value is the limit load.
+// Williams' toggle snaps by a few hundredths of a bar's length; limit load 0.9974 of the frame's load.
+TEST(Equilibrium, AShallowToggleDoesNotSnapUnseenWhateverTheSteps) {
+    const Assembly toggle = assemble(verification::williams_toggle());
+    for (const int steps : {1, 2, 3, 5, 10, 50}) {
+        std::vector<double> factors;
+        for (const double factor : even_load_factors(steps)) factors.push_back(1.2 * factor);
+        const auto path = follow_load_path(toggle, factors);
+        EXPECT_EQ(path.back().termination, Termination::LimitLoad) << steps;
+        // A step is halved ten times at most.
+        EXPECT_NEAR(path.back().load_factor, 0.9974, 1.2 / 1024.0 + 1e-4) << steps;
+    }
+}
+
 TEST(Equilibrium, ALimitLoadEndsThePathAndIsReportedAsSuch) {
     constexpr double kRise = 0.1;
     Frame frame;

@@ -50,7 +50,9 @@ TEST(DenseLdlt, EveryShapeOfFrontIsEliminatedAsTheTextbookDoes) {
             // Far from singular, with pivots of both signs.
             for (int i = 0; i < size; ++i) a(i, i) += (i % 3 == 0 ? -3.0 : 3.0) * size;
             MatrixXd panel = a.leftCols(width);
-            MatrixXd rest = a.bottomRightCorner(rows, rows);
+            // What is in the rest before does not count.
+            MatrixXd rest = MatrixXd::Constant(rows, rows, std::numeric_limits<double>::quiet_NaN());
+            a.bottomRightCorner(rows, rows).setZero();
             const VectorXd diagonal = a.diagonal();
             const Pivots pivots =
                 eliminate({width, rows, panel.data(), rest.data()},

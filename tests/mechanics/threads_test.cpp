@@ -31,6 +31,9 @@ Frame honeycomb(int columns, int rows) {
         const NodeIndex right((j + 1) * columns - 1);
         frame.loads.push_back({right, {1e-3, 0.0, 2e-3}, {0.0, 1e-6, 0.0}});
     }
+    // A partly held rotation, and a prescribed displacement.
+    frame.supports.push_back({NodeIndex(columns / 2), {{false, false, false, true, false, true}}});
+    frame.prescribed.push_back({NodeIndex(columns / 2), Dof::uz, 1e-4});
     return frame;
 }
 

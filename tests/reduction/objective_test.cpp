@@ -43,6 +43,7 @@ double written_objective(const std::vector<Response>& responses, const UnitDispl
     double E = 0.0;
     for (std::size_t s = 0; s < 5; ++s) {
         for (const auto& sample : responses[s].samples) {
+            if (!sample.converged) continue;
             double trans = 0.0, trans_norm = 0.0, rot = 0.0, rot_norm = 0.0;
             for (int v = 0; v < 6; ++v) {
                 const Eigen::Vector3d dp = sample.displacements.row(v).head<3>();
@@ -174,6 +175,18 @@ TEST(Objective, LeavesOutAndCountsWhatDidNotConverge) {
     const Objective paper(responses, example().setting);
     EXPECT_EQ(paper.left_out(), 1U);
     EXPECT_EQ(paper.sample_count(), 49U);
+}
+
+TEST(Objective, GoesOnBehindASampleThatDidNotConverge) {
+    auto responses = example().responses;
+    responses[2].samples[4].converged = false;
+    const Objective with_gap(responses, example().setting);
+    optimization::RandomStream random(6, 0);
+    const UnitDisplacements model =
+        example().model.displacements(example().problem.parameters(example().random_point(random)));
+    const double expected = written_objective(responses, model);
+    EXPECT_NEAR(with_gap.value(model), expected, 1e-7 * expected);
+    EXPECT_LT(expected, written_objective(example().responses, model));
 }
 
 TEST(Objective, TheStablePolicyLeavesOutAllThatFollowsTheFirstLossOfStability) {

@@ -73,7 +73,7 @@ TEST(AngleSum, OfNothingIsZero) {
 /// Rotation vectors for a magnitude of 1: none, tiny, usual, several turns.
 std::vector<Eigen::Vector3d> rates() {
     const Eigen::Vector3d direction(0.3, -1.1, 0.7);
-    return {Eigen::Vector3d::Zero(), 1e-170 * direction, 1e-9 * direction, 1e-4 * direction,
+    return {Eigen::Vector3d::Zero(), 1e-150 * direction, 1e-9 * direction, 1e-4 * direction,
             0.2 * direction,         3.0 * direction,    {0.0, 0.0, 0.5},  {0.0, 0.0, -kQuarter * 2}};
 }
 

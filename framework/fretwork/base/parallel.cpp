@@ -6,6 +6,7 @@
 #include <condition_variable>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -105,14 +106,20 @@ void run_on_threads(std::size_t count, int threads, const std::function<void()>&
         std::min<std::size_t>(resolved_thread_count(threads), std::max<std::size_t>(count, 1)) - 1;
     std::vector<std::jthread> pool;
     pool.reserve(helpers);
-    for (std::size_t i = 0; i < helpers; ++i) pool.emplace_back(work);
+    try {
+        for (std::size_t i = 0; i < helpers; ++i) pool.emplace_back(work);
+    } catch (const std::system_error&) {
+        // The machine gives no more threads: those that there are do all of the work.
+    }
     work();
 }
 
 }  // namespace
 
 int resolved_thread_count(int wanted) {
-    return wanted > 0 ? wanted : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+    constexpr int kMost = 256;
+    const int present = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+    return std::min(wanted > 0 ? wanted : present, kMost);
 }
 
 void parallel_for(std::size_t count, int threads, const std::function<void(std::size_t)>& body) {

@@ -7,7 +7,7 @@
 
 namespace fretwork::base {
 
-/// The number of threads that a wish of `wanted` (0: all there are) gives on this machine.
+/// The number of threads that a wish of `wanted` (0: all there are) gives on this machine: at most 256.
 int resolved_thread_count(int wanted);
 
 /// Call body(i) for every i below `count`, on up to `threads` threads (0: all there are).

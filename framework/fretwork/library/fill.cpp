@@ -145,7 +145,8 @@ class Filling {
 
     void respond(const pattern::Pattern& pattern, PatternData& data) const {
         const reduction::Setting& setting = library_.setting();
-        data.responses = reduction::compute_responses(library_.layout(), pattern, setting);
+        data.responses =
+            reduction::compute_responses(library_.layout(), pattern, setting, {.estimate_error = true});
         // Only of polygons whose regular kind tiles the plane by translations.
         if (setting.sides != 4 && setting.sides != 6) return;
         data.properties =

@@ -70,6 +70,17 @@ void collect_calibrations(const Database& database, SummariesById& by_id) {
     }
 }
 
+/// False if the file has appeared meanwhile, which is then untouched.
+bool make_file(const std::filesystem::path& path, const pattern::NodeLayout& layout,
+               const reduction::Setting& setting) {
+    const detail::Draft draft(path);
+    {
+        Database database(draft.path(), Database::Mode::CreateOrWrite);
+        initialize(database, layout, setting);
+    }
+    return draft.move_into_place();
+}
+
 }  // namespace
 
 CalibrationKey calibration_key(const reduction::CalibrationOptions& options, std::string model) {
@@ -102,12 +113,8 @@ Library Library::create(const std::filesystem::path& path, const pattern::NodeLa
         initialize(database, layout, setting);
         return Library(std::make_unique<Impl>(std::move(database)));
     }
-    const detail::Draft draft(path);
-    {
-        Database database(draft.path(), Database::Mode::CreateOrWrite);
-        initialize(database, layout, setting);
-    }
-    draft.move_into_place();
+    if (!make_file(path, layout, setting))
+        throw base::IoError(path.string() + ": another process has made it meanwhile");
     return open(path, Access::ReadWrite);
 }
 
@@ -124,11 +131,15 @@ Library Library::open(const std::filesystem::path& path, Access access) {
 
 Library Library::open_or_create(const std::filesystem::path& path, const pattern::NodeLayout& layout,
                                 const reduction::Setting& setting) {
-    // A process that was killed while it made the file has left an empty one.
+    // A process that was killed while it made the file has left an empty one; and another one may make it
+    // at the same time.
     std::error_code ignored;
-    if (!std::filesystem::exists(path, ignored) || (std::filesystem::is_regular_file(path, ignored) &&
-                                                    detail::is_empty(Database(path, Database::Mode::Write))))
+    if (!std::filesystem::exists(path, ignored)) {
+        (void)make_file(path, layout, setting);
+    } else if (std::filesystem::is_regular_file(path, ignored) &&
+               detail::is_empty(Database(path, Database::Mode::Write))) {
         return create(path, layout, setting);
+    }
     Library library = open(path, Access::ReadWrite);
     library.check_layout(layout);
     library.check_setting(setting);

@@ -108,7 +108,8 @@ void merge(const std::filesystem::path& output, std::span<const std::filesystem:
     const detail::Draft draft(output);
     Library::create(draft.path(), first.layout(), first.setting());
     merge_into(draft.path(), inputs);
-    draft.move_into_place();
+    if (!draft.move_into_place())
+        throw base::IoError(output.string() + ": another process has made it meanwhile");
 }
 
 }  // namespace fretwork::library

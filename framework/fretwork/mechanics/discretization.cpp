@@ -2,6 +2,8 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/mechanics/discretization.hpp>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <string>
 
@@ -13,25 +15,46 @@ namespace {
 constexpr double kErrorFromFiner = 4.0 / 3.0;
 constexpr double kErrorFromCoarser = 1.0 / 3.0;
 
+/// Solutions that differ by more than this share are on different branches of a path that has buckled, or too
+/// coarse for an estimate.
+constexpr double kSameBranch = 0.5;
+
 double largest_row(const NodeValues& values, int first) {
     return values.rows() == 0 ? 0.0 : values.middleCols<3>(first).rowwise().norm().maxCoeff();
 }
 
-DiscretizationError compare(const Solution& solution, const Solution& other, double error_of_difference) {
+/// The diagonal of the box around a frame, m.
+double extent(const Frame& frame) {
+    Eigen::AlignedBox3d box;
+    for (const Eigen::Vector3d& node : frame.nodes) box.extend(node);
+    return box.isEmpty() ? 0.0 : box.diagonal().norm();
+}
+
+/// `length`: over which a displacement counts as a rotation, so that where next to nothing turns, as in a
+/// truss, rounding is not taken for an error.
+DiscretizationError compare(const Solution& solution, const Solution& other, double error_of_difference,
+                            double length) {
     DiscretizationError error;
-    error.known = solution.converged() && other.converged();
-    if (!error.known) return error;
     const NodeValues difference = other.displacements - solution.displacements;
+    const bool is_near = largest_row(difference, 0) <= kSameBranch * largest_row(solution.displacements, 0);
+    error.known = solution.converged() && other.converged() && is_near;
+    if (!error.known) return error;
     error.displacement = error_of_difference * largest_row(difference, 0);
     error.rotation = error_of_difference * largest_row(difference, 3);
     const auto share = [](double part, double whole) { return whole > 0.0 ? part / whole : 0.0; };
-    error.share = std::max(share(error.displacement, largest_row(solution.displacements, 0)),
-                           share(error.rotation, largest_row(solution.displacements, 3)));
+    const double displacement = largest_row(solution.displacements, 0);
+    const double rotation = std::max(largest_row(solution.displacements, 3), share(displacement, length));
+    error.share = std::max(share(error.displacement, displacement), share(error.rotation, rotation));
     return error;
 }
 
 bool can_be_halved(const Frame& frame) {
     return std::ranges::all_of(frame.beams, [](const Beam& beam) { return beam.divisions % 2 == 0; });
+}
+
+bool can_be_doubled(const Frame& frame) {
+    return std::ranges::all_of(frame.beams,
+                               [](const Beam& beam) { return beam.divisions <= kMostDivisions / 2; });
 }
 
 Frame halved(Frame frame) {
@@ -57,12 +80,13 @@ std::vector<DiscretizationError> estimate_discretization_error(const Frame& fram
         throw base::InputError("there are " + std::to_string(solutions.size()) + " solutions for " +
                                std::to_string(load_factors.size()) + " load factors");
     const bool from_coarser = can_be_halved(frame);
+    if (!from_coarser && !can_be_doubled(frame)) return std::vector<DiscretizationError>(solutions.size());
     const Frame other = from_coarser ? halved(frame) : refined(frame, 2);
     const auto others = follow_load_path(assemble(other), load_factors, options);
     std::vector<DiscretizationError> errors;
     for (std::size_t i = 0; i < others.size(); ++i)
-        errors.push_back(
-            compare(solutions[i], others[i], from_coarser ? kErrorFromCoarser : kErrorFromFiner));
+        errors.push_back(compare(solutions[i], others[i], from_coarser ? kErrorFromCoarser : kErrorFromFiner,
+                                 extent(frame)));
     return errors;
 }
 

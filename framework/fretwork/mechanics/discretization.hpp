@@ -17,8 +17,11 @@ Frame refined(Frame frame, int times);
 struct DiscretizationError {
     double displacement = 0.0;  ///< metres
     double rotation = 0.0;      ///< rad
-    double share = 0.0;         ///< of the largest displacement, or rotation; the worse of the two
-    bool known = false;  ///< false: one of the two solutions has not converged, so there is no estimate
+    /// Of the largest displacement, or rotation; the worse of the two. A rotation counts as no less than what
+    /// the largest displacement is on the frame's whole extent.
+    double share = 0.0;
+    bool known = false;  ///< false: one of the two solutions has not converged or cannot be had, or they are
+                         ///< too far apart to be on one branch
     friend bool operator==(const DiscretizationError&, const DiscretizationError&) = default;
 };
 

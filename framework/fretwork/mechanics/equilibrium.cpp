@@ -20,9 +20,9 @@ using detail::Configuration;
 constexpr double kLimitLoadGrowth = 8.0;
 
 /// An equilibrium this many times farther than the rates account for is on another branch, unless it is near
-/// anyhow (in rad and element lengths).
+/// anyhow (in rad and element lengths). A shallow arch snaps by a few hundredths of an element's length.
 constexpr double kJump = 3.0;
-constexpr double kSmallMove = 0.1;
+constexpr double kSmallMove = 1e-3;
 
 /// How far the push goes from an unstable equilibrium (rad, or element lengths).
 constexpr double kPush = 0.02;
@@ -239,6 +239,12 @@ void EquilibriumOptions::validate() const {
     require(largest_cut_back >= 0 && largest_cut_back <= 30, "largest_cut_back must be from 0 to 30");
 }
 
+std::vector<double> even_load_factors(int steps) {
+    std::vector<double> factors;
+    for (int k = 1; k <= steps; ++k) factors.push_back(static_cast<double>(k) / steps);
+    return factors;
+}
+
 std::vector<Solution> follow_load_path(const Assembly& assembly, std::span<const double> load_factors,
                                        const EquilibriumOptions& options) {
     options.validate();
@@ -252,6 +258,7 @@ std::vector<Solution> follow_load_path(const Assembly& assembly, std::span<const
         } else {
             solutions.push_back(solutions.back());
             solutions.back().iterations = 0;
+            solutions.back().stability_losses.clear();  // told once
         }
     }
     return solutions;

@@ -30,6 +30,9 @@ struct EquilibriumOptions {
     void validate() const;
 };
 
+/// The load factors 1 / steps, 2 / steps, .., 1.
+std::vector<double> even_load_factors(int steps);
+
 /// Follow the load path from rest through the given load factors (ascending, > 0; 1 = the full load):
 /// corotational Newton with a consistent tangent, and a predictor from the path so far. One solution for each
 /// factor; once a factor is not reached, it and those after it say so, and hold the last equilibrium that was

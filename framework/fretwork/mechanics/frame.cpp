@@ -18,7 +18,6 @@ using base::format_number;
 using base::InputError;
 
 /// Divisions beyond this are a slip of the keyboard, not a wish.
-constexpr int kMostDivisions = 10000;
 
 std::string text_of(const Eigen::Vector3d& v) {
     return "(" + format_number(v.x()) + ", " + format_number(v.y()) + ", " + format_number(v.z()) + ")";

@@ -72,6 +72,9 @@ struct Release {
     friend bool operator==(const Release&, const Release&) = default;
 };
 
+/// Into how many elements a beam may be divided.
+inline constexpr int kMostDivisions = 10000;
+
 struct Beam {
     std::array<NodeIndex, 2> nodes;
     Section section;

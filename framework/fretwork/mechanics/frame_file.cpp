@@ -150,7 +150,7 @@ class FrameReader {
                   .material = look_up(materials_, reader.at("material"), "material")};
         if (const auto normal = reader.find("normal")) beam.normal = read_vector(*normal);
         if (const auto count = reader.find("divisions"))
-            beam.divisions = static_cast<int>(count->integer(1, 10000));
+            beam.divisions = static_cast<int>(count->integer(1, kMostDivisions));
         if (const auto releases = reader.find("releases")) {
             for (const JsonReader& release : releases->elements()) {
                 release.allow_only({"end", "free"});

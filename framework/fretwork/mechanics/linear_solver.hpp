@@ -27,7 +27,8 @@ class LinearSolver {
     LinearSolver& operator=(LinearSolver&&) noexcept;
     ~LinearSolver();
 
-    /// The same structure under its own loads, or under others (one row for each node of the assembly).
+    /// The same structure under its own loads, or under others (one row for each node of the assembly). Not
+    /// from several threads at once: the vectors of a solve are kept for the next one.
     [[nodiscard]] Solution solve() const;
     [[nodiscard]] Solution solve(const NodeValues& loads) const;
 

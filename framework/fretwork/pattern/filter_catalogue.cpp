@@ -74,7 +74,7 @@ Rule forbid(const NodeLayout& layout, std::span<const EdgeGroup> groups) {
 
 std::optional<LayoutNodeIndex> parse_node(const NodeLayout& layout, std::string_view text) {
     if (text.starts_with('n')) text.remove_prefix(1);
-    const int number = base::read_number<int>(text).value_or(-1);
+    const int number = text.starts_with('+') ? -1 : base::read_number<int>(text).value_or(-1);
     if (number < 0 || number >= static_cast<int>(layout.nodes().size())) return std::nullopt;
     return LayoutNodeIndex(number);
 }

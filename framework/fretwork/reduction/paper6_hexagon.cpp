@@ -188,8 +188,9 @@ class Paper6Hexagon::Impl {
             const Eigen::Matrix3d turned_back = turns[i].transpose();
             for (int j = i; j < kSectors; ++j) {
                 const Eigen::Matrix3d half = turned_back * own.blocks[j - i];
-                stiffness.block<3, 3>(3 * i, 3 * j) = half * turns[j];
-                stiffness.block<3, 3>(3 * j, 3 * i) = stiffness.block<3, 3>(3 * i, 3 * j).transpose();
+                const Eigen::Matrix3d turned = half * turns[j];
+                stiffness.block<3, 3>(3 * i, 3 * j) = turned;
+                stiffness.block<3, 3>(3 * j, 3 * i) = turned.transpose();
             }
         }
         return stiffness;

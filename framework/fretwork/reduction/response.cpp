@@ -12,12 +12,6 @@ Eigen::Vector3d to_vector(const std::array<double, 3>& values) {
     return {values[0], values[1], values[2]};
 }
 
-std::vector<double> load_factors(int magnitudes) {
-    std::vector<double> factors;
-    for (int k = 1; k <= magnitudes; ++k) factors.push_back(static_cast<double>(k) / magnitudes);
-    return factors;
-}
-
 Response::Sample to_sample(const mechanics::Solution& solution, const Setting& setting) {
     Response::Sample sample;
     sample.converged = solution.converged();
@@ -29,11 +23,13 @@ Response::Sample to_sample(const mechanics::Solution& solution, const Setting& s
     return sample;
 }
 
-Response follow_scenario(const mechanics::Frame& tile, const Scenario& scenario, const Setting& setting) {
+Response follow_scenario(const mechanics::Frame& tile, const Scenario& scenario, const Setting& setting,
+                         const ResponseOptions& options) {
     const mechanics::Frame frame = scenario_frame(tile, scenario);
-    const std::vector<double> factors = load_factors(setting.magnitudes);
+    const std::vector<double> factors = mechanics::even_load_factors(setting.magnitudes);
     const auto solutions = mechanics::follow_load_path(mechanics::assemble(frame), factors);
-    const auto errors = mechanics::estimate_discretization_error(frame, factors, solutions);
+    std::vector<mechanics::DiscretizationError> errors(solutions.size());
+    if (options.estimate_error) errors = mechanics::estimate_discretization_error(frame, factors, solutions);
     Response response;
     response.scenario = scenario.name;
     for (std::size_t i = 0; i < solutions.size(); ++i) {
@@ -90,14 +86,14 @@ mechanics::Frame scenario_frame(mechanics::Frame tile, const Scenario& scenario)
 }
 
 std::vector<Response> compute_responses(const pattern::NodeLayout& layout, const pattern::Pattern& pattern,
-                                        const Setting& setting) {
+                                        const Setting& setting, const ResponseOptions& options) {
     require_one_interface_node(layout);
     const mechanics::Frame tile =
         mechanics::refined(pattern_frame(layout, pattern, setting), setting.divisions);
     mechanics::validate(scenario_frame(tile, setting.scenarios.front()));
     std::vector<Response> responses;
     for (const Scenario& scenario : setting.scenarios) {
-        responses.push_back(follow_scenario(tile, scenario, setting));
+        responses.push_back(follow_scenario(tile, scenario, setting, options));
     }
     return responses;
 }

@@ -21,8 +21,8 @@ struct Response {
         bool converged = true;
         bool stable = true;
         bool limit_load = false;  ///< did not converge, since the path turns back before this magnitude
-        /// Of the largest displacement, or rotation, of the tile's nodes; estimated by Richardson. Empty: not
-        /// known, since this sample or its twin with other divisions did not converge.
+        /// As a share of the largest displacement, or rotation, of the tile's nodes; estimated by Richardson.
+        /// Empty: not asked for, or this sample or its twin with other divisions did not converge.
         std::optional<double> discretization_error{};
     };
     std::string scenario;
@@ -47,9 +47,13 @@ mechanics::Frame pattern_frame(const pattern::NodeLayout& layout, const pattern:
 /// A frame of one tile, held and loaded as a scenario says, at its largest magnitude.
 mechanics::Frame scenario_frame(mechanics::Frame tile, const Scenario& scenario);
 
+struct ResponseOptions {
+    bool estimate_error = false;  ///< fill Sample::discretization_error, at half as much again of the time
+};
+
 /// The nonlinear responses of a pattern, one for each scenario of the setting, with every beam in as many
 /// elements as the setting says. Paper, Eq. (2); the paper takes one element a beam.
 std::vector<Response> compute_responses(const pattern::NodeLayout& layout, const pattern::Pattern& pattern,
-                                        const Setting& setting);
+                                        const Setting& setting, const ResponseOptions& options = {});
 
 }  // namespace fretwork::reduction

@@ -26,7 +26,8 @@ struct Setting {
     double tile_side = 0.0;  ///< m; side of the regular polygon, a hexagon
     int sides = 6;
     std::vector<Scenario> scenarios;
-    int divisions = 2;    ///< elements a beam in responses: off by at most 7e-4 in experiments/verification
+    int divisions =
+        2;  ///< elements a beam in responses: off by at most 7e-4 in the sample of experiments/verification
     int magnitudes = 10;  ///< k = 1..magnitudes, at k / magnitudes of the scenario's largest magnitude
     Branch branch = Branch::Paper;
     /// Throws InputError if a value makes no sense, or a scenario does not fit the polygon. `source` names
@@ -36,7 +37,7 @@ struct Setting {
 };
 
 /// The paper's: hexagon inscribed in a circle of diameter 0.03 sqrt(3) m, 2 x 2 mm, 1 GPa, nu 0.3, the five
-/// scenarios.
+/// scenarios; but two elements a beam, where the paper takes one.
 Setting paper_setting();
 
 /// Read a setting file. What is left out is as in paper_setting(); a scenario is an object, the name of one

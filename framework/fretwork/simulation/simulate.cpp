@@ -12,12 +12,6 @@
 namespace fretwork::simulation {
 namespace {
 
-std::vector<double> load_factors(int load_steps) {
-    std::vector<double> factors;
-    for (int k = 1; k <= load_steps; ++k) factors.push_back(static_cast<double>(k) / load_steps);
-    return factors;
-}
-
 std::vector<mechanics::Result::Node> result_nodes(const mechanics::Assembly& assembly,
                                                   const Surface& surface) {
     std::vector<mechanics::Result::Node> nodes;
@@ -62,8 +56,8 @@ mechanics::Result simulate(const Surface& surface, const LoadCase& load_case,
     result.nodes = result_nodes(assembly, surface);
     if (nonlinear) {
         const mechanics::EquilibriumOptions path_options{.threads = options.threads};
-        result.load_steps =
-            mechanics::follow_load_path(assembly, load_factors(options.load_steps), path_options);
+        result.load_steps = mechanics::follow_load_path(
+            assembly, mechanics::even_load_factors(options.load_steps), path_options);
         result.solution = result.load_steps.back();
     } else {
         result.solution = mechanics::solve_linear(assembly, {.threads = options.threads});
@@ -72,8 +66,8 @@ mechanics::Result simulate(const Surface& surface, const LoadCase& load_case,
     if (options.estimate_error)
         result.discretization_error =
             mechanics::estimate_discretization_error(full_model_frame(surface, conditions),
-                                                     load_factors(options.load_steps), result.load_steps,
-                                                     {.threads = options.threads})
+                                                     mechanics::even_load_factors(options.load_steps),
+                                                     result.load_steps, {.threads = options.threads})
                 .back();
     if (options.load_steps == 1) result.load_steps.clear();
     return result;

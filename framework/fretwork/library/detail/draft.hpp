@@ -3,8 +3,13 @@
 
 #include <fretwork/base/error.hpp>
 
+#include <cerrno>
+#include <cstdio>
+#include <fcntl.h>
 #include <filesystem>
+#include <random>
 #include <string>
+#include <system_error>
 #include <unistd.h>
 
 namespace fretwork::library::detail {
@@ -14,21 +19,32 @@ namespace fretwork::library::detail {
 class Draft {
   public:
     explicit Draft(const std::filesystem::path& output)
-        : output_(output), path_(output.string() + ".making-" + std::to_string(::getpid())) {
+        : output_(output), path_(output.string() + ".making-" + own_suffix()) {
         remove();
     }
     Draft(const Draft&) = delete;
     Draft& operator=(const Draft&) = delete;
     ~Draft() { remove(); }
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-    /// Throws IoError, also if the output has appeared meanwhile: unlike a renaming, a link never replaces.
-    void move_into_place() const {
-        std::error_code error;
-        std::filesystem::create_hard_link(path_, output_, error);
-        if (error) throw base::IoError(output_.string() + ": cannot be written: " + error.message());
+    /// False, and nothing is touched, if the output has appeared meanwhile. Throws IoError.
+    [[nodiscard]] bool move_into_place() const {
+        if (::renameat2(AT_FDCWD, path_.c_str(), AT_FDCWD, output_.c_str(), RENAME_NOREPLACE) == 0)
+            return true;
+        // Some network disks cannot rename so, but link: a link never replaces, either.
+        if (errno == EINVAL || errno == ENOSYS) {
+            if (::link(path_.c_str(), output_.c_str()) == 0) return true;
+        }
+        if (errno == EEXIST) return false;
+        throw base::IoError(output_.string() + ": cannot be written: " +
+                            std::error_code(errno, std::generic_category()).message());
     }
 
   private:
+    /// Processes of several machines may share the folder, so their numbers alone would not do.
+    static std::string own_suffix() {
+        std::random_device random;
+        return std::to_string(::getpid()) + "-" + std::to_string(random());
+    }
     void remove() const {
         std::error_code ignored;
         std::filesystem::remove(path_, ignored);

@@ -151,7 +151,7 @@ FRETWORK_CLONES Pivots eliminate_block(const Front& front, int first, const doub
     return pivots;
 }
 
-/// rest -= L D L^T over the panel's columns [from, to).
+/// rest = -L D L^T over the panel's first columns, rest -= L D L^T over later ones: [from, to).
 FRETWORK_CLONES void update_rest(const Front& front, Index from, Index to, double* packed) {
     const Index stride = front.width + front.rows;
     const Index depth = to - from;
@@ -165,7 +165,7 @@ FRETWORK_CLONES void update_rest(const Front& front, Index from, Index to, doubl
         for (Index column = 0; column < end; column += kBlock) {
             const int count = static_cast<int>(std::min<Index>(kBlock, front.rows - column));
             subtract_rows({front.rest + column * front.rows, front.rows, end, count}, row,
-                          {left, stride, packed + column * depth, depth, front.rest_is_empty && from == 0});
+                          {left, stride, packed + column * depth, depth, from == 0});
         }
     }
 }

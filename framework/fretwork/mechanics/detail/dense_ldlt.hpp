@@ -11,9 +11,8 @@ namespace fretwork::mechanics::detail {
 struct Front {
     int width = 0;
     int rows = 0;
-    double* panel = nullptr;     ///< (width + rows) x width; afterwards D on the diagonal, unit L below it
-    double* rest = nullptr;      ///< rows x rows, lower triangle; the upper one may hold anything
-    bool rest_is_empty = false;  ///< the rest holds nothing yet, not even zeros
+    double* panel = nullptr;  ///< (width + rows) x width; afterwards D on the diagonal, unit L below it
+    double* rest = nullptr;   ///< rows x rows, written in the lower triangle; the upper one may hold anything
 };
 
 /// What was met on the way.
@@ -22,7 +21,7 @@ struct Pivots {
     int zero = -1;  ///< the column that stopped the elimination; -1: none
 };
 
-/// Eliminate the front's columns: F = L D L^T in the panel, and rest -= L D L^T of the rows below. There is
+/// Eliminate the front's columns: F = L D L^T in the panel, and rest = -L D L^T of the rows below. There is
 /// no exchange of pivots: a column whose pivot is not above `zero_share` times its entry in `diagonal` ends
 /// it. `scratch` is grown as needed. The kernels are compiled for several instruction sets; the machine picks
 /// one.

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/mechanics/detail/elimination_plan.hpp>
 
+#include <algorithm>
 #include <map>
 
 namespace fretwork::mechanics::detail {
 namespace {
 
-/// Multiplications below which one thread has ended before others have started.
+/// Multiplications that a thread does in the time that it takes to start some.
 constexpr double kLittleWork = 5e6;
 
 /// Subtrees have at most this share of one thread's work, so that threads end at about the same time.
@@ -76,8 +77,9 @@ class Cut {
         const std::vector<double> work = subtree_work(tree);
         double total = 0.0;
         for (std::size_t s = 0; s < work.size(); ++s) total += tree.supernodes[s].parent < 0 ? work[s] : 0.0;
-        if (threads > 1 && total > kLittleWork) {
-            cut(work, kPiece * total / threads);
+        const double useful_threads = std::min<double>(threads, total / kLittleWork);
+        if (useful_threads > 1.0) {
+            cut(work, kPiece * total / useful_threads);
         } else {
             parent_.assign(1, -1);
         }

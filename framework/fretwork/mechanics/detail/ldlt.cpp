@@ -52,7 +52,7 @@ Ldlt::Ldlt(const SystemLayout& layout, int threads)
 Front Ldlt::front_of(std::size_t supernode) const {
     const Supernode& own = tree_.supernodes[supernode];
     return {own.width, own.rows, factor_.get() + own.panel_start,
-            storage_.get() + plan_.rest_start[supernode], true};
+            storage_.get() + plan_.rest_start[supernode]};
 }
 
 Ldlt::Outcome Ldlt::factorize(std::span<const double> values) {
@@ -72,7 +72,7 @@ Ldlt::Outcome Ldlt::factorize(std::span<const double> values) {
 }
 
 void Ldlt::eliminate_task(std::size_t task, std::span<const double> values) {
-    // A thread's own, and kept: small systems are factorized a thousand times a second.
+    // A thread's own, and kept by the caller's: small systems are factorized a thousand times a second.
     thread_local std::vector<double> scratch;
     for (const int supernode : plan_.supernodes_of(task)) {
         const auto s = at(supernode);

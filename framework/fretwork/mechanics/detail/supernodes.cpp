@@ -95,8 +95,7 @@ struct Group {
     long zeros;        ///< entries of the panel that only merging brought in
 };
 
-/// Whether the columns of a child may join its parent's: at any price while they are few, later for few
-/// zeros.
+/// Whether the columns of a child may join its parent's: the fewer they are, the more zeros it may cost.
 bool worth_merging(const Group& merged) {
     constexpr long kNarrow = 24;
     constexpr long kMiddling = 48;
