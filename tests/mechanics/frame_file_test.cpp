@@ -138,6 +138,7 @@ TEST_F(FrameFile, WrongCountsAndTypesAreRefused) {
     EXPECT_THAT(complaint("\"nodes\": [1,2]", "\"nodes\": [1,17]"), HasSubstr("/beams/1/nodes/1"));
     EXPECT_THAT(complaint("\"nodes\": [1,2]", "\"nodes\": [1,2.5]"), HasSubstr("/beams/1/nodes/1"));
     EXPECT_THAT(complaint("\"divisions\": 3", "\"divisions\": 0"), HasSubstr("/beams/0/divisions"));
+    EXPECT_THAT(complaint("\"divisions\": 3", "\"divisions\": 1001"), HasSubstr("/beams/0/divisions"));
     EXPECT_THAT(complaint("\"end\": 1", "\"end\": 2"), HasSubstr("/beams/0/releases/0/end"));
     EXPECT_THAT(complaint("\"ry\",\"rz\"] }", "\"rw\"] }"), HasSubstr("/beams/0/releases/0/free/0"));
     EXPECT_THAT(complaint("[0,0,-9.81]", "[0,0]"), HasSubstr("/gravity"));

@@ -73,6 +73,8 @@ TEST(Frame, BeamsThatCannotBeAreNamed) {
     frame = sample::star();
     frame.beams[0].divisions = 0;
     EXPECT_THAT(complaint(frame), HasSubstr("/beams/0/divisions"));
+    frame.beams[0].divisions = kMostDivisions + 1;
+    EXPECT_THAT(complaint(frame), HasSubstr("/beams/0/divisions: is 1001, where a number from 1 to 1000"));
     frame = sample::star();
     frame.beams[0].material.poisson_ratio = 0.6;
     EXPECT_THAT(complaint(frame), HasSubstr("/beams/0/material/poisson_ratio"));

@@ -17,8 +17,6 @@ namespace {
 using base::format_number;
 using base::InputError;
 
-/// Divisions beyond this are a slip of the keyboard, not a wish.
-
 std::string text_of(const Eigen::Vector3d& v) {
     return "(" + format_number(v.x()) + ", " + format_number(v.y()) + ", " + format_number(v.z()) + ")";
 }
