@@ -5,6 +5,7 @@
 #include <fretwork/mechanics/equilibrium.hpp>
 #include <fretwork/mechanics/relaxation.hpp>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace fretwork::mechanics {
@@ -66,6 +67,49 @@ TEST(Relaxation, SpentIterationsAreReported) {
 TEST(Relaxation, BadOptionsAreRefused) {
     EXPECT_THROW(relax(assemble(sample::star()), {.relative_residual = 0.0}), base::InputError);
     EXPECT_THROW(relax(assemble(sample::star()), {.iterations = 0}), base::InputError);
+}
+
+/// A bar of four elements, one end clamped and the other twisted, far too stiff to buckle under it.
+Frame twisted_bar(double angle) {
+    Frame bar =
+        sample::cantilever({.divisions = 4, .section = {.area = 0.01, .I2 = 1e-4, .I3 = 1e-4, .J = 2.5e-6}});
+    bar.prescribed.push_back({NodeIndex(1), Dof::rx, angle});
+    return bar;
+}
+
+std::string complaint(const Frame& frame) {
+    try {
+        relax(assemble(frame), {.iterations = 1});
+    } catch (const base::InputError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+// Uniform torsion: G J / L times the angle, which one the other way round would give another sign.
+TEST(Relaxation, ATwistOfNearlyHalfATurnIsNotTakenForOneTheOtherWayRound) {
+    for (const double angle : {3.1, -3.1}) {
+        const Solution found = relax(assemble(twisted_bar(angle)));
+        ASSERT_TRUE(found.converged());
+        const double torque = 5e8 * 2.5e-6 * angle;
+        EXPECT_NEAR(found.reactions(1, 3), torque, 1e-6 * std::abs(torque));
+    }
+}
+
+TEST(Relaxation, RotationsBeyondHalfATurnAreRefusedByNode) {
+    using testing::AllOf;
+    using testing::HasSubstr;
+    EXPECT_THAT(complaint(twisted_bar(3.2)),
+                AllOf(HasSubstr("node 1"), HasSubstr("3.2 rad"), HasSubstr("newton")));
+    Frame frame = twisted_bar(2.5);
+    frame.prescribed.push_back({NodeIndex(1), Dof::ry, 2.5});
+    EXPECT_THAT(complaint(frame), HasSubstr("node 1"));
+    frame.prescribed.back().value = 1.0;
+    EXPECT_EQ(complaint(frame), "");
+    frame.beams[0].divisions = 1;  // both of its ends are prescribed, and each is below pi
+    frame.supports = {{NodeIndex(0), DofSet::translations()}};
+    frame.prescribed = {{NodeIndex(0), Dof::rx, -2.0}, {NodeIndex(1), Dof::rx, 2.0}};
+    EXPECT_THAT(complaint(frame), AllOf(HasSubstr("4 rad against node"), HasSubstr("newton")));
 }
 
 }  // namespace

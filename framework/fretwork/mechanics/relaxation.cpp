@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
+#include <fretwork/base/text.hpp>
 #include <fretwork/mechanics/detail/newton.hpp>
 #include <fretwork/mechanics/relaxation.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <string>
 
 namespace fretwork::mechanics {
 namespace {
@@ -12,6 +15,31 @@ namespace {
 /// A unit time step is stable while masses exceed a quarter of the stiffness (central differences); the
 /// stiffness changes along the way.
 constexpr double kMassShare = 0.5;
+
+void refuse_turn(NodeIndex node, double angle, const std::string& against) {
+    if (angle <= std::numbers::pi) return;
+    throw base::InputError("node " + std::to_string(node.value) + " is prescribed to turn by " +
+                           base::format_number(angle) + " rad" + against +
+                           ", and dynamic relaxation, which begins with one jump to there, follows none of "
+                           "more than pi; newton does");
+}
+
+/// A rotation is known from where the nodes are alone: beyond pi it is one the other way round.
+void refuse_turns_beyond_pi(const Assembly& assembly) {
+    Eigen::Matrix3Xd turns = Eigen::Matrix3Xd::Zero(3, static_cast<Eigen::Index>(assembly.nodes.size()));
+    for (const PrescribedDisplacement& given : assembly.prescribed) {
+        if (given.dof >= Dof::rx) turns(static_cast<int>(given.dof) - 3, given.node.value) = given.value;
+    }
+    for (const PrescribedDisplacement& given : assembly.prescribed)
+        refuse_turn(given.node, turns.col(given.node.value).norm(), "");
+    for (const auto& element : assembly.elements) {
+        for (const NodeIndex node : element->nodes()) {
+            for (const NodeIndex other : element->nodes())
+                refuse_turn(node, (turns.col(node.value) - turns.col(other.value)).norm(),
+                            " against node " + std::to_string(other.value));
+        }
+    }
+}
 
 class Relaxation {
   public:
@@ -145,6 +173,7 @@ void RelaxationOptions::validate() const {
 
 Solution relax(const Assembly& assembly, const RelaxationOptions& options) {
     options.validate();
+    refuse_turns_beyond_pi(assembly);
     return Relaxation(assembly, options).run();
 }
 

@@ -27,6 +27,10 @@ struct RelaxationOptions {
 /// ones only, at some hundred times the cost. Fictitious masses bound the stiffness of each equation from
 /// above, so that unit time steps are stable; those of rotations are larger by 1 / l^2 (l: the mean length of
 /// an element, below one metre) with RotationalMass::Published.
+///
+/// Prescribed displacements are there from the start, in one jump: so no rotation may be prescribed that
+/// turns a node, or one end of an element against its other, by more than pi, which it would take for one the
+/// other way round. Throws InputError that names the node if one does, or if an option makes no sense.
 Solution relax(const Assembly& assembly, const RelaxationOptions& options = {});
 
 }  // namespace fretwork::mechanics
