@@ -2,6 +2,7 @@
 #include "sample.hpp"
 
 #include <fretwork/base/error.hpp>
+#include <fretwork/mechanics/assembly.hpp>
 #include <fretwork/mechanics/frame.hpp>
 
 #include <gmock/gmock.h>
@@ -103,6 +104,16 @@ TEST(Frame, APrescribedDisplacementHolds) {
     EXPECT_EQ(complaint(frame), "");
     frame.prescribed.push_back({NodeIndex(0), Dof::uz, 0.002});
     EXPECT_THAT(complaint(frame), HasSubstr("prescribed twice"));
+}
+
+TEST(Frame, GravityNeedsAMassSomewhere) {
+    Frame frame = sample::star();
+    frame.gravity = {0.0, 0.0, -9.81};
+    for (Beam& beam : frame.beams) beam.material.density = 0.0;
+    EXPECT_THAT(complaint(frame), testing::AllOf(HasSubstr("/gravity"), HasSubstr("density")));
+    EXPECT_THROW(assemble(frame), base::InputError);
+    frame.beams[1].material.density = 1240.0;
+    EXPECT_EQ(complaint(frame), "");
 }
 
 TEST(Frame, ANodeWithoutABeamMustBeHeld) {

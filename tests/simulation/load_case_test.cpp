@@ -99,6 +99,16 @@ TEST(Conditions, GravityIsTheWeightOfAllBeams) {
     EXPECT_NEAR(weight, -length * surface.setting.section.area * 1240 * 9.81, 1e-12);
 }
 
+TEST(Conditions, GravityNeedsADensity) {
+    Surface surface = make_surface(honeycomb(3, 2, kStar), nullptr);
+    LoadCase load_case = test::cantilever({0, 0, -2});
+    surface.setting.material.density = 0.0;
+    EXPECT_FALSE(resolve(load_case, surface).loads.empty());
+    load_case.gravity = {0, 0, -9.81};
+    EXPECT_THAT(complaint_of([&] { resolve(load_case, surface); }),
+                AllOf(HasSubstr("load case 'cantilever'"), HasSubstr("/gravity"), HasSubstr("density 0")));
+}
+
 TEST(Conditions, EntriesMayAgreeOnANodeButNotContradictEachOther) {
     const Surface surface = make_surface(test::honeycomb(3, 2, {"0-1+1-6"}), nullptr);
     LoadCase load_case = test::cantilever({0, 0, 0});

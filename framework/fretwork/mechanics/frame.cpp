@@ -7,6 +7,7 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <set>
@@ -33,7 +34,7 @@ class FrameCheck {
         check_supports();
         check_prescribed();
         check_loads();
-        if (!frame_.gravity.allFinite()) fail("/gravity", "is not finite");
+        check_gravity();
     }
 
     void check_held() const {
@@ -145,6 +146,15 @@ class FrameCheck {
             if (!frame_.loads[i].force.allFinite()) fail(place("loads", i) + "/force", "is not finite");
             if (!frame_.loads[i].moment.allFinite()) fail(place("loads", i) + "/moment", "is not finite");
         }
+    }
+
+    /// Beams without a mass among others are somebody's wish; nothing but such beams is a slip.
+    void check_gravity() const {
+        if (!frame_.gravity.allFinite()) fail("/gravity", "is not finite");
+        const bool has_mass = std::ranges::any_of(
+            frame_.beams, [](const Beam& beam) { return beam.material.density > 0.0; });
+        if (!has_mass && !frame_.gravity.isZero(0.0))
+            fail("/gravity", "there is no mass for it to act on: give the materials a density");
     }
 
     const Frame& frame_;

@@ -120,7 +120,8 @@ struct Frame {
 };
 
 /// Check what a frame must obey on its own: indices in range, finite numbers, positive sections, beams of
-/// some length, no node without a beam or held for certain, every part of the structure held. Throws
+/// some length, no node without a beam or held for certain, every part of the structure held, some mass for
+/// gravity to act on. Throws
 /// InputError or GeometryError that names the node or beam ("/beams/3").
 void validate(const Frame& frame);
 

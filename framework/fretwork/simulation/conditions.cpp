@@ -62,6 +62,10 @@ class Resolver {
     }
 
     void add_weights() {
+        if (surface_.setting.material.density == 0.0)
+            throw base::InputError("load case '" + load_case_.name + "'", "/gravity",
+                                   "there is no mass for it to act on: the library was calibrated with a "
+                                   "material of density 0");
         const std::vector<double> masses = tile_masses(surface_);
         for (std::size_t t = 0; t < masses.size(); ++t) {
             const auto& nodes = surface_.tessellation.tiles[t].interface_nodes;

@@ -15,7 +15,8 @@ struct Conditions {
     std::vector<mechanics::NodalLoad> loads;  ///< of the load case, then the shares of the tiles' weight
 };
 
-/// Throws InputError that names the entry of the load case which picks no node.
+/// Throws InputError that names the entry of the load case which picks no node, or gravity where beams have
+/// no density.
 Conditions resolve(const LoadCase& load_case, const Surface& surface);
 
 }  // namespace fretwork::simulation
