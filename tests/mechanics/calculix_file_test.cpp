@@ -20,7 +20,11 @@ class CalculixFile : public testing::Test {
         std::ofstream(path_) << text;
         return read_calculix(path_);
     }
+    /// kDeck with something in place of a piece of it, and after it.
+    LabelledFrame changed(const std::string& piece, const std::string& by, const std::string& after = "");
     std::string complaint(const std::string& piece, const std::string& by);
+    /// The forces on kDeck's tip after a second step.
+    Eigen::Vector3d force_after(const std::string& second_step);
     test::TemporaryFolder folder_;
     std::filesystem::path path_ = folder_.path() / "deck.inp";
 };
@@ -54,6 +58,8 @@ a cantilever of two elements
 *BOUNDARY
 10, 1, 6
 TIP, 2, 2, 0.003
+*ELSET, ELSET=EALL
+EBEAM
 *STEP, NLGEOM
 *STATIC
 *CLOAD
@@ -66,12 +72,26 @@ U
 *END STEP
 )";
 
-std::string CalculixFile::complaint(const std::string& piece, const std::string& by) {
+LabelledFrame CalculixFile::changed(const std::string& piece, const std::string& by,
+                                    const std::string& after) {
     std::string text = kDeck;
     const auto place = text.find(piece);
     EXPECT_NE(place, std::string::npos) << piece;
+    return read(text.replace(place, piece.size(), by) + after);
+}
+
+Eigen::Vector3d CalculixFile::force_after(const std::string& second_step) {
+    const Frame frame = changed("", "", "*STEP\n*STATIC\n" + second_step + "*END STEP\n").frame;
+    Eigen::Vector3d force = Eigen::Vector3d::Zero();
+    for (const NodalLoad& load : frame.loads) {
+        if (load.node == NodeIndex(3)) force += load.force;
+    }
+    return force;
+}
+
+std::string CalculixFile::complaint(const std::string& piece, const std::string& by) {
     try {
-        read(text.replace(place, piece.size(), by));
+        changed(piece, by);
     } catch (const base::InputError& error) {
         return error.what();
     }
@@ -93,8 +113,9 @@ TEST_F(CalculixFile, BeamsOfADeckAreRead) {
     ASSERT_EQ(frame.prescribed.size(), 1u);
     EXPECT_EQ(frame.prescribed[0].dof, Dof::uy);
     EXPECT_EQ(frame.prescribed[0].value, 0.003);
+    ASSERT_EQ(frame.loads.size(), 1u);
     EXPECT_EQ(frame.loads[0].force, Eigen::Vector3d(0.0, 0.0, -2.5));
-    EXPECT_EQ(frame.loads[1].moment, Eigen::Vector3d(0.0, 0.5, 0.0));
+    EXPECT_EQ(frame.loads[0].moment, Eigen::Vector3d(0.0, 0.5, 0.0));
     EXPECT_EQ(frame.gravity, Eigen::Vector3d(0.0, 0.0, -9.81));
 }
 
@@ -131,8 +152,118 @@ TEST_F(CalculixFile, WhatADeckCannotSayIsRefused) {
     EXPECT_FALSE(std::filesystem::exists(path_));
 }
 
+TEST_F(CalculixFile, WithinAStepForcesAddUp) {
+    EXPECT_EQ(changed("TIP, 3, -2.5", "TIP, 3, -2.5\n40, 3, -0.5").frame.loads[0].force.z(), -3.0);
+    EXPECT_EQ(changed("TIP, 3, -2.5", "TIP, 3, -2.5\n*CLOAD\n40, 3, -0.5").frame.loads[0].force.z(), -3.0);
+}
+
+TEST_F(CalculixFile, ALaterStepsForceReplacesThatOfAnEarlierOne) {
+    EXPECT_EQ(force_after(""), Eigen::Vector3d(0, 0, -2.5));
+    EXPECT_EQ(force_after("*CLOAD\nTIP, 3, -4\n"), Eigen::Vector3d(0, 0, -4));
+    EXPECT_EQ(force_after("*CLOAD, OP=MOD\nTIP, 2, 1\n"), Eigen::Vector3d(0, 1, -2.5));
+    EXPECT_EQ(force_after("*CLOAD, OP=NEW\nTIP, 2, 1\n"), Eigen::Vector3d(0, 1, 0));
+    EXPECT_EQ(force_after("*CLOAD\nTIP, 2, 1\n*CLOAD, OP=NEW\nTIP, 2, 1\n"), Eigen::Vector3d(0, 2, -2.5));
+    EXPECT_EQ(force_after("*CLOAD\nTIP, 3, 0\n"), Eigen::Vector3d(0, 0, 0));
+}
+
+TEST_F(CalculixFile, ALaterStepsDisplacementReplacesThatOfAnEarlierOne) {
+    const auto after = [&](const std::string& cards) { return changed("", "", "*STEP\n" + cards).frame; };
+    Frame frame = after("*BOUNDARY\n40, 2, 2, 0.004\n");
+    ASSERT_EQ(frame.prescribed.size(), 1u);
+    EXPECT_EQ(frame.prescribed[0].value, 0.004);
+    frame = after("*BOUNDARY\n40, 2\n10, 3, 3, 0.001\n");  // held at rest, and moved where it was held
+    ASSERT_EQ(frame.prescribed.size(), 1u);
+    EXPECT_EQ(frame.prescribed[0].node, NodeIndex(0));
+    ASSERT_EQ(frame.supports.size(), 2u);
+    EXPECT_EQ(frame.supports[0].fixed, (DofSet{{true, true, false, true, true, true}}));
+    EXPECT_EQ(frame.supports[1].fixed, (DofSet{{false, true, false, false, false, false}}));
+    frame = after("*BOUNDARY, OP=NEW\n40, 1, 6\n");
+    EXPECT_TRUE(frame.prescribed.empty());
+    ASSERT_EQ(frame.supports.size(), 1u);
+    EXPECT_EQ(frame.supports[0].node, NodeIndex(3));
+}
+
+TEST_F(CalculixFile, GravityOfLaterStepsReplacesThatOfItsDirection) {
+    const auto after = [&](const std::string& cards) {
+        return changed("", "", "*STEP\n" + cards).frame.gravity;
+    };
+    EXPECT_EQ(after("*DLOAD\nEALL, GRAV, 1.62, 0, 0, -2\n"), Eigen::Vector3d(0, 0, -1.62));
+    EXPECT_EQ(after("*DLOAD\nEALL, GRAV, 1.62, 1, 0, 0\n"), Eigen::Vector3d(1.62, 0, -9.81));
+    EXPECT_EQ(after("*DLOAD, OP=NEW\nEALL, GRAV, 1.62, 1, 0, 0\n"), Eigen::Vector3d(1.62, 0, 0));
+}
+
+TEST_F(CalculixFile, ASetHasEachOfItsNodesOnce) {
+    const Frame frame = changed("*NSET, NSET=TIP\n40", "*NSET, NSET=TIP\n40, 40\n*NSET, NSET=TIP\n40").frame;
+    ASSERT_EQ(frame.loads.size(), 1u);
+    EXPECT_EQ(frame.loads[0].force.z(), -2.5);
+}
+
+TEST_F(CalculixFile, OneNumberOfACircleIsItsRadiusAndTwoAreItsDiameter) {
+    const auto circle = [&](const std::string& size) {
+        return changed("SECTION=RECT\n.02, .01", "SECTION=CIRC\n" + size).frame.beams[0].section;
+    };
+    EXPECT_EQ(circle("0.02"), circle_section(0.04));
+    EXPECT_EQ(circle("0.02, 0.02"), circle_section(0.02));
+    EXPECT_THAT(complaint("SECTION=RECT\n.02, .01", "SECTION=CIRC\n.02, .01"),
+                testing::AllOf(testing::HasSubstr("line 24"), testing::HasSubstr("no ellipse")));
+}
+
+TEST_F(CalculixFile, FortransExponentsAreRead) {
+    EXPECT_EQ(changed("1.E9, .25", "1.0D9, 2.5d-1").frame.beams[0].material,
+              (Material{.young_modulus = 1e9, .poisson_ratio = 0.25, .density = 1240}));
+}
+
+TEST_F(CalculixFile, ParametersThatAreNotReadAreRefusedByName) {
+    using testing::HasSubstr;
+    const auto refuses = [&](const std::string& card, const std::string& parameter, const std::string& name) {
+        EXPECT_THAT(complaint("\n" + card, "\n" + card + ", " + parameter),
+                    testing::AllOf(HasSubstr(name), HasSubstr("not understood")))
+            << card << parameter;
+    };
+    refuses("*CLOAD", "FOLLOWER", "(*CLOAD) has the parameter FOLLOWER");
+    refuses("*CLOAD", "AMPLITUDE=A1", "AMPLITUDE");
+    refuses("*CLOAD", "OP=OLD", "OP=OLD");
+    refuses("*DLOAD", "AMPLITUDE=A1", "AMPLITUDE");
+    refuses("*BOUNDARY", "TYPE=VELOCITY", "TYPE=VELOCITY");
+    refuses("*BOUNDARY", "AMPLITUDE=A1", "AMPLITUDE");
+    refuses("*BOUNDARY", "FIXED", "FIXED");
+    refuses("*BEAM SECTION", "OFFSET1=0.5", "OFFSET1");
+    refuses("*BEAM SECTION", "ORIENTATION=O", "ORIENTATION");
+    refuses("*ELASTIC", "TYPE=ENGINEERING CONSTANTS", "TYPE=ENGINEERINGCONSTANTS");
+    refuses("*ELASTIC", "DEPENDENCIES=1", "DEPENDENCIES");
+    refuses("*DENSITY", "DEPENDENCIES=1", "DEPENDENCIES");
+    refuses("*STEP", "PERTURBATION", "PERTURBATION");
+    refuses("*Node", "SYSTEM=C", "SYSTEM");
+    refuses("*ELEMENT", "OFFSET=1", "OFFSET");
+    refuses("*NSET", "INSTANCE=I", "INSTANCE");
+    EXPECT_EQ(complaint("*ELASTIC\n", "*ELASTIC, TYPE=ISO\n"), "");
+    EXPECT_EQ(complaint("*BOUNDARY\n", "*BOUNDARY, TYPE=DISPLACEMENT\n"), "");
+}
+
+TEST_F(CalculixFile, WhatIsWrongWithTheFrameIsSaidWithTheDecksNamesForIt) {
+    using testing::HasSubstr;
+    using testing::StartsWith;
+    const std::string file = path_.string() + ": ";
+    EXPECT_THAT(complaint("10, 1, 6", "10, 1, 3"),
+                StartsWith(file + "node 10: the part of the structure at node 10"));
+    EXPECT_THAT(complaint("40, 1.5, 0.,", "40, 1.5, 0.,\n50, 2, 2, 2"),
+                StartsWith(file + "node 50: node 50 has no"));
+    EXPECT_THAT(complaint("40, 1.5, 0.,", "40, 1., 0.,"),
+                StartsWith(file + "element 2: the beam has no length"));
+    EXPECT_THAT(complaint(".02, .01", ".02, -.01"), StartsWith(file + "element 1/section/area"));
+    EXPECT_THAT(complaint("*DENSITY\n1240", "*DENSITY\n0"),
+                testing::AllOf(StartsWith(file), HasSubstr("density")));
+}
+
 TEST_F(CalculixFile, BadDecksAreRefusedByLine) {
     using testing::HasSubstr;
+    EXPECT_THAT(complaint("1.E9, .25", "1.E9, .25, 293\n2.E9, .25, 400"),
+                testing::AllOf(HasSubstr("line 21"), HasSubstr("one temperature")));
+    EXPECT_THAT(complaint("*DENSITY\n1240", "*DENSITY\n1240, 293\n1250, 400"), HasSubstr("one temperature"));
+    EXPECT_THAT(complaint(".02, .01", ".02, .01, .005"), HasSubstr("3 numbers, where no more than 2"));
+    EXPECT_THAT(complaint("EALL, GRAV, 9.81, 0, 0, -1", "EALL, GRAV, 9.81, 0, 0, 0"),
+                HasSubstr("no direction"));
+    EXPECT_THAT(complaint("EALL, GRAV", "NONE, GRAV"), HasSubstr("a part of the beams"));
     EXPECT_THAT(complaint("20, 0.5, 0, 0", "20, half, 0, 0"), HasSubstr("line 6 has 'HALF'"));
     EXPECT_THAT(complaint("2, 30, 40", "2, 30, 41"), HasSubstr("node 41, which there is not"));
     EXPECT_THAT(complaint("TYPE=B31,", "TYPE=C3D8,"), HasSubstr("type C3D8"));

@@ -18,9 +18,17 @@ struct LabelledFrame {
 /// nodes), B32 or B32R (the middle node becomes a node of the frame); *NSET and *ELSET, also with GENERATE;
 /// *MATERIAL with *ELASTIC and *DENSITY; *BEAM SECTION with RECT, CIRC or PIPE, *BEAM GENERAL SECTION with
 /// GENERAL; *BOUNDARY; *CLOAD; *DLOAD with GRAV. What only steers a solver or its output is passed over; any
-/// other keyword is refused. All steps' loads act together. Numbers are taken to be in SI units. Sections are
-/// shear-rigid with Saint-Venant's torsion constant, where CalculiX itself takes thick beams to be solids.
-/// The direction n1 of a section is its axis 3. Throws InputError with file and line; the frame is valid.
+/// other keyword is refused, and so is any parameter of these that is not read.
+///
+/// The frame is that of the end of the last step. As the CalculiX CrunchiX User's Manual has it (Dhondt;
+/// *CLOAD, *BOUNDARY, *DLOAD): what earlier steps gave stays (OP=MOD) but for what is given anew for the same
+/// node and direction, or goes (OP=NEW on the first such card of a step); within one step, forces on one node
+/// and direction add up. Gravity's direction counts without its length.
+///
+/// Numbers are taken to be in SI units. A single number for CIRC is Abaqus' radius, two equal ones are
+/// CalculiX' thicknesses, diameters. Sections are shear-rigid with Saint-Venant's torsion constant, where
+/// CalculiX itself takes thick beams to be solids. The direction n1 of a section is its axis 3. Throws
+/// InputError with file and line, or with file and node or element; the frame is valid.
 LabelledFrame read_calculix(const std::filesystem::path& path);
 
 /// Write a frame as such a deck, nodes labelled from 1: one B31 for each beam, *BEAM GENERAL SECTION, which

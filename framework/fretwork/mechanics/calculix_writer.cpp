@@ -48,6 +48,8 @@ class Writer {
             text_ += std::to_string(i + 1) + "," + vector_text(frame_.nodes[i]) + "\n";
         for (std::size_t i = 0; i < frame_.beams.size(); ++i) group_of(frame_.beams[i]).push_back(i);
         for (std::size_t g = 0; g < groups_.size(); ++g) write_group(g);
+        text_ += "*ELSET, ELSET=EALL\n";
+        for (std::size_t g = 0; g < groups_.size(); ++g) text_ += "BEAMS" + std::to_string(g + 1) + "\n";
         write_supports();
         text_ += "*STEP, NLGEOM\n*STATIC\n";
         write_actions();
@@ -117,7 +119,11 @@ class Writer {
                              field(value) + "\n";
             }
         }
-        if (!frame_.gravity.isZero(0.0)) text_ += "*DLOAD\nEALL,GRAV,1," + vector_text(frame_.gravity) + "\n";
+        // The direction's length does not count.
+        const double magnitude = frame_.gravity.norm();
+        if (magnitude > 0.0)
+            text_ += "*DLOAD\nEALL,GRAV," + field(magnitude) + "," + vector_text(frame_.gravity / magnitude) +
+                     "\n";
     }
 
     const Frame& frame_;

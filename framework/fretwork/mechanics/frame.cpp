@@ -24,7 +24,7 @@ std::string text_of(const Eigen::Vector3d& v) {
 
 class FrameCheck {
   public:
-    FrameCheck(const Frame& frame, const std::string& source) : frame_(frame), source_(source) {}
+    FrameCheck(const Frame& frame, const detail::FrameNames& names) : frame_(frame), names_(names) {}
 
     void check_parts() const {
         if (frame_.nodes.empty()) fail("/nodes", "a frame needs at least one node");
@@ -40,27 +40,41 @@ class FrameCheck {
     void check_held() const {
         const auto held = detail::held_dofs(frame_);
         for (const detail::FreeMotion& motion : detail::free_rigid_motions(frame_, held)) {
-            const std::string where = place("nodes", static_cast<std::size_t>(motion.node.value));
+            const std::string where = node_place(motion.node);
             if (motion.has_beam) {
-                fail(where, "the part of the structure at node " + std::to_string(motion.node.value) +
+                fail(where, "the part of the structure at " + name_of(motion.node) +
                                 " is not held enough: it can still " + motion.description);
             }
-            fail(where, "node " + std::to_string(motion.node.value) +
-                            " has no beam and is not held; remove it or fix its six components");
+            fail(where,
+                 name_of(motion.node) + " has no beam and is not held; remove it or fix its six components");
         }
     }
 
   private:
     [[noreturn]] void fail(const std::string& place, const std::string& message) const {
-        throw InputError(source_, place, message);
+        throw InputError(names_.source, place, message);
     }
     static std::string place(const char* list, std::size_t i) {
         return "/" + std::string(list) + "/" + std::to_string(i);
     }
+    [[nodiscard]] std::string name_of(NodeIndex node) const {
+        const int label = names_.node_labels.empty()
+                              ? node.value
+                              : names_.node_labels[static_cast<std::size_t>(node.value)];
+        return "node " + std::to_string(label);
+    }
+    [[nodiscard]] std::string node_place(NodeIndex node) const {
+        return names_.node_labels.empty() ? place("nodes", static_cast<std::size_t>(node.value))
+                                          : name_of(node);
+    }
+    [[nodiscard]] std::string beam_place(std::size_t beam) const {
+        return names_.beam_labels.empty() ? place("beams", beam)
+                                          : "element " + std::to_string(names_.beam_labels[beam]);
+    }
 
     void check_nodes() const {
         for (std::size_t i = 0; i < frame_.nodes.size(); ++i) {
-            if (!frame_.nodes[i].allFinite()) fail(place("nodes", i), "a coordinate is not finite");
+            if (!frame_.nodes[i].allFinite()) fail(node_place(NodeIndex(i)), "a coordinate is not finite");
         }
     }
 
@@ -78,15 +92,14 @@ class FrameCheck {
 
     void check_beam(std::size_t index) const {
         const Beam& beam = frame_.beams[index];
-        const std::string where = place("beams", index);
+        const std::string where = beam_place(index);
         for (const NodeIndex node : beam.nodes) require_node(node, where + "/nodes");
-        if (beam.nodes[0] == beam.nodes[1])
-            fail(where + "/nodes", "both ends are node " + std::to_string(beam.nodes[0].value));
+        if (beam.nodes[0] == beam.nodes[1]) fail(where + "/nodes", "both ends are " + name_of(beam.nodes[0]));
         if (beam.normal && !beam.normal->allFinite()) fail(where + "/normal", "is not finite");
         try {
             detail::beam_axes(frame_, beam);
         } catch (const base::GeometryError& error) {
-            throw base::GeometryError(source_, where, error.what());
+            throw base::GeometryError(names_.source, where, error.what());
         }
         check_section(beam.section, where + "/section");
         check_material(beam.material, where + "/material");
@@ -135,8 +148,8 @@ class FrameCheck {
             const char* name = kDofNames[static_cast<std::size_t>(given.dof)];
             if (!std::isfinite(given.value)) fail(place("prescribed", i) + "/" + name, "is not finite");
             if (!seen.emplace(given.node.value, given.dof).second)
-                fail(place("prescribed", i), std::string(name) + " of node " +
-                                                 std::to_string(given.node.value) + " is prescribed twice");
+                fail(place("prescribed", i),
+                     std::string(name) + " of " + name_of(given.node) + " is prescribed twice");
         }
     }
 
@@ -151,30 +164,31 @@ class FrameCheck {
     /// Beams without a mass among others are somebody's wish; nothing but such beams is a slip.
     void check_gravity() const {
         if (!frame_.gravity.allFinite()) fail("/gravity", "is not finite");
-        const bool has_mass = std::ranges::any_of(
-            frame_.beams, [](const Beam& beam) { return beam.material.density > 0.0; });
+        const bool has_mass =
+            std::ranges::any_of(frame_.beams, [](const Beam& beam) { return beam.material.density > 0.0; });
         if (!has_mass && !frame_.gravity.isZero(0.0))
             fail("/gravity", "there is no mass for it to act on: give the materials a density");
     }
 
     const Frame& frame_;
-    const std::string& source_;
+    const detail::FrameNames& names_;
 };
 
 }  // namespace
 
 void validate(const Frame& frame) {
-    detail::check_frame(frame, "frame");
+    detail::check_frame(frame, {"frame"});
 }
 
 namespace detail {
 
 void check_parts(const Frame& frame) {
-    FrameCheck(frame, "frame").check_parts();
+    const FrameNames names{"frame"};
+    FrameCheck(frame, names).check_parts();
 }
 
-void check_frame(const Frame& frame, const std::string& source) {
-    const FrameCheck check(frame, source);
+void check_frame(const Frame& frame, const FrameNames& names) {
+    const FrameCheck check(frame, names);
     check.check_parts();
     check.check_held();
 }
@@ -186,18 +200,15 @@ Eigen::Matrix3d beam_axes(const Frame& frame, const Beam& beam) {
     const double size = std::max(start.lpNorm<Eigen::Infinity>(), end.lpNorm<Eigen::Infinity>());
     const double length = (end - start).norm();
     if (!(length > 1e-12 * size)) {
-        throw base::GeometryError("the beam from node " + std::to_string(beam.nodes[0].value) + " to node " +
-                                  std::to_string(beam.nodes[1].value) + " has no length");
+        throw base::GeometryError("the beam has no length");
     }
     const Eigen::Vector3d axis1 = (end - start) / length;
     Eigen::Vector3d normal = beam.normal.value_or(Eigen::Vector3d::UnitZ());
     if (!beam.normal && axis1.cross(normal).norm() < kParallel) normal = Eigen::Vector3d::UnitY();
     const Eigen::Vector3d across = normal.cross(axis1);
     if (!(across.norm() > kParallel * normal.norm())) {
-        throw base::GeometryError("the normal " + text_of(normal) + " of the beam from node " +
-                                  std::to_string(beam.nodes[0].value) + " to node " +
-                                  std::to_string(beam.nodes[1].value) +
-                                  " has no part at right angles to the beam");
+        throw base::GeometryError("the normal " + text_of(normal) +
+                                  " of the beam has no part at right angles to it");
     }
     Eigen::Matrix3d axes;
     axes.col(0) = axis1;

@@ -274,7 +274,7 @@ void append_conditions(Json& document, const Frame& frame) {
 Frame read_frame(const std::filesystem::path& path) {
     const JsonReader document = JsonReader::from_file(path);
     Frame frame = FrameReader(document).read();
-    detail::check_frame(frame, path.string());
+    detail::check_frame(frame, {path.string()});
     return frame;
 }
 
