@@ -250,7 +250,9 @@ TEST_F(CalculixFile, WhatIsWrongWithTheFrameIsSaidWithTheDecksNamesForIt) {
                 StartsWith(file + "node 50: node 50 has no"));
     EXPECT_THAT(complaint("40, 1.5, 0.,", "40, 1., 0.,"),
                 StartsWith(file + "element 2: the beam has no length"));
-    EXPECT_THAT(complaint(".02, .01", ".02, -.01"), StartsWith(file + "element 1/section/area"));
+    EXPECT_THAT(complaint(".02, .01", ".02, -.01"), StartsWith(file + "line 24: the width of a rectangle"));
+    EXPECT_THAT(complaint("SECTION=RECT\n.02, .01", "SECTION=GENERAL\n0., 1e-8, 0., 1e-8, 1e-8"),
+                StartsWith(file + "element 1/section/area"));
     EXPECT_THAT(complaint("*DENSITY\n1240", "*DENSITY\n0"),
                 testing::AllOf(StartsWith(file), HasSubstr("density")));
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
 #include <fretwork/mechanics/calculix_file.hpp>
 #include <fretwork/mechanics/detail/deck_history.hpp>
 #include <fretwork/mechanics/detail/frame_check.hpp>
@@ -194,12 +195,15 @@ class Reader {
     [[nodiscard]] Section section_of(const std::string& shape, const Card::Line& line) const {
         if (shape == "RECT") {  // along n1, which is axis 3, and along n2
             const auto size = deck_.numbers(line, {2, 2});
-            return rectangle_section(size[1], size[0]);
+            return made_at(line, [&] { return rectangle_section(size[1], size[0]); });
         }
-        if (shape == "CIRC") return circle_section(diameter_of(line));
+        if (shape == "CIRC") {
+            const double diameter = diameter_of(line);
+            return made_at(line, [&] { return circle_section(diameter); });
+        }
         if (shape == "PIPE") {  // outer radius and thickness
             const auto size = deck_.numbers(line, {2, 2});
-            return tube_section(2.0 * size[0], 2.0 * (size[0] - size[1]));
+            return made_at(line, [&] { return tube_section(2.0 * size[0], 2.0 * (size[0] - size[1])); });
         }
         if (shape == "GENERAL") {  // A, I11, I12, I22, J; I11 bends about n1
             const auto v = deck_.numbers(line, {5, 5});
@@ -208,6 +212,16 @@ class Reader {
         }
         deck_.fail(line.number, "belongs to a section of shape " + shape +
                                     "; RECT, CIRC, PIPE and GENERAL are understood");
+    }
+
+    /// What a shape finds wrong with its dimensions is said with their line.
+    template <class Make>
+    [[nodiscard]] Section made_at(const Card::Line& line, const Make& make) const {
+        try {
+            return make();
+        } catch (const base::InputError& error) {
+            throw base::InputError(deck_.path(), "line " + std::to_string(line.number), error.what());
+        }
     }
 
     /// Abaqus gives a circle its radius, CalculiX its thicknesses along n1 and n2.

@@ -3,6 +3,7 @@
 
 #include <fretwork/mechanics/frame.hpp>
 
+#include <array>
 #include <map>
 #include <string>
 #include <utility>
