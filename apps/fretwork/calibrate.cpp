@@ -142,8 +142,7 @@ void add_method_options(CLI::App& verb, library::FillOptions& fill) {
     verb.add_option("--seed", fill.calibration.seed, "What random numbers begin with")
         ->check(seed_check())
         ->capture_default_str();
-    verb.add_option("--threads", fill.threads, "Threads to use; 0: all there are")
-        ->check(CLI::NonNegativeNumber);
+    verb.add_option("--threads", fill.threads, "Threads to use; 0: all there are")->check(thread_check());
 }
 
 }  // namespace

@@ -126,7 +126,10 @@ void choose_family(const std::vector<std::string>& ids, const std::string& word,
                          [&](const std::string& id) { return family_of(id) == parts.front(); });
     std::size_t count = members.size();
     if (parts.size() == 2) count = base::read_number<std::size_t>(parts[1]).value_or(0);
-    count = std::min(count, members.size());
+    if (!members.empty() && count > members.size())
+        throw base::InputError(
+            "--problems", "",
+            "'" + word + "': there are " + std::to_string(members.size()) + " of that family");
     if (members.empty() || count == 0 || parts.size() > 2) {
         throw base::InputError("--problems", "",
                                "'" + word + "' is no problem that is known, no family and no family:N");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "comparison_problems.hpp"
 #include "comparison_runs.hpp"
+#include "interrupt.hpp"
 
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/file.hpp>
@@ -11,7 +12,9 @@
 #include <fretwork/optimization/sampling.hpp>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
+#include <cmath>
 #include <map>
 #include <mutex>
 #include <optional>
@@ -150,22 +153,39 @@ KnownValue find_known_value(const std::string& id, int starts) {
     return known;
 }
 
+KnownValue read_known_value(const std::vector<std::string>& cells, const std::string& file,
+                            const std::string& place) {
+    const auto value = base::read_number<double>(cells[1]);
+    const auto scale = base::read_number<double>(cells[2]);
+    if (!value || !std::isfinite(*value))
+        throw base::InputError(file, place, "best_value '" + cells[1] + "' is no finite number");
+    if (!scale || !std::isfinite(*scale) || *scale <= 0.0)
+        throw base::InputError(file, place, "scale '" + cells[2] + "' is no finite number above zero");
+    return {cells[0], *value, *scale, cells[3]};
+}
+
 }  // namespace
 
 ComparisonSummary run_comparison(const ComparisonPlan& plan, const std::filesystem::path& path) {
     plan.options.validate();
     ComparisonTable table = table_so_far(path, plan);
     const std::vector<Task> tasks = missing_tasks(plan, table);
-    const ComparisonSummary summary{table.size(), tasks.size()};
+    const std::size_t runs_before = table.size();
     ProblemStore store;
     TableWriter writer(std::move(table), path, tasks.size());
+    std::atomic<std::size_t> left_out = 0;
+    const InterruptGuard guard;
     base::parallel_for(tasks.size(), plan.threads, [&](std::size_t i) {
+        if (is_interrupted()) {
+            ++left_out;
+            return;
+        }
         const Task& task = tasks[i];
         const ComparisonProblem& entry = store.get(task.key.problem);
         writer.add(record_run(*entry.problem, task.contender, task.key, plan.options, entry.optimum));
     });
     writer.finish();
-    return summary;
+    return {runs_before, tasks.size() - left_out, left_out};
 }
 
 std::vector<KnownValue> read_known_values(const std::filesystem::path& path) {
@@ -181,7 +201,10 @@ std::vector<KnownValue> read_known_values(const std::filesystem::path& path) {
             throw base::InputError(path.string(), "line " + std::to_string(i + 1),
                                    "'" + lines[i] + "' must have 4 columns: " + kKnownHeader);
         }
-        values.push_back({cells[0], base::parse_number(cells[1]), base::parse_number(cells[2]), cells[3]});
+        values.push_back(read_known_value(cells, path.string(), "line " + std::to_string(i + 1)));
+        if (std::ranges::count(values, cells[0], &KnownValue::problem) > 1)
+            throw base::InputError(path.string(), "line " + std::to_string(i + 1),
+                                   "problem " + cells[0] + " stands in the file already");
     }
     return values;
 }
@@ -213,7 +236,10 @@ void improve_known_values(std::vector<KnownValue>& values, const std::filesystem
         const auto cells = base::split(lines[i], ',');
         const auto value = std::ranges::find(values, cells[0], &KnownValue::problem);
         if (value == values.end() || value->found_by == "construction") continue;
-        const double found = base::parse_number(cells.at(9));
+        const double found = cells.size() > 9 ? base::read_number<double>(cells[9]).value_or(-1.0) : -1.0;
+        if (!(found >= 0.0))
+            throw base::InputError(results.string(), "line " + std::to_string(i + 1),
+                                   "has no best_value from 0 on, as the objective of a calibration is");
         if (found >= value->best_value * (1.0 - kRoundOff)) continue;
         *value = {cells[0], found, found, cells[1] + " in repetition " + cells[2] + " of the comparison"};
     }

@@ -21,6 +21,7 @@ struct ComparisonPlan {
 struct ComparisonSummary {
     std::size_t runs_before = 0;
     std::size_t runs_done = 0;
+    std::size_t runs_left_out = 0;  ///< since the program was interrupted
 };
 
 /// Do what is missing in the table at `path`, all problems once, then all of them again; the file is replaced

@@ -129,7 +129,9 @@ ExitCode run(Wishes wishes) {
         std::printf("%zu runs in %.1f s, and %zu that were there before, are in %s\n", summary.runs_done,
                     seconds.count(), summary.runs_before, path.c_str());
     }
-    return ExitCode::Done;
+    if (summary.runs_left_out > 0)
+        std::fputs("fretwork: interrupted; what is done is stored, run again to go on\n", stderr);
+    return summary.runs_left_out > 0 ? ExitCode::DidNotSucceed : ExitCode::Done;
 }
 
 // ---- landscape ----
@@ -152,7 +154,7 @@ ExitCode landscape(const Wishes& wishes) {
 
 void add_threads(CLI::App& action, Wishes& wishes) {
     action.add_option("--threads", wishes.plan.threads, "Threads to use; 0: all there are")
-        ->check(CLI::NonNegativeNumber);
+        ->check(thread_check());
 }
 
 void add_list(CLI::App& verb, const std::shared_ptr<Wishes>& wishes, ExitCode& exit_code) {
@@ -168,11 +170,13 @@ void add_known(CLI::App& verb, const std::shared_ptr<Wishes>& wishes, ExitCode& 
     action->add_option("--out", wishes->out, "The CSV file to write")->required();
     action
         ->add_option("--patterns", wishes->patterns, "Calibration problems, spread over edges and stiffness")
-        ->check(CLI::PositiveNumber)
+        ->check(CLI::Range(1, 1'000'000))
         ->capture_default_str();
     action->add_option("--starts", wishes->starts, "Descents of each calibrator on each problem")
         ->capture_default_str();
-    action->add_option("--from", wishes->known, "Begin with this file instead of searching");
+    action->add_option("--from", wishes->known, "Begin with this file instead of searching")
+        ->excludes("--patterns")
+        ->excludes("--starts");
     action->add_option("--results", wishes->results, "Take over what these runs found lower");
     add_threads(*action, *wishes);
     action->add_flag("--json", wishes->json, "Print JSON");

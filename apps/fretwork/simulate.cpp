@@ -6,6 +6,7 @@
 #include "verbs.hpp"
 
 #include <fretwork/base/detail/json_text.hpp>
+#include <fretwork/base/error.hpp>
 #include <fretwork/base/file.hpp>
 #include <fretwork/exports/writer_catalogue.hpp>
 #include <fretwork/simulation/model_catalogue.hpp>
@@ -82,6 +83,8 @@ void add_drawings(const Options& options, const Surface& surface, const mechanic
 
 ExitCode run(Options options) {
     if (options.linear) options.simulation.analysis = simulation::Analysis::Linear;
+    if (options.simulation.load_steps != 1 && !options.simulation.is_nonlinear())
+        throw base::InputError("--steps: a linear solution has no path to divide");
     options.simulation.validate();
     const Project project = simulation::read_project(options.project);
     std::vector<std::string> outputs = options.drawings;
@@ -136,7 +139,7 @@ void add_simulate(CLI::App& app, ExitCode& exit_code) {
     verb->add_flag("--estimate-error", options->simulation.estimate_error,
                    "Tell how far the full model is from endlessly fine divisions of its beams");
     verb->add_option("--threads", options->simulation.threads, "Threads to use; 0: all there are")
-        ->check(CLI::NonNegativeNumber)
+        ->check(thread_check())
         ->capture_default_str();
     verb->add_option("--library", options->library,
                      "Library with the setting and the calibrations (default: the project's)");

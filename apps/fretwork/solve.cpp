@@ -198,7 +198,7 @@ void add_solve(CLI::App& app, ExitCode& exit_code) {
         ->check(CLI::Range(1, 1000));
     verb->add_option("--threads", wishes->threads,
                      "Threads to use; 0: all there are (linear and newton; the result is the same)")
-        ->check(CLI::NonNegativeNumber)
+        ->check(thread_check())
         ->capture_default_str();
     verb->add_option("--vtu", wishes->vtu, "the displaced beams for ParaView");
     verb->add_option("--deck", wishes->deck, "write the frame as an input deck for Abaqus (.inp)");

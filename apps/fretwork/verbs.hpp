@@ -18,6 +18,11 @@ inline CLI::Validator seed_check() {
     return {check, "SEED", "seed"};
 }
 
+/// Numbers of threads.
+inline CLI::Validator thread_check() {
+    return CLI::Range(0, 256);
+}
+
 /// Each adds one verb to the command line: its options, its help with an example, and what it does when it is
 /// chosen. The verb writes how it ended to `exit_code` (Done if it writes nothing).
 void add_enumerate(CLI::App& app, ExitCode& exit_code);

@@ -108,11 +108,24 @@ TEST(ComparisonTable, RefusesRowsOfOtherConditionsAndBrokenOnes) {
     const ComparisonOptions options{.budget = {.cost = 100}};
     ComparisonTable table;
     table.add(sphere_run("bobyqa", 1, options));
-    expect_refused(table.csv(), {.budget = {.cost = 101}}, "line 2");
-    expect_refused(table.csv(), {.budget = {.cost = 100}, .seed = 2}, "another budget, seed");
+    expect_refused(table.csv(), {.budget = {.cost = 101}},
+                   "line 2: this run was made with another budget, 100");
+    expect_refused(table.csv(), {.budget = {.cost = 100}, .seed = 2}, "another seed");
     expect_refused("a,b\n", options, "line 1");
     expect_refused("", options, "line 1");
-    expect_refused(comparison_header() + "\nsphere,bobyqa,1\n", options, "is no row");
+    expect_refused(comparison_header() + "\nsphere,bobyqa,1\n", options, "has 3 columns");
+    const auto with = [&](const std::string& piece, const std::string& by) {
+        std::string text = table.csv();
+        const auto place = text.rfind(piece);
+        return text.replace(place, piece.size(), by);
+    };
+    const std::string row = table.csv().substr(comparison_header().size() + 1);
+    expect_refused(table.csv() + row, options, "line 3: this run stands in the table already");
+    const auto cells = base::split(row, ',');
+    expect_refused(with("," + cells[8] + ",", ",bugdet,"), options, "'bugdet'");
+    expect_refused(with("," + cells[8] + "," + cells[9], "," + cells[8] + ",abc"), options, "value 'abc'");
+    expect_refused(with(cells[17], "x:y\n"), options, "trace");
+    expect_refused(with("," + cells[16] + ",", ",-1,"), options, "CPU time '-1'");
 }
 
 }  // namespace

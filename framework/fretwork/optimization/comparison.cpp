@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
+#include <fretwork/base/quantity.hpp>
 #include <fretwork/base/sha256.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/optimization/comparison.hpp>
@@ -64,6 +65,51 @@ double distance_between(const Bounds& bounds, const Eigen::VectorXd& a, const Ei
 }
 
 constexpr std::size_t kColumns = 18;
+
+bool is_trace(const std::string& text) {
+    const auto is_point = [](const std::string& point) {
+        const auto colon = point.find(':');
+        return colon != std::string::npos && base::read_number<long>(point.substr(0, colon)) &&
+               base::read_number<double>(point.substr(colon + 1));
+    };
+    return text.empty() || std::ranges::all_of(base::split(text, ' '), is_point);
+}
+
+/// What is wrong with a row of a table; empty if nothing is.
+std::string row_fault(const std::vector<std::string>& cells) {
+    if (cells.size() != kColumns)
+        return "has " + std::to_string(cells.size()) + " columns, where " + std::to_string(kColumns) +
+               " are needed";
+    const auto no_count = [&](std::size_t column) {
+        return base::read_number<long>(cells[column]).value_or(-1) < 0;
+    };
+    if (base::read_number<int>(cells[2]).value_or(0) < 1)
+        return "repetition '" + cells[2] + "' is no number from 1 on";
+    constexpr std::string_view kTerminations[] = {"converged", "budget-spent", "stalled", "invalid"};
+    if (std::ranges::find(kTerminations, cells[8]) == std::end(kTerminations))
+        return "termination '" + cells[8] + "' is none of converged, budget-spent, stalled, invalid";
+    for (const std::size_t value : {9U, 10U}) {
+        if (!base::read_number<double>(cells[value])) return "value '" + cells[value] + "' is no number";
+    }
+    for (const std::size_t count : {12U, 13U, 14U, 15U}) {
+        if (no_count(count)) return "count '" + cells[count] + "' is no number from 0 on";
+    }
+    if (!(base::read_number<double>(cells[16]).value_or(-1.0) >= 0.0))
+        return "CPU time '" + cells[16] + "' is no number from 0 on";
+    return is_trace(cells[17]) ? "" : "its trace is no list of cost:value";
+}
+
+/// Under which other condition a row's run was made; empty if under the same ones.
+std::string other_condition(const std::vector<std::string>& cells, const RunKey& key,
+                            const ComparisonOptions& options, std::span<const Contender> contenders) {
+    const auto contender = std::ranges::find(contenders, key.optimizer,
+                                             [](const Contender& c) { return std::string(c.method->name); });
+    if (cells[6] != std::to_string(run_seed(key, options.seed))) return "seed (or problem, or method)";
+    if (cells[7] != std::to_string(options.budget.cost)) return "budget, " + cells[7];
+    if (contender != contenders.end() && cells[5] != std::to_string(contender->starts))
+        return "number of starts, " + cells[5];
+    return "";
+}
 
 }  // namespace
 
@@ -151,22 +197,15 @@ ComparisonTable::ComparisonTable(std::string_view text, const std::string& sourc
         if (lines[i].empty()) continue;
         const std::string place = "line " + std::to_string(i + 1);
         const auto cells = base::split(lines[i], ',');
-        int repetition = 0;
-        if (cells.size() != kColumns || std::sscanf(cells[2].c_str(), "%d", &repetition) != 1) {
-            throw base::InputError(source, place, "'" + lines[i] + "' is no row of a table of runs");
-        }
-        const RunKey key{cells[0], cells[1], repetition};
-        const auto contender = std::ranges::find(
-            contenders, key.optimizer, [](const Contender& c) { return std::string(c.method->name); });
-        const bool fits = cells[6] == std::to_string(run_seed(key, options.seed)) &&
-                          cells[7] == std::to_string(options.budget.cost) &&
-                          (contender == contenders.end() || cells[5] == std::to_string(contender->starts));
-        if (!fits) {
-            throw base::InputError(source, place,
-                                   "this run was made with another budget, seed or number of starts; "
-                                   "choose another folder, or the same ones");
-        }
-        rows_[key] = lines[i];
+        if (const std::string fault = row_fault(cells); !fault.empty())
+            throw base::InputError(source, place, fault);
+        const RunKey key{cells[0], cells[1], *base::read_number<int>(cells[2])};
+        if (const std::string other = other_condition(cells, key, options, contenders); !other.empty())
+            throw base::InputError(
+                source, place,
+                "this run was made with another " + other + "; choose another folder, or the same one");
+        if (!rows_.emplace(key, lines[i]).second)
+            throw base::InputError(source, place, "this run stands in the table already");
     }
 }
 

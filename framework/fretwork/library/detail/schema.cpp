@@ -182,7 +182,8 @@ void check_schema(const Database& database) {
     if (version == kSchemaVersion) return;
     throw base::InputError(file, "",
                            "is a library of schema version " + std::to_string(version) +
-                               ", where this program reads version " + std::to_string(kSchemaVersion));
+                               ", where this program reads version " + std::to_string(kSchemaVersion) +
+                               ": make it anew with enumerate --library and calibrate");
 }
 
 }  // namespace fretwork::library::detail
