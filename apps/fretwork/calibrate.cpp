@@ -27,7 +27,7 @@ Stopped at any moment, it goes on where it was when it is started again.
 
 Examples:
   fretwork enumerate --library lib.db && fretwork calibrate --library lib.db
-  fretwork calibrate --library lib.db --patterns sample:24 --starts 8
+  fretwork calibrate --library lib.db --patterns sample:24 --starts 16
   fretwork calibrate --library part2.db --shard 2/4)";
 
 /// What a person asks for.

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analytic_problems.hpp"
 
+#include <fretwork/base/error.hpp>
 #include <fretwork/optimization/detail/box_quadratic.hpp>
+#include <fretwork/optimization/gauss_newton_multistart.hpp>
 #include <fretwork/optimization/optimizer_catalogue.hpp>
 #include <fretwork/optimization/random.hpp>
 #include <fretwork/optimization/simulated_annealing.hpp>
@@ -10,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace fretwork::optimization {
 namespace {
@@ -61,6 +64,28 @@ TEST(SmoothedMethods, FindAMinimumInAKink) {
         EXPECT_LT(report.value, best * (1.0 + 1e-3)) << name;
         EXPECT_GE(report.value, best) << name;
     }
+}
+
+/// (x^2 - 1)^2 + 0.09 (x - 1)^2 has a minimum of 0 in 1 and one of some 0.3 near -1: the descents there are
+/// given up after the first stage, and nothing is lost.
+TEST(GaussNewtonMultistart, GivesUpDescentsThatStayFarAboveTheLowest) {
+    const LeastSquaresProblem problem(
+        "two valleys", cube(1, -2.0, 2.0),
+        [](const Eigen::VectorXd& x) {
+            return Eigen::VectorXd(Eigen::Vector2d(x[0] * x[0] - 1.0, 0.3 * (x[0] - 1.0)));
+        },
+        [](const Eigen::VectorXd& x) { return Eigen::MatrixXd(Eigen::Vector2d(2.0 * x[0], 0.3)); });
+    const auto run = [&](double pruning_ratio) {
+        Evaluator evaluator(problem, {.cost = 10000});
+        const auto method = make_gauss_newton_multistart({.common = {.starts = 8},
+                                                          .continuation = {.samples_per_start = 1},
+                                                          .pruning_ratio = pruning_ratio});
+        EXPECT_EQ(method->run(evaluator).termination, Termination::Converged);
+        EXPECT_LT(evaluator.best_value(), 1e-9);
+        return evaluator.cost();
+    };
+    EXPECT_LT(run(2.0), run(std::numeric_limits<double>::infinity()));
+    EXPECT_THROW(make_gauss_newton_multistart({.pruning_ratio = 0.9}), base::InputError);
 }
 
 /// Remembers every point at which it was evaluated.

@@ -24,8 +24,8 @@ struct Starts {
     int starts;
 };
 constexpr Starts kStarts[] = {
-    {"ceres-multistart", 4},
-    {"gauss-newton-multistart", 4},
+    {"ceres-multistart", 8},
+    {"gauss-newton-multistart", 8},
     {"ceres-residuals", 8},
     {"ceres-dogleg", 8},
     {"ceres-subspace-dogleg", 8},

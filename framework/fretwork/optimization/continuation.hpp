@@ -13,7 +13,7 @@ struct ContinuationOptions {
     double loose_tolerance = 1e-3;  ///< a stage but the last ends once a step gains less than this share
     double tolerance = 1e-7;        ///< the same for the last stage
     int largest_iterations = 60;    ///< of one stage
-    int samples_per_start = 32;     ///< points that are tried for each descent; 1: none
+    int samples_per_start = 12;     ///< points that are tried for each descent; 1: none
     /// Throws InputError if a value makes no sense.
     void validate() const;
 };

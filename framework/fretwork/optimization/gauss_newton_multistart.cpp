@@ -84,27 +84,31 @@ class GaussNewtonMultistart final : public Optimizer {
         for (Eigen::VectorXd& start : detail::choose_starts(evaluator, options_.common, samples))
             descents.emplace_back(evaluator, options_.continuation, std::move(start));
         RunOutcome outcome{Termination::BudgetSpent, {}};
+        if (descents.empty()) return outcome;
         for (const double smoothing : options_.continuation.smoothing) {
             for (Descent& descent : descents) {
                 outcome = {descent.run_stage(smoothing), descent.point()};
                 if (outcome.termination == Termination::BudgetSpent) return outcome;
             }
-            merge(descents, evaluator.bounds());
+            keep_promising(descents, evaluator.bounds());
         }
         return outcome;
     }
 
   private:
-    /// Of descents that have met, keep the lowest; the lowest of all comes last, and so decides how the run
-    /// ended.
-    void merge(std::vector<Descent>& descents, const Bounds& bounds) const {
+    /// Of descents that have met, keep the lowest, and none that lies far above the lowest of all, which
+    /// comes last and so decides how the run ended.
+    void keep_promising(std::vector<Descent>& descents, const Bounds& bounds) const {
         std::ranges::stable_sort(descents, {}, [](const Descent& descent) { return descent.value(); });
+        const double lowest = descents.front().value();
+        const double highest = lowest + (options_.pruning_ratio - 1.0) * std::abs(lowest);
         std::vector<Descent> kept;
         for (Descent& descent : descents) {
             const bool is_met = std::ranges::any_of(kept, [&](const Descent& other) {
                 return share_distance(descent, other, bounds) < options_.merging_distance;
             });
-            if (!is_met) kept.push_back(std::move(descent));
+            const bool is_far = descent.value() > highest;  // never if infinity times 0 is the limit
+            if (!is_met && !is_far) kept.push_back(std::move(descent));
         }
         std::ranges::reverse(kept);
         descents = std::move(kept);
@@ -125,6 +129,7 @@ void GaussNewtonMultistartOptions::validate() const {
     common.validate();
     continuation.validate();
     if (!(merging_distance >= 0.0)) throw base::InputError("merging_distance: must not be negative");
+    if (!(pruning_ratio >= 1.0)) throw base::InputError("pruning_ratio: must be at least 1");
 }
 
 std::unique_ptr<Optimizer> make_gauss_newton_multistart(const GaussNewtonMultistartOptions& options) {

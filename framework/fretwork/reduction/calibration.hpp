@@ -24,7 +24,7 @@ struct Paper6Parameters {
 
 struct CalibrationOptions {
     std::string optimizer = "gauss-newton-multistart";  ///< a row of the optimizer catalogue
-    int starts = 4;
+    int starts = 8;
     std::uint64_t seed = 1;
     int budget = 20000;  ///< evaluations of the objective at most
     /// Throws InputError if a value makes no sense.
