@@ -1,19 +1,30 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Compare all optimizers on the calibration of the paper's model, and write tables, figures and report.html.
-# Usage: run.sh [--subset] [PROGRAM] [OUTPUT FOLDER]     Goes on where it was stopped; --subset takes about a minute
-# on two free cores, the whole two hours.
+# Usage: run.sh [--subset | --all-patterns] [PROGRAM] [OUTPUT FOLDER]     Goes on where it was stopped. On two free
+# cores --subset takes about a minute, the whole two hours, and --all-patterns, a few methods on every pattern, half an hour.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
-subset=()
-landscape=(--problems calibration:6)
+part=everything
+[[ ${1:-} != --* ]] || { part=${1#--}; shift; }
 name=optimizer_comparison
-if [[ ${1:-} == --subset ]]; then
-  subset=(--problems calibration:3,synthetic:1,analytic:2 --repetitions 2 --budget 20000)
-  landscape=(--problems calibration:2 --descents 50)
-  name=optimizer_comparison_subset
-  shift
-fi
+known=$here/best_known.csv
+runs=()
+landscape=(--problems calibration:6 --descents 200)
+case $part in
+  everything) ;;
+  subset)
+    name+=_subset
+    runs=(--problems calibration:3,synthetic:1,analytic:2 --repetitions 2 --budget 20000)
+    landscape=(--problems calibration:2 --descents 50) ;;
+  all-patterns)
+    name+=_all_patterns
+    known=
+    runs=(--problems calibration --repetitions 1
+      --optimizers gauss-newton-multistart,ceres-multistart,slsqp,simulated-annealing)
+    landscape=() ;;
+  *) echo "run.sh: unknown option --$part; there are --subset and --all-patterns" >&2; exit 2 ;;
+esac
 program=${1:-$here/../../build/release/apps/fretwork/fretwork}
 out=${2:-$here/../../out/$name}
 python=${PYTHON:-/usr/bin/python3}  # Debian's, which has SciPy and Matplotlib
@@ -22,8 +33,15 @@ python=${PYTHON:-/usr/bin/python3}  # Debian's, which has SciPy and Matplotlib
   exit 2
 }
 mkdir -p "$out"
-"$program" optimizers run --known "$here/best_known.csv" "${subset[@]}" --out "$out"
-"$python" "$here/analyse.py" "$out/results.csv" "$here/best_known.csv" "$out"
-"$program" optimizers landscape --known "$here/best_known.csv" "${landscape[@]}" --out "$out"
-"$python" "$here/landscape.py" "$out" >/dev/null
-echo "The reports are $out/report.html and $out/landscape.html"
+if [[ -z $known ]]; then
+  known=$out/best_known.csv
+  [[ -s $known ]] || "$program" optimizers known --patterns 1824 --starts 40 --out "$known"
+fi
+"$program" optimizers run --known "$known" "${runs[@]}" --out "$out"
+"$python" "$here/analyse.py" "$out/results.csv" "$known" "$out"
+echo "The report is $out/report.html"
+if [[ ${#landscape[@]} -gt 0 ]]; then
+  "$program" optimizers landscape --known "$known" "${landscape[@]}" --out "$out"
+  "$python" "$here/landscape.py" "$out" >/dev/null
+  echo "The landscape is $out/landscape.html"
+fi

@@ -10,9 +10,9 @@ python=${PYTHON:-/usr/bin/python3}
 out=$(mktemp -d)
 trap 'rm -rf "$out"' EXIT
 "$1" optimizers run --known "$here/best_known.csv" --problems calibration:2,synthetic:1,analytic:1 --repetitions 1 --budget 300 \
-  --optimizers ceres-multistart,simulated-annealing,bobyqa --threads 1 --out "$out" >/dev/null
+  --optimizers gauss-newton-multistart,ceres-multistart,simulated-annealing,bobyqa --threads 1 --out "$out" >/dev/null
 "$python" -B "$here/analyse.py" "$out/results.csv" "$here/best_known.csv" "$out" >"$out/verdicts.txt"
-[[ $(wc -l <"$out/verdicts.txt") -eq 3 ]] || { echo "three verdicts were expected"; cat "$out/verdicts.txt"; exit 1; }
+[[ $(wc -l <"$out/verdicts.txt") -eq 6 ]] || { echo "six verdicts were expected"; cat "$out/verdicts.txt"; exit 1; }
 "$1" optimizers landscape --known "$here/best_known.csv" --problems calibration:1 --descents 3 --threads 1 --out "$out" >/dev/null
 "$python" -B "$here/landscape.py" "$out" >/dev/null
 for file in report.html data_profile.svg performance_profile.svg runtimes.svg final_gaps.svg convergence.svg tests.csv landscape.html; do
