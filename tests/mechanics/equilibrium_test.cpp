@@ -260,8 +260,6 @@ TEST(Equilibrium, FixedMomentsOnFreelyTurningNodesAreJudgedBySymmetricPart) {
     EXPECT_TRUE(solution.stable);
 }
 
-// Von Mises' truss: with hinged bars of rest length l0 that rise by h, the load at the depth w of the apex is
-// 2 E A (l0 - l) / l0 (h - w) / l; its largest value is the limit load.
 // Williams' toggle snaps by a few hundredths of a bar's length; limit load 0.9974 of the frame's load.
 TEST(Equilibrium, AShallowToggleDoesNotSnapUnseenWhateverTheSteps) {
     const Assembly toggle = assemble(verification::williams_toggle());
@@ -275,6 +273,35 @@ TEST(Equilibrium, AShallowToggleDoesNotSnapUnseenWhateverTheSteps) {
     }
 }
 
+// The bars of this roof buckle in their plane before it snaps. A long first step once landed on the path
+// beyond the limit load, where the buckled bars hold again, and followed it to 2.5 times the limit.
+TEST(Equilibrium, ALongStepDoesNotPassALimitLoadBehindABifurcation) {
+    Frame frame;
+    frame.nodes = {{0, 0, 0}, {1, 0, 0.05}, {2, 0, 0}};
+    for (const int from : {0, 2}) {
+        Beam beam = sample::beam_between(from, 1);
+        const double inertia = 1e-8 / 12.0;
+        beam.section = {.area = 1e-4, .I2 = inertia, .I3 = inertia, .J = 1.69 * inertia};
+        beam.divisions = 4;
+        beam.releases = {{0, {{false, false, false, false, true, false}}}};
+        frame.beams.push_back(beam);
+    }
+    sample::clamp(frame, 0);
+    sample::clamp(frame, 2);
+    frame.supports.push_back({NodeIndex(1), {{false, true, false, true, false, true}}});
+    frame.loads.push_back({NodeIndex(1), {0.0, 0.0, -20.0}});
+    const Assembly roof = assemble(frame);
+    const double limit = follow_load_path(roof, even_load_factors(200)).back().load_factor;
+    EXPECT_LT(limit, 0.1);
+    for (const int steps : {1, 2, 3, 5, 10}) {
+        const auto end = follow_load_path(roof, even_load_factors(steps)).back();
+        EXPECT_EQ(end.termination, Termination::LimitLoad) << steps;
+        EXPECT_NEAR(end.load_factor, limit, 1.0 / 1024.0) << steps;  // the shortest step
+    }
+}
+
+// Von Mises' truss: with hinged bars of rest length l0 that rise by h, the load at the depth w of the apex is
+// 2 E A (l0 - l) / l0 (h - w) / l; its largest value is the limit load.
 TEST(Equilibrium, ALimitLoadEndsThePathAndIsReportedAsSuch) {
     constexpr double kRise = 0.1;
     Frame frame;

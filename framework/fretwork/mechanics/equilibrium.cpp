@@ -24,6 +24,10 @@ constexpr double kLimitLoadGrowth = 8.0;
 constexpr double kJump = 3.0;
 constexpr double kSmallMove = 1e-3;
 
+/// Where stability changes, limit loads are near, and a long step may land beyond them: it is halved until it
+/// is at most this share of the load.
+constexpr double kLongestCrossing = 1.0 / 64.0;
+
 /// How far the push goes from an unstable equilibrium (rad, or element lengths).
 constexpr double kPush = 0.02;
 
@@ -54,7 +58,8 @@ class LoadPath {
 
     Solution advance_to(double target) {
         double step = target - factor_;
-        double shortest = step / std::pow(2.0, options_.largest_cut_back);
+        const double shortest = step / std::pow(2.0, options_.largest_cut_back);
+        longest_crossing_ = std::max(kLongestCrossing * target, 2.0 * shortest);
         Termination termination = Termination::Converged;
         while (factor_ < target && termination == Termination::Converged) {
             const bool reaches = factor_ + step >= target - 0.5 * shortest;
@@ -77,6 +82,8 @@ class LoadPath {
         if (termination != Termination::Converged) return termination;
         const Eigen::VectorXd move = system_.step_between(configuration_, trial);
         const auto outcome = newton_.factorize();
+        const bool crosses = outcome.negative_pivots != outcome_.negative_pivots;
+        if (crosses && factor - factor_ > longest_crossing_) return Termination::LimitLoad;
         Eigen::VectorXd rate = outcome.zero_pivot < 0 ? newton_.solve_tangent(system_.load_rate())
                                                       : Eigen::VectorXd(move / (factor - factor_));
         if (is_jump(factor - factor_, move, rate)) return Termination::LimitLoad;
@@ -204,6 +211,7 @@ class LoadPath {
     detail::Newton newton_;
     Configuration configuration_;
     double factor_ = 0.0;
+    double longest_crossing_ = 0.0;  ///< of steps on which stability changes
     detail::Ldlt::Outcome outcome_;
     Eigen::VectorXd rate_;  ///< of the unknowns in the load factor
     double rest_rate_ = 0.0;
