@@ -1,18 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One thread, but for the rows that end in the number of theirs. The honeycombs are flat, clamped on their
 // left side and loaded on their right one; the sizes are those at which other programs have been measured
-// (508, 2,044, 9,938 and 49,926 nodes, as near as whole rows come).
+// (508, 2,044, 9,938 and 49,926 nodes, as near as whole rows come). The rows `stiffness` take one matrix, six
+// unknowns a node, from its pattern to a solution: by this project's solver, and by others as a yardstick.
+// For one thread of theirs, set OPENBLAS_NUM_THREADS=1 and OMP_NUM_THREADS=1.
 #include <fretwork/mechanics/condensation.hpp>
+#include <fretwork/mechanics/detail/ldlt.hpp>
+#include <fretwork/mechanics/detail/nonlinear_system.hpp>
 #include <fretwork/mechanics/equilibrium.hpp>
 #include <fretwork/mechanics/linear_solver.hpp>
 
+#include <Eigen/CholmodSupport>
+#include <Eigen/SparseCholesky>
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <random>
 #include <set>
+#include <span>
 
 namespace fretwork::mechanics {
 namespace {
@@ -155,6 +163,66 @@ void linear_other_sections(benchmark::State& state) {
     report_size(state, frame);
 }
 
+/// The stiffness at rest and the load of a honeycomb, neither split into bending and membrane.
+class StiffnessProblem {
+  public:
+    explicit StiffnessProblem(const Frame& frame) : assembly_(assemble(frame)), system_(assembly_) {
+        system_.evaluate(system_.rest(), 0.0);
+        load_ = system_.load_rate();
+    }
+    [[nodiscard]] const detail::SystemLayout& layout() const { return system_.layout(); }
+    [[nodiscard]] std::span<const double> values() const { return system_.tangent(); }
+    [[nodiscard]] const Eigen::VectorXd& load() const { return load_; }
+    /// The lower triangle, its rows in a random order: no program inherits the order of another.
+    [[nodiscard]] Eigen::SparseMatrix<double> shuffled() const {
+        const int n = system_.equations();
+        const Eigen::Map<const Eigen::SparseMatrix<double>> lower(n, n, static_cast<int>(values().size()),
+                                                                  layout().column_start().data(),
+                                                                  layout().row().data(), values().data());
+        Eigen::PermutationMatrix<Eigen::Dynamic> order(n);
+        order.setIdentity();
+        std::shuffle(order.indices().begin(), order.indices().end(), std::mt19937(1));
+        Eigen::SparseMatrix<double> result(n, n);
+        result.selfadjointView<Eigen::Lower>() = lower.selfadjointView<Eigen::Lower>().twistedBy(order);
+        return result;
+    }
+
+  private:
+    Assembly assembly_;
+    detail::NonlinearSystem system_;
+    Eigen::VectorXd load_;
+};
+
+void stiffness_by_this_project(benchmark::State& state) {
+    const Frame frame = held_honeycomb(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)));
+    const Assembly assembly = assemble(frame);
+    const StiffnessProblem problem(frame);
+    for (auto _ : state) {
+        const detail::NonlinearSystem ordered(assembly);
+        detail::Ldlt factors(ordered.layout());
+        Eigen::VectorXd x = problem.load();
+        if (!factors.factorize(problem.values()).positive_definite()) state.SkipWithError("singular");
+        factors.solve(x);
+        benchmark::DoNotOptimize(x.data());
+    }
+    report_size(state, frame);
+}
+
+template <class Solver>
+void stiffness_by(benchmark::State& state) {
+    const Frame frame = held_honeycomb(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)));
+    const StiffnessProblem problem(frame);
+    const Eigen::SparseMatrix<double> matrix = problem.shuffled();
+    for (auto _ : state) {
+        const Solver factors(matrix);
+        if (factors.info() != Eigen::Success) state.SkipWithError("singular");
+        benchmark::DoNotOptimize(factors.solve(problem.load()).eval().data());
+    }
+    report_size(state, frame);
+}
+using EigenLdlt = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>;
+using CholmodSupernodal = Eigen::CholmodSupernodalLLT<Eigen::SparseMatrix<double>>;
+
 int iterations_of(const std::vector<Solution>& path) {
     int iterations = 0;
     for (const Solution& solution : path) iterations += solution.iterations;
@@ -213,6 +281,11 @@ void of_ten_thousand_nodes(benchmark::internal::Benchmark* rows) {
     rows->Args({69, 70, 1})->Args({69, 70, 2});
 }
 
+void of_three_sizes(benchmark::internal::Benchmark* rows) {
+    rows->ArgNames({"columns", "rows"})->Unit(benchmark::kMillisecond)->UseRealTime();
+    rows->Args({15, 15})->Args({31, 31})->Args({69, 70});
+}
+
 void of_twenty_thousand_beams(benchmark::internal::Benchmark* rows) {
     rows->ArgNames({"columns", "rows", "threads"})->Unit(benchmark::kMillisecond)->UseRealTime();
     rows->Args({80, 83, 1})->Args({80, 83, 2});
@@ -221,6 +294,9 @@ void of_twenty_thousand_beams(benchmark::internal::Benchmark* rows) {
 BENCHMARK(linear_from_frame_to_displacements)->Apply(of_all_sizes);
 BENCHMARK(linear_another_load)->Apply(of_ten_thousand_nodes);
 BENCHMARK(linear_other_sections)->Apply(of_ten_thousand_nodes);
+BENCHMARK(stiffness_by_this_project)->Apply(of_three_sizes);
+BENCHMARK(stiffness_by<EigenLdlt>)->Apply(of_three_sizes);
+BENCHMARK(stiffness_by<CholmodSupernodal>)->Apply(of_three_sizes);
 BENCHMARK_CAPTURE(hexagon_path, bending, bent_hexagon)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(hexagon_path, dome, domed_hexagon)->Unit(benchmark::kMillisecond);
 BENCHMARK(condense_hexagon)->Unit(benchmark::kMicrosecond);
