@@ -146,6 +146,7 @@ ExitCode run(const Wishes& wishes) {
     if (!wishes.vtu.empty()) {
         exports::LineSet lines = exports::frame_lines(frame);
         lines.displacements = result.solution.displacements;
+        lines.fields = exports::mode_fields(result);
         files.add(wishes.vtu, exports::vtu_text(lines));
     }
     files.commit();
@@ -200,7 +201,7 @@ void add_solve(CLI::App& app, ExitCode& exit_code) {
                      "Threads to use; 0: all there are (linear and newton; the result is the same)")
         ->check(thread_check())
         ->capture_default_str();
-    verb->add_option("--vtu", wishes->vtu, "the displaced beams for ParaView");
+    verb->add_option("--vtu", wishes->vtu, "the displaced beams, and modes, for ParaView");
     verb->add_option("--deck", wishes->deck, "write the frame as an input deck for Abaqus (.inp)");
     verb->add_option("--out", wishes->out, "result file")->required();
     verb->add_flag("--json", wishes->json, "print a summary for programs");

@@ -150,6 +150,23 @@ TEST(CsvFile, HasARowForEachNodeUnderNamesWithUnits) {
     EXPECT_EQ(node, lines.nodes.size());
 }
 
+TEST(LineFiles, VtuHasTheModesUnderTheirValues) {
+    mechanics::Result result;
+    mechanics::NodeValues shape = mechanics::NodeValues::Zero(2, mechanics::kDofsPerNode);
+    shape.row(1) << 0.0, 0.25, 1.0, 7.0, 7.0, 7.0;
+    result.vibration_modes = {{12.5, shape}};
+    result.buckling_modes = {{3.0, shape}, {4.0, -shape}};
+    LineSet lines{.nodes = {{0, 0, 0}, {1, 0, 0}}, .lines = {{0, 1}}, .tiles = {}, .patterns = {}};
+    lines.fields = mode_fields(result);
+    pugi::xml_document document;
+    ASSERT_TRUE(document.load_string(vtu_text(lines).c_str()));
+    const auto data = document.child("VTKFile").child("UnstructuredGrid").child("Piece").child("PointData");
+    const std::vector<double> moved = {0, 0, 0, 0, 0.25, 1};
+    EXPECT_EQ(numbers_of<double>(array_of(data, "vibration 1, 12.5 Hz")), moved);
+    EXPECT_EQ(numbers_of<double>(array_of(data, "buckling 1, 3 times the load")), moved);
+    EXPECT_EQ(numbers_of<double>(array_of(data, "buckling 2, 4 times the load"))[5], -1.0);
+}
+
 TEST(LineFiles, WithoutDisplacementsGiveTheStateAtRest) {
     const LineSet lines = surface_lines(sample_surface());
     EXPECT_EQ(vtu_text(lines).find("PointData"), std::string::npos);

@@ -59,18 +59,19 @@ class VtuWriter {
     }
 
     void append_point_data() {
-        if (!lines_.displacements) return;
-        text_ += "<PointData Vectors=\"displacement\">\n";
-        append_vectors("displacement", 0);
-        append_vectors("rotation", 3);
+        if (!lines_.displacements && lines_.fields.empty()) return;
+        text_ += lines_.displacements ? "<PointData Vectors=\"displacement\">\n" : "<PointData>\n";
+        if (lines_.displacements) {
+            append_vectors("displacement", lines_.displacements->leftCols<3>());
+            append_vectors("rotation", lines_.displacements->rightCols<3>());
+        }
+        for (const NodeField& field : lines_.fields) append_vectors(field.name, field.vectors);
         text_ += "</PointData>\n";
     }
 
-    void append_vectors(std::string_view name, Eigen::Index first) {
+    void append_vectors(std::string_view name, const Eigen::Ref<const Eigen::MatrixX3d>& vectors) {
         open("Float64", name, 3);
-        const auto& values = *lines_.displacements;
-        for (Eigen::Index i = 0; i < values.rows(); ++i)
-            text_ += numbers(values.row(i).segment<3>(first)) + "\n";
+        for (Eigen::Index i = 0; i < vectors.rows(); ++i) text_ += numbers(vectors.row(i)) + "\n";
         text_ += "</DataArray>\n";
     }
 

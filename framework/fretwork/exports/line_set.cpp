@@ -2,6 +2,8 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/exports/line_set.hpp>
 
+#include <cstdio>
+
 namespace fretwork::exports {
 namespace {
 
@@ -66,6 +68,20 @@ LineSet frame_lines(const mechanics::Frame& frame) {
     for (const mechanics::Beam& beam : frame.beams)
         set.lines.push_back({beam.nodes[0].value, beam.nodes[1].value});
     return set;
+}
+
+std::vector<NodeField> mode_fields(const mechanics::Result& result) {
+    std::vector<NodeField> fields;
+    const auto add = [&](const char* kind, const std::vector<mechanics::Mode>& modes, const char* unit) {
+        for (std::size_t i = 0; i < modes.size(); ++i) {
+            char name[64];
+            std::snprintf(name, sizeof name, "%s %zu, %.6g %s", kind, i + 1, modes[i].value, unit);
+            fields.push_back({name, modes[i].shape.leftCols<3>()});
+        }
+    };
+    add("vibration", result.vibration_modes, "Hz");
+    add("buckling", result.buckling_modes, "times the load");
+    return fields;
 }
 
 std::vector<Eigen::Vector3d> displaced_nodes(const LineSet& lines, double scale) {

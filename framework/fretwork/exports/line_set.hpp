@@ -9,9 +9,16 @@
 
 #include <array>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace fretwork::exports {
+
+/// A vector at each node, under a name for programs that show it.
+struct NodeField {
+    std::string name;
+    Eigen::MatrixX3d vectors;
+};
 
 /// Lines in space with what is known at their nodes and of themselves: what every writer of 3D files takes.
 struct LineSet {
@@ -20,6 +27,7 @@ struct LineSet {
     std::vector<int> tiles;                 ///< for each line its tile; empty: unknown
     std::vector<int> patterns;              ///< for each line the index of its pattern; empty: unknown
     std::optional<mechanics::NodeValues> displacements{};  ///< one row for each node
+    std::vector<NodeField> fields{};                       ///< more to show beside them
 };
 
 /// All beams of a surface, undeformed.
@@ -32,6 +40,9 @@ LineSet result_lines(const simulation::Surface& surface, const mechanics::Result
 
 /// The beams of any frame, with the displacements of a result if there are any.
 LineSet frame_lines(const mechanics::Frame& frame);
+
+/// The displacements of modes as fields `vibration 1, 12.3 Hz` and `buckling 1, 4.56 times the load`.
+std::vector<NodeField> mode_fields(const mechanics::Result& result);
 
 /// The positions of the nodes with `scale` times their displacements.
 std::vector<Eigen::Vector3d> displaced_nodes(const LineSet& lines, double scale = 1.0);
