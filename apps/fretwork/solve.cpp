@@ -154,6 +154,9 @@ ExitCode run(const Wishes& wishes) {
         print_solution_json(result);
     } else {
         print_solution(result);
+        if (std::ssize(result.buckling_modes) < wishes.buckling)
+            std::printf("no more than %zd buckling loads: the others, if any, are of reversed loads\n",
+                        std::ssize(result.buckling_modes));
         std::printf("wrote %s\n", wishes.out.c_str());
         if (!wishes.vtu.empty()) std::printf("wrote %s\n", wishes.vtu.c_str());
     }

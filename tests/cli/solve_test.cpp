@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// solve as its user runs it.
+#include "cli/command.hpp"
+#include "support.hpp"
+
+#include <regex>
+
+namespace fretwork::app {
+namespace {
+
+using test::run_command;
+using test::TemporaryFolder;
+using testing::HasSubstr;
+
+class Solve : public testing::Test {
+  protected:
+    Solve() {
+        folder_.file("column.json", R"({"format": "fretwork/frame/1", "nodes": [[0, 0, 0], [0, 0, 1]],
+            "materials": {"m": {"young_modulus": 1e9, "poisson_ratio": 0.3, "density": 1000}},
+            "sections": {"s": {"type": "rectangle", "width": 0.01, "height": 0.02}},
+            "beams": [{"nodes": [0, 1], "section": "s", "material": "m", "divisions": 8}],
+            "supports": [{"node": 0, "fixed": ["ux", "uy", "uz", "rx", "ry", "rz"]}],
+            "loads": [{"node": 1, "force": [0.01, 0, -1]}]})");
+    }
+    test::Outcome run(const std::string& options) {
+        const auto outcome =
+            run_command("fretwork solve column.json --out r.json " + options, folder_.path());
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+        return outcome;
+    }
+    /// The result but for the time that it took.
+    std::string result(const std::string& options) {
+        run(options);
+        return std::regex_replace(base::read_text_file(folder_.path() / "r.json"),
+                                  std::regex(R"("seconds": *[^,}]*)"), "");
+    }
+    TemporaryFolder folder_;
+};
+
+TEST_F(Solve, GivesTheSameResultOnAnyNumberOfThreads) {
+    for (const std::string solver : {"--solver linear", "--solver newton --steps 3"})
+        EXPECT_EQ(result(solver + " --threads 1"), result(solver + " --threads 3"));
+}
+
+// E I / L^2 pi^2 / 4 = 4.11 N and four times as much, about the two axes; and no loads in the reversed sense.
+TEST_F(Solve, SaysWhenThereAreFewerBucklingLoadsThanWanted) {
+    const auto outcome = run("--solver linear --buckling 1000");
+    EXPECT_THAT(outcome.out, HasSubstr("buckling load 1: 4.11"));
+    EXPECT_THAT(outcome.out, HasSubstr("buckling load 2: 16.4"));
+    EXPECT_THAT(outcome.out, HasSubstr("no more than "));
+}
+
+TEST_F(Solve, WritesModesForParaView) {
+    run("--solver linear --modes 2 --vtu r.vtu");
+    const std::string file = base::read_text_file(folder_.path() / "r.vtu");
+    EXPECT_THAT(file, HasSubstr("Name=\"displacement\""));
+    EXPECT_THAT(file, HasSubstr("Name=\"vibration 2, "));
+}
+
+}  // namespace
+}  // namespace fretwork::app
