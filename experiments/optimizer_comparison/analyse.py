@@ -73,6 +73,11 @@ class Analysis:
     def pooled(self, by_problem, target):
         return measures.average_runtime(self.all_runs(by_problem), target)
 
+    def milliseconds(self):
+        """The mean CPU time that a unit of cost takes each method."""
+        runs = {name: self.all_runs(by_problem) for name, by_problem in self.groups.items()}
+        return {name: 1e3 * sum(run.cpu for run in of_one) / sum(run.cost for run in of_one) for name, of_one in runs.items()}
+
     def runtime_table(self):
         header = ["optimizer"] + [f"{what} {100 * target:g} %" for target in TARGETS
                                   for what in ("aRT to", "low", "high")]
@@ -183,6 +188,8 @@ def sections_of(analysis, runs, known, out):
     yield ("Data profile", "Share of all pairs of a pattern and a target (41 targets, 100 % to 0.01 % above the best known E) that "
            "are hit within a cost. A run that misses is restarted, by drawing from the runs there are.",
            figure("data_profile", figures.data_profiles(analysis.groups), out))
+    yield ("The same in CPU time", "Cost times the mean CPU time that a unit of it takes the method: derivatives, and a method's own "
+           "work, are not free.", figure("data_profile_time", figures.data_profiles(analysis.groups, analysis.milliseconds()), out))
     yield ("Performance profile", "For 0.1 %: share of patterns on which a method's aRT is within a factor of the least one. With "
            "many methods the order of two of them can depend on a third (Gould and Scott 2016): see the pairs below.",
            figure("performance_profile", figures.performance_profiles(analysis.groups, 1e-3), out))

@@ -80,10 +80,13 @@ def profile_panels(curves, limit, labels, places):
     return svg_of(figure)
 
 
-def data_profiles(groups):
-    curves = {name: measures.data_profile(by_problem) for name, by_problem in groups.items()}
-    return profile_panels(curves, 1e6, ("stiffness factorizations, with simulated restarts",
-                                        "share of pairs (pattern, target) that are hit"),
+def data_profiles(groups, milliseconds=None):
+    """Against cost, or against CPU time if the milliseconds that a unit of cost takes each method are given."""
+    per_unit = milliseconds or dict.fromkeys(groups, 1.0)
+    what = "CPU time of one thread, ms" if milliseconds else "stiffness factorizations"
+    curves = {name: per_unit[name] * measures.data_profile(by_problem) for name, by_problem in groups.items()}
+    return profile_panels(curves, 1e5 if milliseconds else 1e6,
+                          (f"{what}, with simulated restarts", "share of pairs (pattern, target) that are hit"),
                           ["lower right"] * 3 + ["center right"] + ["upper left"] * 2)
 
 

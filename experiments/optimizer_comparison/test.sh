@@ -15,6 +15,6 @@ trap 'rm -rf "$out"' EXIT
 [[ $(wc -l <"$out/verdicts.txt") -eq 6 ]] || { echo "six verdicts were expected"; cat "$out/verdicts.txt"; exit 1; }
 "$1" optimizers landscape --known "$here/best_known.csv" --problems calibration:1 --descents 3 --threads 1 --out "$out" >/dev/null
 "$python" -B "$here/landscape.py" "$out" >/dev/null
-for file in report.html data_profile.svg performance_profile.svg runtimes.svg final_gaps.svg convergence.svg tests.csv landscape.html; do
+for file in report.html data_profile.svg data_profile_time.svg performance_profile.svg runtimes.svg final_gaps.svg convergence.svg tests.csv landscape.html; do
   [[ -s $out/$file ]] || { echo "$file is missing"; exit 1; }
 done
