@@ -82,7 +82,8 @@ void print_solution(const mechanics::Result& result) {
         std::printf("%s\n", discretization_text(*error).c_str());
     for (const mechanics::StabilityLoss& loss : solution.stability_losses)
         std::printf("unstable from %.6g of the load on%s: node %d along %s\n", loss.load_factor,
-                    loss.pushed ? "; pushed onto a stable branch" : "", loss.node.value,
+                    loss.pushed ? "; pushed onto a stable branch" : "",
+                    result.nodes[static_cast<std::size_t>(loss.node.value)].id,
                     mechanics::kDofNames[static_cast<std::size_t>(loss.dof)]);
     for (std::size_t i = 0; i < result.buckling_modes.size(); ++i)
         std::printf("buckling load %zu: %.6g times the load\n", i + 1, result.buckling_modes[i].value);
