@@ -14,23 +14,6 @@ std::size_t at(int index) {
     return static_cast<std::size_t>(index);
 }
 
-std::vector<DofSet> free_dofs(const Constraints& constraints) {
-    std::vector<DofSet> free = constraints.held;
-    for (DofSet& dofs : free) {
-        for (bool& component : dofs.contains) component = !component;
-    }
-    return free;
-}
-
-std::unique_ptr<SystemLayout> lay_out(const Assembly& assembly, const Constraints& constraints) {
-    const std::vector<DofSet> free = free_dofs(constraints);
-    std::vector<bool> takes_part;
-    takes_part.reserve(free.size());
-    for (const DofSet& dofs : free) takes_part.push_back(dofs != DofSet{});
-    const NodeGraph graph = node_graph(assembly);
-    return std::make_unique<SystemLayout>(assembly, graph, free, elimination_order(graph, takes_part));
-}
-
 /// Elements that threads evaluate before they are added, one after the other, and what one thread takes of
 /// them at a time. What is in a batch stays in the cache.
 constexpr std::size_t kBatch = 2048;
@@ -51,150 +34,28 @@ double rounding_force(const Assembly& assembly, double length) {
 }  // namespace
 
 NonlinearSystem::NonlinearSystem(const Assembly& assembly, int threads)
-    : assembly_(assembly),
-      constraints_(constraints_of(assembly)),
-      length_(characteristic_length(assembly)),
-      layout_(lay_out(assembly, constraints_)),
-      vector_slot_(assembly.nodes.size(), -1),
-      has_prescribed_(!constraints_.values.isZero(0.0)),
+    : Unknowns(assembly),
       threads_(assembly.elements.size() < kBatch / 2 ? 1 : base::resolved_thread_count(threads)),
       batch_(threads_ > 1 ? kBatch : 1),
       responses_(batch_) {
-    for (std::size_t node = 0; node < assembly.nodes.size(); ++node) {
-        const auto& held = constraints_.held[node].contains;
-        const auto free = std::count(held.begin() + 3, held.end(), false);
-        const auto row = static_cast<Eigen::Index>(node);
-        const bool prescribed = !constraints_.values.row(row).tail<3>().isZero(0.0);
-        if (free < 3 && (free > 0 || prescribed)) {
-            vector_slot_[node] = static_cast<int>(vector_nodes_.size());
-            vector_nodes_.push_back(static_cast<int>(node));
-        }
-        if (free >= 2 && !assembly.loads.row(row).tail<3>().isZero(0.0))
-            moment_nodes_.push_back(static_cast<int>(node));
+    for (int node = 0; node < static_cast<int>(assembly.nodes.size()); ++node) {
+        const int free = 3 - is_held(node, 3) - is_held(node, 4) - is_held(node, 5);
+        if (free >= 2 && !assembly.loads.row(node).tail<3>().isZero(0.0)) moment_nodes_.push_back(node);
     }
-    rounding_force_ = rounding_force(assembly, length_);
-    NodeValues weights = NodeValues::Ones(static_cast<Eigen::Index>(assembly.nodes.size()), kDofsPerNode);
-    weights.leftCols<3>() /= length_ * length_;
-    layout_->gather(weights, weights_);
-    spin_maps_.resize(vector_nodes_.size());
-    values_.resize(layout_->row().size());
-}
-
-bool NonlinearSystem::has_held_rotation(std::size_t node) const {
-    const auto& held = constraints_.held[node].contains;
-    return held[3] || held[4] || held[5];
-}
-
-bool NonlinearSystem::has_held_dof(int node, int dof) const {
-    return constraints_.held[at(node)].contains[at(dof)];
-}
-
-Configuration NonlinearSystem::rest() const {
-    return {std::vector<NodeState>(assembly_.nodes.size()),
-            std::vector<Eigen::Vector3d>(assembly_.nodes.size(), Eigen::Vector3d::Zero())};
-}
-
-void NonlinearSystem::prescribe(double load_factor, Configuration& configuration) const {
-    if (!has_prescribed_) return;
-    for (const PrescribedDisplacement& given : assembly_.prescribed) {
-        const auto node = at(given.node.value);
-        const auto dof = static_cast<int>(given.dof);
-        if (dof < 3) {
-            configuration.states[node].displacement[dof] = load_factor * given.value;
-        } else {
-            configuration.rotation_vectors[node][dof - 3] = load_factor * given.value;
-            configuration.states[node].rotation = exponential(configuration.rotation_vectors[node]);
-        }
-    }
-}
-
-void NonlinearSystem::move(const Eigen::VectorXd& step, Configuration& configuration) const {
-    for (int node = 0; node < static_cast<int>(assembly_.nodes.size()); ++node) {
-        NodeState& state = configuration.states[at(node)];
-        Eigen::Vector3d turn = Eigen::Vector3d::Zero();
-        bool turns = false;
-        for (int c = 0; c < 3; ++c) {
-            const int shift = layout_->equation(node, c);
-            if (shift >= 0) state.displacement[c] += step[shift];
-            const int rotation = layout_->equation(node, c + 3);
-            if (rotation < 0) continue;
-            turn[c] = step[rotation];
-            turns = true;
-        }
-        if (!turns) continue;
-        Eigen::Vector3d& vector = configuration.rotation_vectors[at(node)];
-        if (vector_slot_[at(node)] >= 0) {
-            vector += turn;
-            state.rotation = exponential(vector);
-        } else {
-            state.rotation = (exponential(turn) * state.rotation).normalized();
-            vector = logarithm_near(state.rotation, vector);
-        }
-    }
-}
-
-Eigen::VectorXd NonlinearSystem::step_between(const Configuration& from, const Configuration& to) const {
-    NodeValues table(static_cast<Eigen::Index>(assembly_.nodes.size()), kDofsPerNode);
-    for (std::size_t node = 0; node < assembly_.nodes.size(); ++node) {
-        const auto row = static_cast<Eigen::Index>(node);
-        table.row(row).head<3>() =
-            (to.states[node].displacement - from.states[node].displacement).transpose();
-        const Eigen::Vector3d turn =
-            vector_slot_[node] >= 0
-                ? Eigen::Vector3d(to.rotation_vectors[node] - from.rotation_vectors[node])
-                : logarithm(to.states[node].rotation * from.states[node].rotation.conjugate());
-        table.row(row).tail<3>() = turn.transpose();
-    }
-    Eigen::VectorXd step;
-    layout_->gather(table, step);
-    return step;
-}
-
-Eigen::VectorXd NonlinearSystem::rate_of_steps(const Eigen::VectorXd& step,
-                                               const Eigen::VectorXd& rate) const {
-    Eigen::VectorXd result = rate;
-    for (int node = 0; node < static_cast<int>(assembly_.nodes.size()); ++node) {
-        const int first = layout_->equation(node, 3);
-        if (first < 0 || vector_slot_[at(node)] >= 0) continue;
-        result.segment<3>(first) = inverse_spin_map(step.segment<3>(first)) * rate.segment<3>(first);
-    }
-    return result;
-}
-
-double NonlinearSystem::largest_rotation(const Eigen::VectorXd& step) const {
-    double largest = 0.0;
-    for (int node = 0; node < static_cast<int>(assembly_.nodes.size()); ++node) {
-        double square = 0.0;
-        for (int d = 3; d < kDofsPerNode; ++d) {
-            const int equation = layout_->equation(node, d);
-            if (equation >= 0) square += step[equation] * step[equation];
-        }
-        largest = std::max(largest, square);
-    }
-    return std::sqrt(largest);
-}
-
-double NonlinearSystem::largest_component(const Eigen::VectorXd& step) const {
-    double largest = 0.0;
-    for (int node = 0; node < static_cast<int>(assembly_.nodes.size()); ++node) {
-        for (int d = 0; d < kDofsPerNode; ++d) {
-            const int equation = layout_->equation(node, d);
-            if (equation >= 0)
-                largest = std::max(largest, std::abs(step[equation]) / (d < 3 ? length_ : 1.0));
-        }
-    }
-    return largest;
+    rounding_force_ = rounding_force(assembly, length());
+    spin_maps_.resize(vector_nodes().size());
+    values_.resize(layout().row().size());
 }
 
 void NonlinearSystem::map_spins(const Configuration& configuration) {
-    for (std::size_t i = 0; i < vector_nodes_.size(); ++i)
-        spin_maps_[i] = spin_map(configuration.rotation_vectors[at(vector_nodes_[i])]);
+    for (std::size_t i = 0; i < vector_nodes().size(); ++i)
+        spin_maps_[i] = spin_map(configuration.rotation_vectors[at(vector_nodes()[i])]);
 }
 
 /// From spins to components of the rotation vector, where these are the unknowns.
 void NonlinearSystem::map_to_unknowns(std::span<const NodeIndex> nodes, Eigen::MatrixXd& tangent) const {
     for (std::size_t i = 0; i < nodes.size(); ++i) {
-        const int slot = vector_slot_[at(nodes[i].value)];
+        const int slot = vector_slot(nodes[i].value);
         if (slot < 0) continue;
         const Eigen::Matrix3d& map = spin_maps_[at(slot)];
         const Eigen::Index place = static_cast<Eigen::Index>(i) * kDofsPerNode + 3;
@@ -205,7 +66,7 @@ void NonlinearSystem::map_to_unknowns(std::span<const NodeIndex> nodes, Eigen::M
 
 void NonlinearSystem::add_prescribed_rate(std::span<const NodeIndex> nodes, const Eigen::MatrixXd& tangent) {
     for (std::size_t j = 0; j < nodes.size(); ++j) {
-        const auto given = constraints_.values.row(nodes[j].value);
+        const auto given = constraints().values.row(nodes[j].value);
         if (given.isZero(0.0)) continue;
         const Eigen::VectorXd rate =
             tangent.middleCols<kDofsPerNode>(static_cast<Eigen::Index>(j) * kDofsPerNode) * given.transpose();
@@ -217,8 +78,8 @@ void NonlinearSystem::add_prescribed_rate(std::span<const NodeIndex> nodes, cons
 
 /// Elements are added in their order, whoever has evaluated them, so that sums do not depend on threads.
 void NonlinearSystem::add_elements(const Configuration& configuration, Demand demand) {
-    for (std::size_t first = 0; first < assembly_.elements.size(); first += batch_) {
-        const std::size_t count = std::min(batch_, assembly_.elements.size() - first);
+    for (std::size_t first = 0; first < assembly().elements.size(); first += batch_) {
+        const std::size_t count = std::min(batch_, assembly().elements.size() - first);
         if (threads_ == 1) {
             evaluate_element(first, configuration, demand, responses_[0]);
         } else {
@@ -235,91 +96,91 @@ void NonlinearSystem::add_elements(const Configuration& configuration, Demand de
 void NonlinearSystem::evaluate_element(std::size_t index, const Configuration& configuration, Demand demand,
                                        ElementResponse& response) const {
     thread_local std::vector<NodeState> states;
-    const Element& element = *assembly_.elements[index];
+    const Element& element = *assembly().elements[index];
     const auto nodes = element.nodes();
     states.resize(nodes.size());
     for (std::size_t i = 0; i < nodes.size(); ++i) states[i] = configuration.states[at(nodes[i].value)];
     element.evaluate(states, demand, response);
-    if (demand == Demand::Tangent && !vector_nodes_.empty()) map_to_unknowns(nodes, response.tangent);
+    if (demand == Demand::Tangent && !vector_nodes().empty()) map_to_unknowns(nodes, response.tangent);
 }
 
 void NonlinearSystem::add_response(std::size_t index, const ElementResponse& response, Demand demand) {
-    const auto nodes = assembly_.elements[index]->nodes();
+    const auto nodes = assembly().elements[index]->nodes();
     energy_ += response.energy;
     for (std::size_t i = 0; i < nodes.size(); ++i)
         internal_.row(nodes[i].value) +=
             response.force.segment<kDofsPerNode>(static_cast<Eigen::Index>(i) * kDofsPerNode).transpose();
     if (demand == Demand::Force) return;
-    layout_->add(index, nodes, response.tangent, values_);
-    if (has_prescribed_) add_prescribed_rate(nodes, response.tangent);
+    layout().add(index, nodes, response.tangent, values_);
+    if (has_prescribed()) add_prescribed_rate(nodes, response.tangent);
 }
 
 /// What moments add to the tangent: at vector nodes the change of the map itself (it meets the out-of-balance
 /// moment, which the supports carry), at freely turning ones the skew part of moments of fixed direction.
 void NonlinearSystem::add_moment_terms(const Configuration& configuration, double load_factor) {
-    for (const int node : vector_nodes_) {
+    for (const int node : vector_nodes()) {
         const Eigen::Vector3d excess = -forces_.row(node).tail<3>().transpose();
         Eigen::Matrix3d change = spin_map_derivative(configuration.rotation_vectors[at(node)], excess);
         change = 0.5 * (change + change.transpose()).eval();
         Eigen::Matrix<double, kDofsPerNode, kDofsPerNode> block =
             Eigen::Matrix<double, kDofsPerNode, kDofsPerNode>::Zero();
         block.bottomRightCorner<3, 3>() = change;
-        layout_->add_node(node, block, values_);
-        if (!has_prescribed_) continue;
-        const Eigen::Vector3d given = constraints_.values.row(node).tail<3>();
+        layout().add_node(node, block, values_);
+        if (!has_prescribed()) continue;
+        const Eigen::Vector3d given = constraints().values.row(node).tail<3>();
         const Eigen::Vector3d rate = (change + skew_of_moment(node, load_factor)) * given;
         prescribed_rate_.row(node).tail<3>() += rate.transpose();
     }
     for (const int node : moment_nodes_) {
-        skew_.push_back({{layout_->equation(node, 3), layout_->equation(node, 4), layout_->equation(node, 5)},
+        skew_.push_back({{layout().equation(node, 3), layout().equation(node, 4), layout().equation(node, 5)},
                          skew_of_moment(node, load_factor)});
     }
 }
 
 /// The skew part of the tangent that a node's applied moment leaves.
 Eigen::Matrix3d NonlinearSystem::skew_of_moment(int node, double load_factor) const {
-    const Eigen::Vector3d moment = load_factor * assembly_.loads.row(node).tail<3>().transpose();
+    const Eigen::Vector3d moment = load_factor * assembly().loads.row(node).tail<3>().transpose();
     const Eigen::Matrix3d skew = -0.5 * cross_matrix(moment);
-    const int slot = vector_slot_[at(node)];
+    const int slot = vector_slot(node);
     if (slot < 0) return skew;
     return spin_maps_[at(slot)].transpose() * skew * spin_maps_[at(slot)];
 }
 
 void NonlinearSystem::gather_unbalanced(double load_factor) {
     NodeValues mapped = forces_;
-    NodeValues rate = assembly_.loads;
-    for (std::size_t i = 0; i < vector_nodes_.size(); ++i) {
-        const int node = vector_nodes_[i];
+    NodeValues rate = assembly().loads;
+    for (std::size_t i = 0; i < vector_nodes().size(); ++i) {
+        const int node = vector_nodes()[i];
         mapped.row(node).tail<3>() = (forces_.row(node).tail<3>() * spin_maps_[i]).eval();
-        rate.row(node).tail<3>() = (assembly_.loads.row(node).tail<3>() * spin_maps_[i]).eval();
+        rate.row(node).tail<3>() = (assembly().loads.row(node).tail<3>() * spin_maps_[i]).eval();
     }
-    if (has_prescribed_) rate -= prescribed_rate_;
-    layout_->gather(mapped, unbalanced_);
-    layout_->gather(rate, load_rate_);
+    if (has_prescribed()) rate -= prescribed_rate_;
+    layout().gather(mapped, unbalanced_);
+    layout().gather(rate, load_rate_);
     double square = 0.0;
     for (Eigen::Index node = 0; node < mapped.rows(); ++node) {
         for (int d = 0; d < kDofsPerNode; ++d) {
-            if (has_held_dof(static_cast<int>(node), d)) continue;
-            const double value = mapped(node, d) / (d < 3 ? 1.0 : length_);
+            if (is_held(static_cast<int>(node), d)) continue;
+            const double value = mapped(node, d) / (d < 3 ? 1.0 : length());
             square += value * value;
         }
     }
     const double scale =
-        load_factor * force_norm(assembly_.loads, length_) + force_norm(reactions(), length_);
+        load_factor * force_norm(assembly().loads, length()) + force_norm(reactions(), length());
     const bool only_rounding = scale <= rounding_force_ && std::sqrt(square) <= rounding_force_;
     relative_residual_ = only_rounding ? 0.0 : std::sqrt(square) / scale;
 }
 
 void NonlinearSystem::evaluate(const Configuration& configuration, double load_factor, Demand demand) {
-    const auto nodes = static_cast<Eigen::Index>(assembly_.nodes.size());
+    const auto nodes = static_cast<Eigen::Index>(assembly().nodes.size());
     internal_.setZero(nodes, kDofsPerNode);
-    if (has_prescribed_) prescribed_rate_.setZero(nodes, kDofsPerNode);
+    if (has_prescribed()) prescribed_rate_.setZero(nodes, kDofsPerNode);
     if (demand == Demand::Tangent) std::fill(values_.begin(), values_.end(), 0.0);
     energy_ = 0.0;
     skew_.clear();
     map_spins(configuration);
     add_elements(configuration, demand);
-    forces_ = load_factor * assembly_.loads - internal_;
+    forces_ = load_factor * assembly().loads - internal_;
     if (demand == Demand::Tangent) add_moment_terms(configuration, load_factor);
     gather_unbalanced(load_factor);
 }
@@ -341,16 +202,16 @@ NodeValues NonlinearSystem::reactions() const {
     NodeValues result = NodeValues::Zero(forces_.rows(), kDofsPerNode);
     for (Eigen::Index node = 0; node < forces_.rows(); ++node) {
         for (int d = 0; d < 3; ++d) {
-            if (has_held_dof(static_cast<int>(node), d)) result(node, d) = -forces_(node, d);
+            if (is_held(static_cast<int>(node), d)) result(node, d) = -forces_(node, d);
         }
-        if (has_held_rotation(static_cast<std::size_t>(node)))
+        if (has_held_rotation(static_cast<int>(node)))
             result.row(node).tail<3>() = -forces_.row(node).tail<3>();
     }
     return result;
 }
 
 Solution NonlinearSystem::describe(const Configuration& configuration, double load_factor) const {
-    const int rows = assembly_.reported_nodes;
+    const int rows = assembly().reported_nodes;
     Solution solution;
     solution.load_factor = load_factor;
     solution.energy = energy_;
