@@ -19,8 +19,12 @@ using detail::Configuration;
 /// steps have been halved ten times it has grown thirtyfold. Elsewhere a step that fails is divergence.
 constexpr double kLimitLoadGrowth = 8.0;
 
-/// An equilibrium this many times farther than the rates account for is on another branch, unless it is near
-/// anyhow (in rad and element lengths). A shallow arch snaps by a few hundredths of an element's length.
+/// On one path a move is about the step times the mean of the rates at its ends. An equilibrium that differs
+/// from that by more than this share is on another branch, or too far to tell: the step is halved. The
+/// shortest steps end beside limit loads, where rates grow without bound: there it may lie this many times
+/// farther than the rates account for. And it may always be near (in rad and element lengths): a shallow arch
+/// snaps by a few hundredths of an element's length.
+constexpr double kUnexplained = 0.3;
 constexpr double kJump = 3.0;
 constexpr double kSmallMove = 1e-3;
 
@@ -58,13 +62,13 @@ class LoadPath {
 
     Solution advance_to(double target) {
         double step = target - factor_;
-        const double shortest = step / std::pow(2.0, options_.largest_cut_back);
-        longest_crossing_ = std::max(kLongestCrossing * target, 2.0 * shortest);
+        shortest_step_ = step / std::pow(2.0, options_.largest_cut_back);
+        longest_crossing_ = std::max(kLongestCrossing * target, 2.0 * shortest_step_);
         Termination termination = Termination::Converged;
         while (factor_ < target && termination == Termination::Converged) {
-            const bool reaches = factor_ + step >= target - 0.5 * shortest;
+            const bool reaches = factor_ + step >= target - 0.5 * shortest_step_;
             termination = try_step(reaches ? target : factor_ + step);
-            if (termination != Termination::Converged && step > 1.5 * shortest) {
+            if (termination != Termination::Converged && step > 1.5 * shortest_step_) {
                 step *= 0.5;
                 termination = Termination::Converged;
             }
@@ -174,13 +178,17 @@ class LoadPath {
         return loss;
     }
 
-    /// Newton's method may find an equilibrium on a far branch, to which the structure would snap. On one
-    /// path a move is about the step times the rate: between the rates at its ends where these change
-    /// steadily, less than their geometric mean on the way into a limit load.
+    /// Newton's method may find an equilibrium on a far branch, to which the structure would snap.
     [[nodiscard]] bool is_jump(double step, const Eigen::VectorXd& move, const Eigen::VectorXd& rate) const {
         const double moved = system_.largest_component(move);
-        const double rates = system_.largest_component(rate_) * system_.largest_component(rate);
-        return moved > kSmallMove && moved > kJump * step * std::sqrt(rates);
+        if (moved <= kSmallMove) return false;
+        if (step < 1.5 * shortest_step_) {
+            const double rates = system_.largest_component(rate_) * system_.largest_component(rate);
+            return moved > kJump * step * std::sqrt(rates);
+        }
+        const Eigen::VectorXd explained = 0.5 * step * (rate_ + rate);
+        return system_.largest_component(move - explained) >
+               kUnexplained * std::max(moved, system_.largest_component(explained));
     }
 
     [[nodiscard]] Eigen::VectorXd capped(const Eigen::VectorXd& guess) const {
@@ -211,6 +219,7 @@ class LoadPath {
     detail::Newton newton_;
     Configuration configuration_;
     double factor_ = 0.0;
+    double shortest_step_ = 0.0;
     double longest_crossing_ = 0.0;  ///< of steps on which stability changes
     detail::Ldlt::Outcome outcome_;
     Eigen::VectorXd rate_;  ///< of the unknowns in the load factor

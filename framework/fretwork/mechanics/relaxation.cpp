@@ -46,6 +46,7 @@ class Relaxation {
     Relaxation(const Assembly& assembly, const RelaxationOptions& options)
         : options_(options), system_(assembly), configuration_(system_.rest()) {
         system_.prescribe(1.0, configuration_);
+        last_peak_ = configuration_;
         velocity_.setZero(system_.equations());
         system_.evaluate(configuration_, 1.0);
         weigh();
@@ -57,6 +58,7 @@ class Relaxation {
         int iteration = 0;
         for (; iteration < options_.iterations; ++iteration) {
             if (!std::isfinite(system_.relative_residual())) {
+                configuration_ = last_peak_;
                 termination = Termination::Diverged;
                 break;
             }
@@ -90,6 +92,7 @@ class Relaxation {
     /// from rest.
     void restart() {
         system_.move(-0.5 * last_velocity_, configuration_);
+        last_peak_ = configuration_;
         velocity_.setZero();
         is_at_rest_ = true;
         system_.evaluate(configuration_, 1.0);
@@ -157,6 +160,7 @@ class Relaxation {
     const RelaxationOptions& options_;
     detail::NonlinearSystem system_;
     detail::Configuration configuration_;
+    detail::Configuration last_peak_;  ///< of the kinetic energy, or rest: what is told where it diverges
     Eigen::VectorXd velocity_;
     Eigen::VectorXd last_velocity_;
     bool is_at_rest_ = true;
