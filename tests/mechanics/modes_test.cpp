@@ -2,8 +2,10 @@
 #include "sample.hpp"
 
 #include <fretwork/base/error.hpp>
+#include <fretwork/mechanics/linear_solver.hpp>
 #include <fretwork/mechanics/modes.hpp>
 
+#include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
 
 namespace fretwork::mechanics {
@@ -100,6 +102,67 @@ TEST(Modes, WhatCannotBeIsRefused) {
     Frame weightless = sample::cantilever();
     weightless.beams[0].material.density = 0.0;
     EXPECT_THROW(vibration_modes(assemble(weightless), 1), base::InputError);
+}
+
+/// A planar grid of 4 x 3 squares, held at two corners, pushed and pulled in its plane: about as many of its
+/// buckling loads are of the reversed load as of this one.
+Frame pushed_grid() {
+    Frame frame;
+    for (int j = 0; j < 4; ++j) {
+        for (int i = 0; i < 5; ++i) frame.nodes.emplace_back(0.1 * i, 0.1 * j, 0.0);
+    }
+    for (int n = 0; n < 20; ++n) {
+        if (n % 5 < 4) frame.beams.push_back(sample::beam_between(n, n + 1));
+        if (n < 15) frame.beams.push_back(sample::beam_between(n, n + 5));
+    }
+    sample::clamp(frame, 0);
+    sample::clamp(frame, 4);
+    frame.loads.push_back({NodeIndex(17), {40.0, -25.0, 0.0}});
+    return frame;
+}
+
+/// The positive buckling loads by dense matrices.
+std::vector<double> dense_buckling_loads(const Frame& frame) {
+    const Assembly assembly = assemble(frame);
+    const NodeValues rate = solve_linear(assembly).displacements;
+    const auto size = static_cast<Eigen::Index>(assembly.nodes.size()) * kDofsPerNode;
+    Eigen::MatrixXd K = Eigen::MatrixXd::Zero(size, size);
+    Eigen::MatrixXd S = K;
+    for (const auto& element : assembly.elements) {
+        std::vector<Eigen::Index> dofs;
+        for (const NodeIndex node : element->nodes())
+            for (int d = 0; d < kDofsPerNode; ++d) dofs.push_back(node.value * kDofsPerNode + d);
+        Eigen::VectorXd moved(static_cast<Eigen::Index>(dofs.size()));
+        for (std::size_t i = 0; i < dofs.size(); ++i)
+            moved[static_cast<Eigen::Index>(i)] = rate(dofs[i] / kDofsPerNode, dofs[i] % kDofsPerNode);
+        Eigen::MatrixXd stiffness;
+        element->rest_stiffness(stiffness);
+        K(dofs, dofs) += stiffness;
+        element->geometric_stiffness(moved, stiffness);
+        S(dofs, dofs) -= stiffness;
+    }
+    std::vector<Eigen::Index> free;
+    for (Eigen::Index i = 0; i < size; ++i)
+        if (i / kDofsPerNode != 0 && i / kDofsPerNode != 4) free.push_back(i);
+    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(Eigen::MatrixXd(S(free, free)),
+                                                                           Eigen::MatrixXd(K(free, free)));
+    std::vector<double> loads;
+    for (Eigen::Index i = solver.eigenvalues().size(); i-- > 0;)
+        if (solver.eigenvalues()[i] > 0.0) loads.push_back(1.0 / solver.eigenvalues()[i]);
+    return loads;
+}
+
+TEST(Modes, NoBucklingLoadIsPassedOverForThoseOfTheReversedLoad) {
+    const std::vector<double> expected = dense_buckling_loads(pushed_grid());
+    ASSERT_GT(expected.size(), 30U);
+    for (const int count : {1, 2, 5, 30}) {
+        const auto found = buckling_modes(assemble(pushed_grid()), count);
+        ASSERT_EQ(std::ssize(found), count);
+        for (int i = 0; i < count; ++i) {
+            const auto at = static_cast<std::size_t>(i);
+            EXPECT_NEAR(found[at].value, expected[at], 1e-7 * expected[at]) << i << " of " << count;
+        }
+    }
 }
 
 }  // namespace
