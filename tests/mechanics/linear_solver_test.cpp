@@ -282,5 +282,25 @@ TEST(LinearSolver, ACantileverOfAsManyElementsAsMayBeIsAsStiffAsOneOfOne) {
     EXPECT_NEAR(solve_linear(assemble(heavy)).displacements(1, 2), -deflection, 1e-5 * deflection);
 }
 
+/// Three beams askew with three hinges and two held components: one beam can turn, and pivots are rounding,
+/// but do not quite vanish.
+TEST(LinearSolver, AMechanismThatRoundingHoldsIsRefusedWhereItIsLoaded) {
+    Frame frame;
+    frame.nodes = {{1.1401849792374885, 0.04902517847235538, 0.08276786191279123},
+                   {1.7918265125843806, -0.180973948197056, 0.27608798382494226},
+                   {2.251139670116678, -0.4652615178060602, 0.39737734114979156},
+                   {2.941454921257982, -0.6224226893645355, -0.2083427225616376}};
+    for (int i = 0; i < 3; ++i) {
+        frame.beams.push_back(sample::beam_between(i, i + 1));
+        frame.beams.back().section = circle_section(0.04879938469331978);
+    }
+    frame.beams[0].releases = {{1, {{false, false, false, false, true, true}}}};
+    frame.beams[1].releases = {{1, {{false, false, false, false, true, false}}}};
+    sample::clamp(frame, 0);
+    frame.supports.push_back({NodeIndex(3), {{false, true, true, false, false, false}}});
+    frame.loads.push_back({NodeIndex(1), {0, 0, 0}, {0.001, 0.003, 0.0}});
+    EXPECT_THROW(solve_linear(assemble(frame)), base::NumericalError);
+}
+
 }  // namespace
 }  // namespace fretwork::mechanics

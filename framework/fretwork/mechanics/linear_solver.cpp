@@ -22,6 +22,8 @@ constexpr DofSet kOutOfPlane = {{false, false, true, true, true, false}};
 /// One refinement is made where the first solution is less accurate than this. Below it, what is left is the
 /// rounding of the stiffness itself, and refinement only exchanges one error for another.
 constexpr double kGoodResidual = 1e-9;
+/// Of a solution that means nothing: rounding alone has held the structure.
+constexpr double kWorstResidual = 1e-6;
 
 /// A stiffness entry in the row of a held dof.
 struct HeldEntry {
@@ -93,11 +95,20 @@ class LinearSolver::Impl {
             solution.residual = relative_residual(loads, unbalanced);
             if (solution.residual < kGoodResidual) break;
         }
+        if (!(solution.residual < kWorstResidual)) refuse_weak_structure(displacements);
         finish(loads, displacements, unbalanced, solution);
         return solution;
     }
 
   private:
+    /// A mechanism whose pivot did not quite vanish, since its beams lie askew.
+    [[noreturn]] void refuse_weak_structure(const NodeValues& displacements) const {
+        Eigen::Index node = 0;
+        displacements.topRows(reported_).rowwise().squaredNorm().maxCoeff(&node);
+        throw base::NumericalError("the structure, as held, can move almost without strain at node " +
+                                   std::to_string(node) + ": hold it more, or release less of its beams");
+    }
+
     void build(const Assembly& assembly) {
         constraints_ = detail::constraints_of(assembly);
         loads_ = assembly.loads;

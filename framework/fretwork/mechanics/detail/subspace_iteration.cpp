@@ -31,6 +31,9 @@ constexpr double kStart = 0.73;
 /// Vectors of unit energy of which a combination of unit size has less energy than this are dependent.
 constexpr double kDependent = 1e-13;
 
+/// What vectors that vanish are scaled by, so that they stay what they are.
+constexpr double kNothing = 1e-300;
+
 bool is_settled(const VectorXd& values, const VectorXd& last, const VectorXd& scale) {
     return values.size() == last.size() &&
            ((values - last).cwiseAbs().array() <= kTolerance * scale.array()).all();
@@ -55,7 +58,7 @@ SubspaceIteration::Pairs SubspaceIteration::largest(int count) {
     const int size = std::min(layout_.equations(), std::max(2 * count, count + kSpareVectors));
     Pairs pairs{VectorXd(0), start_vectors(size)};
     VectorXd last;
-    for (int iteration = 0; iteration < kMostIterations; ++iteration) {
+    for (int iteration = 0; iteration < kMostIterations && pairs.vectors.cols() > 0; ++iteration) {
         pairs = step(pairs.vectors, 0.0);
         const VectorXd values = pairs.values.head(std::min<Eigen::Index>(count, pairs.values.size()));
         const double scale = values.size() > 0 ? values.cwiseAbs().maxCoeff() : 0.0;
@@ -127,7 +130,7 @@ void SubspaceIteration::append_slice(const Slice& slice, Pairs& found) {
     (void)count_below(shift);
     Pairs pairs{VectorXd(0), start_vectors(slice.size)};
     VectorXd last;
-    for (int iteration = 0; iteration < kMostIterations; ++iteration) {
+    for (int iteration = 0; iteration < kMostIterations && pairs.vectors.cols() > 0; ++iteration) {
         pairs = step(pairs.vectors, shift);
         std::vector<Eigen::Index> inside;
         for (Eigen::Index i = 0; i < pairs.values.size(); ++i)
@@ -186,10 +189,17 @@ SubspaceIteration::Pairs SubspaceIteration::step(const MatrixXd& basis, double s
 /// Rayleigh and Ritz: the best approximations in the span of `vectors`, first those that grow most. Where the
 /// operand has a low rank, so has the span, and there are fewer.
 SubspaceIteration::Pairs SubspaceIteration::project(MatrixXd vectors, double shift) const {
-    MatrixXd images = times(stiffness_, vectors);
-    const VectorXd sizes = vectors.cwiseProduct(images).colwise().sum().cwiseMax(1e-300).cwiseSqrt();
+    const VectorXd sizes = vectors.cwiseAbs().colwise().maxCoeff().cwiseMax(kNothing);
     vectors *= sizes.cwiseInverse().asDiagonal();
-    images *= sizes.cwiseInverse().asDiagonal();
+    MatrixXd images = times(stiffness_, vectors);
+    const VectorXd energies = vectors.cwiseProduct(images).colwise().sum();
+    if (!(energies.array() >= 0.0).all())
+        throw base::NumericalError(
+            "the structure, as held, can move almost without strain: hold it more, or release less of its "
+            "beams");
+    const VectorXd scale = energies.cwiseMax(kNothing).cwiseSqrt().cwiseInverse();
+    vectors *= scale.asDiagonal();
+    images *= scale.asDiagonal();
     const Eigen::SelfAdjointEigenSolver<MatrixXd> span(vectors.transpose() * images);
     const Eigen::Index rank = (span.eigenvalues().array() > kDependent).count();
     const MatrixXd basis = vectors * span.eigenvectors().rightCols(rank) *
