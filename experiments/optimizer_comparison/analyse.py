@@ -196,7 +196,7 @@ def sections_of(analysis, runs, known, out):
     yield ("Average runtime to three targets", "All cost over the number of hits, pooled over patterns; intervals from 1,000 "
            "bootstrap draws of patterns and runs.", figure("runtimes", figures.runtimes(analysis.runtimes, TARGETS), out)
            + html_table(*tables["runtimes"]))
-    yield ("Where runs end", "Circle: median; bar: quartiles; points: runs; dashed: 0.1 %. Gaps below 1e-8 are drawn there. The "
+    yield ("Where runs end", "Circle: median; bar: quartiles; points: runs (of many, every so-and-so-many-th by rank); dashed: 0.1 %. Gaps below 1e-8 are drawn there. The "
            "published annealing ends on its last point, not on the best that it saw: both are counted.",
            figure("final_gaps", figures.final_gaps(analysis.groups), out) + html_table(*tables["final"]))
     yield ("On the way", "The median run, best so far.", figure(
@@ -206,7 +206,7 @@ def sections_of(analysis, runs, known, out):
     yield ("Pairs", f"{analysis.ours} beside each other method: Wilcoxon's signed-rank test of the gaps, paired by pattern (median "
            "of the repetitions), two-sided, corrected by Holm; and the share of patterns on which ours ends lower. Gaps that "
            "differ by at most 1e-6 are ties.", html_table(*tables["tests"]))
-    for name, target in (("synthetic", 1e-3), ("analytic", 1e-6)):
+    for name, target in (("synthetic", 1e-3), ("analytic", measures.ANALYTIC_TARGET)):
         header, rows = family_table(of_family(runs, name), target)
         if rows:
             write_csv(out / f"{name}.csv", header, rows)

@@ -1,0 +1,50 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Thin the traces of a table of runs to the points at which a target of the analysis is first hit, and the last.
+
+Usage: thin.py RESULTS.csv KNOWN.csv OUT.csv.gz     Every table of analyse.py comes out the same from what is left.
+"""
+import csv
+import gzip
+import io
+import sys
+
+import measures
+
+TARGETS = sorted({*measures.PROFILE_TARGETS, *measures.TARGETS, measures.ANALYTIC_TARGET}, reverse=True)
+
+
+def thinned(trace, gap_of):
+    """`cost:value ..`, costs ascending and values descending."""
+    points = trace.split()
+    kept = []
+    missed = 0  # targets before this one are hit
+    for point in points:
+        gap = gap_of(float(point.split(":")[1]))
+        hit = missed
+        while hit < len(TARGETS) and gap <= TARGETS[hit]:
+            hit += 1
+        if hit > missed:
+            kept.append(point)
+            missed = hit
+    return " ".join(kept if not points or (kept and kept[-1] == points[-1]) else kept + points[-1:])
+
+
+def main():
+    if len(sys.argv) != 4:
+        sys.exit(__doc__)
+    source, known_path, target = sys.argv[1:]
+    known = measures.read_known(known_path)
+    with measures.open_text(source) as file:
+        rows = csv.DictReader(file)
+        text = io.StringIO()
+        writer = csv.DictWriter(text, rows.fieldnames, lineterminator="\n")
+        writer.writeheader()
+        for row in rows:
+            writer.writerow(row | {"trace": thinned(row["trace"], known[row["problem"]].gap)})
+    with open(target, "wb") as file, gzip.GzipFile(fileobj=file, mode="wb", mtime=0, filename="") as packed:
+        packed.write(text.getvalue().encode())
+
+
+if __name__ == "__main__":
+    main()
