@@ -23,7 +23,7 @@ constexpr DofSet kOutOfPlane = {{false, false, true, true, true, false}};
 /// rounding of the stiffness itself, and refinement only exchanges one error for another.
 constexpr double kGoodResidual = 1e-9;
 /// Of a solution that means nothing: rounding alone has held the structure. (Very stiff elements beside soft
-/// ones leave residuals up to 1e-4 in solutions that are as near.)
+/// ones leave residuals too, in solutions that are good to 1e-4: the reduced model at its bounds.)
 constexpr double kWorstResidual = 1e-2;
 
 /// A stiffness entry in the row of a held dof.
