@@ -54,6 +54,24 @@ TEST(Equilibrium, RollUpIsTheSameInAnyDirectionOfSpace) {
     EXPECT_LT((moved - Vector3d(-1.0, 0.0, 0.0)).norm(), 1e-7);
 }
 
+// Positions are known to 1e-16 of their size, and stiff beams make forces of that: a residual relative to
+// such loads cannot be small, though the displacements are good.
+TEST(Equilibrium, UnderVanishingLoadsItIsTheLinearSolution) {
+    Frame frame = sample::cantilever({.divisions = 8});
+    frame.nodes[1] = {0.4, 0.3, -0.8};
+    frame.loads.push_back({NodeIndex(1), {0.3, 1.0, -0.2}, {0.1, 0.2, 0.4}});
+    const Solution linear = solve_linear(assemble(frame));
+    for (double load = 1e-4; load > 1e-20; load *= 0.1) {
+        frame.loads = {{NodeIndex(1), load * Vector3d(0.3, 1.0, -0.2), load * Vector3d(0.1, 0.2, 0.4)}};
+        const Solution solution = full_load(frame);
+        ASSERT_TRUE(solution.converged()) << load;
+        // 1e-5: what the curvature of the path leaves at the largest load, and rounding at the smallest.
+        EXPECT_LT((solution.displacements - load * linear.displacements).norm(),
+                  1e-5 * load * linear.displacements.norm())
+            << load;
+    }
+}
+
 // Benchmark 2: Mattiasson, Int. J. Num. Meth. Eng. 17 (1981), table of elliptic integrals; the other rows
 // were computed by shooting. (w/L, u/L, tip angle) against P L^2 / E I.
 TEST(Equilibrium, TipForceBendsACantileverAsTheElasticaDoes) {

@@ -2,6 +2,7 @@
 #include "sample.hpp"
 
 #include <fretwork/base/error.hpp>
+#include <fretwork/mechanics/equilibrium.hpp>
 #include <fretwork/mechanics/linear_solver.hpp>
 
 #include <gmock/gmock.h>
@@ -284,7 +285,7 @@ TEST(LinearSolver, ACantileverOfAsManyElementsAsMayBeIsAsStiffAsOneOfOne) {
 
 /// Three beams askew with three hinges and two held components: one beam can turn, and pivots are rounding,
 /// but do not quite vanish.
-TEST(LinearSolver, AMechanismThatRoundingHoldsIsRefusedWhereItIsLoaded) {
+Frame mechanism_held_by_rounding() {
     Frame frame;
     frame.nodes = {{1.1401849792374885, 0.04902517847235538, 0.08276786191279123},
                    {1.7918265125843806, -0.180973948197056, 0.27608798382494226},
@@ -298,8 +299,18 @@ TEST(LinearSolver, AMechanismThatRoundingHoldsIsRefusedWhereItIsLoaded) {
     frame.beams[1].releases = {{1, {{false, false, false, false, true, false}}}};
     sample::clamp(frame, 0);
     frame.supports.push_back({NodeIndex(3), {{false, true, true, false, false, false}}});
-    frame.loads.push_back({NodeIndex(1), {0, 0, 0}, {0.001, 0.003, 0.0}});
-    EXPECT_THROW(solve_linear(assemble(frame)), base::NumericalError);
+    return frame;
+}
+
+TEST(LinearSolver, AMechanismThatRoundingHoldsIsRefusedWhetherLoadedOrNot) {
+    Frame turned = mechanism_held_by_rounding();
+    turned.loads.push_back({NodeIndex(1), {0, 0, 0}, {0.001, 0.003, 0.0}});
+    EXPECT_THROW(solve_linear(assemble(turned)), base::NumericalError);
+    EXPECT_THROW(follow_load_path(assemble(turned), even_load_factors(1)), base::NumericalError);
+    Frame pushed = mechanism_held_by_rounding();
+    pushed.loads.push_back({NodeIndex(0), {0.1, 0.0, 0.2}});  // straight into the support
+    EXPECT_THROW(solve_linear(assemble(pushed)), base::NumericalError);
+    EXPECT_THROW(follow_load_path(assemble(pushed), even_load_factors(1)), base::NumericalError);
 }
 
 }  // namespace

@@ -48,13 +48,7 @@ class LoadPath {
           configuration_(system_.rest()),
           predictor_(system_) {
         system_.evaluate(configuration_, 0.0);
-        const auto outcome = newton_.factorize();
-        if (!outcome.positive_definite()) {
-            throw base::NumericalError(
-                "the structure, as held, can move without strain at " +
-                detail::node_text(assembly, system_.layout().node_of(std::max(outcome.zero_pivot, 0))) +
-                ": hold it more, or release less of its beams");
-        }
+        newton_.factorize_at_rest();
         rate_ = newton_.solve_tangent(system_.load_rate());
         rest_rate_ = system_.largest_component(rate_);
         predictor_.add(0.0, configuration_, rate_);

@@ -3,6 +3,7 @@
 #include <fretwork/base/parallel.hpp>
 #include <fretwork/mechanics/detail/constraints.hpp>
 #include <fretwork/mechanics/detail/ldlt.hpp>
+#include <fretwork/mechanics/detail/mechanism.hpp>
 #include <fretwork/mechanics/linear_solver.hpp>
 
 #include <algorithm>
@@ -22,9 +23,6 @@ constexpr DofSet kOutOfPlane = {{false, false, true, true, true, false}};
 /// One refinement is made where the first solution is less accurate than this. Below it, what is left is the
 /// rounding of the stiffness itself, and refinement only exchanges one error for another.
 constexpr double kGoodResidual = 1e-9;
-/// Of a solution that means nothing: rounding alone has held the structure. (Very stiff elements beside soft
-/// ones leave residuals too, in solutions that are good to 1e-4: the reduced model at its bounds.)
-constexpr double kWorstResidual = 1e-2;
 
 /// A stiffness entry in the row of a held dof.
 struct HeldEntry {
@@ -96,20 +94,11 @@ class LinearSolver::Impl {
             solution.residual = relative_residual(loads, unbalanced);
             if (solution.residual < kGoodResidual) break;
         }
-        if (!(solution.residual < kWorstResidual)) refuse_weak_structure(displacements);
         finish(loads, displacements, unbalanced, solution);
         return solution;
     }
 
   private:
-    /// A mechanism whose pivot did not quite vanish, since its beams lie askew.
-    [[noreturn]] void refuse_weak_structure(const NodeValues& displacements) const {
-        Eigen::Index node = 0;
-        displacements.topRows(reported_).rowwise().squaredNorm().maxCoeff(&node);
-        throw base::NumericalError("the structure, as held, can move almost without strain at node " +
-                                   std::to_string(node) + ": hold it more, or release less of its beams");
-    }
-
     void build(const Assembly& assembly) {
         constraints_ = detail::constraints_of(assembly);
         loads_ = assembly.loads;
@@ -190,11 +179,7 @@ class LinearSolver::Impl {
     void factorize(const Assembly& assembly) {
         for (Subsystem& system : systems_) {
             const Ldlt::Outcome outcome = system.factors.factorize(system.values);
-            if (outcome.positive_definite()) continue;
-            const NodeIndex node = system.layout->node_of(std::max(outcome.zero_pivot, 0));
-            throw base::NumericalError("the structure, as held, can move without strain at " +
-                                       detail::node_text(assembly, node) +
-                                       ": hold it more, or release less of its beams");
+            detail::refuse_mechanisms(assembly, *system.layout, system.values, system.factors, outcome);
         }
     }
 

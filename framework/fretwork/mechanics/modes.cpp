@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
 #include <fretwork/mechanics/detail/constraints.hpp>
+#include <fretwork/mechanics/detail/mechanism.hpp>
 #include <fretwork/mechanics/detail/subspace_iteration.hpp>
 #include <fretwork/mechanics/modes.hpp>
 
@@ -13,13 +14,6 @@ namespace {
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-void require_definite(const detail::NonlinearSystem& system, const detail::Ldlt::Outcome& outcome) {
-    if (outcome.positive_definite()) return;
-    throw base::NumericalError(
-        "the structure, as held, can move without strain at " +
-        detail::node_text(system.assembly(), system.layout().node_of(std::max(outcome.zero_pivot, 0))));
-}
 
 Mode make_mode(const detail::NonlinearSystem& system, double value, const VectorXd& vector) {
     NodeValues table =
@@ -93,7 +87,8 @@ std::vector<Mode> buckling_modes(const Assembly& assembly, int count) {
     detail::NonlinearSystem system(assembly);
     system.evaluate(system.rest(), 0.0);
     detail::Ldlt factors(system.layout());
-    require_definite(system, factors.factorize(system.tangent()));
+    const auto outcome = factors.factorize(system.tangent());
+    detail::refuse_mechanisms(assembly, system.layout(), system.tangent(), factors, outcome);
     VectorXd rate = system.load_rate();
     factors.solve(rate);
     const auto pairs = detail::SubspaceIteration(system, softening(system, rate)).largest_positive(count);

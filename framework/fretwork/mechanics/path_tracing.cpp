@@ -25,12 +25,7 @@ class Tracer {
           newton_(system_, options_.equilibrium),
           configuration_(system_.rest()) {
         system_.evaluate(configuration_, 0.0);
-        const auto outcome = newton_.factorize();
-        if (!outcome.positive_definite()) {
-            throw base::NumericalError(
-                "the structure, as held, can move without strain at " +
-                detail::node_text(assembly, system_.layout().node_of(std::max(outcome.zero_pivot, 0))));
-        }
+        newton_.factorize_at_rest();
         rate_ = newton_.solve_tangent(system_.load_rate());
         direction_ = rate_;
         arc_ = std::min(options_.first_load_step * size_of(rate_), options_.largest_arc);

@@ -126,6 +126,7 @@ FRETWORK_INLINE Pivots eliminate_diagonal(const Front& front, int first, int cou
             return pivots;
         }
         if (pivot < 0.0) ++pivots.negative;
+        if (std::abs(pivot) < kWeakPivot * least_pivot[first + j]) pivots.weak = true;
         solve.inverse[j] = 1.0 / pivot;
         for (int k = j + 1; k < count; ++k) {
             solve.unit[k][j] = block[k + j * stride] / pivot;
@@ -245,6 +246,7 @@ Pivots eliminate(const Front& front, std::span<const double> diagonal, double ze
     for (int first = 0; first < front.width; first += kBlock) {
         const Pivots found = eliminate_block(front, first, least_pivot, scratch.data());
         pivots.negative += found.negative;
+        pivots.weak = pivots.weak || found.weak;
         pivots.zero = found.zero;
         if (found.zero >= 0) return pivots;
     }

@@ -15,10 +15,13 @@ struct Front {
     double* rest = nullptr;   ///< rows x rows, written in the lower triangle; the upper one may hold anything
 };
 
+constexpr double kWeakPivot = 1e4;
+
 /// What was met on the way.
 struct Pivots {
     int negative = 0;
-    int zero = -1;  ///< the column that stopped the elimination; -1: none
+    int zero = -1;      ///< the column that stopped the elimination; -1: none
+    bool weak = false;  ///< a pivot was less than kWeakPivot times what would have stopped it
 };
 
 /// Eliminate the front's columns: F = L D L^T in the panel, and rest = -L D L^T of the rows below. There is

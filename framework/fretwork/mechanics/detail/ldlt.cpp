@@ -66,6 +66,7 @@ Ldlt::Outcome Ldlt::factorize(std::span<const double> values) {
     Outcome outcome;
     for (std::size_t s = 0; s < pivots_.size() && outcome.zero_pivot < 0; ++s) {
         outcome.negative_pivots += pivots_[s].negative;
+        outcome.has_weak_pivot = outcome.has_weak_pivot || pivots_[s].weak;
         if (pivots_[s].zero >= 0) outcome.zero_pivot = tree_.supernodes[s].first + pivots_[s].zero;
     }
     return outcome;

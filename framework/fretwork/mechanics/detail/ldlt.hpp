@@ -24,6 +24,7 @@ class Ldlt {
         int negative_pivots = 0;
         int zero_pivot =
             -1;  ///< an equation whose pivot vanishes against its diagonal; -1: none, and solve() works
+        bool has_weak_pivot = false;  ///< one is so small beside its diagonal that it may be rounding
         [[nodiscard]] bool positive_definite() const { return zero_pivot < 0 && negative_pivots == 0; }
     };
     /// Factorize the matrix with these values, in the order of the layout's rows. Throws NumericalError if a

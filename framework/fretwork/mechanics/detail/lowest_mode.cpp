@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/mechanics/detail/arbitrary.hpp>
 #include <fretwork/mechanics/detail/lowest_mode.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 
 namespace fretwork::mechanics::detail {
 namespace {
@@ -32,21 +32,11 @@ double shift_to_definite(Newton& newton, double first) {
     return shift;
 }
 
-Eigen::VectorXd start_vector(int size) {
-    Eigen::VectorXd start(size);
-    std::uint64_t state = 1;
-    for (double& entry : start) {
-        state = state * 6364136223846793005ULL + 1442695040888963407ULL;
-        entry = static_cast<double>(state >> 11) * 0x1.0p-52 - 1.0;
-    }
-    return start;
-}
-
 }  // namespace
 
 LowestMode lowest_mode(const NonlinearSystem& system, Newton& newton) {
     const double shift = shift_to_definite(newton, small_shift(system));
-    Eigen::VectorXd x = start_vector(system.equations());
+    Eigen::VectorXd x = arbitrary_numbers(system.equations());
     double eigenvalue = 0.0;
     for (int iteration = 0; iteration < kMostIterations; ++iteration) {
         const Eigen::VectorXd weighted = system.weights().cwiseProduct(x);

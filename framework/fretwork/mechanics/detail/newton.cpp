@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/mechanics/detail/mechanism.hpp>
 #include <fretwork/mechanics/detail/newton.hpp>
 
 #include <Eigen/Jacobi>
@@ -19,6 +20,9 @@ constexpr double kNegligibleStep = 1e-13;
 /// ... and ends the iteration if the residual is below this: its floor, where members are very stiff for the
 /// load.
 constexpr double kResidualFloor = 1e-6;
+/// Displacements so small (rad, and element lengths) are linear in the load: the first prediction is exact,
+/// and the residual it leaves is that of the elements' geometry, which knows positions to 1e-16 only.
+constexpr double kLinearReach = 1e-7;
 
 /// Solve (1 + B) x = b by GMRES, where B is the skew part behind the symmetric part's inverse. Its rank is at
 /// most two for each node with a moment, so a few steps are exact. Givens' rotations keep the small problem
@@ -58,6 +62,11 @@ Eigen::VectorXd solve_near_identity(const Operator& b_times, const Eigen::Vector
 
 }  // namespace
 
+void Newton::factorize_at_rest() {
+    const Ldlt::Outcome outcome = factorize();
+    refuse_mechanisms(system_.assembly(), system_.layout(), system_.tangent(), factors_, outcome);
+}
+
 Ldlt::Outcome Newton::factorize() {
     return factors_.factorize(system_.tangent());
 }
@@ -90,8 +99,11 @@ Eigen::VectorXd Newton::solve_tangent(const Eigen::VectorXd& right_side) {
         x);
 }
 
-bool Newton::is_converged(const Eigen::VectorXd& last_step) const {
+bool Newton::is_converged(const Configuration& configuration, const Eigen::VectorXd& last_step) const {
     if (system_.relative_residual() <= options_.relative_residual) return true;
+    if (system_.is_rounding() &&
+        system_.largest_component(system_.step_between(system_.rest(), configuration)) <= kLinearReach)
+        return true;
     return last_step.size() > 0 && system_.relative_residual() <= kResidualFloor &&
            system_.largest_component(last_step) <= kNegligibleStep;
 }
@@ -101,7 +113,7 @@ Termination Newton::solve(double load_factor, Configuration& configuration) {
     for (int iteration = 0;; ++iteration) {
         system_.evaluate(configuration, load_factor);
         if (!std::isfinite(system_.relative_residual())) return Termination::Diverged;
-        if (is_converged(step)) return Termination::Converged;
+        if (is_converged(configuration, step)) return Termination::Converged;
         if (iteration == options_.iterations_per_step) return Termination::IterationsSpent;
         if (factorize().zero_pivot >= 0) return Termination::Diverged;
         step = solve_tangent(system_.unbalanced());

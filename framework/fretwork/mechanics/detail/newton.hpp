@@ -19,6 +19,9 @@ class Newton {
     /// there.
     Termination solve(double load_factor, Configuration& configuration);
 
+    /// Factorize the tangent of the last evaluation, which is at rest. Throws NumericalError that names a
+    /// node if the structure can move without strain.
+    void factorize_at_rest();
     /// Factorize the tangent of the last evaluation. Returns what its symmetric part is.
     Ldlt::Outcome factorize();
     /// The same with `shift` times the system's weights added to the diagonal.
@@ -32,7 +35,8 @@ class Newton {
     int take_iterations() { return std::exchange(iterations_, 0); }
 
   private:
-    [[nodiscard]] bool is_converged(const Eigen::VectorXd& last_step) const;
+    [[nodiscard]] bool is_converged(const Configuration& configuration,
+                                    const Eigen::VectorXd& last_step) const;
 
     NonlinearSystem& system_;
     const EquilibriumOptions& options_;

@@ -19,16 +19,17 @@ std::size_t at(int index) {
 constexpr std::size_t kBatch = 2048;
 constexpr std::size_t kPiece = 64;
 
-/// What an unloaded structure's forces come to in floating point: rounding of the elements' geometry times
-/// the largest stiffness.
+/// What the forces of elements at rest come to in floating point: rounding of their geometry times their
+/// stiffness, added like errors that know nothing of each other.
 double rounding_force(const Assembly& assembly, double length) {
-    double largest = 0.0;
+    double square = 0.0;
     Eigen::MatrixXd stiffness;
     for (const auto& element : assembly.elements) {
         element->rest_stiffness(stiffness);
-        largest = std::max(largest, stiffness.diagonal().head<3>().maxCoeff());
+        const double largest = stiffness.diagonal().head<3>().maxCoeff();
+        square += largest * largest;
     }
-    return 4.0 * std::numeric_limits<double>::epsilon() * largest * length;
+    return 4.0 * std::numeric_limits<double>::epsilon() * std::sqrt(square) * length;
 }
 
 }  // namespace
@@ -167,8 +168,8 @@ void NonlinearSystem::gather_unbalanced(double load_factor) {
     }
     const double scale =
         load_factor * force_norm(assembly().loads, length()) + force_norm(reactions(), length());
-    const bool only_rounding = scale <= rounding_force_ && std::sqrt(square) <= rounding_force_;
-    relative_residual_ = only_rounding ? 0.0 : std::sqrt(square) / scale;
+    is_rounding_ = std::sqrt(square) <= rounding_force_;
+    relative_residual_ = is_rounding_ && scale <= rounding_force_ ? 0.0 : std::sqrt(square) / scale;
 }
 
 void NonlinearSystem::evaluate(const Configuration& configuration, double load_factor, Demand demand) {

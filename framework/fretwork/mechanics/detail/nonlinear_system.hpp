@@ -30,6 +30,8 @@ class NonlinearSystem : public Unknowns {
     [[nodiscard]] const Eigen::VectorXd& unbalanced() const { return unbalanced_; }
     /// Norm of the unbalanced forces over that of loads and reactions.
     [[nodiscard]] double relative_residual() const { return relative_residual_; }
+    /// Whether the unbalanced forces are no more than what rounding makes of elements near rest.
+    [[nodiscard]] bool is_rounding() const { return is_rounding_; }
     /// The rate of the unbalanced forces in the load factor while the unknowns rest.
     [[nodiscard]] const Eigen::VectorXd& load_rate() const { return load_rate_; }
     [[nodiscard]] double energy() const { return energy_; }
@@ -69,6 +71,7 @@ class NonlinearSystem : public Unknowns {
     NodeValues prescribed_rate_;
     double energy_ = 0.0;
     double relative_residual_ = 0.0;
+    bool is_rounding_ = false;
     std::vector<double> values_;
     std::vector<SkewBlock> skew_;
     Eigen::VectorXd unbalanced_;

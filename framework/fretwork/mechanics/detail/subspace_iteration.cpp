@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/text.hpp>
+#include <fretwork/mechanics/detail/arbitrary.hpp>
+#include <fretwork/mechanics/detail/mechanism.hpp>
 #include <fretwork/mechanics/detail/subspace_iteration.hpp>
 
 #include <Eigen/Eigenvalues>
@@ -47,16 +49,13 @@ SubspaceIteration::SubspaceIteration(const NonlinearSystem& rest_system, std::ve
       operand_(std::move(operand)),
       factors_(layout_) {
     factorize_shifted(0.0);
-    if (outcome_.positive_definite()) return;
-    throw base::NumericalError(
-        "the structure, as held, can move without strain at " +
-        node_text(rest_system.assembly(), layout_.node_of(std::max(outcome_.zero_pivot, 0))));
+    refuse_mechanisms(rest_system.assembly(), layout_, stiffness_, factors_, outcome_);
 }
 
 SubspaceIteration::Pairs SubspaceIteration::largest(int count) {
     factorize_shifted(0.0);
     const int size = std::min(layout_.equations(), std::max(2 * count, count + kSpareVectors));
-    Pairs pairs{VectorXd(0), start_vectors(size)};
+    Pairs pairs{VectorXd(0), arbitrary_numbers(layout_.equations(), size)};
     VectorXd last;
     for (int iteration = 0; iteration < kMostIterations && pairs.vectors.cols() > 0; ++iteration) {
         pairs = step(pairs.vectors, 0.0);
@@ -128,7 +127,7 @@ int SubspaceIteration::count_below(double& factor) {
 void SubspaceIteration::append_slice(const Slice& slice, Pairs& found) {
     double shift = 0.5 * (slice.lower + slice.upper);
     (void)count_below(shift);
-    Pairs pairs{VectorXd(0), start_vectors(slice.size)};
+    Pairs pairs{VectorXd(0), arbitrary_numbers(layout_.equations(), slice.size)};
     VectorXd last;
     for (int iteration = 0; iteration < kMostIterations && pairs.vectors.cols() > 0; ++iteration) {
         pairs = step(pairs.vectors, shift);
@@ -157,17 +156,6 @@ void SubspaceIteration::factorize_shifted(double shift) {
     std::ranges::transform(stiffness_, operand_, values.begin(),
                            [shift](double k, double a) { return k - shift * a; });
     outcome_ = factors_.factorize(values);
-}
-
-/// Numbers without pattern, the same on every system.
-MatrixXd SubspaceIteration::start_vectors(int size) const {
-    MatrixXd start(layout_.equations(), size);
-    std::uint64_t state = 1;
-    for (double& entry : start.reshaped()) {
-        state = state * 6364136223846793005ULL + 1442695040888963407ULL;
-        entry = static_cast<double>(state >> 11) * 0x1.0p-52 - 1.0;
-    }
-    return start;
 }
 
 MatrixXd SubspaceIteration::times(const std::vector<double>& matrix, const MatrixXd& vectors) const {

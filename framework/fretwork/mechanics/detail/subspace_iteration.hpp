@@ -36,7 +36,6 @@ class SubspaceIteration {
     [[nodiscard]] int count_below(double& factor);
     void append_slice(const Slice& slice, Pairs& found);
     void factorize_shifted(double shift);
-    [[nodiscard]] Eigen::MatrixXd start_vectors(int size) const;
     [[nodiscard]] Eigen::MatrixXd times(const std::vector<double>& matrix,
                                         const Eigen::MatrixXd& vectors) const;
     [[nodiscard]] Pairs step(const Eigen::MatrixXd& basis, double shift);
