@@ -87,15 +87,19 @@ mechanics::LabelledFrame read(const std::string& path) {
     return named;
 }
 
-mechanics::Result solve(const mechanics::LabelledFrame& input, const Wishes& wishes) {
+struct Solved {
+    mechanics::Assembly assembly;
+    mechanics::Result result;
+};
+
+Solved solve(const mechanics::LabelledFrame& input, const Wishes& wishes) {
     const mechanics::Frame& frame = input.frame;
     mechanics::Result result;
     result.solver = wishes.solver;
     for (std::size_t i = 0; i < frame.nodes.size(); ++i)
         result.nodes.push_back({input.labels[i], frame.nodes[i], false});
     const auto start = std::chrono::steady_clock::now();
-    const mechanics::Assembly assembly =
-        mechanics::assemble(frame, {.lumped_gravity = wishes.lumped_gravity});
+    mechanics::Assembly assembly = mechanics::assemble(frame, {wishes.lumped_gravity, input.labels});
     if (wishes.solver == "linear") {
         result.solution = mechanics::solve_linear(assembly, {.threads = wishes.threads});
     } else if (wishes.solver == "dynamic-relaxation") {
@@ -117,7 +121,7 @@ mechanics::Result solve(const mechanics::LabelledFrame& input, const Wishes& wis
     if (wishes.steps == 0) result.load_steps.clear();
     if (wishes.modes > 0) result.vibration_modes = mechanics::vibration_modes(assembly, wishes.modes);
     if (wishes.buckling > 0) result.buckling_modes = mechanics::buckling_modes(assembly, wishes.buckling);
-    return result;
+    return {std::move(assembly), std::move(result)};
 }
 
 /// Options that one solver alone looks at: with another they are a misunderstanding.
@@ -138,17 +142,12 @@ void refuse_ignored_options(const CLI::App& verb, const std::string& solver) {
 ExitCode run(const Wishes& wishes) {
     check_outputs({wishes.frame}, {wishes.out, wishes.vtu, wishes.deck});
     const mechanics::LabelledFrame input = read(wishes.frame);
-    const mechanics::Frame& frame = input.frame;
-    const mechanics::Result result = solve(input, wishes);
+    const auto [assembly, result] = solve(input, wishes);
     base::FileBatch files;
     files.add(wishes.out, mechanics::result_text(result));
-    if (!wishes.deck.empty()) files.add(wishes.deck, mechanics::calculix_text(frame));
-    if (!wishes.vtu.empty()) {
-        exports::LineSet lines = exports::frame_lines(frame);
-        lines.displacements = result.solution.displacements;
-        lines.fields = exports::mode_fields(result);
-        files.add(wishes.vtu, exports::vtu_text(lines));
-    }
+    if (!wishes.deck.empty()) files.add(wishes.deck, mechanics::calculix_text(input.frame));
+    if (!wishes.vtu.empty())
+        files.add(wishes.vtu, exports::vtu_text(exports::solution_lines(assembly, result)));
     files.commit();
     if (wishes.json) {
         print_solution_json(result);

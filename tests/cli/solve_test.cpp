@@ -50,6 +50,18 @@ TEST_F(Solve, SaysWhenThereAreFewerBucklingLoadsThanWanted) {
     EXPECT_THAT(outcome.out, HasSubstr("no more than "));
 }
 
+TEST_F(Solve, NamesTheNodesOfADeckByTheirLabels) {
+    folder_.file("turned.inp",
+                 "*NODE\n11,0,0,0\n22,1,0,0\n*ELEMENT,TYPE=B31,ELSET=E\n1,11,22\n"
+                 "*MATERIAL,NAME=M\n*ELASTIC\n1e9,0.3\n"
+                 "*BEAM SECTION,SECTION=RECT,ELSET=E,MATERIAL=M\n0.01,0.02\n0,0,1\n"
+                 "*STEP\n*STATIC\n*BOUNDARY\n11,1,6\n22,4,4,4.0\n*END STEP\n");
+    const auto outcome =
+        run_command("fretwork solve turned.inp --solver dynamic-relaxation --out r.json", folder_.path());
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_THAT(outcome.err, HasSubstr("node 22 is prescribed to turn by 4"));
+}
+
 TEST_F(Solve, WritesModesForParaView) {
     run("--solver linear --modes 2 --vtu r.vtu");
     const std::string file = base::read_text_file(folder_.path() / "r.vtu");

@@ -4,9 +4,12 @@
 
 #include <fretwork/base/text.hpp>
 #include <fretwork/exports/line_files.hpp>
+#include <fretwork/mechanics/equilibrium.hpp>
+#include <fretwork/mechanics/modes.hpp>
 
 #include <pugixml.hpp>
 
+#include <numbers>
 #include <sstream>
 
 namespace fretwork::exports {
@@ -150,16 +153,56 @@ TEST(CsvFile, HasARowForEachNodeUnderNamesWithUnits) {
     EXPECT_EQ(node, lines.nodes.size());
 }
 
+mechanics::Frame straight_beam(int divisions) {
+    mechanics::Frame frame;
+    frame.nodes = {{0, 0, 0}, {1, 0, 0}};
+    frame.beams.push_back({.nodes = {mechanics::NodeIndex(0), mechanics::NodeIndex(1)},
+                           .section = {.area = 0.01, .I2 = 1e-6, .I3 = 1e-6, .J = 1e-6},
+                           .material = {.young_modulus = 1e6, .poisson_ratio = 0.0, .density = 1.0},
+                           .divisions = divisions});
+    frame.supports.push_back({mechanics::NodeIndex(0), mechanics::DofSet::all()});
+    return frame;
+}
+
+// A moment of E I pi / 2 L bends a cantilever into a quarter of a circle of radius 2 L / pi: so lie the ends
+// of its divisions. The hinge about its own axis at the first end is not drawn.
+TEST(SolutionLines, ShowADividedBeamAsItBends) {
+    mechanics::Frame frame = straight_beam(8);
+    frame.beams[0].releases = {{0, {{false, false, false, true, false, false}}}};
+    frame.supports.push_back({mechanics::NodeIndex(1), {{false, false, false, true, false, false}}});
+    frame.loads.push_back({mechanics::NodeIndex(1), {0, 0, 0}, {0, 0, 0.5 * std::numbers::pi}});
+    const auto assembly = mechanics::assemble(frame);
+    mechanics::Result result;
+    result.solution = mechanics::follow_load_path(assembly, mechanics::even_load_factors(4)).back();
+    ASSERT_TRUE(result.solution.converged());
+    result.vibration_modes = mechanics::vibration_modes(assembly, 1);
+    const LineSet lines = solution_lines(assembly, result);
+    EXPECT_EQ(lines.nodes.size(), 9U);
+    EXPECT_EQ(lines.lines.size(), 8U);
+    const double radius = 2.0 / std::numbers::pi;
+    for (const Eigen::Vector3d& place : displaced_nodes(lines))
+        EXPECT_NEAR((place - Eigen::Vector3d(0.0, radius, 0.0)).norm(), radius, 1e-6);
+    for (const auto& [from, to] : lines.lines) {
+        const auto at = [&](int node) { return lines.nodes[static_cast<std::size_t>(node)]; };
+        EXPECT_NEAR((at(from) - at(to)).norm(), 1.0 / 8.0, 1e-15);
+    }
+    ASSERT_EQ(lines.fields.size(), 1U);
+    EXPECT_EQ(lines.fields[0].vectors.rows(), 9);
+    EXPECT_GT(lines.fields[0].vectors.row(5).norm(), 0.1);  // inside the beam, and it swings
+}
+
 TEST(LineFiles, VtuHasTheModesUnderTheirValues) {
+    const auto assembly = mechanics::assemble(straight_beam(1));
     mechanics::Result result;
     mechanics::NodeValues shape = mechanics::NodeValues::Zero(2, mechanics::kDofsPerNode);
+    result.solution.displacements = shape;
+    result.solution.inner_displacements.resize(0, mechanics::kDofsPerNode);
     shape.row(1) << 0.0, 0.25, 1.0, 7.0, 7.0, 7.0;
-    result.vibration_modes = {{12.5, shape}};
-    result.buckling_modes = {{3.0, shape}, {4.0, -shape}};
-    LineSet lines{.nodes = {{0, 0, 0}, {1, 0, 0}}, .lines = {{0, 1}}, .tiles = {}, .patterns = {}};
-    lines.fields = mode_fields(result);
+    const mechanics::NodeValues none(0, mechanics::kDofsPerNode);
+    result.vibration_modes = {{12.5, shape, none}};
+    result.buckling_modes = {{3.0, shape, none}, {4.0, -shape, none}};
     pugi::xml_document document;
-    ASSERT_TRUE(document.load_string(vtu_text(lines).c_str()));
+    ASSERT_TRUE(document.load_string(vtu_text(solution_lines(assembly, result)).c_str()));
     const auto data = document.child("VTKFile").child("UnstructuredGrid").child("Piece").child("PointData");
     const std::vector<double> moved = {0, 0, 0, 0, 0.25, 1};
     EXPECT_EQ(numbers_of<double>(array_of(data, "vibration 1, 12.5 Hz")), moved);

@@ -41,6 +41,34 @@ LineSet tile_loops(const Surface& surface) {
     return set;
 }
 
+/// The nodes of an assembly of beams between which lines are drawn: not those of hinges.
+struct DrawnNodes {
+    explicit DrawnNodes(const mechanics::Assembly& assembly) : place(assembly.nodes.size(), -1) {
+        for (int node = 0; node < assembly.reported_nodes; ++node) add(node);
+        for (const auto& element : assembly.elements) {
+            for (const mechanics::NodeIndex end : element->nodes().first(2)) add(end.value);
+        }
+    }
+    void add(int node) {
+        int& own = place[static_cast<std::size_t>(node)];
+        if (own >= 0) return;
+        own = static_cast<int>(nodes.size());
+        nodes.push_back(node);
+    }
+    [[nodiscard]] int place_of(mechanics::NodeIndex node) const {
+        return place[static_cast<std::size_t>(node.value)];
+    }
+    [[nodiscard]] mechanics::NodeValues rows(const mechanics::NodeValues& reported,
+                                             const mechanics::NodeValues& inner) const {
+        mechanics::NodeValues all(reported.rows() + inner.rows(), mechanics::kDofsPerNode);
+        all << reported, inner;
+        return all(nodes, Eigen::all);
+    }
+
+    std::vector<int> nodes;
+    std::vector<int> place;  ///< of each of the assembly's nodes in `nodes`, or -1
+};
+
 }  // namespace
 
 LineSet surface_lines(const Surface& surface) {
@@ -70,18 +98,26 @@ LineSet frame_lines(const mechanics::Frame& frame) {
     return set;
 }
 
-std::vector<NodeField> mode_fields(const mechanics::Result& result) {
-    std::vector<NodeField> fields;
+LineSet solution_lines(const mechanics::Assembly& assembly, const mechanics::Result& result) {
+    const DrawnNodes drawn(assembly);
+    LineSet set;
+    for (const int node : drawn.nodes) set.nodes.push_back(assembly.nodes[static_cast<std::size_t>(node)]);
+    for (const auto& element : assembly.elements) {
+        const auto ends = element->nodes();
+        set.lines.push_back({drawn.place_of(ends[0]), drawn.place_of(ends[1])});
+    }
+    const auto& solution = result.solution;
+    set.displacements = drawn.rows(solution.displacements, solution.inner_displacements);
     const auto add = [&](const char* kind, const std::vector<mechanics::Mode>& modes, const char* unit) {
         for (std::size_t i = 0; i < modes.size(); ++i) {
             char name[64];
             std::snprintf(name, sizeof name, "%s %zu, %.6g %s", kind, i + 1, modes[i].value, unit);
-            fields.push_back({name, modes[i].shape.leftCols<3>()});
+            set.fields.push_back({name, drawn.rows(modes[i].shape, modes[i].inner_shape).leftCols<3>()});
         }
     };
     add("vibration", result.vibration_modes, "Hz");
     add("buckling", result.buckling_modes, "times the load");
-    return fields;
+    return set;
 }
 
 std::vector<Eigen::Vector3d> displaced_nodes(const LineSet& lines, double scale) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <fretwork/mechanics/frame.hpp>
+#include <fretwork/mechanics/assembly.hpp>
 #include <fretwork/mechanics/result_file.hpp>
 #include <fretwork/simulation/surface.hpp>
 
@@ -38,11 +38,12 @@ LineSet surface_lines(const simulation::Surface& surface);
 /// the result is not one of the surface.
 LineSet result_lines(const simulation::Surface& surface, const mechanics::Result& result);
 
-/// The beams of any frame, with the displacements of a result if there are any.
+/// The beams of any frame, straight and undeformed.
 LineSet frame_lines(const mechanics::Frame& frame);
 
-/// The displacements of modes as fields `vibration 1, 12.3 Hz` and `buckling 1, 4.56 times the load`.
-std::vector<NodeField> mode_fields(const mechanics::Result& result);
+/// A frame's result with every division of its beams, and its modes as fields `vibration 1, 12.3 Hz` and
+/// `buckling 1, 4.56 times the load`. The frame's nodes come first, in their order.
+LineSet solution_lines(const mechanics::Assembly& assembly, const mechanics::Result& result);
 
 /// The positions of the nodes with `scale` times their displacements.
 std::vector<Eigen::Vector3d> displaced_nodes(const LineSet& lines, double scale = 1.0);

@@ -32,6 +32,7 @@ class Assembler {
     Assembly run() {
         assembly_.nodes = frame_.nodes;
         assembly_.reported_nodes = static_cast<int>(frame_.nodes.size());
+        assembly_.labels = options_.node_labels;
         assembly_.supports = frame_.supports;
         assembly_.prescribed = frame_.prescribed;
         assembly_.elements.reserve(frame_.beams.size());

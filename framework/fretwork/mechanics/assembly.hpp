@@ -16,13 +16,15 @@ struct Assembly {
     std::vector<std::unique_ptr<const Element>> elements;
     std::vector<Support> supports;
     std::vector<PrescribedDisplacement> prescribed;
-    NodeValues loads;        ///< one row a node, gravity included
-    int reported_nodes = 0;  ///< results have rows for the first so many nodes
+    NodeValues loads;           ///< one row a node, gravity included
+    int reported_nodes = 0;     ///< results have rows for the first so many nodes
+    std::vector<int> labels{};  ///< of the reported nodes, for messages; empty: their places, from 0
 };
 
 /// Options of the way from a frame to an assembly.
 struct AssemblyOptions {
-    bool lumped_gravity = false;  ///< half of a beam's weight on each end, without the consistent moments
+    bool lumped_gravity = false;     ///< half of a beam's weight on each end, without the consistent moments
+    std::vector<int> node_labels{};  ///< how messages call the frame's nodes; empty: by their places, from 0
 };
 
 /// Turn every beam into corotational Euler-Bernoulli (or, with shear areas, Timoshenko) elements. Throws as

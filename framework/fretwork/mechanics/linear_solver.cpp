@@ -263,6 +263,7 @@ class LinearSolver::Impl {
         const NodeValues reactions = reactions_of(unbalanced);
         solution.energy = 0.5 * (loads + reactions).cwiseProduct(displacements).sum();
         solution.displacements = displacements.topRows(reported_);
+        solution.inner_displacements = displacements.bottomRows(displacements.rows() - reported_);
         solution.reactions = reactions.topRows(reported_);
     }
 

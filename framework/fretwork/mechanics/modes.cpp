@@ -19,12 +19,12 @@ Mode make_mode(const detail::NonlinearSystem& system, double value, const Vector
     NodeValues table =
         NodeValues::Zero(static_cast<Eigen::Index>(system.assembly().nodes.size()), kDofsPerNode);
     system.layout().scatter(vector, table);
-    NodeValues shape = table.topRows(system.assembly().reported_nodes);
+    const Eigen::Index reported = system.assembly().reported_nodes;
     Eigen::Index row = 0;
     Eigen::Index column = 0;
-    const double largest = shape.leftCols<3>().cwiseAbs().maxCoeff(&row, &column);
-    if (largest > 0.0) shape /= shape(row, column);
-    return {value, std::move(shape)};
+    const double largest = table.topRows(reported).leftCols<3>().cwiseAbs().maxCoeff(&row, &column);
+    if (largest > 0.0) table /= double{table(row, column)};
+    return {value, table.topRows(reported), table.bottomRows(table.rows() - reported)};
 }
 
 void check_count(int count) {

@@ -9,8 +9,9 @@ namespace fretwork::mechanics {
 
 /// A way in which a structure vibrates about its rest position, or buckles.
 struct Mode {
-    double value = 0.0;  ///< vibration: frequency in Hz; buckling: load factor
-    NodeValues shape;    ///< one row for each reported node; largest displacement component is 1
+    double value = 0.0;        ///< vibration: frequency in Hz; buckling: load factor
+    NodeValues shape;          ///< one row for each reported node; largest displacement component is 1
+    NodeValues inner_shape{};  ///< the assembly's other nodes, as Solution::inner_displacements
 };
 
 /// The modes of the lowest natural frequencies, ascending: consistent masses, prescribed components held. At

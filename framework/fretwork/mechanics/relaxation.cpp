@@ -16,10 +16,12 @@ namespace {
 /// stiffness changes along the way.
 constexpr double kMassShare = 0.5;
 
-void refuse_turn(NodeIndex node, double angle, const std::string& against) {
+/// @param against  the node against which it turns; invalid: against its rest position
+void refuse_turn(const Assembly& assembly, NodeIndex node, double angle, NodeIndex against = {}) {
     if (angle <= std::numbers::pi) return;
-    throw base::InputError("node " + std::to_string(node.value) + " is prescribed to turn by " +
-                           base::format_number(angle) + " rad" + against +
+    throw base::InputError(detail::node_text(assembly, node) + " is prescribed to turn by " +
+                           base::format_number(angle) + " rad" +
+                           (against.is_valid() ? " against " + detail::node_text(assembly, against) : "") +
                            ", and dynamic relaxation, which begins with one jump to there, follows none of "
                            "more than pi; newton does");
 }
@@ -31,12 +33,11 @@ void refuse_turns_beyond_pi(const Assembly& assembly) {
         if (given.dof >= Dof::rx) turns(static_cast<int>(given.dof) - 3, given.node.value) = given.value;
     }
     for (const PrescribedDisplacement& given : assembly.prescribed)
-        refuse_turn(given.node, turns.col(given.node.value).norm(), "");
+        refuse_turn(assembly, given.node, turns.col(given.node.value).norm());
     for (const auto& element : assembly.elements) {
         for (const NodeIndex node : element->nodes()) {
             for (const NodeIndex other : element->nodes())
-                refuse_turn(node, (turns.col(node.value) - turns.col(other.value)).norm(),
-                            " against node " + std::to_string(other.value));
+                refuse_turn(assembly, node, (turns.col(node.value) - turns.col(other.value)).norm(), other);
         }
     }
 }

@@ -37,9 +37,10 @@ struct Solution {
     [[nodiscard]] bool converged() const { return termination == Termination::Converged; }
     bool stable = true;
     StabilityTest stability = StabilityTest::None;
-    NodeValues displacements;  ///< one row for each reported node; rotations as rotation vectors
-    NodeValues reactions;      ///< forces and moments that hold the structure; zero where nothing is held
-    double energy = 0.0;       ///< J, elastic
+    NodeValues displacements;          ///< one row for each reported node; rotations as rotation vectors
+    NodeValues inner_displacements{};  ///< of the assembly's other nodes: inside divided beams, and hinges'
+    NodeValues reactions;   ///< forces and moments that hold the structure; zero where nothing is held
+    double energy = 0.0;    ///< J, elastic
     double residual = 0.0;  ///< norm of the out-of-balance forces relative to that of the loads and reactions
     int iterations = 0;     ///< linear solves since the last solution of the path
     std::vector<StabilityLoss> stability_losses{};  ///< since the last solution of the path

@@ -24,7 +24,12 @@ Constraints constraints_of(const Assembly& assembly) {
 }
 
 std::string node_text(const Assembly& assembly, NodeIndex node) {
-    if (node.value < assembly.reported_nodes) return "node " + std::to_string(node.value);
+    const auto name_of = [&](int reported) {
+        const int label =
+            assembly.labels.empty() ? reported : assembly.labels[static_cast<std::size_t>(reported)];
+        return "node " + std::to_string(label);
+    };
+    if (node.value < assembly.reported_nodes) return name_of(node.value);
     int nearest = 0;
     double least = std::numeric_limits<double>::max();
     for (int i = 0; i < assembly.reported_nodes; ++i) {
@@ -36,7 +41,7 @@ std::string node_text(const Assembly& assembly, NodeIndex node) {
             nearest = i;
         }
     }
-    return "the inside or hinge of a beam at node " + std::to_string(nearest);
+    return "the inside or hinge of a beam at " + name_of(nearest);
 }
 
 double characteristic_length(const Assembly& assembly) {

@@ -212,17 +212,21 @@ NodeValues NonlinearSystem::reactions() const {
 }
 
 Solution NonlinearSystem::describe(const Configuration& configuration, double load_factor) const {
-    const int rows = assembly().reported_nodes;
+    const auto all = static_cast<Eigen::Index>(configuration.states.size());
+    const Eigen::Index reported = assembly().reported_nodes;
     Solution solution;
     solution.load_factor = load_factor;
     solution.energy = energy_;
     solution.residual = relative_residual_;
-    solution.displacements.resize(rows, kDofsPerNode);
-    for (int node = 0; node < rows; ++node) {
-        solution.displacements.row(node) << configuration.states[at(node)].displacement.transpose(),
+    solution.displacements.resize(reported, kDofsPerNode);
+    solution.inner_displacements.resize(all - reported, kDofsPerNode);
+    for (int node = 0; node < static_cast<int>(all); ++node) {
+        auto row = node < reported ? solution.displacements.row(node)
+                                   : solution.inner_displacements.row(node - reported);
+        row << configuration.states[at(node)].displacement.transpose(),
             configuration.rotation_vectors[at(node)].transpose();
     }
-    solution.reactions = reactions().topRows(rows);
+    solution.reactions = reactions().topRows(reported);
     return solution;
 }
 
