@@ -2,8 +2,10 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/mechanics/calculix_file.hpp>
 #include <fretwork/mechanics/detail/deck_history.hpp>
+#include <fretwork/mechanics/detail/deck_section.hpp>
 #include <fretwork/mechanics/detail/frame_check.hpp>
 #include <fretwork/mechanics/detail/input_deck.hpp>
+#include <fretwork/mechanics/detail/label_sets.hpp>
 
 #include <algorithm>
 #include <list>
@@ -46,8 +48,8 @@ class Reader {
     void read(const Card& card) {
         if (card.keyword == "*NODE") return read_nodes(card);
         if (card.keyword == "*ELEMENT") return read_elements(card);
-        if (card.keyword == "*NSET") return read_set(card, "NSET", node_sets_);
-        if (card.keyword == "*ELSET") return read_set(card, "ELSET", element_sets_);
+        if (card.keyword == "*NSET") return node_sets_.read(deck_, card);
+        if (card.keyword == "*ELSET") return element_sets_.read(deck_, card);
         if (card.keyword == "*MATERIAL") return read_material(card);
         if (card.keyword == "*ELASTIC") return read_elastic(card);
         if (card.keyword == "*DENSITY") return read_density(card);
@@ -78,7 +80,7 @@ class Reader {
             result_.frame.nodes.push_back(position);
             result_.labels.push_back(label);
             if (const auto set = card.parameters.find("NSET"); set != card.parameters.end())
-                node_sets_[set->second].insert(label);
+                node_sets_.add(set->second, label);
         }
     }
 
@@ -107,37 +109,8 @@ class Reader {
             if (!elements_.emplace(label, element).second)
                 deck_.fail(line, "gives element " + words[0] + " a second time");
             if (const auto set = card.parameters.find("ELSET"); set != card.parameters.end())
-                element_sets_[set->second].insert(label);
+                element_sets_.add(set->second, label);
         }
-    }
-
-    /// A label that is put into a set twice is in it once.
-    using Sets = std::map<std::string, std::set<int>>;
-
-    void read_set(const Card& card, const char* kind, Sets& sets) {
-        deck_.allow_only(card, {kind, "GENERATE", "INTERNAL", "UNSORTED"});
-        const std::string& name = deck_.parameter(card, kind);
-        std::set<int> members = sets[name];
-        for (const auto& [line, words] : card.lines) {
-            if (card.has("GENERATE")) {
-                if (words.size() < 2) deck_.fail(line, "needs a first and a last label");
-                const int step = words.size() > 2 && !words[2].empty() ? deck_.integer(line, words[2]) : 1;
-                if (step < 1)
-                    deck_.fail(line, "steps by " + std::to_string(step) + ", and must step forward");
-                for (int i = deck_.integer(line, words[0]); i <= deck_.integer(line, words[1]); i += step)
-                    members.insert(i);
-                continue;
-            }
-            for (const std::string& word : words) {
-                if (word.empty()) continue;
-                const auto inner = sets.find(word);
-                if (inner == sets.end())
-                    members.insert(deck_.integer(line, word));
-                else
-                    members.insert(inner->second.begin(), inner->second.end());
-            }
-        }
-        sets[name] = members;
     }
 
     void read_material(const Card& card) {
@@ -172,17 +145,18 @@ class Reader {
         // A third line of a *BEAM SECTION is the number of points over which its solver integrates.
         if (card.lines.size() > 2 && card.keyword == "*BEAMGENERALSECTION")
             deck_.fail(card.lines[2].number, "gives a section elastic constants, which its material has");
-        const Section& section = sections_.emplace_back(section_of(shape, card.lines.front()));
+        const Section& section =
+            sections_.emplace_back(detail::deck_section(deck_, shape, card.lines.front()));
         std::optional<Eigen::Vector3d> normal = Eigen::Vector3d(0.0, 0.0, -1.0);  // as CalculiX
         if (card.lines.size() > 1) {
             const auto n = deck_.numbers(card.lines[1], {3, 3});
             normal = Eigen::Vector3d(n[0], n[1], n[2]);
         }
         const std::string& set = deck_.parameter(card, "ELSET");
-        const auto members = element_sets_.find(set);
-        if (members == element_sets_.end())
+        const std::set<int>* members = element_sets_.find(set);
+        if (members == nullptr)
             deck_.fail(card.line, "names the element set " + set + ", which there is not");
-        for (const int label : members->second) {
+        for (const int label : *members) {
             const auto element = elements_.find(label);
             if (element == elements_.end())
                 deck_.fail(card.line, "needs element " + std::to_string(label) + ", which there is not");
@@ -192,54 +166,11 @@ class Reader {
         }
     }
 
-    [[nodiscard]] Section section_of(const std::string& shape, const Card::Line& line) const {
-        if (shape == "RECT") {  // along n1, which is axis 3, and along n2
-            const auto size = deck_.numbers(line, {2, 2});
-            return made_at(line, [&] { return rectangle_section(size[1], size[0]); });
-        }
-        if (shape == "CIRC") {
-            const double diameter = diameter_of(line);
-            return made_at(line, [&] { return circle_section(diameter); });
-        }
-        if (shape == "PIPE") {  // outer radius and thickness
-            const auto size = deck_.numbers(line, {2, 2});
-            return made_at(line, [&] { return tube_section(2.0 * size[0], 2.0 * (size[0] - size[1])); });
-        }
-        if (shape == "GENERAL") {  // A, I11, I12, I22, J; I11 bends about n1
-            const auto v = deck_.numbers(line, {5, 5});
-            if (v[2] != 0.0) deck_.fail(line.number, "has a product of inertia, which must be zero");
-            return {.area = v[0], .I2 = v[3], .I3 = v[1], .J = v[4]};
-        }
-        deck_.fail(line.number, "belongs to a section of shape " + shape +
-                                    "; RECT, CIRC, PIPE and GENERAL are understood");
-    }
-
-    /// What a shape finds wrong with its dimensions is said with their line.
-    template <class Make>
-    [[nodiscard]] Section made_at(const Card::Line& line, const Make& make) const {
-        try {
-            return make();
-        } catch (const base::InputError& error) {
-            throw base::InputError(deck_.path(), "line " + std::to_string(line.number), error.what());
-        }
-    }
-
-    /// Abaqus gives a circle its radius, CalculiX its thicknesses along n1 and n2.
-    [[nodiscard]] double diameter_of(const Card::Line& line) const {
-        const auto size = deck_.numbers(line, {1, 2});
-        if (size.size() == 1) return 2.0 * size[0];
-        if (size[0] != size[1])
-            deck_.fail(line.number, "gives a section of shape CIRC two thicknesses, " + line.words[0] +
-                                        " and " + line.words[1] +
-                                        ", which must be one diameter: no ellipse is understood");
-        return size[0];
-    }
-
     [[nodiscard]] std::vector<NodeIndex> nodes_named(std::size_t line, const std::string& word) const {
-        const auto set = node_sets_.find(word);
-        if (set == node_sets_.end()) return {node(line, word)};
+        const std::set<int>* set = node_sets_.find(word);
+        if (set == nullptr) return {node(line, word)};
         std::vector<NodeIndex> nodes;
-        for (const int label : set->second) nodes.push_back(node(line, std::to_string(label)));
+        for (const int label : *set) nodes.push_back(node(line, std::to_string(label)));
         return nodes;
     }
 
@@ -300,7 +231,8 @@ class Reader {
                 deck_.fail(
                     line,
                     "is no gravity (SET,GRAV,value,direction): other distributed loads are not understood");
-            if (element_sets_[words[0]].size() != elements_.size())
+            const std::set<int>* set = element_sets_.find(words[0]);
+            if (set == nullptr || set->size() != elements_.size())
                 deck_.fail(line, "lets gravity act on a part of the beams; it must act on all of them");
             const Eigen::Vector3d direction(deck_.number(line, words[3]), deck_.number(line, words[4]),
                                             deck_.number(line, words[5]));
@@ -331,7 +263,7 @@ class Reader {
     detail::DeckHistory history_;
     std::map<int, NodeIndex> nodes_;
     std::map<int, ElementData> elements_;
-    Sets node_sets_, element_sets_;
+    detail::LabelSets node_sets_{"NSET"}, element_sets_{"ELSET"};
     std::map<std::string, Material> materials_;
     Material* material_ = nullptr;
     std::list<Section> sections_;
