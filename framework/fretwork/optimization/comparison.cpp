@@ -40,22 +40,26 @@ constexpr Starts kStarts[] = {
     {"cma-es", 4},
 };
 
-/// Seven digits are more than any target asks for, and keep the table small.
-std::string short_number(double value) {
+std::string short_number(double value, int digits = 7) {
     char text[32];
-    std::snprintf(text, sizeof text, "%.7g", value);
+    std::snprintf(text, sizeof text, "%.*g", digits, value);
     return text;
 }
 
+/// A point is kept if what the run still has to gain until its end is a fifth less than at the last one: so
+/// closely the cost of hitting a target is known, whatever the target.
 std::string thinned(const std::vector<TracePoint>& trace) {
-    constexpr double kSmallestImprovement = 1e-4;
+    constexpr double kShareLeft = 0.8;
+    constexpr int kDigits = 12;
     std::string text;
-    double kept = 0.0;
+    double left = 0.0;
     for (std::size_t i = 0; i < trace.size(); ++i) {
         const bool is_end = i == 0 || i + 1 == trace.size();
-        if (!is_end && trace[i].value > kept - kSmallestImprovement * std::abs(kept)) continue;
-        kept = trace[i].value;
-        text += (text.empty() ? "" : " ") + std::to_string(trace[i].cost) + ":" + short_number(kept);
+        const double to_gain = trace[i].value - trace.back().value;
+        if (!is_end && to_gain > kShareLeft * left) continue;
+        left = to_gain;
+        text += (text.empty() ? "" : " ") + std::to_string(trace[i].cost) + ":" +
+                short_number(trace[i].value, kDigits);
     }
     return text;
 }

@@ -59,8 +59,8 @@ RunRecord record_run(const Problem& problem, const Contender& contender, const R
 /// A deterministic method is run once, whatever number of repetitions is asked for.
 int repetitions_of(const Contender& contender, int wanted);
 
-/// The table of runs as CSV, one line a run. The trace is thinned to improvements of more than 0.01 % and the
-/// last.
+/// The table of runs as CSV, one line a run. The trace is thinned to points at which what the run still gains
+/// until its end is a fifth less, and the last.
 std::string comparison_header();
 std::string comparison_row(const RunRecord& record);
 

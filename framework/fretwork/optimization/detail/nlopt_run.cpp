@@ -84,7 +84,7 @@ Method make_method(nlopt_algorithm algorithm, const NloptRun& run) {
 
 Termination termination_of(nlopt_result result, const Callback& callback) {
     if (callback.is_refused) return Termination::BudgetSpent;
-    return result > 0 || callback.is_patience_over ? Termination::Converged : Termination::Stalled;
+    return result > 0 && !callback.is_patience_over ? Termination::Converged : Termination::Stalled;
 }
 
 }  // namespace
