@@ -16,6 +16,7 @@ matplotlib.rcParams.update({"svg.hashsalt": "fretwork", "svg.fonttype": "none", 
                             "axes.grid": True, "grid.color": "#e4e4e4", "axes.axisbelow": True})
 
 MOST_POINTS = 150  # of one method in a figure
+CONVERGENCE_FLOOR = 0.8e-3  # just below the last target: beyond it traces are thinned to their ends
 OURS = ("gauss-newton-multistart", "ceres-multistart")  # the default of `calibrate` first
 # One colour for a kind of method; its members differ by line style. The colours can be told apart by the colour blind.
 KINDS = (("this project's calibrators", "#0072b2", OURS),
@@ -61,10 +62,10 @@ def step_curve(axes, values, limit, **style):
         axes.plot([1, limit], [0.0, 0.0], **style)
 
 
-def profile_panels(curves, limit, labels, places):
+def profile_panels(curves, limit, labels):
     """One panel for each kind of method; the others stand behind in grey. `curves`: name -> sorted values."""
-    figure, grid = plt.subplots(2, 3, figsize=(10.2, 6.2), sharex=True, sharey=True)
-    for axes, place, (kind, _, members) in zip(grid.flat, places, KINDS):
+    figure, grid = plt.subplots(2, 3, figsize=(10.2, 7.4), sharex=True, sharey=True)
+    for axes, (kind, _, members) in zip(grid.flat, KINDS):
         for name, values in curves.items():
             if name not in members:
                 step_curve(axes, values, limit, color="#d0d0d0", linewidth=0.7)
@@ -74,7 +75,8 @@ def profile_panels(curves, limit, labels, places):
         axes.set(xscale="log", xlim=(1, limit), ylim=(-0.01, 1.02))
         axes.set_title(kind, loc="left", fontsize=9)
         if set(members) & set(curves):
-            axes.legend(loc=place, fontsize=7, framealpha=0.85, edgecolor="none", handlelength=3.0)
+            axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.09), ncol=2, fontsize=6.5, frameon=False, handlelength=2.6,
+                        columnspacing=1.0)
     figure.supxlabel(labels[0], fontsize=9)
     figure.supylabel(labels[1], fontsize=9)
     figure.tight_layout()
@@ -87,31 +89,30 @@ def data_profiles(groups, milliseconds=None):
     what = "CPU time of one thread, ms" if milliseconds else "stiffness factorizations"
     curves = {name: per_unit[name] * measures.data_profile(by_problem) for name, by_problem in groups.items()}
     return profile_panels(curves, 1e5 if milliseconds else 1e6,
-                          (f"{what}, with simulated restarts", "share of pairs (pattern, target) that are hit"),
-                          ["lower right"] * 3 + ["center right"] + ["upper left"] * 2)
+                          (f"{what}, with simulated restarts", "share of pairs (pattern, target) that are hit"))
 
 
 def performance_profiles(groups, target):
     curves = {name: np.sort(ratios) for name, ratios in measures.performance_ratios(groups, target).items()}
-    return profile_panels(curves, 1e4, ("aRT of the method over the least aRT on the pattern", "share of patterns"),
-                          ["lower right"] * 4 + ["upper left"] * 2)
+    return profile_panels(curves, 1e4, ("aRT of the method over the least aRT on the pattern", "share of patterns"))
 
 
 def final_gaps(groups):
     names = list(groups)
     figure, axes = plt.subplots(figsize=(7.2, 0.26 * len(names) + 1.0))
-    floor = 1e-8
+    floor, ceiling = 1e-8, 30.0
     for row, name in enumerate(reversed(names)):
-        gaps = np.array([max(run.gap, floor) for runs in groups[name].values() for run in runs])
+        gaps = np.array([min(max(run.gap, floor), ceiling) for runs in groups[name].values() for run in runs])
         colour = style_of(name)["color"]
         low, middle, high = np.quantile(gaps, [0.25, 0.5, 0.75])
-        shown = np.sort(gaps)[:: max(1, len(gaps) // MOST_POINTS)]  # evenly over the ranks: the file stays small
+        ranks = np.unique(np.linspace(0, len(gaps) - 1, min(len(gaps), MOST_POINTS)).round().astype(int))
+        shown = np.sort(gaps)[ranks]  # the file stays small
         jitter = np.random.default_rng(row).uniform(-0.28, 0.28, len(shown))
         axes.plot(shown, row + jitter, ".", color=colour, markersize=3.5, alpha=0.45, markeredgewidth=0.0)
         axes.plot([low, high], [row, row], color=colour, linewidth=3.5, alpha=0.9, solid_capstyle="butt")
         axes.plot([middle], [row], "o", color="white", markeredgecolor=colour, markersize=5.0)
     axes.axvline(1e-3, color="black", linewidth=0.8, linestyle="--")
-    axes.set(xscale="log", xlim=(floor / 1.5, 30), ylim=(-0.7, len(names) - 0.3), yticks=range(len(names)),
+    axes.set(xscale="log", xlim=(floor / 1.5, 1.5 * ceiling), ylim=(-0.7, len(names) - 0.3), yticks=range(len(names)),
              yticklabels=list(reversed(names)), xlabel="(E - best known E) / best known E at the end of a run")
     return svg_of(figure)
 
@@ -141,7 +142,7 @@ def runtimes(table, targets):
 
 def convergence(groups, names):
     figure, axes = plt.subplots(figsize=(7.2, 4.2))
-    costs = np.unique(np.round(np.logspace(0, math.log10(30000), 160)).astype(int))
+    costs = np.unique(np.round(np.logspace(0, math.log10(40000), 160)).astype(int))
     for name in names:
         if name not in groups:
             continue
@@ -150,10 +151,10 @@ def convergence(groups, names):
             for run in runs:
                 steps = np.searchsorted([cost for cost, _ in run.gaps], costs, side="right")
                 rows.append([run.gaps[step - 1][1] if step else math.inf for step in steps])
-        middle = np.maximum(np.median(rows, axis=0), 1e-8)
+        middle = np.maximum(np.median(rows, axis=0), CONVERGENCE_FLOOR)
         axes.plot(costs, middle, label=name, **style_of(name))
     axes.axhline(1e-3, color="black", linewidth=0.8, linestyle="--")
-    axes.set(xscale="log", yscale="log", ylim=(1e-6, 1e3), xlabel="stiffness factorizations of one run",
+    axes.set(xscale="log", yscale="log", ylim=(CONVERGENCE_FLOOR, 1e3), xlabel="stiffness factorizations of one run",
              ylabel="median of (E - best known E) / best known E")
     legend_beside(axes)
     return svg_of(figure)

@@ -10,8 +10,10 @@ import numpy as np
 from scipy import stats
 
 csv.field_size_limit(2**30)  # traces of long runs are longer than the default allows
-TARGETS = (1e-2, 1e-3, 1e-4)  # shares of the scale above the best known value
-PROFILE_TARGETS = tuple(10.0**-exponent for exponent in np.linspace(0.0, 4.0, 41))
+TARGETS = (1e-1, 1e-2, 1e-3)  # shares of the scale above the best known value
+SUCCESS = TARGETS[-1]
+PROFILE_TARGETS = tuple(10.0**-exponent for exponent in np.linspace(0.0, 3.0, 41))
+BUDGETS = (100, 250, 500, 1000, 2500, 5000, 10000, 20000, 40000)
 ANALYTIC_TARGET = 1e-6  # where the optimum is known, and exact
 
 
@@ -22,6 +24,7 @@ class Run:
     best: float
     last: float
     distance: float  # NaN where the optimum is not known
+    starts: int
     cost: int
     failures: int
     termination: str
@@ -67,10 +70,10 @@ def read_runs(path, known):
             reference = known[row["problem"]]
             pairs = [point.split(":") for point in row["trace"].split()]
             gaps = [(int(cost), reference.gap(float(value))) for cost, value in pairs]
-            if gaps:  # the trace has seven digits, the value all of them
+            if gaps:  # the trace is rounded, the value is not
                 gaps[-1] = (gaps[-1][0], reference.gap(float(row["best_value"])))
             runs.append(Run(row["problem"], row["optimizer"], number(row["best_value"]), number(row["last_value"]),
-                            number(row["distance"]), int(row["cost"]), int(row["failures"]), row["termination"],
+                            number(row["distance"]), int(row["starts"]), int(row["cost"]), int(row["failures"]), row["termination"],
                             float(row["cpu_seconds"]), tuple(gaps)))
     return runs
 
@@ -109,6 +112,38 @@ def bootstrap_runtime(by_problem, target, draws=1000, seed=1):
             hits += successes[chosen].sum()
         values.append(cost / hits if hits else math.inf)
     return np.quantile(values, [0.025, 0.975], method="inverted_cdf")
+
+
+def bootstrap_success(by_problem, target, draws=1000, seed=1):
+    """95 % interval of the success rate: problems are drawn with replacement, then their runs."""
+    random = np.random.default_rng(seed)
+    table = [np.array([run.gap <= target for run in runs]) for runs in by_problem.values()]
+    values = []
+    for _ in range(draws):
+        hits = count = 0
+        for index in random.integers(len(table), size=len(table)):
+            successes = table[index]
+            hits += successes[random.integers(len(successes), size=len(successes))].sum()
+            count += len(successes)
+        values.append(hits / count)
+    return np.quantile(values, [0.025, 0.975], method="inverted_cdf")
+
+
+def bootstrap_ratio(theirs, ours, quantity, draws=1000, seed=1):
+    """95 % interval of the ratio of two methods' means over the same problems, which are drawn with replacement."""
+    random = np.random.default_rng(seed)
+    pairs = np.array([[np.mean([quantity(run) for run in of_one[problem]]) for of_one in (theirs, ours)] for problem in ours])
+    chosen = pairs[random.integers(len(pairs), size=(draws, len(pairs)))].mean(axis=1)
+    return np.quantile(chosen[:, 0] / chosen[:, 1], [0.025, 0.975])
+
+
+def never_hit(by_problem, target):
+    """Problems on which no run hit the target: the pooled aRT hides them."""
+    return sum(all(run.runtime(target) == math.inf for run in runs) for runs in by_problem.values())
+
+
+def share_within_budget(runs, target, budget):
+    return float(np.mean([run.runtime(target) <= budget for run in runs]))
 
 
 def restarted_runtimes(runs, target, draws, random):
@@ -158,20 +193,22 @@ def holm(values):
     return adjusted
 
 
-def compare_pairs(ours, theirs, tie=1e-6):
-    """Wilcoxon's signed-rank test of paired gaps, and how often ours is better, a tie counting half.
+def compare_pairs(ours, theirs, tie=SUCCESS):
+    """Wilcoxon's signed-rank test of paired gaps: its p; how often ours is better, a tie counting half; pairs that differ.
 
-    Differences of at most `tie` are ties: both found the same minimum. The test is Pratt's, which keeps them in the ranks.
+    Differences of at most `tie` are ties: what counts as success is not told apart. The test is Pratt's, which keeps them
+    in the ranks.
     """
     difference = np.where(np.abs(ours - theirs) <= tie, 0.0, ours - theirs)
     better = float(np.mean(difference < 0.0) + 0.5 * np.mean(difference == 0.0))
-    if not difference.any():
-        return 1.0, better
+    differing = int(np.count_nonzero(difference))
+    if not differing:
+        return 1.0, better, 0
     # Without ties among the differences and zeros the distribution is known exactly.
     method = "exact" if len(difference) <= 50 and len(set(np.abs(difference)) - {0.0}) == len(difference) else "approx"
     with warnings.catch_warnings():
         warnings.filterwarnings("ignore", message="Sample size too small")  # as in the subset: the report says how many
-        return float(stats.wilcoxon(difference, zero_method="pratt", method=method).pvalue), better
+        return float(stats.wilcoxon(difference, zero_method="pratt", method=method).pvalue), better, differing
 
 
 def success_rate(runs, target):

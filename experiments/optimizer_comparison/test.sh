@@ -15,7 +15,7 @@ trap 'rm -rf "$out"' EXIT
 [[ $(wc -l <"$out/verdicts.txt") -eq 6 ]] || { echo "six verdicts were expected"; cat "$out/verdicts.txt"; exit 1; }
 "$python" -B "$here/thin.py" "$out/results.csv" "$here/best_known.csv" "$out/thin.csv.gz"
 "$python" -B "$here/analyse.py" "$out/thin.csv.gz" "$here/best_known.csv" "$out/thin" >"$out/thin.txt"
-for table in final runtimes tests synthetic analytic; do cmp "$out/$table.csv" "$out/thin/$table.csv"; done
+for table in verdicts final runtimes budgets tests synthetic analytic; do cmp "$out/$table.csv" "$out/thin/$table.csv"; done
 "$1" optimizers landscape --known "$here/best_known.csv" --problems calibration:1 --descents 3 --threads 1 --out "$out" >/dev/null
 "$python" -B "$here/landscape.py" "$out" >/dev/null
 for file in report.html data_profile.svg data_profile_time.svg performance_profile.svg runtimes.svg final_gaps.svg convergence.svg tests.csv landscape.html; do

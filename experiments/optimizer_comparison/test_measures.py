@@ -11,7 +11,7 @@ from measures import Run
 
 
 def run(problem, cost, *gaps, optimizer="a"):
-    return Run(problem, optimizer, 0.0, 0.0, math.nan, cost, 0, "converged", 0.0, tuple(gaps))
+    return Run(problem, optimizer, 0.0, 0.0, math.nan, 1, cost, 0, "converged", 0.0, tuple(gaps))
 
 
 class Measures(unittest.TestCase):
@@ -51,11 +51,24 @@ class Measures(unittest.TestCase):
 
     def test_pairs_that_found_the_same_minimum_are_ties(self):
         ours = np.array([0.0, 0.0, 0.0, 0.0])
-        p, better = measures.compare_pairs(ours, ours + 1e-9)
-        self.assertEqual((p, better), (1.0, 0.5))
-        p, better = measures.compare_pairs(np.zeros(10), np.arange(1.0, 11.0))
-        self.assertEqual(better, 1.0)
+        self.assertEqual(measures.compare_pairs(ours, ours + 1e-4), (1.0, 0.5, 0))
+        p, better, differing = measures.compare_pairs(np.zeros(10), np.arange(1.0, 11.0))
+        self.assertEqual((better, differing), (1.0, 10))
         self.assertAlmostEqual(p, 2 * 0.5**10, places=12)  # exact: all ten signs agree
+
+    def test_problems_that_are_never_hit_are_counted(self):
+        missed = [run("p", 100, (1, 0.5)), run("p", 100, (1, 0.4))]
+        self.assertEqual(measures.never_hit({"p": missed, "q": [*missed, run("q", 9, (5, 0.0))]}, 0.01), 1)
+
+    def test_a_budget_cuts_runs(self):
+        runs = [run("p", 100, (10, 0.0)), run("p", 100, (20, 0.0)), run("p", 100, (1, 0.5))]
+        self.assertEqual([measures.share_within_budget(runs, 0.01, budget) for budget in (9, 10, 40)], [0.0, 1 / 3, 2 / 3])
+
+    def test_intervals_hold_what_does_not_vary(self):
+        runs = {name: [run(name, 40, (5, 0.0))] * 3 for name in "pq"}
+        self.assertEqual(tuple(measures.bootstrap_success(runs, 0.01, 50)), (1.0, 1.0))
+        dearer = {name: [run(name, 120, (5, 0.0))] for name in "pq"}
+        self.assertEqual(tuple(measures.bootstrap_ratio(dearer, runs, lambda one: one.cost, 50)), (3.0, 3.0))
 
 
 if __name__ == "__main__":

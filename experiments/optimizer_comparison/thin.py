@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Thin the traces of a table of runs to the points at which a target of the analysis is first hit, and the last.
+"""Thin the traces of a table of runs to the points at which a level is first reached, and the last.
 
-Usage: thin.py RESULTS.csv KNOWN.csv OUT.csv.gz     Every table of analyse.py comes out the same from what is left.
+Usage: thin.py RESULTS.csv KNOWN.csv OUT.csv.gz     Levels are all targets of the analysis and, above them, a fifth of a decade
+apart: every table of analyse.py comes out the same from what is left, and its figures but for that fifth, high up.
 """
 import csv
 import gzip
@@ -11,18 +12,19 @@ import sys
 
 import measures
 
-TARGETS = sorted({*measures.PROFILE_TARGETS, *measures.TARGETS, measures.ANALYTIC_TARGET}, reverse=True)
+ABOVE_TARGETS = tuple(10.0 ** (fifth / 5) for fifth in range(1, 16))
+LEVELS = sorted({*ABOVE_TARGETS, *measures.PROFILE_TARGETS, *measures.TARGETS, measures.ANALYTIC_TARGET}, reverse=True)
 
 
 def thinned(trace, gap_of):
     """`cost:value ..`, costs ascending and values descending."""
     points = trace.split()
     kept = []
-    missed = 0  # targets before this one are hit
+    missed = 0  # levels before this one are reached
     for point in points:
         gap = gap_of(float(point.split(":")[1]))
         hit = missed
-        while hit < len(TARGETS) and gap <= TARGETS[hit]:
+        while hit < len(LEVELS) and gap <= LEVELS[hit]:
             hit += 1
         if hit > missed:
             kept.append(point)
