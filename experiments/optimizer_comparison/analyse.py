@@ -215,11 +215,13 @@ def sections_of(analysis, runs, known, out):
            "objective E, unsmoothed; cost is counted in stiffness factorizations, and a value with derivatives costs one as well, "
            "since they come from the same factorization. Definitions are in README.md. Low and high: 95 % bootstrap intervals.",
            html_table(*tables["verdicts"]))
+    profiles = {name: measures.data_profile(by_problem) for name, by_problem in analysis.groups.items()}
     yield ("Data profile", "Share of all pairs of a pattern and a target (41 targets, 100 % to 0.1 % above the best known E) that "
            "are hit within a cost. A run that misses is restarted, by drawing from the runs there are.",
-           figure("data_profile", figures.data_profiles(analysis.groups), out))
+           figure("data_profile", figures.data_profiles(profiles), out))
     yield ("The same in CPU time", "Cost times the mean CPU time that a unit of it takes the method: derivatives, and a method's own "
-           "work, are not free. An approximation: within a run, values cost less than derivatives, and come first in some methods.", figure("data_profile_time", figures.data_profiles(analysis.groups, analysis.milliseconds()), out))
+           "work, are not free. An approximation: within a run, values cost less than derivatives, and come first in some methods.",
+           figure("data_profile_time", figures.data_profiles(profiles, analysis.milliseconds()), out))
     yield ("Performance profile", "For 0.1 %: share of patterns on which a method's aRT is within a factor of the least one. With "
            "many methods the order of two of them can depend on a third (Gould and Scott 2016): see the pairs below.",
            figure("performance_profile", figures.performance_profiles(analysis.groups, SUCCESS), out))

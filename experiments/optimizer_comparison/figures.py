@@ -75,7 +75,7 @@ def profile_panels(curves, limit, labels):
         axes.set(xscale="log", xlim=(1, limit), ylim=(-0.01, 1.02))
         axes.set_title(kind, loc="left", fontsize=9)
         if set(members) & set(curves):
-            axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.09), ncol=2, fontsize=6.5, frameon=False, handlelength=2.6,
+            axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.09), ncol=2, fontsize=6.5, frameon=False, handlelength=4.4,
                         columnspacing=1.0)
     figure.supxlabel(labels[0], fontsize=9)
     figure.supylabel(labels[1], fontsize=9)
@@ -83,11 +83,14 @@ def profile_panels(curves, limit, labels):
     return svg_of(figure)
 
 
-def data_profiles(groups, milliseconds=None):
-    """Against cost, or against CPU time if the milliseconds that a unit of cost takes each method are given."""
-    per_unit = milliseconds or dict.fromkeys(groups, 1.0)
+def data_profiles(profiles, milliseconds=None):
+    """Against cost, or against CPU time if the milliseconds that a unit of cost takes each method are given.
+
+    `profiles`: name -> what `measures.data_profile` returns.
+    """
+    per_unit = milliseconds or dict.fromkeys(profiles, 1.0)
     what = "CPU time of one thread, ms" if milliseconds else "stiffness factorizations"
-    curves = {name: per_unit[name] * measures.data_profile(by_problem) for name, by_problem in groups.items()}
+    curves = {name: per_unit[name] * profile for name, profile in profiles.items()}
     return profile_panels(curves, 1e5 if milliseconds else 1e6,
                           (f"{what}, with simulated restarts", "share of pairs (pattern, target) that are hit"))
 

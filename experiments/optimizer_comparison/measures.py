@@ -97,36 +97,34 @@ def average_runtime(runs, target):
     return sum(spent(run, target) for run in runs) / hits if hits else math.inf
 
 
-def bootstrap_runtime(by_problem, target, draws=1000, seed=1):
-    """95 % interval of the aRT over problems: problems are drawn with replacement, then their runs."""
+def bootstrap_sums(by_problem, quantities, draws, seed):
+    """Row by draw, column by quantity: sums over the runs drawn. Problems are drawn with replacement, then their runs."""
     random = np.random.default_rng(seed)
-    table = [(np.array([spent(run, target) for run in runs]),
-              np.array([run.runtime(target) < math.inf for run in runs])) for runs in by_problem.values()]
-    values = []
-    for _ in range(draws):
-        cost = hits = 0.0
-        for index in random.integers(len(table), size=len(table)):
-            costs, successes = table[index]
-            chosen = random.integers(len(costs), size=len(costs))
-            cost += costs[chosen].sum()
-            hits += successes[chosen].sum()
-        values.append(cost / hits if hits else math.inf)
+    counts = np.array([len(runs) for runs in by_problem.values()])
+    table = np.zeros((len(quantities), len(counts), counts.max()))
+    for row, runs in enumerate(by_problem.values()):
+        table[:, row, :len(runs)] = [[quantity(run) for run in runs] for quantity in quantities]
+    is_run = np.arange(counts.max()) < counts[:, None]  # problems may have different numbers of runs
+    sums = np.empty((draws, len(quantities)))
+    for draw in range(draws):
+        rows = random.integers(len(counts), size=len(counts))
+        chosen = random.integers(counts[rows, None], size=(len(counts), counts.max()))
+        sums[draw] = (table[:, rows[:, None], chosen] * is_run[rows]).sum(axis=(1, 2))
+    return sums
+
+
+def bootstrap_runtime(by_problem, target, draws=1000, seed=1):
+    """95 % interval of the aRT over problems and their runs."""
+    cost, hits = bootstrap_sums(by_problem, [lambda run: spent(run, target), lambda run: run.runtime(target) < math.inf],
+                                draws, seed).T
+    values = np.divide(cost, hits, out=np.full(draws, math.inf), where=hits > 0)
     return np.quantile(values, [0.025, 0.975], method="inverted_cdf")
 
 
 def bootstrap_success(by_problem, target, draws=1000, seed=1):
-    """95 % interval of the success rate: problems are drawn with replacement, then their runs."""
-    random = np.random.default_rng(seed)
-    table = [np.array([run.gap <= target for run in runs]) for runs in by_problem.values()]
-    values = []
-    for _ in range(draws):
-        hits = count = 0
-        for index in random.integers(len(table), size=len(table)):
-            successes = table[index]
-            hits += successes[random.integers(len(successes), size=len(successes))].sum()
-            count += len(successes)
-        values.append(hits / count)
-    return np.quantile(values, [0.025, 0.975], method="inverted_cdf")
+    """95 % interval of the success rate over problems and their runs."""
+    hits, count = bootstrap_sums(by_problem, [lambda run: run.gap <= target, lambda run: 1.0], draws, seed).T
+    return np.quantile(hits / count, [0.025, 0.975], method="inverted_cdf")
 
 
 def bootstrap_ratio(theirs, ours, quantity, draws=1000, seed=1):
@@ -152,12 +150,11 @@ def restarted_runtimes(runs, target, draws, random):
     hits = np.array([run.runtime(target) < math.inf for run in runs])
     if not hits.any():
         return np.full(draws, math.inf)
-    result = np.zeros(draws)
-    is_open = np.ones(draws, dtype=bool)
-    while is_open.any():
-        chosen = random.integers(len(runs), size=int(is_open.sum()))
-        result[is_open] += costs[chosen]
-        is_open[np.flatnonzero(is_open)[hits[chosen]]] = False
+    result = random.choice(costs[hits], size=draws)
+    missed = costs[~hits]
+    if len(missed):  # the number of misses before a hit is geometric; each is any of the missed runs
+        misses = random.geometric(np.mean(hits), size=draws) - 1
+        result += random.multinomial(misses, np.full(len(missed), 1.0 / len(missed))) @ missed
     return result
 
 
