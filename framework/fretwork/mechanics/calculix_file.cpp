@@ -205,6 +205,8 @@ class Reader {
                              : words[1] == "PINNED"                  ? 2
                              : words.size() > 2 && !words[2].empty() ? dof(line, words[2])
                                                                      : first;
+            if (last < first)
+                deck_.fail(line, "ends with degree of freedom " + words[2] + ", before its first");
             const double value = words.size() > 3 && !words[3].empty() ? deck_.number(line, words[3]) : 0.0;
             for (const NodeIndex index : nodes_named(line, words[0])) {
                 for (int d = first; d <= last; ++d) history_.hold(index, static_cast<Dof>(d), value);
@@ -232,7 +234,10 @@ class Reader {
                     line,
                     "is no gravity (SET,GRAV,value,direction): other distributed loads are not understood");
             const std::set<int>* set = element_sets_.find(words[0]);
-            if (set == nullptr || set->size() != elements_.size())
+            const auto is_pulled = [set](const auto& element) {
+                return set != nullptr && set->contains(element.first);
+            };
+            if (!std::ranges::all_of(elements_, is_pulled))
                 deck_.fail(line, "lets gravity act on a part of the beams; it must act on all of them");
             const Eigen::Vector3d direction(deck_.number(line, words[3]), deck_.number(line, words[4]),
                                             deck_.number(line, words[5]));
@@ -248,6 +253,9 @@ class Reader {
         if (material == materials_.end())
             deck_.fail(element.line, "gives element " + std::to_string(label) + " of the material " +
                                          element.material + ", which there is not");
+        if (element.nodes.size() == 3 && !lies_between(element.nodes[1], element.nodes[0], element.nodes[2]))
+            deck_.fail(element.line, "gives element " + std::to_string(label) +
+                                         ", whose second node does not lie between its first and its third");
         for (std::size_t i = 1; i < element.nodes.size(); ++i) {
             beam_labels_.push_back(label);
             result_.frame.beams.push_back({.nodes = {element.nodes[i - 1], element.nodes[i]},
@@ -255,6 +263,13 @@ class Reader {
                                            .material = material->second,
                                            .normal = element.normal});
         }
+    }
+
+    [[nodiscard]] bool lies_between(NodeIndex middle, NodeIndex start, NodeIndex end) const {
+        const auto at = [&](NodeIndex node) {
+            return result_.frame.nodes[static_cast<std::size_t>(node.value)];
+        };
+        return (at(middle) - at(start)).dot(at(end) - at(middle)) > 0.0;
     }
 
     InputDeck deck_;

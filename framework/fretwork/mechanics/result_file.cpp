@@ -27,7 +27,7 @@ Json rows_json(const NodeValues& values) {
     return rows;
 }
 
-void append_solution(Json& json, const Solution& solution) {
+void append_solution(Json& json, const Solution& solution, const std::vector<Result::Node>& nodes) {
     json["load_factor"] = solution.load_factor;
     json["converged"] = solution.converged();
     json["stable"] = solution.stable;
@@ -38,7 +38,7 @@ void append_solution(Json& json, const Solution& solution) {
     json["iterations"] = solution.iterations;
     for (const StabilityLoss& loss : solution.stability_losses)
         json["stability_losses"].push_back({{"load_factor", loss.load_factor},
-                                            {"node", loss.node.value},
+                                            {"node", nodes[static_cast<std::size_t>(loss.node.value)].id},
                                             {"component", kDofNames[static_cast<std::size_t>(loss.dof)]},
                                             {"pushed", loss.pushed}});
     json["displacements"] = rows_json(solution.displacements);
@@ -72,11 +72,15 @@ StabilityTest read_stability(const JsonReader& reader) {
     reader.fail("is " + reader.text() + ", which is no test of stability");
 }
 
-StabilityLoss read_loss(const JsonReader& reader) {
+StabilityLoss read_loss(const JsonReader& reader, const std::vector<Result::Node>& nodes) {
     reader.allow_only({"load_factor", "node", "component", "pushed"});
     StabilityLoss loss;
     loss.load_factor = reader.at("load_factor").number();
-    loss.node = NodeIndex(reader.at("node").integer(0, std::numeric_limits<int>::max()));
+    const auto id = reader.at("node").integer(0, std::numeric_limits<int>::max());
+    const auto named = std::ranges::find(nodes, id, &Result::Node::id);
+    if (named == nodes.end())
+        reader.at("node").fail("is " + std::to_string(id) + ", and no node has that id");
+    loss.node = NodeIndex(named - nodes.begin());
     const std::string name = reader.at("component").choice({"ux", "uy", "uz", "rx", "ry", "rz"});
     for (int d = 0; d < kDofsPerNode; ++d) {
         if (kDofNames[static_cast<std::size_t>(d)] == name) loss.dof = static_cast<Dof>(d);
@@ -94,7 +98,7 @@ std::vector<Mode> read_modes(const JsonReader& reader, std::string_view value, s
     return modes;
 }
 
-Solution read_solution(const JsonReader& reader, std::size_t nodes) {
+Solution read_solution(const JsonReader& reader, const std::vector<Result::Node>& nodes) {
     Solution solution;
     solution.load_factor = reader.at("load_factor").number();
     solution.termination = read_termination(reader.at("termination"));
@@ -108,10 +112,10 @@ Solution read_solution(const JsonReader& reader, std::size_t nodes) {
         static_cast<int>(reader.at("iterations").integer(0, std::numeric_limits<int>::max()));
     if (const auto losses = reader.find("stability_losses")) {
         for (const JsonReader& loss : losses->elements())
-            solution.stability_losses.push_back(read_loss(loss));
+            solution.stability_losses.push_back(read_loss(loss, nodes));
     }
-    solution.displacements = read_rows(reader.at("displacements"), nodes);
-    solution.reactions = read_rows(reader.at("reactions"), nodes);
+    solution.displacements = read_rows(reader.at("displacements"), nodes.size());
+    solution.reactions = read_rows(reader.at("reactions"), nodes.size());
     return solution;
 }
 
@@ -140,7 +144,7 @@ Result::Node read_node(const JsonReader& reader) {
 
 std::string result_text(const Result& result) {
     Json json = {{"format", "fretwork/result/1"}, {"solver", result.solver}};
-    append_solution(json, result.solution);
+    append_solution(json, result.solution, result.nodes);
     json["seconds"] = result.seconds;
     json["nodes"] = Json::array();
     for (const Result::Node& node : result.nodes) {
@@ -150,7 +154,7 @@ std::string result_text(const Result& result) {
     }
     for (const Solution& step : result.load_steps) {
         Json step_json = Json::object();
-        append_solution(step_json, step);
+        append_solution(step_json, step, result.nodes);
         json["load_steps"].push_back(std::move(step_json));
     }
     for (const Mode& mode : result.vibration_modes)
@@ -175,13 +179,13 @@ Result read_result(const std::filesystem::path& path) {
     Result result;
     result.solver = document.at("solver").string();
     for (const JsonReader& node : document.at("nodes").elements()) result.nodes.push_back(read_node(node));
-    result.solution = read_solution(document, result.nodes.size());
+    result.solution = read_solution(document, result.nodes);
     result.seconds = document.at("seconds").number();
     if (const auto steps = document.find("load_steps")) {
         for (const JsonReader& step : steps->elements()) {
             step.allow_only({"load_factor", "converged", "stable", "stability", "termination", "energy",
                              "residual", "iterations", "displacements", "reactions", "stability_losses"});
-            result.load_steps.push_back(read_solution(step, result.nodes.size()));
+            result.load_steps.push_back(read_solution(step, result.nodes));
         }
     }
     if (const auto error = document.find("discretization_error"))
