@@ -42,6 +42,32 @@ TEST(Modes, BucklingLoadsOfAColumnAreEulers) {
     EXPECT_NEAR(modes[2].value, 9.0 * kPi * kPi / 4.0 * 1e3, 1e-3 * modes[2].value);
 }
 
+// Rounding of a stiffness of so many divisions moves the factors by more than the tolerance of the iteration.
+TEST(Modes, AFinelyDividedColumnBucklesAsWell) {
+    Frame frame = sample::cantilever(
+        {.divisions = 500, .section = {.area = 10.0, .I2 = 1e-6, .I3 = 2e-6, .J = 2.5e-6}});
+    frame.loads.push_back({NodeIndex(1), {-1.0, 0.0, 0.0}});
+    const auto modes = buckling_modes(assemble(frame), 2);
+    ASSERT_EQ(modes.size(), 2u);
+    EXPECT_NEAR(modes[0].value, kPi * kPi / 4.0 * 1e3, 1e-4 * modes[0].value);
+    EXPECT_NEAR(modes[1].value, kPi * kPi / 4.0 * 2e3, 1e-4 * modes[1].value);
+}
+
+// The frame's nodes do not move, but the inside of the beam does, and nodes turn with it: pi times the
+// amplitude in a length.
+TEST(Modes, AreScaledByWhatMovesInsideOfBeams) {
+    Frame frame = sample::cantilever({.divisions = 16});
+    frame.supports = {{NodeIndex(0), {{true, true, true, true, false, false}}},
+                      {NodeIndex(1), {{true, true, true, false, false, false}}}};
+    frame.loads.push_back({NodeIndex(1), {-1.0, 0.0, 0.0}});
+    frame.supports[1].fixed.contains[0] = false;
+    for (const auto& modes : {vibration_modes(assemble(frame), 1), buckling_modes(assemble(frame), 1)}) {
+        ASSERT_EQ(modes.size(), 1u);
+        EXPECT_NEAR(modes[0].inner_shape.cwiseAbs().col(2).maxCoeff(), 1.0, 1e-12);
+        EXPECT_NEAR(std::abs(modes[0].shape(0, 4)), kPi, 1e-3);
+    }
+}
+
 // In linearized buckling nothing depends on how far the structure bends before.
 TEST(Modes, AForceAcrossAColumnDoesNotChangeItsBucklingLoads) {
     // Every node is held in the plane of the bending: else it would buckle sideways.

@@ -15,15 +15,25 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+/// With its sign.
+double largest_entry(const Eigen::Ref<const MatrixXd>& values) {
+    Eigen::Index row = 0;
+    Eigen::Index column = 0;
+    values.cwiseAbs().maxCoeff(&row, &column);
+    return values(row, column);
+}
+
 Mode make_mode(const detail::NonlinearSystem& system, double value, const VectorXd& vector) {
     NodeValues table =
         NodeValues::Zero(static_cast<Eigen::Index>(system.assembly().nodes.size()), kDofsPerNode);
     system.layout().scatter(vector, table);
     const Eigen::Index reported = system.assembly().reported_nodes;
-    Eigen::Index row = 0;
-    Eigen::Index column = 0;
-    const double largest = table.topRows(reported).leftCols<3>().cwiseAbs().maxCoeff(&row, &column);
-    if (largest > 0.0) table /= double{table(row, column)};
+    const double turn = largest_entry(table.rightCols<3>());
+    const double move = largest_entry(table.leftCols<3>());
+    constexpr double kOnlyTurns = 1e-9;
+    table /= std::abs(move) > kOnlyTurns * detail::characteristic_length(system.assembly()) * std::abs(turn)
+                 ? move
+                 : turn;
     return {value, table.topRows(reported), table.bottomRows(table.rows() - reported)};
 }
 

@@ -9,8 +9,10 @@ namespace fretwork::mechanics {
 
 /// A way in which a structure vibrates about its rest position, or buckles.
 struct Mode {
-    double value = 0.0;        ///< vibration: frequency in Hz; buckling: load factor
-    NodeValues shape;          ///< one row for each reported node; largest displacement component is 1
+    double value = 0.0;  ///< vibration: frequency in Hz; buckling: load factor
+    /// One row for each reported node. The largest displacement, here or inside, is 1; of a mode that only
+    /// turns, the largest rotation.
+    NodeValues shape;
     NodeValues inner_shape{};  ///< the assembly's other nodes, as Solution::inner_displacements
 };
 
@@ -21,7 +23,8 @@ std::vector<Mode> vibration_modes(const Assembly& assembly, int count);
 
 /// The modes of linearized buckling, ascending in the factor on the loads at which the stiffness, with the
 /// geometric stiffness of the linear solution, becomes singular; positive factors only, so there may be fewer
-/// than wanted, or none. Throws as vibration_modes.
+/// than wanted, or none. Moments count as if they had a potential (as semi-tangential ones): of moments of
+/// fixed direction the factors are those of the stiffness' symmetric part. Throws as vibration_modes.
 std::vector<Mode> buckling_modes(const Assembly& assembly, int count);
 
 }  // namespace fretwork::mechanics

@@ -9,7 +9,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
+#include <utility>
 
 namespace fretwork::mechanics::detail {
 namespace {
@@ -18,7 +20,6 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr int kMostIterations = 500;
-constexpr double kTolerance = 1e-11;
 
 /// Vectors beyond those that are wanted: what lies near them in size settles last.
 constexpr int kSpareVectors = 8;
@@ -36,10 +37,34 @@ constexpr double kDependent = 1e-13;
 /// What vectors that vanish are scaled by, so that they stay what they are.
 constexpr double kNothing = 1e-300;
 
-bool is_settled(const VectorXd& values, const VectorXd& last, const VectorXd& scale) {
-    return values.size() == last.size() &&
-           ((values - last).cwiseAbs().array() <= kTolerance * scale.array()).all();
-}
+/// Whether values have come as near to their limits as they will: within the tolerance, or, where rounding
+/// keeps them from that, within what it leaves them to wander in.
+class Settling {
+  public:
+    Settling() = default;
+    explicit Settling(VectorXd last) : last_(std::move(last)) {}
+    bool is_settled(const VectorXd& values, const VectorXd& scale) {
+        const VectorXd last = std::exchange(last_, values);
+        if (values.size() != last.size()) {
+            *this = Settling(values);
+            return false;
+        }
+        if (values.size() == 0) return true;
+        const double change = (values - last).cwiseAbs().cwiseQuotient(scale).maxCoeff();
+        const bool nears = change < 0.5 * least_;
+        idle_ = nears ? 0 : idle_ + 1;
+        if (nears) least_ = change;
+        return change <= kTolerance || (idle_ >= kIdle && change <= kWandering);
+    }
+
+  private:
+    static constexpr double kTolerance = 1e-11;
+    static constexpr double kWandering = 1e-5;
+    static constexpr int kIdle = 60;  ///< iterations in which the changes have not become half as small
+    VectorXd last_;
+    double least_ = std::numeric_limits<double>::max();
+    int idle_ = 0;
+};
 
 }  // namespace
 
@@ -56,13 +81,14 @@ SubspaceIteration::Pairs SubspaceIteration::largest(int count) {
     factorize_shifted(0.0);
     const int size = std::min(layout_.equations(), std::max(2 * count, count + kSpareVectors));
     Pairs pairs{VectorXd(0), arbitrary_numbers(layout_.equations(), size)};
-    VectorXd last;
-    for (int iteration = 0; iteration < kMostIterations && pairs.vectors.cols() > 0; ++iteration) {
+    Settling settling;
+    for (int iteration = 0; pairs.vectors.cols() > 0; ++iteration) {
         pairs = step(pairs.vectors, 0.0);
         const VectorXd values = pairs.values.head(std::min<Eigen::Index>(count, pairs.values.size()));
         const double scale = values.size() > 0 ? values.cwiseAbs().maxCoeff() : 0.0;
-        if (is_settled(values, last, VectorXd::Constant(values.size(), scale))) break;
-        last = values;
+        if (settling.is_settled(values, VectorXd::Constant(values.size(), scale))) break;
+        if (iteration >= kMostIterations)
+            throw base::NumericalError("the " + std::to_string(count) + " lowest modes do not settle");
     }
     const Eigen::Index kept = std::min<Eigen::Index>(count, pairs.values.size());
     return {pairs.values.head(kept), pairs.vectors.leftCols(kept)};
@@ -128,7 +154,7 @@ void SubspaceIteration::append_slice(const Slice& slice, Pairs& found) {
     double shift = 0.5 * (slice.lower + slice.upper);
     (void)count_below(shift);
     Pairs pairs{VectorXd(0), arbitrary_numbers(layout_.equations(), slice.size)};
-    VectorXd last;
+    Settling settling;
     for (int iteration = 0; iteration < kMostIterations && pairs.vectors.cols() > 0; ++iteration) {
         pairs = step(pairs.vectors, shift);
         std::vector<Eigen::Index> inside;
@@ -136,9 +162,7 @@ void SubspaceIteration::append_slice(const Slice& slice, Pairs& found) {
             if (slice.contains(pairs.values[i])) inside.push_back(i);
         std::ranges::sort(inside, [&](auto a, auto b) { return pairs.values[a] > pairs.values[b]; });
         const VectorXd values = pairs.values(inside);
-        const bool is_done = values.size() == slice.count && is_settled(values, last, values);
-        last = values;
-        if (!is_done) continue;
+        if (!settling.is_settled(values, values) || values.size() != slice.count) continue;
         const Eigen::Index before = found.values.size();
         found.values.conservativeResize(before + slice.count);
         found.vectors.conservativeResize(Eigen::NoChange, before + slice.count);
