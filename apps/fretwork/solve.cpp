@@ -156,6 +156,8 @@ ExitCode run(const Wishes& wishes) {
         if (std::ssize(result.buckling_modes) < wishes.buckling)
             std::printf("no more than %zd buckling loads: the others, if any, are of reversed loads\n",
                         std::ssize(result.buckling_modes));
+        if (wishes.buckling > 0 && assembly.has_moments)
+            std::printf("buckling loads take moments of fixed direction for semi-tangential ones\n");
         std::printf("wrote %s\n", wishes.out.c_str());
         if (!wishes.vtu.empty()) std::printf("wrote %s\n", wishes.vtu.c_str());
     }

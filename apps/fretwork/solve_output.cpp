@@ -81,8 +81,10 @@ void print_solution(const mechanics::Result& result) {
     if (const auto& error = result.discretization_error)
         std::printf("%s\n", discretization_text(*error).c_str());
     for (const mechanics::StabilityLoss& loss : solution.stability_losses)
-        std::printf("unstable from %.6g of the load on%s: node %d along %s\n", loss.load_factor,
-                    loss.pushed ? "; pushed onto a stable branch" : "",
+        std::printf("%s from %.6g of the load on%s: node %d along %s\n",
+                    solution.stability == mechanics::StabilityTest::SymmetricPart ? "stability undecided"
+                                                                                  : "unstable",
+                    loss.load_factor, loss.pushed ? "; pushed onto a stable branch" : "",
                     result.nodes[static_cast<std::size_t>(loss.node.value)].id,
                     mechanics::kDofNames[static_cast<std::size_t>(loss.dof)]);
     for (std::size_t i = 0; i < result.buckling_modes.size(); ++i)

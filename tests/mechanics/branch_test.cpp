@@ -46,6 +46,50 @@ TEST(Branch, APushedColumnFollowsTheElastica) {
     EXPECT_TRUE(path[1].stability_losses.empty());
 }
 
+// A column that bends equally about both axes buckles in any direction: all those shapes are equilibria, and
+// which of them rounding calls stable must not matter.
+TEST(Branch, ASquareColumnFollowsTheElasticaInWhateverDirection) {
+    Frame frame = euler_column(20);
+    frame.beams[0].section.I3 = frame.beams[0].section.I2;
+    std::vector<double> angles;
+    std::vector<double> factors;
+    for (const double degrees : {20.0, 60.0, 90.0, 120.0}) {
+        angles.push_back(degrees * kPi / 180.0);
+        factors.push_back(std::pow(2.0 * std::comp_ellint_1(std::sin(angles.back() / 2.0)) / kPi, 2));
+    }
+    for (const int steps : {1, 4}) {
+        const auto path =
+            follow_load_path(assemble(frame), std::span(factors).last(static_cast<std::size_t>(steps)),
+                             {.branch = Branch::Stable});
+        for (std::size_t i = 0; i < path.size(); ++i) {
+            ASSERT_TRUE(path[i].converged()) << steps << " " << i << " " << path[i].load_factor;
+            EXPECT_TRUE(path[i].stable);
+            const double k = std::sin(angles[angles.size() - path.size() + i] / 2.0);
+            const double first = std::comp_ellint_1(k);
+            EXPECT_NEAR(1.0 + path[i].displacements(1, 0), 2.0 * std::comp_ellint_2(k) / first - 1.0, 2e-5);
+            EXPECT_NEAR(path[i].displacements.row(1).segment<2>(1).norm(), 2.0 * k / first, 2e-5);
+            EXPECT_EQ(path[i].stability_losses.size(), i == 0 ? 1u : 0u);
+        }
+    }
+}
+
+// Both ends are held, and only inner nodes of the beam move when it buckles.
+TEST(Branch, TheLossIsNamedWhereNoNodeOfTheFrameMoves) {
+    Frame frame = euler_column(20);
+    frame.loads.clear();
+    frame.supports.push_back({NodeIndex(1), {{false, true, true, true, true, true}}});
+    frame.prescribed.push_back({NodeIndex(1), Dof::ux, -1e-5});
+    const double factors[] = {0.5, 1.0};
+    const auto path = follow_load_path(assemble(frame), factors, {.locate_critical_loads = true});
+    ASSERT_EQ(path[0].stability_losses.size(), 1u);
+    const StabilityLoss& loss = path[0].stability_losses[0];
+    // Shortened until E A u / L is Euler's load of a clamped column, 4 pi^2 E I / L^2.
+    EXPECT_NEAR(1e-5 * loss.load_factor, 4.0 * kPi * kPi * 1e-6 / 10.0, 1e-8);
+    EXPECT_GE(loss.node.value, 0);
+    EXPECT_LT(loss.node.value, 2);
+    EXPECT_EQ(loss.dof, Dof::uz);
+}
+
 TEST(Branch, ThePrimaryPathTellsWhereItBecomesUnstableAndGoesOn) {
     const double factors[] = {0.5, 1.5};
     const Assembly assembly = assemble(euler_column(8));

@@ -5,6 +5,7 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/mechanics/equilibrium.hpp>
 #include <fretwork/mechanics/linear_solver.hpp>
+#include <fretwork/mechanics/relaxation.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -69,6 +70,44 @@ TEST(Equilibrium, UnderVanishingLoadsItIsTheLinearSolution) {
         EXPECT_LT((solution.displacements - load * linear.displacements).norm(),
                   1e-5 * load * linear.displacements.norm())
             << load;
+    }
+}
+
+// What a stiff part far away makes of rounding is not what a soft one may be off by.
+TEST(Equilibrium, AStiffPartBesideItDoesNotLetASoftOneOff) {
+    Frame frame = thin_cantilever(20);
+    frame.loads.push_back({NodeIndex(1), {0.0, 0.0, 2.0}});
+    frame.nodes.emplace_back(0.0, 5.0, 0.0);
+    frame.nodes.emplace_back(0.0, 5.0, 0.01);
+    frame.beams.push_back({.nodes = {NodeIndex(2), NodeIndex(3)},
+                           .section = {.area = 10.0, .I2 = 10.0, .I3 = 10.0, .J = 10.0},
+                           .material = {.young_modulus = 1e13, .poisson_ratio = 0.0}});
+    frame.supports.push_back({NodeIndex(2), DofSet::all()});
+    for (const int steps : {1, 10}) {
+        const Solution solution = full_load(frame, steps);
+        ASSERT_TRUE(solution.converged()) << steps;
+        EXPECT_NEAR(solution.displacements(1, 2), .493457, 5e-6);  // as below
+    }
+    const Solution relaxed = relax(assemble(frame), {.iterations = 2000});
+    EXPECT_FALSE(relaxed.converged());
+}
+
+// A shaft whose end is turned: G J / L times the angle, as long as each division turns by less than pi;
+// beyond that the path ends, and does not go on with the angle less a whole turn.
+TEST(Equilibrium, ATwistOfHalfATurnInAnElementEndsThePath) {
+    const double torque_per_radian = 0.5 * 1e9 * 2.5e-6;
+    for (const double angle : {3.0, 4.0, 7.0, 13.0}) {
+        for (const int divisions : {1, 2, 4, 8}) {
+            for (const int steps : {1, 10}) {
+                Frame frame = sample::cantilever({.divisions = divisions});
+                frame.supports.push_back({NodeIndex(1), {{false, true, true, false, true, true}}});
+                frame.prescribed.push_back({NodeIndex(1), Dof::rx, angle});
+                const Solution solution = full_load(frame, steps);
+                EXPECT_EQ(solution.converged(), angle / divisions < kPi) << angle << " " << divisions;
+                EXPECT_NEAR(solution.reactions(1, 3), torque_per_radian * angle * solution.load_factor,
+                            1e-6 * torque_per_radian);
+            }
+        }
     }
 }
 

@@ -38,6 +38,8 @@ class Assembler {
         assembly_.elements.reserve(frame_.beams.size());
         loads_.resize(frame_.nodes.size(), NodeLoad::Zero());
         for (const Beam& beam : frame_.beams) add_beam(beam);
+        assembly_.has_moments =
+            std::ranges::any_of(frame_.loads, [](const NodalLoad& load) { return !load.moment.isZero(0.0); });
         for (const NodalLoad& load : frame_.loads) {
             load_of(load.node).head<3>() += load.force;
             load_of(load.node).tail<3>() += load.moment;

@@ -54,6 +54,10 @@ class Element {
     virtual void evaluate(std::span<const NodeState> states, Demand demand,
                           ElementResponse& response) const = 0;
 
+    /// The turn of one end against the other about the element's axis, rad, known up to whole turns; zero for
+    /// an element that has no such axis.
+    [[nodiscard]] virtual double twist(std::span<const NodeState> /*states*/) const { return 0.0; }
+
     /// Write the geometric stiffness, 6n x 6n: how the internal forces that small displacements cause (6n,
     /// linear) change the stiffness at rest. What the displacements themselves change of the geometry is left
     /// out, as in linearized buckling. Zero for an element that stays linear.

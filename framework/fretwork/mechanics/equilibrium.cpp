@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 namespace fretwork::mechanics {
@@ -20,13 +21,15 @@ using detail::Configuration;
 constexpr double kLimitLoadGrowth = 8.0;
 
 /// On one path a move is about the step times the mean of the rates at its ends. An equilibrium that differs
-/// from that by more than this share is on another branch, or too far to tell: the step is halved. The
+/// from that by more than this share, in any component (those that move less than the second of these shares
+/// of the largest count as that), is on another branch, or too far to tell: the step is halved. The
 /// shortest steps end beside limit loads, where rates grow without bound: there it may lie this many times
-/// farther than the rates account for. And it may always be near (in rad and element lengths): a shallow arch
-/// snaps by a few hundredths of an element's length.
+/// farther than the rates account for. Moves as small as the last of these (in rad and element lengths) are
+/// linear.
 constexpr double kUnexplained = 0.3;
+constexpr double kOwnMove = 0.3;
 constexpr double kJump = 3.0;
-constexpr double kSmallMove = 1e-3;
+constexpr double kSmallMove = 1e-6;
 
 /// Where stability changes, limit loads are near, and a long step may land beyond them: it is halved until it
 /// is at most this share of the load.
@@ -34,6 +37,15 @@ constexpr double kLongestCrossing = 1.0 / 64.0;
 
 /// How far the push goes from an unstable equilibrium (rad, or element lengths).
 constexpr double kPush = 0.02;
+
+/// A branch whose lowest eigenvalue is below this share of the one that was lost is taken to be neutral: else
+/// it is about twice as large.
+constexpr double kNeutral = 0.5;
+
+/// rad: elements that cannot be twisted by more than this are not looked at.
+constexpr double kSafeTwist = 2.5;
+/// rad: a step turns no node by more than this if it is prescribed how far.
+constexpr double kPrescribedTurn = 0.7;
 
 /// Critical loads are found to this share of them, by at most so many equilibria.
 constexpr double kCriticalWidth = 1e-6;
@@ -52,16 +64,20 @@ class LoadPath {
         rate_ = newton_.solve_tangent(system_.load_rate());
         rest_rate_ = system_.largest_component(rate_);
         predictor_.add(0.0, configuration_, rate_);
+        prescribed_turn_ = detail::constraints_of(assembly).values.rightCols<3>().rowwise().norm().maxCoeff();
     }
 
     Solution advance_to(double target) {
         double step = target - factor_;
+        if (prescribed_turn_ > 0.0) step = std::min(step, kPrescribedTurn / prescribed_turn_);
         shortest_step_ = step / std::pow(2.0, options_.largest_cut_back);
         longest_crossing_ = std::max(kLongestCrossing * target, 2.0 * shortest_step_);
         Termination termination = Termination::Converged;
         while (factor_ < target && termination == Termination::Converged) {
             const bool reaches = factor_ + step >= target - 0.5 * shortest_step_;
             termination = try_step(reaches ? target : factor_ + step);
+            if (termination != Termination::Converged && newton_.has_neutral())
+                termination = try_soft_step(reaches ? target : factor_ + step);
             if (termination != Termination::Converged && step > 1.5 * shortest_step_) {
                 step *= 0.5;
                 termination = Termination::Converged;
@@ -71,6 +87,16 @@ class LoadPath {
     }
 
   private:
+    /// What was taken to be neutral may only be soft.
+    Termination try_soft_step(double factor) {
+        const Eigen::VectorXd neutral = newton_.neutral();
+        newton_.set_neutral({}, 0.0);
+        const Termination termination = try_step(factor);
+        if (termination != Termination::Converged)
+            newton_.set_neutral(neutral, detail::rounding_shift(system_));
+        return termination;
+    }
+
     Termination try_step(double factor) {
         Configuration trial = configuration_;
         const Eigen::VectorXd guess = predictor_.step_to(factor);
@@ -78,7 +104,10 @@ class LoadPath {
         system_.move(capped(guess), trial);
         const Termination termination = newton_.solve(factor, trial);
         if (termination != Termination::Converged) return termination;
+        system_.unwind(configuration_, trial);
         const Eigen::VectorXd move = system_.step_between(configuration_, trial);
+        const double twist_bound = bound_twist(factor, move, trial);
+        if (twist_bound > std::numbers::pi) return Termination::Diverged;
         const auto outcome = newton_.factorize();
         const bool crosses = outcome.negative_pivots != outcome_.negative_pivots;
         if (crosses && factor - factor_ > longest_crossing_) return Termination::LimitLoad;
@@ -94,16 +123,55 @@ class LoadPath {
         rate_ = std::move(rate);
         configuration_ = std::move(trial);
         factor_ = factor;
-        predictor_.add(factor_, configuration_, rate_);
+        twist_bound_ = twist_bound;
         outcome_ = outcome;
+        if (newton_.has_neutral()) {
+            begin_anew();
+        } else {
+            predictor_.add(factor_, configuration_, rate_);
+        }
         return Termination::Converged;
+    }
+
+    /// A bound on how far elements are twisted at the end of a step; beyond pi if one of them has come so far
+    /// that its twist, known up to whole turns, is not known any more. As long as rotations alone bound it
+    /// below that, no element is asked.
+    [[nodiscard]] double bound_twist(double factor, const Eigen::VectorXd& move,
+                                     const Configuration& trial) const {
+        const double turned = std::max(system_.largest_rotation(move), (factor - factor_) * prescribed_turn_);
+        const double bound = twist_bound_ + 2.0 * turned;
+        if (bound < kSafeTwist) return bound;
+        const auto twist = system_.twist(trial, configuration_);
+        return twist.largest_change > 0.5 * std::numbers::pi ? 2.0 * std::numbers::pi : twist.largest;
+    }
+
+    /// The push has left the path next to a circle of equilibria if it resists one direction much less than
+    /// the unstable one resisted before: a symmetry turns the buckled shape about an axis.
+    void begin_branch(double unstable_eigenvalue) {
+        newton_.set_neutral({}, 0.0);
+        system_.evaluate(configuration_, factor_);
+        const detail::LowestMode mode = detail::lowest_mode(system_, newton_);
+        if (mode.eigenvalue < kNeutral * std::abs(unstable_eigenvalue))
+            newton_.set_neutral(mode.shape, detail::rounding_shift(system_));
+        begin_anew();
+    }
+
+    /// Each step has its own neutral direction; moves and rates are measured against it.
+    void begin_anew() {
+        system_.evaluate(configuration_, factor_);
+        if (newton_.has_neutral())
+            newton_.set_neutral(detail::lowest_mode(system_, newton_).shape, detail::rounding_shift(system_));
+        (void)newton_.factorize();
+        rate_ = newton_.solve_tangent(system_.load_rate());
+        predictor_.restart();
+        predictor_.add(factor_, configuration_, rate_);
     }
 
     /// The path has become unstable on the way to `unstable`: find where, and go on along a stable branch if
     /// that is wished.
     Termination leave(double factor, const Eigen::VectorXd& move, Configuration& unstable) {
         system_.evaluate(unstable, factor);
-        const detail::LowestMode mode = detail::lowest_mode(system_, newton_);
+        detail::LowestMode mode = detail::lowest_mode(system_, newton_);
         StabilityLoss loss = describe_loss(mode);
         loss.load_factor = critical_factor({factor, mode.eigenvalue}, move);
         if (options_.branch == Branch::Stable) {
@@ -112,12 +180,12 @@ class LoadPath {
             const Termination found = detail::descend(factor, system_, newton_, options_, pushed);
             if (found != Termination::Converged) return found;
             loss.pushed = true;
-            rate_ = newton_.solve_tangent(system_.load_rate());
-            outcome_ = {};
+            system_.unwind(configuration_, pushed);
             configuration_ = std::move(pushed);
             factor_ = factor;
-            predictor_.restart();
-            predictor_.add(factor_, configuration_, rate_);
+            outcome_ = {};
+            twist_bound_ = std::numbers::pi;  // unknown
+            begin_branch(mode.eigenvalue);
         } else {
             system_.evaluate(unstable, factor);
         }
@@ -155,14 +223,31 @@ class LoadPath {
         return stable.factor + std::clamp(share, 0.0, 1.0) * (unstable.factor - stable.factor);
     }
 
-    [[nodiscard]] StabilityLoss describe_loss(const detail::LowestMode& mode) const {
+    /// Names the mode by its largest component, preferably of a reported node, which it makes positive.
+    [[nodiscard]] StabilityLoss describe_loss(detail::LowestMode& mode) const {
+        const Assembly& assembly = system_.assembly();
+        StabilityLoss loss = largest_component_of(mode, 0, assembly.reported_nodes);
+        if (!loss.node.is_valid()) {
+            loss = largest_component_of(mode, assembly.reported_nodes, std::ssize(assembly.nodes));
+        }
+        if (mode.shape[system_.layout().equation(loss.node.value, static_cast<int>(loss.dof))] < 0.0)
+            mode.shape = -mode.shape;
+        if (loss.node.value >= assembly.reported_nodes)
+            loss.node = detail::nearest_reported(assembly, loss.node);
+        return loss;
+    }
+
+    /// Among the nodes [first, last); an invalid node if none of them moves.
+    [[nodiscard]] StabilityLoss largest_component_of(const detail::LowestMode& mode, std::ptrdiff_t first,
+                                                     std::ptrdiff_t last) const {
+        constexpr double kNoMove = 1e-9;
         StabilityLoss loss;
-        double largest = -1.0;
-        for (int node = 0; node < system_.assembly().reported_nodes; ++node) {
+        double largest = kNoMove * system_.largest_component(mode.shape);
+        for (auto node = static_cast<int>(first); node < static_cast<int>(last); ++node) {
             for (int d = 0; d < kDofsPerNode; ++d) {
                 const int equation = system_.layout().equation(node, d);
                 if (equation < 0) continue;
-                const double size = mode.shape[equation] * std::sqrt(system_.weights()[equation]);
+                const double size = std::abs(mode.shape[equation]) * std::sqrt(system_.weights()[equation]);
                 if (size <= largest) continue;
                 largest = size;
                 loss.node = NodeIndex(node);
@@ -180,9 +265,11 @@ class LoadPath {
             const double rates = system_.largest_component(rate_) * system_.largest_component(rate);
             return moved > kJump * step * std::sqrt(rates);
         }
-        const Eigen::VectorXd explained = 0.5 * step * (rate_ + rate);
-        return system_.largest_component(move - explained) >
-               kUnexplained * std::max(moved, system_.largest_component(explained));
+        const Eigen::ArrayXd unit = system_.weights().array().sqrt();
+        const Eigen::ArrayXd explained = 0.5 * step * unit * (rate_ + rate).array();
+        const Eigen::ArrayXd made = unit * move.array();
+        const Eigen::ArrayXd own = explained.abs().max(made.abs());
+        return ((made - explained).abs() > kUnexplained * own.max(kOwnMove * own.maxCoeff())).any();
     }
 
     [[nodiscard]] Eigen::VectorXd capped(const Eigen::VectorXd& guess) const {
@@ -201,7 +288,7 @@ class LoadPath {
         if (options_.classify_stability) {
             solution.stable = outcome_.positive_definite();
             solution.stability =
-                system_.has_skew_part() ? StabilityTest::SymmetricPart : StabilityTest::Tangent;
+                system_.is_conservative() ? StabilityTest::Tangent : StabilityTest::SymmetricPart;
         }
         solution.iterations = newton_.take_iterations();
         solution.stability_losses = std::exchange(losses_, {});
@@ -218,6 +305,8 @@ class LoadPath {
     detail::Ldlt::Outcome outcome_;
     Eigen::VectorXd rate_;  ///< of the unknowns in the load factor
     double rest_rate_ = 0.0;
+    double prescribed_turn_ = 0.0;  ///< the largest rotation that is prescribed at a node, at the full load
+    double twist_bound_ = 0.0;
     detail::PathPredictor predictor_;
     std::vector<StabilityLoss> losses_;
 };

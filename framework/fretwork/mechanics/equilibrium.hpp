@@ -41,6 +41,9 @@ std::vector<double> even_load_factors(int steps);
 /// With Branch::Stable, an equilibrium that has lost its stability is pushed along its lowest mode and let
 /// down to a stable one, and the path goes on from there; each such place is told.
 ///
+/// An element knows the turn of its ends against each other up to whole turns: a path on which one is twisted
+/// by pi ends there as diverged; it needs more divisions.
+///
 /// Rotation vectors are continuous along the path: beyond half a turn they go on growing. At nodes with a
 /// held rotation component the reaction's moment is the true moment in space. Throws InputError if the
 /// factors are not ascending, NumericalError that names a node if the structure can move without strain at

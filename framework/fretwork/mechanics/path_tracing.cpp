@@ -21,7 +21,7 @@ class Tracer {
   public:
     Tracer(const Assembly& assembly, const PathTracingOptions& options)
         : options_(options),
-          system_(assembly),
+          system_(assembly, options.equilibrium.threads),
           newton_(system_, options_.equilibrium),
           configuration_(system_.rest()) {
         system_.evaluate(configuration_, 0.0);
@@ -102,7 +102,8 @@ class Tracer {
         system_.evaluate(configuration_, factor_);
         Solution solution = system_.describe(configuration_, factor_);
         solution.stable = outcome_.positive_definite();
-        solution.stability = system_.has_skew_part() ? StabilityTest::SymmetricPart : StabilityTest::Tangent;
+        solution.stability =
+            system_.is_conservative() ? StabilityTest::Tangent : StabilityTest::SymmetricPart;
         solution.iterations = newton_.take_iterations();
         return solution;
     }

@@ -13,7 +13,7 @@ struct PathTracingOptions {
     double largest_load_factor = 1.0;  ///< the path ends beyond it, up or down
     double largest_arc = 0.5;  ///< of one step, in rad and element lengths (root of the sum of squares)
     int steps = 200;           ///< the path ends after so many
-    EquilibriumOptions equilibrium{};
+    EquilibriumOptions equilibrium{};  ///< its relative_residual, largest_cut_back and threads count here
     /// Throws InputError if a value makes no sense.
     void validate() const;
 };

@@ -154,7 +154,8 @@ class Relaxation {
         solution.iterations = iterations;
         detail::Ldlt factors(system_.layout());
         solution.stable = factors.factorize(system_.tangent()).positive_definite();
-        solution.stability = system_.has_skew_part() ? StabilityTest::SymmetricPart : StabilityTest::Tangent;
+        solution.stability =
+            system_.is_conservative() ? StabilityTest::Tangent : StabilityTest::SymmetricPart;
         return solution;
     }
 

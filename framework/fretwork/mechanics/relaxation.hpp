@@ -23,8 +23,9 @@ struct RelaxationOptions {
 
 /// Find the equilibrium under the full load by dynamic relaxation with kinetic damping: the structure is let
 /// go at rest, and stopped whenever its kinetic energy has a peak. The paper's ground truth works so
-/// [Sakai2020]; here it acts on the very forces of follow_load_path and finds the same equilibria, stable
-/// ones only, at some hundred times the cost. Fictitious masses bound the stiffness of each equation from
+/// [Sakai2020]; here it acts on the very forces of follow_load_path and finds the same equilibria at some
+/// hundred times the cost: stable ones, unless a symmetry that nothing disturbs holds it on an unstable one
+/// (a perfect column). Fictitious masses bound the stiffness of each equation from
 /// above, so that unit time steps are stable; those of rotations are larger by 1 / l^2 (l: the mean length of
 /// an element, below one metre) with RotationalMass::Published.
 ///

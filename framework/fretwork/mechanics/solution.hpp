@@ -25,9 +25,11 @@ std::string_view stability_test_name(StabilityTest test);
 /// Where a path became unstable, and whether it was left there for a stable branch.
 struct StabilityLoss {
     double load_factor = 0.0;  ///< critical: the tangent is singular there
-    NodeIndex node;            ///< where the critical mode is largest, and
-    Dof dof = Dof::ux;         ///< in which component: the push goes along it, in its positive sense
-    bool pushed = false;       ///< the path goes on along a stable branch, after a push along that mode
+    NodeIndex node;            ///< the reported node at which the critical mode is largest, and
+    Dof dof =
+        Dof::ux;  ///< in which component: the push goes along it, in its positive sense. Where no reported
+                  ///< node moves: the one nearest to where the mode is largest inside of a beam
+    bool pushed = false;  ///< the path goes on along a stable branch, after a push along that mode
 };
 
 /// One equilibrium of a structure.

@@ -98,6 +98,10 @@ void BeamElement::evaluate(std::span<const NodeState> states, Demand demand,
     expand_tangent(tangent, response.tangent);
 }
 
+double BeamElement::twist(std::span<const NodeState> states) const {
+    return BeamDeformation(geometry_.axes, geometry_.length, states).values()[kTwist];
+}
+
 void BeamElement::geometric_stiffness(const Eigen::VectorXd& displacements,
                                       Eigen::MatrixXd& stiffness) const {
     const std::array<NodeState, 2> at_rest{};

@@ -23,14 +23,8 @@ Constraints constraints_of(const Assembly& assembly) {
     return constraints;
 }
 
-std::string node_text(const Assembly& assembly, NodeIndex node) {
-    const auto name_of = [&](int reported) {
-        const int label =
-            assembly.labels.empty() ? reported : assembly.labels[static_cast<std::size_t>(reported)];
-        return "node " + std::to_string(label);
-    };
-    if (node.value < assembly.reported_nodes) return name_of(node.value);
-    int nearest = 0;
+NodeIndex nearest_reported(const Assembly& assembly, NodeIndex node) {
+    NodeIndex nearest;
     double least = std::numeric_limits<double>::max();
     for (int i = 0; i < assembly.reported_nodes; ++i) {
         const double distance = (assembly.nodes[static_cast<std::size_t>(i)] -
@@ -38,10 +32,20 @@ std::string node_text(const Assembly& assembly, NodeIndex node) {
                                     .squaredNorm();
         if (distance < least) {
             least = distance;
-            nearest = i;
+            nearest = NodeIndex(i);
         }
     }
-    return "the inside or hinge of a beam at " + name_of(nearest);
+    return nearest;
+}
+
+std::string node_text(const Assembly& assembly, NodeIndex node) {
+    const auto name_of = [&](int reported) {
+        const int label =
+            assembly.labels.empty() ? reported : assembly.labels[static_cast<std::size_t>(reported)];
+        return "node " + std::to_string(label);
+    };
+    if (node.value < assembly.reported_nodes) return name_of(node.value);
+    return "the inside or hinge of a beam at " + name_of(nearest_reported(assembly, node).value);
 }
 
 double characteristic_length(const Assembly& assembly) {

@@ -16,6 +16,9 @@ struct Constraints {
 
 Constraints constraints_of(const Assembly& assembly);
 
+/// The reported node that is nearest to a node of the assembly.
+NodeIndex nearest_reported(const Assembly& assembly, NodeIndex node);
+
 /// A node of the assembly as a person knows it: "node 3", or for an inner one "the inside of a beam at node
 /// 3".
 std::string node_text(const Assembly& assembly, NodeIndex node);

@@ -75,6 +75,16 @@ void HingedElement::evaluate(std::span<const NodeState> states, Demand demand,
     add_hinge_curvature(own.force, hinged, response.tangent);
 }
 
+double HingedElement::twist(std::span<const NodeState> states) const {
+    std::array<NodeState, 2> ends = {states[0], states[1]};
+    for (const Hinge& hinge : hinges_) {
+        const auto end = static_cast<std::size_t>(hinge.end);
+        ends[end] =
+            compose(beam_->geometry().axes, states[end], states[static_cast<std::size_t>(hinge.slot)]).state;
+    }
+    return beam_->twist(ends);
+}
+
 void HingedElement::geometric_stiffness(const Eigen::VectorXd& displacements,
                                         Eigen::MatrixXd& stiffness) const {
     const Eigen::MatrixXd map = rest_map();

@@ -15,15 +15,17 @@ constexpr double kTolerance = 1e-10;
 constexpr double kDownhillStep = 0.1;
 constexpr int kMostDownhillSteps = 400;
 
-/// A shift that is small beside what the tangent holds on its diagonal.
-double small_shift(const NonlinearSystem& system) {
+/// What the tangent holds on its diagonal, in the mean, against the system's weights.
+double mean_stiffness(const NonlinearSystem& system) {
     double sum = 0.0;
     for (int i = 0; i < system.equations(); ++i) {
         const auto k = static_cast<std::size_t>(system.layout().column_start()[static_cast<std::size_t>(i)]);
         sum += std::abs(system.tangent()[k]) / system.weights()[i];
     }
-    return 1e-9 * sum / std::max(system.equations(), 1);
+    return sum / std::max(system.equations(), 1);
 }
+
+constexpr double kRoundingShift = 1e-13;
 
 /// The least of the shifts `first`, 4 `first`, .. that makes the tangent positive definite; it is factorized.
 double shift_to_definite(Newton& newton, double first) {
@@ -34,8 +36,12 @@ double shift_to_definite(Newton& newton, double first) {
 
 }  // namespace
 
+double rounding_shift(const NonlinearSystem& system) {
+    return kRoundingShift * mean_stiffness(system);
+}
+
 LowestMode lowest_mode(const NonlinearSystem& system, Newton& newton) {
-    const double shift = shift_to_definite(newton, small_shift(system));
+    const double shift = shift_to_definite(newton, rounding_shift(system));
     Eigen::VectorXd x = arbitrary_numbers(system.equations());
     double eigenvalue = 0.0;
     for (int iteration = 0; iteration < kMostIterations; ++iteration) {
@@ -58,14 +64,14 @@ Termination descend(double load_factor, NonlinearSystem& system, Newton& newton,
     for (int iteration = 0; iteration < kMostDownhillSteps; ++iteration) {
         system.evaluate(configuration, load_factor);
         if (!std::isfinite(system.relative_residual())) return Termination::Diverged;
-        const bool definite = newton.factorize().positive_definite();
+        const bool definite = newton.factorize(rounding_shift(system)).positive_definite();
         if (definite && system.relative_residual() <= options.relative_residual)
             return Termination::Converged;
         Eigen::VectorXd step = system.unbalanced();
         if (definite) {
             step = newton.solve_tangent(step);
         } else {
-            shift_to_definite(newton, small_shift(system));
+            shift_to_definite(newton, rounding_shift(system));
             newton.solve_symmetric(step);
         }
         const double turn = std::max(system.largest_rotation(step), system.largest_component(step));

@@ -12,11 +12,16 @@ struct LowestMode {
     Eigen::VectorXd shape;    ///< of the unknowns; largest component (displacements in lengths) +1
 };
 
+/// A shift of the tangent that is to its entries as rounding is: what it makes definite is stable, or
+/// neutral.
+double rounding_shift(const NonlinearSystem& system);
+
 /// By inverse iteration with the tangent of the last evaluation, shifted until it is positive definite.
 /// Leaves the shifted tangent factorized.
 LowestMode lowest_mode(const NonlinearSystem& system, Newton& newton);
 
-/// Go downhill from a configuration to a stable equilibrium under this load factor: Newton's steps where the
+/// Go downhill from a configuration to an equilibrium that is stable, or neutral, as all those around an axis
+/// in which a round column buckles, under this load factor: Newton's steps where the
 /// tangent is positive definite, elsewhere steps with the tangent shifted until it is. On Converged the
 /// system is evaluated there.
 Termination descend(double load_factor, NonlinearSystem& system, Newton& newton,

@@ -16,7 +16,9 @@ constexpr double kUnbalancedShare = 1e-2;
 
 [[noreturn]] void refuse(const Assembly& assembly, NodeIndex node) {
     throw base::NumericalError("the structure, as held, can move without strain at " +
-                               node_text(assembly, node) + ": hold it more, or release less of its beams");
+                               node_text(assembly, node) +
+                               ": hold it more, or release less of its beams (or stiffnesses differ by "
+                               "more than double precision tells apart)");
 }
 
 }  // namespace

@@ -68,6 +68,7 @@ void Newton::factorize_at_rest() {
 }
 
 Ldlt::Outcome Newton::factorize() {
+    if (neutral_.size() > 0) return factorize(neutral_shift_);
     return factors_.factorize(system_.tangent());
 }
 
@@ -80,6 +81,23 @@ Ldlt::Outcome Newton::factorize(double shift) {
     return factors_.factorize(shifted_);
 }
 
+void Newton::set_neutral(Eigen::VectorXd direction, double shift) {
+    neutral_ = std::move(direction);
+    if (neutral_.size() > 0) neutral_ /= std::sqrt(neutral_.dot(system_.weights().cwiseProduct(neutral_)));
+    neutral_shift_ = shift;
+}
+
+/// Where K n = 0, solutions are known up to multiples of n. The one that does not move along the direction is
+/// that of K bordered with it; n itself comes out of the solve with the bordering column.
+Eigen::VectorXd Newton::without_neutral_part(Eigen::VectorXd x) {
+    if (neutral_.size() == 0) return x;
+    const Eigen::VectorXd along = system_.weights().cwiseProduct(neutral_);
+    Eigen::VectorXd moved = along;
+    factors_.solve(moved);
+    x -= along.dot(x) / along.dot(moved) * moved;
+    return x;
+}
+
 void Newton::solve_symmetric(Eigen::VectorXd& right_side) {
     factors_.solve(right_side);
     ++iterations_;
@@ -89,14 +107,14 @@ Eigen::VectorXd Newton::solve_tangent(const Eigen::VectorXd& right_side) {
     Eigen::VectorXd x = right_side;
     factors_.solve(x);
     ++iterations_;
-    if (!system_.has_skew_part()) return x;
-    return solve_near_identity(
+    if (!system_.has_skew_part()) return without_neutral_part(std::move(x));
+    return without_neutral_part(solve_near_identity(
         [this](const Eigen::VectorXd& v) {
             Eigen::VectorXd y = system_.skew_product(v);
             factors_.solve(y);
             return y;
         },
-        x);
+        x));
 }
 
 bool Newton::is_converged(const Configuration& configuration, const Eigen::VectorXd& last_step) const {

@@ -26,6 +26,12 @@ class Newton {
     Ldlt::Outcome factorize();
     /// The same with `shift` times the system's weights added to the diagonal.
     Ldlt::Outcome factorize(double shift);
+    /// From here on the tangent is singular along this direction by symmetry, or (empty) not: factorize()
+    /// makes it regular by `shift`, and solve_tangent() does not move along the direction.
+    void set_neutral(Eigen::VectorXd direction, double shift);
+    [[nodiscard]] bool has_neutral() const { return neutral_.size() > 0; }
+    [[nodiscard]] const Eigen::VectorXd& neutral() const { return neutral_; }
+
     /// Solve with the symmetric part of the last factorization, in place.
     void solve_symmetric(Eigen::VectorXd& right_side);
     /// Solve with the whole tangent of the last factorization, its skew part included.
@@ -35,6 +41,7 @@ class Newton {
     int take_iterations() { return std::exchange(iterations_, 0); }
 
   private:
+    [[nodiscard]] Eigen::VectorXd without_neutral_part(Eigen::VectorXd x);
     [[nodiscard]] bool is_converged(const Configuration& configuration,
                                     const Eigen::VectorXd& last_step) const;
 
@@ -42,6 +49,8 @@ class Newton {
     const EquilibriumOptions& options_;
     Ldlt factors_;
     std::vector<double> shifted_;
+    Eigen::VectorXd neutral_;  ///< of unit size against the system's weights, or empty
+    double neutral_shift_ = 0.0;
     int iterations_ = 0;
 };
 

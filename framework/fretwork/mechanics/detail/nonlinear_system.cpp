@@ -19,17 +19,23 @@ std::size_t at(int index) {
 constexpr std::size_t kBatch = 2048;
 constexpr std::size_t kPiece = 64;
 
-/// What the forces of elements at rest come to in floating point: rounding of their geometry times their
-/// stiffness, added like errors that know nothing of each other.
-double rounding_force(const Assembly& assembly, double length) {
-    double square = 0.0;
+/// What the forces on each node come to in floating point where the elements at it are near rest: rounding of
+/// their geometry times their stiffness. A stiff element far away adds nothing.
+NodeValues rounding_forces(const Assembly& assembly, double length) {
+    constexpr double kRoundings = 8.0;
+    NodeValues forces = NodeValues::Zero(static_cast<Eigen::Index>(assembly.nodes.size()), kDofsPerNode);
     Eigen::MatrixXd stiffness;
     for (const auto& element : assembly.elements) {
         element->rest_stiffness(stiffness);
-        const double largest = stiffness.diagonal().head<3>().maxCoeff();
-        square += largest * largest;
+        const auto nodes = element->nodes();
+        for (std::size_t i = 0; i < nodes.size(); ++i) {
+            const auto own =
+                stiffness.diagonal().segment<kDofsPerNode>(static_cast<Eigen::Index>(i) * kDofsPerNode);
+            forces.row(nodes[i].value).head<3>().array() += length * own.head<3>().maxCoeff();
+            forces.row(nodes[i].value).tail<3>().array() += own.tail<3>().maxCoeff();
+        }
     }
-    return 4.0 * std::numeric_limits<double>::epsilon() * std::sqrt(square) * length;
+    return kRoundings * std::numeric_limits<double>::epsilon() * forces;
 }
 
 }  // namespace
@@ -43,7 +49,8 @@ NonlinearSystem::NonlinearSystem(const Assembly& assembly, int threads)
         const int free = 3 - is_held(node, 3) - is_held(node, 4) - is_held(node, 5);
         if (free >= 2 && !assembly.loads.row(node).tail<3>().isZero(0.0)) moment_nodes_.push_back(node);
     }
-    rounding_force_ = rounding_force(assembly, length());
+    layout().gather(rounding_forces(assembly, length()), rounding_);
+    is_loaded_ = has_prescribed() || !assembly.loads.isZero(0.0);
     spin_maps_.resize(vector_nodes().size());
     values_.resize(layout().row().size());
 }
@@ -96,13 +103,32 @@ void NonlinearSystem::add_elements(const Configuration& configuration, Demand de
 
 void NonlinearSystem::evaluate_element(std::size_t index, const Configuration& configuration, Demand demand,
                                        ElementResponse& response) const {
-    thread_local std::vector<NodeState> states;
     const Element& element = *assembly().elements[index];
+    element.evaluate(states_of(element, configuration), demand, response);
+    if (demand == Demand::Tangent && !vector_nodes().empty())
+        map_to_unknowns(element.nodes(), response.tangent);
+}
+
+/// Valid until the next call on the same thread.
+std::span<const NodeState> NonlinearSystem::states_of(const Element& element,
+                                                      const Configuration& configuration) {
+    thread_local std::vector<NodeState> states;
     const auto nodes = element.nodes();
     states.resize(nodes.size());
     for (std::size_t i = 0; i < nodes.size(); ++i) states[i] = configuration.states[at(nodes[i].value)];
-    element.evaluate(states, demand, response);
-    if (demand == Demand::Tangent && !vector_nodes().empty()) map_to_unknowns(nodes, response.tangent);
+    return states;
+}
+
+NonlinearSystem::Twist NonlinearSystem::twist(const Configuration& configuration,
+                                              const Configuration& last) const {
+    Twist result;
+    for (const auto& element : assembly().elements) {
+        const double before = element->twist(states_of(*element, last));
+        const double after = element->twist(states_of(*element, configuration));
+        result.largest = std::max(result.largest, std::abs(after));
+        result.largest_change = std::max(result.largest_change, std::abs(after - before));
+    }
+    return result;
 }
 
 void NonlinearSystem::add_response(std::size_t index, const ElementResponse& response, Demand demand) {
@@ -168,8 +194,8 @@ void NonlinearSystem::gather_unbalanced(double load_factor) {
     }
     const double scale =
         load_factor * force_norm(assembly().loads, length()) + force_norm(reactions(), length());
-    is_rounding_ = std::sqrt(square) <= rounding_force_;
-    relative_residual_ = is_rounding_ && scale <= rounding_force_ ? 0.0 : std::sqrt(square) / scale;
+    const bool is_at_rest = square == 0.0 || ((!is_loaded_ || load_factor == 0.0) && is_rounding());
+    relative_residual_ = is_at_rest ? 0.0 : std::sqrt(square) / scale;
 }
 
 void NonlinearSystem::evaluate(const Configuration& configuration, double load_factor, Demand demand) {

@@ -31,15 +31,26 @@ class NonlinearSystem : public Unknowns {
     /// Norm of the unbalanced forces over that of loads and reactions.
     [[nodiscard]] double relative_residual() const { return relative_residual_; }
     /// Whether the unbalanced forces are no more than what rounding makes of elements near rest.
-    [[nodiscard]] bool is_rounding() const { return is_rounding_; }
+    [[nodiscard]] bool is_rounding() const {
+        return (unbalanced_.cwiseAbs().array() <= rounding_.array()).all();
+    }
     /// The rate of the unbalanced forces in the load factor while the unknowns rest.
     [[nodiscard]] const Eigen::VectorXd& load_rate() const { return load_rate_; }
-    [[nodiscard]] double energy() const { return energy_; }
     [[nodiscard]] std::span<const double> tangent() const { return values_; }
     /// Whether moments make the tangent unsymmetric.
     [[nodiscard]] bool has_skew_part() const { return !skew_.empty(); }
     /// y = skew part of the tangent times x.
     [[nodiscard]] Eigen::VectorXd skew_product(const Eigen::VectorXd& x) const;
+    /// Whether somebody's moments of fixed direction act, which have no potential. Gravity's moments are an
+    /// approximation of forces, and do.
+    [[nodiscard]] bool is_conservative() const { return skew_.empty() || !assembly().has_moments; }
+    /// How elements are twisted, and how much more than in another configuration near it: the largest of
+    /// each.
+    struct Twist {
+        double largest = 0.0;
+        double largest_change = 0.0;
+    };
+    [[nodiscard]] Twist twist(const Configuration& configuration, const Configuration& last) const;
     /// True forces and moments of the supports.
     [[nodiscard]] NodeValues reactions() const;
 
@@ -52,6 +63,8 @@ class NonlinearSystem : public Unknowns {
     void add_elements(const Configuration& configuration, Demand demand);
     void evaluate_element(std::size_t index, const Configuration& configuration, Demand demand,
                           ElementResponse& response) const;
+    [[nodiscard]] static std::span<const NodeState> states_of(const Element& element,
+                                                              const Configuration& configuration);
     void add_response(std::size_t index, const ElementResponse& response, Demand demand);
     void map_to_unknowns(std::span<const NodeIndex> nodes, Eigen::MatrixXd& tangent) const;
     void add_prescribed_rate(std::span<const NodeIndex> nodes, const Eigen::MatrixXd& tangent);
@@ -59,7 +72,8 @@ class NonlinearSystem : public Unknowns {
     [[nodiscard]] Eigen::Matrix3d skew_of_moment(int node, double load_factor) const;
     void gather_unbalanced(double load_factor);
 
-    double rounding_force_ = 0.0;
+    bool is_loaded_ = false;
+    Eigen::VectorXd rounding_;                ///< what an equation's force may come to at rest
     std::vector<int> moment_nodes_;           ///< with applied moments and at least two free rotations
     std::vector<Eigen::Matrix3d> spin_maps_;  ///< of the vector nodes
     int threads_;
@@ -71,7 +85,6 @@ class NonlinearSystem : public Unknowns {
     NodeValues prescribed_rate_;
     double energy_ = 0.0;
     double relative_residual_ = 0.0;
-    bool is_rounding_ = false;
     std::vector<double> values_;
     std::vector<SkewBlock> skew_;
     Eigen::VectorXd unbalanced_;

@@ -102,6 +102,14 @@ void Unknowns::move(const Eigen::VectorXd& step, Configuration& configuration) c
     }
 }
 
+void Unknowns::unwind(const Configuration& last, Configuration& configuration) const {
+    for (std::size_t node = 0; node < assembly_.nodes.size(); ++node) {
+        if (vector_slot_[node] >= 0) continue;
+        configuration.rotation_vectors[node] =
+            logarithm_near(configuration.states[node].rotation, last.rotation_vectors[node]);
+    }
+}
+
 Eigen::VectorXd Unknowns::step_between(const Configuration& from, const Configuration& to) const {
     NodeValues table(static_cast<Eigen::Index>(assembly_.nodes.size()), kDofsPerNode);
     for (std::size_t node = 0; node < assembly_.nodes.size(); ++node) {

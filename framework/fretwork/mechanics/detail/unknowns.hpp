@@ -34,6 +34,9 @@ class Unknowns {
     void prescribe(double load_factor, Configuration& configuration) const;
     /// Add a step of the unknowns.
     void move(const Eigen::VectorXd& step, Configuration& configuration) const;
+    /// Give rotation vectors the whole turns that bring them next to those of the last equilibrium, so that
+    /// they are continuous along a path whatever the iterations went through.
+    void unwind(const Configuration& last, Configuration& configuration) const;
     /// The step of the unknowns from one configuration to another near it.
     [[nodiscard]] Eigen::VectorXd step_between(const Configuration& from, const Configuration& to) const;
     /// The rate at which such a step changes where the unknowns change at `rate` at its end.
