@@ -172,7 +172,7 @@ class LoadPath {
     Termination leave(double factor, const Eigen::VectorXd& move, Configuration& unstable) {
         system_.evaluate(unstable, factor);
         detail::LowestMode mode = detail::lowest_mode(system_, newton_);
-        StabilityLoss loss = describe_loss(mode);
+        StabilityLoss loss = detail::describe_loss(system_, mode);
         loss.load_factor = critical_factor({factor, mode.eigenvalue}, move);
         if (options_.branch == Branch::Stable) {
             Configuration pushed = unstable;
@@ -221,40 +221,6 @@ class LoadPath {
         }
         const double share = stable.eigenvalue / (stable.eigenvalue - unstable.eigenvalue);
         return stable.factor + std::clamp(share, 0.0, 1.0) * (unstable.factor - stable.factor);
-    }
-
-    /// Names the mode by its largest component, preferably of a reported node, which it makes positive.
-    [[nodiscard]] StabilityLoss describe_loss(detail::LowestMode& mode) const {
-        const Assembly& assembly = system_.assembly();
-        StabilityLoss loss = largest_component_of(mode, 0, assembly.reported_nodes);
-        if (!loss.node.is_valid()) {
-            loss = largest_component_of(mode, assembly.reported_nodes, std::ssize(assembly.nodes));
-        }
-        if (mode.shape[system_.layout().equation(loss.node.value, static_cast<int>(loss.dof))] < 0.0)
-            mode.shape = -mode.shape;
-        if (loss.node.value >= assembly.reported_nodes)
-            loss.node = detail::nearest_reported(assembly, loss.node);
-        return loss;
-    }
-
-    /// Among the nodes [first, last); an invalid node if none of them moves.
-    [[nodiscard]] StabilityLoss largest_component_of(const detail::LowestMode& mode, std::ptrdiff_t first,
-                                                     std::ptrdiff_t last) const {
-        constexpr double kNoMove = 1e-9;
-        StabilityLoss loss;
-        double largest = kNoMove * system_.largest_component(mode.shape);
-        for (auto node = static_cast<int>(first); node < static_cast<int>(last); ++node) {
-            for (int d = 0; d < kDofsPerNode; ++d) {
-                const int equation = system_.layout().equation(node, d);
-                if (equation < 0) continue;
-                const double size = std::abs(mode.shape[equation]) * std::sqrt(system_.weights()[equation]);
-                if (size <= largest) continue;
-                largest = size;
-                loss.node = NodeIndex(node);
-                loss.dof = static_cast<Dof>(d);
-            }
-        }
-        return loss;
     }
 
     /// Newton's method may find an equilibrium on a far branch, to which the structure would snap.

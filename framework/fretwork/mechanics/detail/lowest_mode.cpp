@@ -34,6 +34,26 @@ double shift_to_definite(Newton& newton, double first) {
     return shift;
 }
 
+/// Among the nodes [first, last); an invalid node if none of them moves.
+StabilityLoss largest_component_of(const NonlinearSystem& system, const LowestMode& mode,
+                                   std::ptrdiff_t first, std::ptrdiff_t last) {
+    constexpr double kNoMove = 1e-9;
+    StabilityLoss loss;
+    double largest = kNoMove * system.largest_component(mode.shape);
+    for (auto node = static_cast<int>(first); node < static_cast<int>(last); ++node) {
+        for (int d = 0; d < kDofsPerNode; ++d) {
+            const int equation = system.layout().equation(node, d);
+            if (equation < 0) continue;
+            const double size = std::abs(mode.shape[equation]) * std::sqrt(system.weights()[equation]);
+            if (size <= largest) continue;
+            largest = size;
+            loss.node = NodeIndex(node);
+            loss.dof = static_cast<Dof>(d);
+        }
+    }
+    return loss;
+}
+
 }  // namespace
 
 double rounding_shift(const NonlinearSystem& system) {
@@ -57,6 +77,17 @@ LowestMode lowest_mode(const NonlinearSystem& system, Newton& newton) {
     Eigen::Index largest = 0;
     x.cwiseProduct(system.weights().cwiseSqrt()).cwiseAbs().maxCoeff(&largest);
     return {eigenvalue, x / (x[largest] * std::sqrt(system.weights()[largest]))};
+}
+
+StabilityLoss describe_loss(const NonlinearSystem& system, LowestMode& mode) {
+    const Assembly& assembly = system.assembly();
+    StabilityLoss loss = largest_component_of(system, mode, 0, assembly.reported_nodes);
+    if (!loss.node.is_valid())
+        loss = largest_component_of(system, mode, assembly.reported_nodes, std::ssize(assembly.nodes));
+    if (mode.shape[system.layout().equation(loss.node.value, static_cast<int>(loss.dof))] < 0.0)
+        mode.shape = -mode.shape;
+    if (loss.node.value >= assembly.reported_nodes) loss.node = nearest_reported(assembly, loss.node);
+    return loss;
 }
 
 Termination descend(double load_factor, NonlinearSystem& system, Newton& newton,

@@ -20,6 +20,10 @@ double rounding_shift(const NonlinearSystem& system);
 /// Leaves the shifted tangent factorized.
 LowestMode lowest_mode(const NonlinearSystem& system, Newton& newton);
 
+/// Names a mode in which stability is lost by its largest component, preferably of a reported node, and turns
+/// it so that this is positive. The load factor is left open.
+StabilityLoss describe_loss(const NonlinearSystem& system, LowestMode& mode);
+
 /// Go downhill from a configuration to an equilibrium that is stable, or neutral, as all those around an axis
 /// in which a round column buckles, under this load factor: Newton's steps where the
 /// tangent is positive definite, elsewhere steps with the tangent shifted until it is. On Converged the
