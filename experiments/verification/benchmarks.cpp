@@ -175,8 +175,9 @@ void helix_rows() {
     const auto path = path_of(helix_cantilever(160), 200);
     row("helix, a tenth of the load", "tip, z", -1.09173, path[19].displacements(1, 2));
     row("helix, full load", "tip, x", -9.99520, path[199].displacements(1, 0));
-    std::printf("| helix, full load | tip, z (of a length of 10) | -0.07644 | %.5f | |\n",
-                path[199].displacements(1, 2));
+    row("helix, full load", "tip, z, 160 divisions", -0.07644, path[199].displacements(1, 2));
+    row("helix, full load", "tip, z, 320 divisions", -0.07644,
+        path_of(helix_cantilever(320), 200).back().displacements(1, 2));
 }
 
 Panel convergence() {

@@ -58,11 +58,12 @@ TEST(Benchmark, AMomentWindsACantileverIntoAHelix) {
     for (int k = 1; k <= 200; ++k) factors.push_back(k / 200.0);
     const auto path = follow_load_path(assemble(verification::helix_cantilever(160)), factors);
     const Vector3d tenth = path[19].displacements.row(1).head<3>();
-    EXPECT_LT((tenth - Vector3d(-9.58980, 0.05377, -1.09173)).norm(), 3e-5) << tenth.transpose();
-    // At full load each element turns by 22 degrees, and with shear the order is two.
+    EXPECT_LT((tenth - Vector3d(-9.58980, 0.05377, -1.09173)).norm(), 1e-5) << tenth.transpose();
+    // At full load each element turns by 22 degrees, and with shear the order is two: four times as much is
+    // off with 80 elements, a fourth with 320. Shear angles are far from small here, as nowhere else.
     const Vector3d full = path[199].displacements.row(1).head<3>();
     ASSERT_TRUE(path[199].converged());
-    EXPECT_LT((full - Vector3d(-9.99520, 0.00007, -0.07644)).norm(), 0.02) << full.transpose();
+    EXPECT_LT((full - Vector3d(-9.99520, 0.00007, -0.07644)).norm(), 6e-4) << full.transpose();
 }
 
 }  // namespace

@@ -28,8 +28,8 @@ BeamEnergy::BeamEnergy(const Stiffness& s, double length) {
     bow_shortening_ = kThird * length;
     sway2_shortening_ = (0.2 - f2 * f2) * k2 * k2 * length;
     sway3_shortening_ = (0.2 - f3 * f3) * k3 * k3 * length;
-    shear2_ = 0.5 * f2 * k2;
-    shear3_ = 0.5 * f3 * k3;
+    shear2_ = f2 * k2;
+    shear3_ = f3 * k3;
     twist2_ = 2.0 * k2;
     twist3_ = 2.0 * k3;
 }
@@ -40,8 +40,11 @@ BeamVector BeamEnergy::strains(const BeamVector& d) const {
         0.5 * (bow_shortening_ * (d[kBow2] * d[kBow2] + d[kBow3] * d[kBow3]) +
                sway2_shortening_ * d[kSway2] * d[kSway2] + sway3_shortening_ * d[kSway3] * d[kSway3]);
     const double square = kTwelfth * d[kTwist] * d[kTwist];
-    e[kBow2] += square * d[kBow2] + shear3_ * d[kTwist] * d[kSway3];
-    e[kBow3] += square * d[kBow3] - shear2_ * d[kTwist] * d[kSway2];
+    const double g2 = shear2_ * d[kSway2];
+    const double g3 = shear3_ * d[kSway3];
+    const double across = g3 * d[kBow2] - g2 * d[kBow3];  // of the bow, to the shear angle
+    e[kBow2] += square * d[kBow2] + (kThird * across + 0.5 * d[kTwist]) * g3;
+    e[kBow3] += square * d[kBow3] - (kThird * across + 0.5 * d[kTwist]) * g2;
     e[kSway2] += kThird * d[kTwist] * d[kBow3];
     e[kSway3] -= kThird * d[kTwist] * d[kBow2];
     e[kTwist] *= twist_share(d);
@@ -59,11 +62,19 @@ BeamMatrix BeamEnergy::strain_slopes(const BeamVector& d) const {
     const double square = kTwelfth * d[kTwist] * d[kTwist];
     const double share = twist_share(d);
     const double loss = -2.0 * d[kTwist] * share * share;
-    s(kBow2, kBow2) = s(kBow3, kBow3) = 1.0 + square;
-    s(kBow2, kTwist) = 2.0 * kTwelfth * d[kTwist] * d[kBow2] + shear3_ * d[kSway3];
-    s(kBow2, kSway3) = shear3_ * d[kTwist];
-    s(kBow3, kTwist) = 2.0 * kTwelfth * d[kTwist] * d[kBow3] - shear2_ * d[kSway2];
-    s(kBow3, kSway2) = -shear2_ * d[kTwist];
+    const double g2 = shear2_ * d[kSway2];
+    const double g3 = shear3_ * d[kSway3];
+    const double across = g3 * d[kBow2] - g2 * d[kBow3];
+    const double turn = kThird * across + 0.5 * d[kTwist];
+    s(kBow2, kBow2) = 1.0 + square + kThird * g3 * g3;
+    s(kBow3, kBow3) = 1.0 + square + kThird * g2 * g2;
+    s(kBow2, kBow3) = s(kBow3, kBow2) = -kThird * g2 * g3;
+    s(kBow2, kTwist) = 2.0 * kTwelfth * d[kTwist] * d[kBow2] + 0.5 * g3;
+    s(kBow2, kSway2) = -kThird * shear2_ * d[kBow3] * g3;
+    s(kBow2, kSway3) = shear3_ * (turn + kThird * d[kBow2] * g3);
+    s(kBow3, kTwist) = 2.0 * kTwelfth * d[kTwist] * d[kBow3] - 0.5 * g2;
+    s(kBow3, kSway2) = -shear2_ * (turn - kThird * d[kBow3] * g2);
+    s(kBow3, kSway3) = -kThird * shear3_ * d[kBow2] * g2;
     s(kSway2, kTwist) = kThird * d[kBow3];
     s(kSway2, kBow3) = kThird * d[kTwist];
     s(kSway3, kTwist) = -kThird * d[kBow2];
@@ -103,6 +114,27 @@ void BeamEnergy::add_helix_terms(const BeamVector& d, const BeamVector& stress, 
     h(kTwist, kTwist) += 2.0 * kTwelfth * bow.dot(bow_stress);
 }
 
+/// The same of those with two shear angles: (stress2 g3 - stress3 g2) (g3 bow2 - g2 bow3) / 3.
+void BeamEnergy::add_shear_terms(const BeamVector& d, const BeamVector& stress, BeamMatrix& h) const {
+    if (shear2_ == 0.0 && shear3_ == 0.0) return;
+    const double g2 = shear2_ * d[kSway2];
+    const double g3 = shear3_ * d[kSway3];
+    BeamVector stress_slope = BeamVector::Zero();  // of stress2 g3 - stress3 g2
+    stress_slope[kSway2] = -stress[kBow3] * shear2_;
+    stress_slope[kSway3] = stress[kBow2] * shear3_;
+    BeamVector across_slope = BeamVector::Zero();
+    across_slope[kBow2] = g3;
+    across_slope[kBow3] = -g2;
+    across_slope[kSway2] = -shear2_ * d[kBow3];
+    across_slope[kSway3] = shear3_ * d[kBow2];
+    h += kThird * (stress_slope * across_slope.transpose() + across_slope * stress_slope.transpose());
+    const double stress_across = stress[kBow2] * g3 - stress[kBow3] * g2;
+    h(kBow2, kSway3) += kThird * stress_across * shear3_;
+    h(kSway3, kBow2) += kThird * stress_across * shear3_;
+    h(kBow3, kSway2) -= kThird * stress_across * shear2_;
+    h(kSway2, kBow3) -= kThird * stress_across * shear2_;
+}
+
 BeamMatrix BeamEnergy::hessian(const BeamVector& d, const State& state) const {
     const BeamVector& stress = state.stress;
     const BeamMatrix scaled = stiffness_.asDiagonal() * state.strain_slopes;
@@ -116,8 +148,9 @@ BeamMatrix BeamEnergy::hessian(const BeamVector& d, const State& state) const {
         h(j, i) += coefficient;
     };
     add_helix_terms(d, stress, h);
-    add_product(kTwist, kSway3, stress[kBow2] * shear3_);
-    add_product(kTwist, kSway2, -stress[kBow3] * shear2_);
+    add_shear_terms(d, stress, h);
+    add_product(kTwist, kSway3, 0.5 * stress[kBow2] * shear3_);
+    add_product(kTwist, kSway2, -0.5 * stress[kBow3] * shear2_);
     add_product(kTwist, kBow3, stress[kSway2] * kThird);
     add_product(kTwist, kBow2, -stress[kSway3] * kThird);
     add_product(kBow2, kSway3, stress[kTwist] * twist3_);

@@ -21,18 +21,20 @@ using BeamMatrix = Eigen::Matrix<double, kBeamDeformations, kBeamDeformations>;
 /// generalized strains. A strain is the deformation of the same name plus products of others:
 ///
 ///   axial  (e / L + ((bow2^2 + bow3^2) / 3 + q2 sway2^2 + q3 sway3^2) / 2) L    bending shortens the chord
-///   bow2   (1 + twist^2 / 12) bow2 + f3 k3 twist sway3 / 2
-///   bow3   (1 + twist^2 / 12) bow3 - f2 k2 twist sway2 / 2
+///   bow2   (1 + twist^2 / 12 + g3^2 / 3) bow2 - g2 g3 bow3 / 3 + twist g3 / 2
+///   bow3   (1 + twist^2 / 12 + g2^2 / 3) bow3 - g2 g3 bow2 / 3 - twist g2 / 2
 ///   sway2  + twist bow3 / 3                                          twist turns the plane of bending
 ///   sway3  - twist bow2 / 3
 ///   twist  / (1 + bow2^2 + bow3^2) + 2 (k3 bow2 sway3 - k2 bow3 sway2)    bending in two planes twists
 ///
-/// with the shear ratios f2 = 12 E I2 / (G As3 L^2), f3 = 12 E I3 / (G As2 L^2), k = 1 / (1 + f) and
-/// q = (1/5 - f^2) k^2. The products of two follow from minimizing the energy of the geometrically exact
-/// (Simo-Reissner) rod over all shapes between given ends; those of three make the strains of a helix, to
-/// which every piece of a rod tends under refinement, right to fourth order. Written as squares, the energy
-/// is never negative. The error falls with the fourth power of the length in a plane, and in space for
-/// sections that bend equally about both axes; otherwise, and with shear, with the second.
+/// with the shear ratios f2 = 12 E I2 / (G As3 L^2), f3 = 12 E I3 / (G As2 L^2), k = 1 / (1 + f),
+/// q = (1/5 - f^2) k^2 and the shear angles g = f k sway. The products of two follow from minimizing the
+/// energy of the geometrically exact (Simo-Reissner) rod over all shapes between given ends; those of three
+/// make the strains of a helix, to which every piece of a rod tends under refinement, right to fourth order,
+/// and those of a rod whose sections stand at a shear angle to it: refinement does not make that angle small.
+/// Written as squares, the energy is never negative. The error falls with the fourth power of the length in a
+/// plane, and in space for sections that bend equally about both axes; otherwise, and with shear, with the
+/// second.
 class BeamEnergy {
   public:
     /// The stiffness of a beam of length `length`. Stiffnesses in N and N m^2, flexibilities in 1/N.
@@ -62,11 +64,12 @@ class BeamEnergy {
     [[nodiscard]] BeamVector strains(const BeamVector& d) const;
     [[nodiscard]] BeamMatrix strain_slopes(const BeamVector& d) const;
     static void add_helix_terms(const BeamVector& d, const BeamVector& stress, BeamMatrix& h);
+    void add_shear_terms(const BeamVector& d, const BeamVector& stress, BeamMatrix& h) const;
 
     BeamVector stiffness_;
     // Coefficients of the products in the strains.
     double bow_shortening_, sway2_shortening_, sway3_shortening_;
-    double shear2_, shear3_;
+    double shear2_, shear3_;  ///< f k: how much of the sway is shear
     double twist2_, twist3_;
 };
 
