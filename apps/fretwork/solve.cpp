@@ -124,6 +124,15 @@ Solved solve(const mechanics::LabelledFrame& input, const Wishes& wishes) {
     return {std::move(assembly), std::move(result)};
 }
 
+/// What a solver finds is said with the file.
+Solved solve_file(const mechanics::LabelledFrame& input, const Wishes& wishes) {
+    try {
+        return solve(input, wishes);
+    } catch (const base::NumericalError& error) {
+        throw base::NumericalError(wishes.frame + ": " + error.what());
+    }
+}
+
 /// Options that one solver alone looks at: with another they are a misunderstanding.
 void refuse_ignored_options(const CLI::App& verb, const std::string& solver) {
     if (verb.count("--threads") > 0 && solver == "dynamic-relaxation")
@@ -142,7 +151,7 @@ void refuse_ignored_options(const CLI::App& verb, const std::string& solver) {
 ExitCode run(const Wishes& wishes) {
     check_outputs({wishes.frame}, {wishes.out, wishes.vtu, wishes.deck});
     const mechanics::LabelledFrame input = read(wishes.frame);
-    const auto [assembly, result] = solve(input, wishes);
+    const auto [assembly, result] = solve_file(input, wishes);
     base::FileBatch files;
     files.add(wishes.out, mechanics::result_text(result));
     if (!wishes.deck.empty()) files.add(wishes.deck, mechanics::calculix_text(input.frame));

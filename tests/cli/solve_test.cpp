@@ -62,6 +62,18 @@ TEST_F(Solve, NamesTheNodesOfADeckByTheirLabels) {
     EXPECT_THAT(outcome.err, HasSubstr("node 22 is prescribed to turn by 4"));
 }
 
+TEST_F(Solve, NamesTheFileOfAMechanism) {
+    folder_.file("loose.json", R"({"format": "fretwork/frame/1", "nodes": [[0, 0, 0], [0, 0, 1], [0, 0, 2]],
+        "materials": {"m": {"young_modulus": 1e9, "poisson_ratio": 0.3}},
+        "sections": {"s": {"type": "rectangle", "width": 0.01, "height": 0.02}},
+        "beams": [{"nodes": [0, 1], "section": "s", "material": "m"},
+                  {"nodes": [1, 2], "section": "s", "material": "m", "releases": [{"end": 0, "free": ["ry"]}]}],
+        "supports": [{"node": 0, "fixed": ["ux", "uy", "uz", "rx", "ry", "rz"]}]})");
+    const auto outcome = run_command("fretwork solve loose.json --out r.json", folder_.path());
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_THAT(outcome.err, HasSubstr("loose.json: the structure, as held, can move without strain at "));
+}
+
 TEST_F(Solve, WritesModesForParaView) {
     run("--solver linear --modes 2 --vtu r.vtu");
     const std::string file = base::read_text_file(folder_.path() / "r.vtu");
