@@ -11,6 +11,7 @@
 #include <list>
 #include <map>
 #include <set>
+#include <utility>
 
 namespace fretwork::mechanics {
 namespace {
@@ -193,20 +194,23 @@ class Reader {
         history_.begin_step();
     }
 
+    /// The first and the last component that a line of *BOUNDARY holds.
+    [[nodiscard]] std::pair<int, int> held_range(std::size_t line, const detail::Words& words) const {
+        if (words[1] == "ENCASTRE") return {0, 5};
+        if (words[1] == "PINNED") return {0, 2};
+        const int first = dof(line, words[1]);
+        const int last = words.size() > 2 && !words[2].empty() ? dof(line, words[2]) : first;
+        if (last < first) deck_.fail(line, "ends with degree of freedom " + words[2] + ", before its first");
+        return {first, last};
+    }
+
     void read_boundary(const Card& card) {
         deck_.allow_only(card, {"OP", "TYPE"});
         deck_.require_choice(card, "TYPE", {"DISPLACEMENT"});
         history_.begin_boundary(operation_of(card));
         for (const auto& [line, words] : card.lines) {
             if (words.size() < 2) deck_.fail(line, "needs a node or set and a degree of freedom");
-            const bool encastre = words[1] == "ENCASTRE";
-            const int first = encastre ? 0 : words[1] == "PINNED" ? 0 : dof(line, words[1]);
-            const int last = encastre                                ? 5
-                             : words[1] == "PINNED"                  ? 2
-                             : words.size() > 2 && !words[2].empty() ? dof(line, words[2])
-                                                                     : first;
-            if (last < first)
-                deck_.fail(line, "ends with degree of freedom " + words[2] + ", before its first");
+            const auto [first, last] = held_range(line, words);
             const double value = words.size() > 3 && !words[3].empty() ? deck_.number(line, words[3]) : 0.0;
             for (const NodeIndex index : nodes_named(line, words[0])) {
                 for (int d = first; d <= last; ++d) history_.hold(index, static_cast<Dof>(d), value);

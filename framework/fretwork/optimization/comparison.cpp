@@ -203,7 +203,7 @@ ComparisonTable::ComparisonTable(std::string_view text, const std::string& sourc
         const auto cells = base::split(lines[i], ',');
         if (const std::string fault = row_fault(cells); !fault.empty())
             throw base::InputError(source, place, fault);
-        const RunKey key{cells[0], cells[1], *base::read_number<int>(cells[2])};
+        const RunKey key{cells[0], cells[1], base::read_number<int>(cells[2]).value_or(0)};
         if (const std::string other = other_condition(cells, key, options, contenders); !other.empty())
             throw base::InputError(
                 source, place,

@@ -6,6 +6,8 @@ namespace fretwork::mechanics::detail {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
+constexpr Eigen::Index kBeamDofs = Eigen::Index{2} * kDofsPerNode;
+
 HingedElement::HingedEnd HingedElement::compose(const Matrix3d& axes, const NodeState& node,
                                                 const NodeState& hinge) {
     HingedEnd end;
@@ -20,19 +22,19 @@ HingedElement::HingedEnd HingedElement::compose(const Matrix3d& axes, const Node
 
 HingedElement::HingedElement(std::unique_ptr<const BeamElement> beam, const std::array<NodeIndex, 2>& hinges)
     : beam_(std::move(beam)), nodes_(beam_->nodes().begin(), beam_->nodes().end()) {
-    for (int end = 0; end < 2; ++end) {
+    for (Eigen::Index end = 0; end < 2; ++end) {
         if (!hinges[static_cast<std::size_t>(end)].is_valid()) continue;
-        hinges_.push_back({end, static_cast<int>(nodes_.size())});
+        hinges_.push_back({end, std::ssize(nodes_)});
         nodes_.push_back(hinges[static_cast<std::size_t>(end)]);
     }
 }
 
 /// From the small motions of this element's nodes to those of the beam's ends.
 Eigen::MatrixXd HingedElement::rest_map() const {
-    Eigen::MatrixXd map = Eigen::MatrixXd::Zero(2 * kDofsPerNode, size());
-    map.leftCols(2 * kDofsPerNode).setIdentity();
+    Eigen::MatrixXd map = Eigen::MatrixXd::Zero(kBeamDofs, size());
+    map.leftCols(kBeamDofs).setIdentity();
     for (const Hinge& hinge : hinges_) {
-        for (int part = 0; part < 2; ++part)
+        for (Eigen::Index part = 0; part < 2; ++part)
             map.block<3, 3>(6 * hinge.end + 3 * part, 6 * hinge.slot + 3 * part) = beam_->geometry().axes;
     }
     return map;
@@ -63,7 +65,7 @@ void HingedElement::evaluate(std::span<const NodeState> states, Demand demand,
         hinged[end] = compose(axes, states[end], states[static_cast<std::size_t>(hinge.slot)]);
         ends[end] = hinged[end].state;
         map.block<3, 3>(6 * hinge.end, 6 * hinge.end + 3) = -cross_matrix(hinged[end].arm);
-        for (int part = 0; part < 2; ++part)
+        for (Eigen::Index part = 0; part < 2; ++part)
             map.block<3, 3>(6 * hinge.end + 3 * part, 6 * hinge.slot + 3 * part) = hinged[end].turned_axes;
     }
     ElementResponse own;
@@ -106,8 +108,8 @@ void HingedElement::add_hinge_curvature(const Eigen::VectorXd& force, const std:
         const Vector3d moment = force.segment<3>(6 * hinge.end + 3);
         const Matrix3d& turned = hinged[end].turned_axes;
         const Vector3d& arm = hinged[end].arm;
-        const int spin = 6 * hinge.end + 3;
-        const int slide = 6 * hinge.slot;
+        const Eigen::Index spin = 6 * hinge.end + 3;
+        const Eigen::Index slide = 6 * hinge.slot;
         // Second order of exp(w) (arm + s) and of exp(w) exp(h), whose commutator is w x h / 2.
         Matrix3d lever = 0.5 * (pull * arm.transpose() + arm * pull.transpose());
         lever.diagonal().array() -= pull.dot(arm);

@@ -25,8 +25,8 @@ class HingedElement final : public Element {
 
   private:
     struct Hinge {
-        int end;   ///< 0 or 1
-        int slot;  ///< its place in nodes_
+        Eigen::Index end;   ///< 0 or 1
+        Eigen::Index slot;  ///< its place in nodes_
     };
     /// The state of a beam's end behind a hinge, and what its derivatives need.
     struct HingedEnd {

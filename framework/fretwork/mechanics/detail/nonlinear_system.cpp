@@ -167,7 +167,7 @@ void NonlinearSystem::add_moment_terms(const Configuration& configuration, doubl
 /// The skew part of the tangent that a node's applied moment leaves.
 Eigen::Matrix3d NonlinearSystem::skew_of_moment(int node, double load_factor) const {
     const Eigen::Vector3d moment = load_factor * assembly().loads.row(node).tail<3>().transpose();
-    const Eigen::Matrix3d skew = -0.5 * cross_matrix(moment);
+    Eigen::Matrix3d skew = -0.5 * cross_matrix(moment);
     const int slot = vector_slot(node);
     if (slot < 0) return skew;
     return spin_maps_[at(slot)].transpose() * skew * spin_maps_[at(slot)];
