@@ -126,7 +126,8 @@ class LoadPath {
         twist_bound_ = twist_bound;
         outcome_ = outcome;
         if (newton_.has_neutral()) {
-            begin_anew();
+            newton_.set_neutral(lowest_mode_here().shape, detail::rounding_shift(system_));
+            predict_anew();
         } else {
             predictor_.add(factor_, configuration_, rate_);
         }
@@ -149,18 +150,21 @@ class LoadPath {
     /// the unstable one resisted before: a symmetry turns the buckled shape about an axis.
     void begin_branch(double unstable_eigenvalue) {
         newton_.set_neutral({}, 0.0);
-        system_.evaluate(configuration_, factor_);
-        const detail::LowestMode mode = detail::lowest_mode(system_, newton_);
+        const detail::LowestMode mode = lowest_mode_here();
         if (mode.eigenvalue < kNeutral * std::abs(unstable_eigenvalue))
             newton_.set_neutral(mode.shape, detail::rounding_shift(system_));
-        begin_anew();
+        predict_anew();
     }
 
-    /// Each step has its own neutral direction; moves and rates are measured against it.
-    void begin_anew() {
+    /// Of the last equilibrium, at which the system is evaluated.
+    detail::LowestMode lowest_mode_here() {
         system_.evaluate(configuration_, factor_);
-        if (newton_.has_neutral())
-            newton_.set_neutral(detail::lowest_mode(system_, newton_).shape, detail::rounding_shift(system_));
+        return detail::lowest_mode(system_, newton_);
+    }
+
+    /// Each step has its own neutral direction; moves and rates are measured against it. The system is
+    /// evaluated at the last equilibrium.
+    void predict_anew() {
         (void)newton_.factorize();
         rate_ = newton_.solve_tangent(system_.load_rate());
         predictor_.restart();
@@ -202,8 +206,7 @@ class LoadPath {
     /// position, halving the weight of an end that stays (the Illinois rule).
     [[nodiscard]] double critical_factor(Lowest unstable, const Eigen::VectorXd& move) {
         const double span = unstable.factor - factor_;
-        system_.evaluate(configuration_, factor_);
-        Lowest stable{factor_, detail::lowest_mode(system_, newton_).eigenvalue};
+        Lowest stable{factor_, lowest_mode_here().eigenvalue};
         int side = 0;
         for (int i = 0;
              i < kCriticalSteps && unstable.factor - stable.factor > kCriticalWidth * unstable.factor; ++i) {

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace fretwork::mechanics {
 namespace {
@@ -21,6 +22,14 @@ double largest_entry(const Eigen::Ref<const MatrixXd>& values) {
     Eigen::Index column = 0;
     values.cwiseAbs().maxCoeff(&row, &column);
     return values(row, column);
+}
+
+/// The factor of the stiffness of a structure at rest, which must not be a mechanism.
+detail::Ldlt factorize_at_rest(const detail::NonlinearSystem& system) {
+    detail::Ldlt factors(system.layout());
+    const auto outcome = factors.factorize(system.tangent());
+    detail::refuse_mechanisms(system.assembly(), system.layout(), system.tangent(), factors, outcome);
+    return factors;
 }
 
 Mode make_mode(const detail::NonlinearSystem& system, double value, const VectorXd& vector) {
@@ -82,7 +91,9 @@ std::vector<Mode> vibration_modes(const Assembly& assembly, int count) {
     check_count(count);
     detail::NonlinearSystem system(assembly);
     system.evaluate(system.rest(), 0.0);
-    const auto pairs = detail::SubspaceIteration(system, mass_values(system)).largest(count);
+    std::vector<double> masses = mass_values(system);
+    const auto pairs =
+        detail::SubspaceIteration(system, factorize_at_rest(system), std::move(masses)).largest(count);
     std::vector<Mode> modes;
     for (Eigen::Index i = 0; i < pairs.values.size(); ++i) {
         if (pairs.values[i] <= 0.0) break;
@@ -96,12 +107,11 @@ std::vector<Mode> buckling_modes(const Assembly& assembly, int count) {
     check_count(count);
     detail::NonlinearSystem system(assembly);
     system.evaluate(system.rest(), 0.0);
-    detail::Ldlt factors(system.layout());
-    const auto outcome = factors.factorize(system.tangent());
-    detail::refuse_mechanisms(assembly, system.layout(), system.tangent(), factors, outcome);
+    detail::Ldlt factors = factorize_at_rest(system);
     VectorXd rate = system.load_rate();
     factors.solve(rate);
-    const auto pairs = detail::SubspaceIteration(system, softening(system, rate)).largest_positive(count);
+    const auto pairs = detail::SubspaceIteration(system, std::move(factors), softening(system, rate))
+                           .largest_positive(count);
     std::vector<Mode> modes;
     for (Eigen::Index i = 0; i < pairs.values.size(); ++i)
         modes.push_back(make_mode(system, 1.0 / pairs.values[i], pairs.vectors.col(i)));

@@ -11,6 +11,9 @@ namespace {
 constexpr int kMostIterations = 300;
 constexpr double kTolerance = 1e-10;
 
+/// Of the mean stiffness: some hundred roundings of it.
+constexpr double kRoundingShift = 1e-13;
+
 /// A downhill step away from an unstable equilibrium turns no node by more than this, rad.
 constexpr double kDownhillStep = 0.1;
 constexpr int kMostDownhillSteps = 400;
@@ -24,8 +27,6 @@ double mean_stiffness(const NonlinearSystem& system) {
     }
     return sum / std::max(system.equations(), 1);
 }
-
-constexpr double kRoundingShift = 1e-13;
 
 /// The least of the shifts `first`, 4 `first`, .. that makes the tangent positive definite; it is factorized.
 double shift_to_definite(Newton& newton, double first) {

@@ -2,7 +2,6 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/mechanics/detail/arbitrary.hpp>
-#include <fretwork/mechanics/detail/mechanism.hpp>
 #include <fretwork/mechanics/detail/subspace_iteration.hpp>
 
 #include <Eigen/Eigenvalues>
@@ -68,14 +67,12 @@ class Settling {
 
 }  // namespace
 
-SubspaceIteration::SubspaceIteration(const NonlinearSystem& rest_system, std::vector<double> operand)
+SubspaceIteration::SubspaceIteration(const NonlinearSystem& rest_system, Ldlt factors,
+                                     std::vector<double> operand)
     : layout_(rest_system.layout()),
       stiffness_(rest_system.tangent().begin(), rest_system.tangent().end()),
       operand_(std::move(operand)),
-      factors_(layout_) {
-    factorize_shifted(0.0);
-    refuse_mechanisms(rest_system.assembly(), layout_, stiffness_, factors_, outcome_);
-}
+      factors_(std::move(factors)) {}
 
 SubspaceIteration::Pairs SubspaceIteration::largest(int count) {
     factorize_shifted(0.0);

@@ -19,8 +19,8 @@ class SubspaceIteration {
     };
 
     /// @param rest_system  evaluated at rest
-    /// Throws NumericalError that names a node if the structure can move without strain.
-    SubspaceIteration(const NonlinearSystem& rest_system, std::vector<double> operand);
+    /// @param factors      of its tangent, which is positive definite
+    SubspaceIteration(const NonlinearSystem& rest_system, Ldlt factors, std::vector<double> operand);
 
     /// The `count` eigenvalues of largest size, largest first; fewer if there are fewer equations.
     Pairs largest(int count);
