@@ -17,7 +17,7 @@ class Progress {
     virtual void start(std::string_view task, std::size_t total) = 0;
     /// `done` of the steps are done.
     virtual void update(std::size_t done) = 0;
-    /// The task is over; the line is the person's again.
+    /// The task is over: ends the progress line.
     virtual void finish() = 0;
 };
 

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/base/error.hpp>
+#include <fretwork/base/progress.hpp>
+
+#include <stop_token>
+
+namespace fretwork::base {
+
+/// Long work was asked to stop, and did: no result, and nothing half-written.
+class Stopped : public Error {
+  public:
+    Stopped() : Error("stopped before it was done") {}
+};
+
+/// How a caller follows long work and ends it. Part of the options of everything that may take longer than a
+/// tenth of a second.
+struct Control {
+    std::stop_token stop{};        ///< looked at at least every 50 ms; the default never asks to stop
+    Progress* progress = nullptr;  ///< told how far the work is; null: nobody listens. Not owned.
+
+    /// Throws Stopped if the caller has asked to stop. Cheap enough for every iteration of a solver.
+    void check() const {
+        if (stop.stop_requested()) throw Stopped();
+    }
+};
+
+}  // namespace fretwork::base
