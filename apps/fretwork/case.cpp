@@ -4,6 +4,7 @@
 
 #include <fretwork/base/detail/json_text.hpp>
 #include <fretwork/base/error.hpp>
+#include <fretwork/base/file_lock.hpp>
 #include <fretwork/simulation/conditions.hpp>
 #include <fretwork/simulation/project.hpp>
 #include <fretwork/simulation/surface.hpp>
@@ -31,6 +32,7 @@ void check_on(const Project& project, const LoadCase& load_case) {
 }
 
 void add_to_project(const Options& options) {
+    const base::FileLock lock(options.project);
     Project project = simulation::read_project(options.project);
     LoadCase load_case = simulation::read_load_case(options.file);
     check_on(project, load_case);
