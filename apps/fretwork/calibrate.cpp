@@ -49,6 +49,7 @@ struct Result {
     FillReport report{};
     CalibrationStatistics statistics{};
     double seconds = 0.0;
+    bool is_stopped = false;
 };
 
 void adopt_wished_setting(Library& library, const Wishes& wishes) {
@@ -87,7 +88,7 @@ void print_json(const Result& result) {
                            {"open", result.report.open},
                            {"done", result.report.done},
                            {"failed", result.report.failed},
-                           {"interrupted", is_interrupted()},
+                           {"interrupted", result.is_stopped},
                            {"calibrated", s.calibrated},
                            {"objective_mean", s.mean},
                            {"objective_standard_deviation", s.deviation},
@@ -101,7 +102,9 @@ void print_json(const Result& result) {
     std::fputs(base::detail::json_text(document).c_str(), stdout);
 }
 
-ExitCode calibrate(const Wishes& wishes) {
+ExitCode calibrate(Wishes wishes) {
+    LongWork work;
+    wishes.fill.should_stop = [&work] { return work.is_stopped(); };
     wishes.fill.validate();
     auto library = Library::open(wishes.library_path, library::Access::ReadWrite);
     adopt_wished_setting(library, wishes);
@@ -109,15 +112,12 @@ ExitCode calibrate(const Wishes& wishes) {
     if (wishes.retry) library.forget_failures();
     Result result{.key = wishes.fill.key(), .policy = branch_name(library.setting().branch)};
     const auto start = std::chrono::steady_clock::now();
-    {
-        const InterruptGuard guard;
-        base::TerminalProgress progress;
-        result.report = library::fill(library, patterns, wishes.fill, progress);
-    }
+    result.report = library::fill(library, patterns, wishes.fill, *work.control().progress);
+    result.is_stopped = work.is_stopped();
     result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     result.statistics = library::calibration_statistics(library, patterns, result.key);
     wishes.json ? print_json(result) : print_text(result);
-    if (is_interrupted())
+    if (result.is_stopped)
         std::fputs("fretwork: interrupted; what is done is stored, run again to go on\n", stderr);
     return result.report.done == result.report.open ? ExitCode::Done : ExitCode::DidNotSucceed;
 }
@@ -149,7 +149,6 @@ void add_method_options(CLI::App& verb, library::FillOptions& fill) {
 
 void add_calibrate(CLI::App& app, ExitCode& exit_code) {
     const auto wishes = std::make_shared<Wishes>();
-    wishes->fill.should_stop = is_interrupted;
     CLI::App* verb = app.add_subcommand(
         "calibrate", "Compute the responses of a library's patterns, and fit a reduced model to each.");
     verb->add_option("--library", wishes->library_path, "The library: patterns in, results out")->required();

@@ -174,9 +174,9 @@ ComparisonSummary run_comparison(const ComparisonPlan& plan, const std::filesyst
     ProblemStore store;
     TableWriter writer(std::move(table), path, tasks.size());
     std::atomic<std::size_t> left_out = 0;
-    const InterruptGuard guard;
+    const LongWork work;
     base::parallel_for(tasks.size(), plan.threads, [&](std::size_t i) {
-        if (is_interrupted()) {
+        if (work.is_stopped()) {
             ++left_out;
             return;
         }

@@ -1,33 +1,99 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "interrupt.hpp"
 
+#include <array>
 #include <atomic>
+#include <cerrno>
 #include <csignal>
+#include <cstdint>
+#include <ctime>
+#include <semaphore.h>
+#include <stop_token>
+#include <system_error>
+#include <thread>
 
 namespace fretwork::app {
 namespace {
 
-// Read by threads, written by a signal handler: both need it free of locks.
-std::atomic<bool> interrupted = false;
-static_assert(std::atomic<bool>::is_always_lock_free);
+// A signal handler may do little more than post a semaphore, so a thread waits for that and requests the
+// stop. Blocking the signals and waiting for them with sigwait would not do: libraries start threads of their
+// own before main, and a signal that one of those receives ends the program.
+sem_t signal_has_come;
 
-extern "C" void note_interrupt(int signal) {
-    interrupted = true;
-    std::signal(signal, SIG_DFL);
+/// When the first signal came, in nanoseconds; 0: none yet.
+std::atomic<std::int64_t> first_signal = 0;
+static_assert(std::atomic<std::int64_t>::is_always_lock_free);
+
+std::int64_t nanoseconds_now() {
+    timespec now{};
+    ::clock_gettime(CLOCK_MONOTONIC, &now);
+    return std::int64_t{1'000'000'000} * now.tv_sec + now.tv_nsec;
+}
+
+/// Programs such as timeout(1) signal a process and its group, which is twice within microseconds. A person
+/// needs longer to press Ctrl-C again.
+constexpr std::int64_t kLeastPause = 200'000'000;
+
+extern "C" void note_signal(int signal) {
+    const int error = errno;
+    const std::int64_t now = nanoseconds_now();
+    std::int64_t first = 0;
+    if (first_signal.compare_exchange_strong(first, now)) {
+        ::sem_post(&signal_has_come);
+    } else if (now - first > kLeastPause) {
+        std::signal(signal, SIG_DFL);
+        std::raise(signal);
+    }
+    errno = error;
 }
 
 }  // namespace
 
-bool is_interrupted() {
-    return interrupted;
+/// Turns the first signal into a request to stop.
+class LongWork::SignalWatch {
+  public:
+    SignalWatch() {
+        first_signal = 0;
+        ::sem_init(&signal_has_come, 0, 0);
+        try {
+            waiting_ = std::thread([this] {
+                while (::sem_wait(&signal_has_come) != 0) continue;
+                source_.request_stop();
+            });
+        } catch (const std::system_error&) {
+            return;  // The machine gives no more threads: a signal ends the program, as it does without this.
+        }
+        for (std::size_t i = 0; i < kSignals.size(); ++i)
+            handlers_[i] = std::signal(kSignals[i], note_signal);
+    }
+    ~SignalWatch() {
+        if (!waiting_.joinable()) return;
+        for (std::size_t i = 0; i < kSignals.size(); ++i) std::signal(kSignals[i], handlers_[i]);
+        ::sem_post(&signal_has_come);
+        waiting_.join();
+    }
+    SignalWatch(const SignalWatch&) = delete;
+    SignalWatch& operator=(const SignalWatch&) = delete;
+
+    [[nodiscard]] std::stop_token token() const { return source_.get_token(); }
+
+  private:
+    static constexpr std::array kSignals = {SIGINT, SIGTERM};
+    std::stop_source source_;
+    std::thread waiting_;
+    std::array<void (*)(int), kSignals.size()> handlers_{};
+};
+
+LongWork::LongWork() : watch_(std::make_unique<SignalWatch>()) {}
+
+LongWork::~LongWork() = default;
+
+base::Control LongWork::control() {
+    return {.stop = watch_->token(), .progress = &progress_};
 }
 
-InterruptGuard::InterruptGuard()
-    : int_(std::signal(SIGINT, note_interrupt)), term_(std::signal(SIGTERM, note_interrupt)) {}
-
-InterruptGuard::~InterruptGuard() {
-    std::signal(SIGINT, int_);
-    std::signal(SIGTERM, term_);
+bool LongWork::is_stopped() const {
+    return watch_->token().stop_requested();
 }
 
 }  // namespace fretwork::app

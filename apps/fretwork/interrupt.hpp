@@ -1,23 +1,33 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <fretwork/base/control.hpp>
+
+#include <memory>
+
 namespace fretwork::app {
 
-/// Whether Ctrl-C or a polite kill has come while an InterruptGuard lived.
-bool is_interrupted();
-
-/// Ctrl-C and a polite kill only set the flag as long as this lives: what has begun is finished, what is done
-/// is stored. A second Ctrl-C ends the program where it is.
-class InterruptGuard {
+/// Work that may take longer than a second. While it lives, Ctrl-C (SIGINT) or SIGTERM asks it to stop, and
+/// its progress is shown on the terminal (nothing in a pipe). A second Ctrl-C ends the program at once.
+///
+/// A verb hands `control()` to the options of whatever works for long. Who stops throws base::Stopped, which
+/// `main` reports with exit code 1, or returns what is done; `is_stopped` then tells why it is not all.
+/// One at a time.
+class LongWork {
   public:
-    InterruptGuard();
-    ~InterruptGuard();
-    InterruptGuard(const InterruptGuard&) = delete;
-    InterruptGuard& operator=(const InterruptGuard&) = delete;
+    LongWork();
+    ~LongWork();
+    LongWork(const LongWork&) = delete;
+    LongWork& operator=(const LongWork&) = delete;
+
+    /// Refers to this object, which must live as long as the work.
+    [[nodiscard]] base::Control control();
+    [[nodiscard]] bool is_stopped() const;
 
   private:
-    void (*int_)(int);
-    void (*term_)(int);
+    class SignalWatch;
+    std::unique_ptr<SignalWatch> watch_;
+    base::TerminalProgress progress_;
 };
 
 }  // namespace fretwork::app

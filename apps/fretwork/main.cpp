@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verbs.hpp"
 
+#include <fretwork/base/control.hpp>
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/provenance.hpp>
 #include <fretwork/base/text.hpp>
@@ -33,7 +34,7 @@ void complain(const std::string& message) {
     std::fprintf(stderr, "fretwork: %s\n", line.c_str());
 }
 
-/// A full disk shows itself at the last moment.
+/// fflush is where a full disk is reported.
 void flush_output() {
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
         throw base::IoError(std::string("the standard output cannot be written: ") + std::strerror(errno));
@@ -76,6 +77,9 @@ int main(int argc, char** argv) {
         const app::ExitCode exit_code = app::run(argc, argv);
         app::flush_output();
         return static_cast<int>(exit_code);
+    } catch (const base::Stopped& stopped) {
+        app::complain(stopped.what());
+        return static_cast<int>(app::ExitCode::DidNotSucceed);
     } catch (const base::Error& error) {
         app::complain(error.what());
     } catch (const std::bad_alloc&) {

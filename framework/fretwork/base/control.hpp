@@ -11,7 +11,7 @@ namespace fretwork::base {
 /// Long work was asked to stop, and did: no result, and nothing half-written.
 class Stopped : public Error {
   public:
-    Stopped() : Error("stopped before it was done") {}
+    Stopped() : Error("stopped before it was done; nothing is half-written") {}
 };
 
 /// How a caller follows long work and ends it. Part of the options of everything that may take longer than a

@@ -30,10 +30,14 @@ class SilentProgress final : public Progress {
 };
 
 /// One line on a terminal, redrawn in place: share, rate and the estimated rest. Silent where the stream is
-/// no terminal.
+/// no terminal, and for tasks that take less than half a second.
 class TerminalProgress final : public Progress {
   public:
     explicit TerminalProgress(std::FILE* stream = stderr);
+    /// Ends the line of a task that was left before its finish, by an exception.
+    ~TerminalProgress() override { end_line(); }
+    TerminalProgress(const TerminalProgress&) = delete;
+    TerminalProgress& operator=(const TerminalProgress&) = delete;
     void start(std::string_view task, std::size_t total) override;
     void update(std::size_t done) override;
     void finish() override;
@@ -41,9 +45,11 @@ class TerminalProgress final : public Progress {
   private:
     using Clock = std::chrono::steady_clock;
     void draw(std::size_t done);
+    void end_line();
 
     std::FILE* stream_;
     bool is_terminal_;
+    bool is_line_open_ = false;
     std::string task_;
     std::size_t total_ = 0;
     std::size_t done_ = 0;
