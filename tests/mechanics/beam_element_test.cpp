@@ -28,9 +28,8 @@ Frame one_beam() {
     return frame;
 }
 
-std::unique_ptr<const Element> only_element(const Frame& frame) {
-    Assembly assembly = assemble(frame);
-    return std::move(assembly.elements.front());
+std::shared_ptr<const Element> only_element(const Frame& frame) {
+    return assemble(frame).elements.front();
 }
 
 /// A stiffness of three nodes with nothing special about it.
@@ -42,8 +41,8 @@ std::unique_ptr<const Element> some_linear_element() {
 }
 
 /// One of each kind, under its name.
-std::vector<std::pair<std::string, std::unique_ptr<const Element>>> every_kind() {
-    std::vector<std::pair<std::string, std::unique_ptr<const Element>>> elements;
+std::vector<std::pair<std::string, std::shared_ptr<const Element>>> every_kind() {
+    std::vector<std::pair<std::string, std::shared_ptr<const Element>>> elements;
     Frame frame = one_beam();
     elements.emplace_back("Euler-Bernoulli", only_element(frame));
     frame.beams[0].releases = {{0, {{true, false, true, false, true, true}}},

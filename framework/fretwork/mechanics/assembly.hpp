@@ -9,11 +9,14 @@
 
 namespace fretwork::mechanics {
 
+/// Elements are immutable; assemblies share them, so that an edit replaces only those that it changes.
+using Elements = std::vector<std::shared_ptr<const Element>>;
+
 /// A structure as the solvers see it: nodes, elements of any kind, what is held, and what acts. Solvers never
 /// ask what kind an element is; one assembly may mix beams and condensed tiles.
 struct Assembly {
     std::vector<Eigen::Vector3d> nodes;  ///< rest positions, metres; inner nodes of divided beams at the end
-    std::vector<std::unique_ptr<const Element>> elements;
+    Elements elements;
     std::vector<Support> supports;
     std::vector<PrescribedDisplacement> prescribed;
     NodeValues loads;           ///< one row a node, gravity included
