@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fretwork optimizers: the methods there are, and how they compare.
-#include "comparison_landscape.hpp"
-#include "comparison_problems.hpp"
-#include "comparison_runs.hpp"
+#include "interrupt.hpp"
 #include "verbs.hpp"
 
 #include <fretwork/base/detail/json_text.hpp>
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/file.hpp>
 #include <fretwork/base/text.hpp>
+#include <fretwork/study/known_value.hpp>
+#include <fretwork/study/landscape.hpp>
+#include <fretwork/study/study.hpp>
+#include <fretwork/study/study_problem.hpp>
 
 #include <chrono>
 #include <cstdio>
@@ -18,7 +20,7 @@ namespace fretwork::app {
 namespace {
 
 using base::detail::Json;
-using optimization::Contender;
+using study::Contender;
 
 constexpr const char* kExamples = R"(
 Examples:
@@ -26,16 +28,17 @@ Examples:
   fretwork optimizers known --out known.csv
   fretwork optimizers run --known known.csv --problems calibration:4,analytic --repetitions 2 --out DIR)";
 
-struct Wishes {
+struct Options {
     std::string out;
     std::string known;
     std::string results;
     std::string problems = "all";
     std::string optimizers = "all";
     std::size_t patterns = 60;
-    int starts = 300;
-    ComparisonPlan plan;
-    int descents = LandscapeOptions{}.descents;
+    study::KnownValueOptions known_values;
+    study::StudyPlan plan;
+    study::LandscapeOptions landscape;
+    int threads = 0;
     bool json = false;
 };
 
@@ -45,11 +48,11 @@ void print(const Json& document) {
 
 // ---- list ----
 
-ExitCode list(const Wishes& wishes) {
+ExitCode list(const Options& options) {
     Json rows = Json::array();
-    for (const Contender& contender : optimization::default_contenders()) {
+    for (const Contender& contender : study::default_contenders()) {
         const auto& row = *contender.method;
-        if (wishes.json) {
+        if (options.json) {
             rows.push_back({{"name", row.name},
                             {"class", optimizer_class_name(row.kind)},
                             {"needs", evaluation_name(row.needs)},
@@ -61,35 +64,37 @@ ExitCode list(const Wishes& wishes) {
                         std::string(evaluation_name(row.needs)).c_str(), std::string(row.summary).c_str());
         }
     }
-    if (wishes.json) print({{"optimizers", rows}});
+    if (options.json) print({{"optimizers", rows}});
     return ExitCode::Done;
 }
 
 // ---- known ----
 
-ExitCode known(const Wishes& wishes) {
-    if (wishes.starts < 1) throw base::InputError("--starts", "", "must be at least 1");
-    auto values = wishes.known.empty() ? find_known_values(comparison_problem_ids(wishes.patterns),
-                                                           wishes.starts, wishes.plan.threads)
-                                       : read_known_values(wishes.known);
-    if (!wishes.results.empty()) improve_known_values(values, wishes.results);
-    base::write_file_atomically(wishes.out, known_values_csv(values));
-    if (wishes.json) {
-        print({{"problems", values.size()}, {"out", wishes.out}});
+ExitCode known(Options options) {
+    LongWork work;
+    options.known_values.threads = options.threads;
+    options.known_values.control = work.control();
+    auto values = options.known.empty()
+                      ? find_known_values(study::study_problem_ids(options.patterns), options.known_values)
+                      : study::read_known_values(options.known);
+    if (!options.results.empty()) improve_known_values(values, options.results);
+    base::write_file_atomically(options.out, known_values_csv(values));
+    if (options.json) {
+        print({{"problems", values.size()}, {"out", options.out}});
     } else {
         std::printf("%zu problems with their best known values are in %s\n", values.size(),
-                    wishes.out.c_str());
+                    options.out.c_str());
     }
     return ExitCode::Done;
 }
 
 // ---- run ----
 
-std::vector<Contender> wanted_contenders(const std::string& wish) {
-    const auto all = optimization::default_contenders();
-    if (wish == "all") return all;
+std::vector<Contender> chosen_contenders(const std::string& choice) {
+    const auto all = study::default_contenders();
+    if (choice == "all") return all;
     std::vector<Contender> chosen;
-    for (const std::string& name : base::split(wish, ',')) {
+    for (const std::string& name : base::split(choice, ',')) {
         const auto* row = &optimization::find_optimizer(name);
         chosen.push_back(*std::ranges::find(all, row, &Contender::method));
     }
@@ -97,10 +102,11 @@ std::vector<Contender> wanted_contenders(const std::string& wish) {
 }
 
 /// The problems that a person asks for, of those in the file of known values.
-std::vector<std::string> chosen_problems(const Wishes& wishes) {
+std::vector<std::string> problems_of(const Options& options) {
     std::vector<std::string> ids;
-    for (const KnownValue& value : read_known_values(wishes.known)) ids.push_back(value.problem);
-    return wanted_problems(ids, wishes.problems);
+    for (const study::KnownValue& value : study::read_known_values(options.known))
+        ids.push_back(value.problem);
+    return study::chosen_problems(ids, options.problems);
 }
 
 std::filesystem::path made_folder(const std::string& path) {
@@ -110,126 +116,139 @@ std::filesystem::path made_folder(const std::string& path) {
     return path;
 }
 
-ExitCode run(Wishes wishes) {
-    wishes.plan.problems = chosen_problems(wishes);
-    wishes.plan.contenders = wanted_contenders(wishes.optimizers);
-    if (wishes.plan.repetitions < 1) throw base::InputError("--repetitions", "", "must be at least 1");
-    wishes.plan.options.validate();
-    const std::filesystem::path folder = made_folder(wishes.out);
-    const auto begin = std::chrono::steady_clock::now();
-    const ComparisonSummary summary = run_comparison(wishes.plan, folder / "results.csv");
-    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
-    const std::string path = (folder / "results.csv").string();
-    if (wishes.json) {
-        print({{"runs_before", summary.runs_before},
-               {"runs_done", summary.runs_done},
+void print(const study::StudyReport& report, double seconds, const Options& options) {
+    const std::string path = study::run_table_path(options.out).string();
+    if (options.json) {
+        print({{"runs_before", report.runs_before},
+               {"runs_done", report.runs_done},
                {"out", path},
-               {"seconds", seconds.count()}});
+               {"seconds", seconds}});
     } else {
-        std::printf("%zu runs in %.1f s, and %zu that were there before, are in %s\n", summary.runs_done,
-                    seconds.count(), summary.runs_before, path.c_str());
+        std::printf("%zu runs in %.1f s, and %zu that were there before, are in %s\n", report.runs_done,
+                    seconds, report.runs_before, path.c_str());
     }
-    if (summary.runs_left_out > 0)
+    if (report.runs_left_out > 0)
         std::fputs("fretwork: interrupted; what is done is stored, run again to go on\n", stderr);
-    return summary.runs_left_out > 0 ? ExitCode::DidNotSucceed : ExitCode::Done;
+}
+
+ExitCode run(Options options) {
+    LongWork work;
+    options.plan.problems = problems_of(options);
+    options.plan.contenders = chosen_contenders(options.optimizers);
+    options.plan.threads = options.threads;
+    options.plan.control = work.control();
+    options.plan.validate();
+    const auto begin = std::chrono::steady_clock::now();
+    const study::StudyReport report = run_study(options.plan, made_folder(options.out));
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
+    print(report, seconds.count(), options);
+    return report.runs_left_out > 0 ? ExitCode::DidNotSucceed : ExitCode::Done;
 }
 
 // ---- landscape ----
 
-ExitCode landscape(const Wishes& wishes) {
-    if (wishes.descents < 1) throw base::InputError("--descents", "", "must be at least 1");
-    const auto problems = chosen_problems(wishes);
-    const auto folder = made_folder(wishes.out);
-    write_landscape(problems, {.descents = wishes.descents, .threads = wishes.plan.threads}, folder);
-    if (wishes.json) {
-        print({{"problems", problems.size()}, {"out", wishes.out}});
+ExitCode landscape(Options options) {
+    LongWork work;
+    options.landscape.threads = options.threads;
+    options.landscape.control = work.control();
+    const auto problems = problems_of(options);
+    const study::Landscape landscape = explore_landscape(problems, options.landscape);
+    const auto folder = made_folder(options.out);
+    base::FileBatch files;
+    files.add(folder / "descents.csv", landscape.descents);
+    files.add(folder / "sections.csv", landscape.sections);
+    files.commit();
+    if (options.json) {
+        print({{"problems", problems.size()}, {"out", options.out}});
     } else {
         std::printf("descents.csv and sections.csv of %zu problems are in %s\n", problems.size(),
-                    wishes.out.c_str());
+                    options.out.c_str());
     }
     return ExitCode::Done;
 }
 
 // ---- the command line ----
 
-void add_threads(CLI::App& action, Wishes& wishes) {
-    action.add_option("--threads", wishes.plan.threads, "Threads to use; 0: all there are")
+void add_threads(CLI::App& action, Options& options) {
+    action.add_option("--threads", options.threads, "Threads to use; 0: all there are")
         ->check(thread_check());
 }
 
-void add_list(CLI::App& verb, const std::shared_ptr<Wishes>& wishes, ExitCode& exit_code) {
+void add_list(CLI::App& verb, const std::shared_ptr<Options>& options, ExitCode& exit_code) {
     CLI::App* action =
         verb.add_subcommand("list", "List the methods: name, class, what they need, what they are");
-    action->add_flag("--json", wishes->json, "Print JSON");
-    action->callback([wishes, &exit_code] { exit_code = list(*wishes); });
+    action->add_flag("--json", options->json, "Print JSON");
+    action->callback([options, &exit_code] { exit_code = list(*options); });
 }
 
-void add_known(CLI::App& verb, const std::shared_ptr<Wishes>& wishes, ExitCode& exit_code) {
+void add_known(CLI::App& verb, const std::shared_ptr<Options>& options, ExitCode& exit_code) {
     CLI::App* action = verb.add_subcommand(
         "known", "Choose the problems of a comparison and search their best known values, once for all");
-    action->add_option("--out", wishes->out, "The CSV file to write")->required();
+    action->add_option("--out", options->out, "The CSV file to write")->required();
     action
-        ->add_option("--patterns", wishes->patterns, "Calibration problems, spread over edges and stiffness")
+        ->add_option("--patterns", options->patterns, "Calibration problems, spread over edges and stiffness")
         ->check(CLI::Range(1, 1'000'000))
         ->capture_default_str();
-    action->add_option("--starts", wishes->starts, "Descents of each calibrator on each problem")
+    action
+        ->add_option("--starts", options->known_values.starts, "Descents of each calibrator on each problem")
         ->capture_default_str();
-    action->add_option("--from", wishes->known, "Begin with this file instead of searching")
+    action->add_option("--from", options->known, "Begin with this file instead of searching")
         ->excludes("--patterns")
         ->excludes("--starts");
-    action->add_option("--results", wishes->results, "Take over what these runs found lower");
-    add_threads(*action, *wishes);
-    action->add_flag("--json", wishes->json, "Print JSON");
-    action->callback([wishes, &exit_code] { exit_code = known(*wishes); });
+    action->add_option("--results", options->results, "Take over what these runs found lower");
+    add_threads(*action, *options);
+    action->add_flag("--json", options->json, "Print JSON");
+    action->callback([options, &exit_code] { exit_code = known(*options); });
 }
 
-void add_run(CLI::App& verb, const std::shared_ptr<Wishes>& wishes, ExitCode& exit_code) {
+void add_run(CLI::App& verb, const std::shared_ptr<Options>& options, ExitCode& exit_code) {
     CLI::App* action =
         verb.add_subcommand("run",
                             "Run methods on problems; goes on where it was stopped. Columns: see "
                             "experiments/optimizer_comparison/README.md");
-    action->add_option("--known", wishes->known, "The problems, as `known` wrote them")->required();
-    action->add_option("--out", wishes->out, "Folder for results.csv")->required();
-    action->add_option("--problems", wishes->problems, "all, or ids, families and family:N joined by commas")
+    action->add_option("--known", options->known, "The problems, as `known` wrote them")->required();
+    action->add_option("--out", options->out, "Folder for results.csv")->required();
+    action->add_option("--problems", options->problems, "all, or ids, families and family:N joined by commas")
         ->capture_default_str();
-    action->add_option("--optimizers", wishes->optimizers, "all, or names joined by commas")
+    action->add_option("--optimizers", options->optimizers, "all, or names joined by commas")
         ->capture_default_str();
-    action->add_option("--repetitions", wishes->plan.repetitions, "Runs of each method that uses the seed")
+    action->add_option("--repetitions", options->plan.repetitions, "Runs of each method that uses the seed")
         ->capture_default_str();
     action
-        ->add_option("--budget", wishes->plan.options.budget.cost,
+        ->add_option("--budget", options->plan.conditions.budget.cost,
                      "Of one run, in the problem's unit of cost")
         ->capture_default_str();
-    action->add_option("--seed", wishes->plan.options.seed, "Changes the seeds of all runs")
+    action->add_option("--seed", options->plan.conditions.seed, "Changes the seeds of all runs")
         ->check(seed_check())
         ->capture_default_str();
-    add_threads(*action, *wishes);
-    action->add_flag("--json", wishes->json, "Print JSON");
-    action->callback([wishes, &exit_code] { exit_code = run(*wishes); });
+    add_threads(*action, *options);
+    action->add_flag("--json", options->json, "Print JSON");
+    action->callback([options, &exit_code] { exit_code = run(*options); });
 }
 
-void add_landscape(CLI::App& verb, const std::shared_ptr<Wishes>& wishes, ExitCode& exit_code) {
+void add_landscape(CLI::App& verb, const std::shared_ptr<Options>& options, ExitCode& exit_code) {
     CLI::App* action = verb.add_subcommand(
         "landscape", "Tables of where many single descents end, and of sections through the best point");
-    action->add_option("--known", wishes->known, "The problems, as `known` wrote them")->required();
-    action->add_option("--out", wishes->out, "Folder for descents.csv and sections.csv")->required();
-    action->add_option("--problems", wishes->problems, "all, or ids, families and family:N joined by commas")
+    action->add_option("--known", options->known, "The problems, as `known` wrote them")->required();
+    action->add_option("--out", options->out, "Folder for descents.csv and sections.csv")->required();
+    action->add_option("--problems", options->problems, "all, or ids, families and family:N joined by commas")
         ->capture_default_str();
-    action->add_option("--descents", wishes->descents, "Of each kind on each problem")->capture_default_str();
-    add_threads(*action, *wishes);
-    action->add_flag("--json", wishes->json, "Print JSON");
-    action->callback([wishes, &exit_code] { exit_code = landscape(*wishes); });
+    action->add_option("--descents", options->landscape.descents, "Of each kind on each problem")
+        ->capture_default_str();
+    add_threads(*action, *options);
+    action->add_flag("--json", options->json, "Print JSON");
+    action->callback([options, &exit_code] { exit_code = landscape(*options); });
 }
 
 }  // namespace
 
 void add_optimizers(CLI::App& app, ExitCode& exit_code) {
     CLI::App* verb = app.add_subcommand("optimizers", "List the optimizers, and compare them");
-    const auto wishes = std::make_shared<Wishes>();
-    add_list(*verb, wishes, exit_code);
-    add_known(*verb, wishes, exit_code);
-    add_run(*verb, wishes, exit_code);
-    add_landscape(*verb, wishes, exit_code);
+    const auto options = std::make_shared<Options>();
+    add_list(*verb, options, exit_code);
+    add_known(*verb, options, exit_code);
+    add_run(*verb, options, exit_code);
+    add_landscape(*verb, options, exit_code);
     verb->require_subcommand(1);
     verb->footer(kExamples);
 }

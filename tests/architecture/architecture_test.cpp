@@ -28,6 +28,7 @@ const std::map<std::string, std::set<std::string>> kMayInclude = {
     {"mechanics", {"base"}},
     {"optimization", {"base"}},
     {"reduction", {"base", "pattern", "mechanics", "optimization"}},
+    {"study", {"base", "pattern", "mechanics", "optimization", "reduction"}},
     {"library", {"base", "pattern", "mechanics", "optimization", "reduction"}},
     {"tiling", {"base", "pattern"}},
     {"simulation", {"base", "pattern", "mechanics", "optimization", "reduction", "library", "tiling"}},

@@ -2,7 +2,7 @@
 // Simulated annealing beside the trace that annealing_trace.py writes from the published description.
 #include <fretwork/base/file.hpp>
 #include <fretwork/base/text.hpp>
-#include <fretwork/optimization/optimizer_catalogue.hpp>
+#include <fretwork/optimization/minimize.hpp>
 #include <fretwork/optimization/simulated_annealing.hpp>
 
 #include <gtest/gtest.h>
@@ -74,7 +74,7 @@ TEST(AnnealingTrace, FreezesWhereThePublishedDefaultsFreeze) {
                                  {.cost = 1'000'000});
     const auto trace = read_trace("default");
     expect_equal_proposals(trace, problem);
-    EXPECT_EQ(report.termination, Termination::Converged);
+    EXPECT_EQ(report.ending, Ending::Converged);
     EXPECT_EQ(static_cast<std::size_t>(report.evaluations), trace.back().move + 1);
 }
 

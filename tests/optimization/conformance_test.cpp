@@ -5,7 +5,7 @@
 
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/parallel.hpp>
-#include <fretwork/optimization/optimizer_catalogue.hpp>
+#include <fretwork/optimization/minimize.hpp>
 
 #include <gtest/gtest.h>
 
@@ -95,7 +95,7 @@ TEST_P(OptimizerConformance, NeverSpendsMoreThanTheBudgetAndReportsExactlyWhatIt
         EXPECT_LE(report.cost, budget);
         EXPECT_EQ(report.cost, watched.cost_seen());
         EXPECT_GE(report.cost, budget - 2) << "50 starts want more than this: all of it is used";
-        EXPECT_EQ(report.termination, report.trace.empty() ? Termination::Invalid : Termination::BudgetSpent);
+        EXPECT_EQ(report.ending, report.trace.empty() ? Ending::Invalid : Ending::BudgetSpent);
     }
 }
 
@@ -261,7 +261,7 @@ TEST_P(OptimizerConformance, SaysInvalidWhereTheObjectiveIsNowhereFinite) {
         "nan", cube(2, 0.0, 1.0), [](const auto&) { return Eigen::VectorXd::Constant(2, NAN).eval(); },
         [](const auto&) { return Eigen::MatrixXd::Constant(2, 2, NAN).eval(); });
     const auto report = minimize(problem, row(), {.starts = 1}, {.cost = 200});
-    EXPECT_EQ(report.termination, Termination::Invalid);
+    EXPECT_EQ(report.ending, Ending::Invalid);
     EXPECT_EQ(report.failures, report.evaluations);
     EXPECT_EQ(report.point.size(), 0);
 }

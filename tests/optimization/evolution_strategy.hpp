@@ -20,7 +20,7 @@ class EvolutionStrategy final : public Optimizer {
         for (int i = 0; i < options_.starts; ++i) {
             RandomStream random(options_.seed, static_cast<std::uint64_t>(i));
             outcome = evolve(evaluator, random);
-            if (outcome.termination == Termination::BudgetSpent) break;
+            if (outcome.ending == Ending::BudgetSpent) break;
         }
         return outcome;
     }
@@ -38,7 +38,7 @@ class EvolutionStrategy final : public Optimizer {
             const Eigen::VectorXd trial =
                 bounds.clamp(point + step.cwiseProduct(bounds.upper - bounds.lower));
             const auto tried = evaluator.value(trial);
-            if (!tried) return {Termination::BudgetSpent, point};
+            if (!tried) return {Ending::BudgetSpent, point};
             const bool is_success = *tried <= *value;
             if (is_success) {
                 point = trial;
@@ -46,7 +46,7 @@ class EvolutionStrategy final : public Optimizer {
             }
             scale *= is_success ? 1.5 : 0.9;
         }
-        return {value ? Termination::Converged : Termination::BudgetSpent, point};
+        return {value ? Ending::Converged : Ending::BudgetSpent, point};
     }
 
     OptimizerOptions options_;

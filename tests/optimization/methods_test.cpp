@@ -3,8 +3,9 @@
 
 #include <fretwork/base/error.hpp>
 #include <fretwork/optimization/detail/box_quadratic.hpp>
+#include <fretwork/optimization/distance_sum_problem.hpp>
 #include <fretwork/optimization/gauss_newton_multistart.hpp>
-#include <fretwork/optimization/optimizer_catalogue.hpp>
+#include <fretwork/optimization/minimize.hpp>
 #include <fretwork/optimization/random.hpp>
 #include <fretwork/optimization/simulated_annealing.hpp>
 
@@ -50,7 +51,7 @@ TEST(SmoothedMethods, FindTheFermatPoint) {
         const auto report = minimize(problem, find_optimizer(name), {.starts = 1}, {.cost = 2000});
         const Eigen::VectorXd slope = problem.gradient(report.point, 0.0).gradient;
         EXPECT_LT(slope.norm() / report.value, 1e-3) << name;
-        EXPECT_EQ(report.termination, Termination::Converged) << name;
+        EXPECT_EQ(report.ending, Ending::Converged) << name;
     }
 }
 
@@ -80,7 +81,7 @@ TEST(GaussNewtonMultistart, GivesUpDescentsThatStayFarAboveTheLowest) {
         const auto method = make_gauss_newton_multistart({.common = {.starts = 8},
                                                           .continuation = {.samples_per_start = 1},
                                                           .pruning_ratio = pruning_ratio});
-        EXPECT_EQ(method->run(evaluator).termination, Termination::Converged);
+        EXPECT_EQ(method->run(evaluator).ending, Ending::Converged);
         EXPECT_LT(evaluator.best_value(), 1e-9);
         return evaluator.cost();
     };
@@ -123,7 +124,7 @@ TEST(SimulatedAnnealing, IsFrozenAfterThreeTimesAHundredSweepsWithoutChange) {
         [](const auto&) { return Eigen::MatrixXd::Zero(1, 2).eval(); });
     const auto report =
         minimize(flat, find_optimizer("simulated-annealing"), {.starts = 1}, {.cost = 100000});
-    EXPECT_EQ(report.termination, Termination::Converged);
+    EXPECT_EQ(report.ending, Ending::Converged);
     // The 1,000 initial moves do not count as frozen.
     EXPECT_EQ(report.evaluations, 1 + 1000 + 3 * 100 * 2);
 }
@@ -188,7 +189,7 @@ TEST(AnnealingThenCeres, AddsTheDescentToTheAnnealing) {
     const auto problem = rosenbrock(cube(2, -2.0, 2.0));
     const auto report =
         minimize(problem, find_optimizer("annealing-then-ceres"), {.starts = 1}, {.cost = 100000});
-    EXPECT_EQ(report.termination, Termination::Converged);
+    EXPECT_EQ(report.ending, Ending::Converged);
     EXPECT_LT(report.value, 1e-12);
     EXPECT_GT(report.derivative_evaluations, 0);
     EXPECT_EQ(report.final_point, report.point);

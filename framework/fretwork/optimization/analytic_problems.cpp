@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/optimization/analytic_problems.hpp>
+#include <fretwork/optimization/distance_sum_problem.hpp>
 #include <fretwork/optimization/least_squares_problem.hpp>
 
 #include <cmath>

@@ -18,11 +18,10 @@ class AnnealingThenCeres final : public Optimizer {
                 .starts = 1,
                 .seed = derived_seed(options_.annealing.common.seed, static_cast<std::uint64_t>(i))};
             outcome = make_simulated_annealing(once)->run(evaluator);
-            if (outcome.termination == Termination::BudgetSpent || evaluator.best_point().size() == 0) break;
+            if (outcome.ending == Ending::BudgetSpent || evaluator.best_point().size() == 0) break;
             outcome.final_point = evaluator.best_point();
-            outcome.termination =
-                detail::descend_by_ceres(evaluator, options_.continuation, outcome.final_point);
-            if (outcome.termination == Termination::BudgetSpent) break;
+            outcome.ending = detail::descend_by_ceres(evaluator, options_.continuation, outcome.final_point);
+            if (outcome.ending == Ending::BudgetSpent) break;
         }
         return outcome;
     }

@@ -11,13 +11,12 @@ class CeresMultistart final : public Optimizer {
     explicit CeresMultistart(const CeresMultistartOptions& options) : options_(options) {}
 
     RunOutcome run(Evaluator& evaluator) const override {
-        RunOutcome outcome{Termination::BudgetSpent, {}};
+        RunOutcome outcome{Ending::BudgetSpent, {}};
         const int samples = options_.common.starts * options_.continuation.samples_per_start;
         for (const Eigen::VectorXd& start : detail::choose_starts(evaluator, options_.common, samples)) {
             outcome.final_point = start;
-            outcome.termination =
-                detail::descend_by_ceres(evaluator, options_.continuation, outcome.final_point);
-            if (outcome.termination == Termination::BudgetSpent) break;
+            outcome.ending = detail::descend_by_ceres(evaluator, options_.continuation, outcome.final_point);
+            if (outcome.ending == Ending::BudgetSpent) break;
         }
         return outcome;
     }

@@ -37,22 +37,22 @@ class CeresResiduals final : public Optimizer {
     explicit CeresResiduals(const CeresResidualsOptions& options) : options_(options) {}
 
     RunOutcome run(Evaluator& evaluator) const override {
-        RunOutcome outcome{Termination::BudgetSpent, {}};
+        RunOutcome outcome{Ending::BudgetSpent, {}};
         for (const Eigen::VectorXd& start : detail::choose_starts(evaluator, options_.common, 0)) {
             outcome.final_point = start;
             for (const double smoothing : options_.smoothing) {
-                outcome.termination = descend(evaluator, smoothing, outcome.final_point);
-                if (outcome.termination == Termination::BudgetSpent) return outcome;
+                outcome.ending = descend(evaluator, smoothing, outcome.final_point);
+                if (outcome.ending == Ending::BudgetSpent) return outcome;
             }
         }
         return outcome;
     }
 
   private:
-    Termination descend(Evaluator& evaluator, double smoothing, Eigen::VectorXd& point) const {
+    Ending descend(Evaluator& evaluator, double smoothing, Eigen::VectorXd& point) const {
         const Eigen::VectorXd start = point;
         const auto first = evaluator.residuals(start, smoothing);
-        if (!first) return Termination::BudgetSpent;
+        if (!first) return Ending::BudgetSpent;
         bool is_refused = false;
         const auto residuals = static_cast<int>(first->residuals.size());
         const auto linearize = [&](const Eigen::VectorXd& at) -> std::optional<detail::Linearization> {
@@ -65,8 +65,8 @@ class CeresResiduals final : public Optimizer {
         const bool converged = options_.bounds == CeresBounds::Sine
                                    ? descend_on_sine(evaluator.bounds(), linearize, residuals, point)
                                    : descend_in_box(evaluator.bounds(), linearize, residuals, point);
-        if (is_refused) return Termination::BudgetSpent;
-        return converged ? Termination::Converged : Termination::Stalled;
+        if (is_refused) return Ending::BudgetSpent;
+        return converged ? Ending::Converged : Ending::Stalled;
     }
 
     using Linearize = std::function<std::optional<detail::Linearization>(const Eigen::VectorXd&)>;

@@ -56,6 +56,7 @@ bool Evaluator::can_afford(Evaluation kind) const {
 }
 
 bool Evaluator::charge(Evaluation kind, const Eigen::VectorXd& point) {
+    budget_.control.check();
     if (!can_afford(kind)) return false;
     if (!problem_.bounds().contain(point)) {
         ++points_outside_;
@@ -63,6 +64,8 @@ bool Evaluator::charge(Evaluation kind, const Eigen::VectorXd& point) {
     }
     cost_ += problem_.cost(kind);
     ++evaluations_;
+    if (budget_.control.progress != nullptr)
+        budget_.control.progress->update(static_cast<std::size_t>(cost_));
     if (kind != Evaluation::Value) ++derivative_evaluations_;
     return true;
 }

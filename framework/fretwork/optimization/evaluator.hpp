@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <fretwork/base/control.hpp>
 #include <fretwork/optimization/problem.hpp>
 
 #include <chrono>
@@ -10,10 +11,11 @@
 
 namespace fretwork::optimization {
 
-/// How much a method may spend.
+/// How much a method may spend, and who may end it sooner.
 struct Budget {
     long cost = 20000;                                         ///< in the problem's unit, > 0
     double seconds = std::numeric_limits<double>::infinity();  ///< wall time, > 0
+    base::Control control{};  ///< asked before every evaluation, and told of the cost
     /// Throws InputError if a value makes no sense.
     void validate() const;
 };
@@ -28,7 +30,8 @@ struct TracePoint {
 /// A problem as methods see it: every evaluation passes here, is charged and remembered.
 ///
 /// An evaluation is refused (nothing comes back) once the budget does not pay for it, and for a point outside
-/// the bounds. The objective, never its smoothed version, decides what is best; NaN counts as infinite.
+/// the bounds. It throws base::Stopped once the caller asks to stop. The objective, never its smoothed
+/// version, decides what is best; NaN counts as infinite.
 class Evaluator {
   public:
     /// Throws InputError if the bounds or the budget make no sense.

@@ -18,22 +18,22 @@ class Descent {
     Descent(Evaluator& evaluator, const ContinuationOptions& options, Eigen::VectorXd start)
         : evaluator_(&evaluator), options_(&options), point_(std::move(start)) {}
 
-    Termination run_stage(double smoothing) {
+    Ending run_stage(double smoothing) {
         const double tolerance =
             smoothing == options_->smoothing.back() ? options_->tolerance : options_->loose_tolerance;
         const auto model = evaluator_->curvature(point_, smoothing);
-        if (!model) return Termination::BudgetSpent;
-        if (!std::isfinite(model->value)) return Termination::Stalled;
+        if (!model) return Ending::BudgetSpent;
+        if (!std::isfinite(model->value)) return Ending::Stalled;
         model_ = *model;
         for (int iteration = 0; iteration < options_->largest_iterations; ++iteration) {
             const Eigen::VectorXd step = damped_step();
             const double predicted = -model_.gradient.dot(step) - 0.5 * step.dot(model_.curvature * step);
-            if (predicted <= tolerance * model_.value) return Termination::Converged;
+            if (predicted <= tolerance * model_.value) return Ending::Converged;
             const auto trial = evaluator_->curvature(evaluator_->bounds().clamp(point_ + step), smoothing);
-            if (!trial) return Termination::BudgetSpent;
+            if (!trial) return Ending::BudgetSpent;
             judge(step, *trial, (model_.value - trial->value) / predicted);
         }
-        return Termination::Stalled;
+        return Ending::Stalled;
     }
 
     [[nodiscard]] const Eigen::VectorXd& point() const { return point_; }
@@ -83,12 +83,12 @@ class GaussNewtonMultistart final : public Optimizer {
         std::vector<Descent> descents;
         for (Eigen::VectorXd& start : detail::choose_starts(evaluator, options_.common, samples))
             descents.emplace_back(evaluator, options_.continuation, std::move(start));
-        RunOutcome outcome{Termination::BudgetSpent, {}};
+        RunOutcome outcome{Ending::BudgetSpent, {}};
         if (descents.empty()) return outcome;
         for (const double smoothing : options_.continuation.smoothing) {
             for (Descent& descent : descents) {
                 outcome = {descent.run_stage(smoothing), descent.point()};
-                if (outcome.termination == Termination::BudgetSpent) return outcome;
+                if (outcome.ending == Ending::BudgetSpent) return outcome;
             }
             keep_promising(descents, evaluator.bounds());
         }

@@ -30,24 +30,4 @@ class LeastSquaresProblem final : public Problem {
     Jacobian jacobian_;
 };
 
-/// (sum_q |x - p_q|)^2 for the columns p_q of a matrix: the squared sum of distances to points, with a kink
-/// in each of them. With smoothing mu each |d| becomes sqrt(d.d + mu^2). Its one residual is the sum.
-class DistanceSumProblem final : public Problem {
-  public:
-    DistanceSumProblem(Bounds bounds, Eigen::MatrixXd points);
-
-    [[nodiscard]] std::string name() const override { return "distance-sum"; }
-    [[nodiscard]] const Bounds& bounds() const override { return bounds_; }
-    [[nodiscard]] bool offers(Evaluation) const override { return true; }
-    [[nodiscard]] bool has_kinks() const override { return true; }
-    [[nodiscard]] double value(const Eigen::VectorXd& x) const override;
-    [[nodiscard]] GradientEvaluation gradient(const Eigen::VectorXd& x, double smoothing) const override;
-    [[nodiscard]] ResidualEvaluation residuals(const Eigen::VectorXd& x, double smoothing) const override;
-    [[nodiscard]] CurvatureEvaluation curvature(const Eigen::VectorXd& x, double smoothing) const override;
-
-  private:
-    Bounds bounds_;
-    Eigen::MatrixXd points_;
-};
-
 }  // namespace fretwork::optimization

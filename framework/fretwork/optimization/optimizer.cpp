@@ -16,15 +16,15 @@ std::string_view optimizer_class_name(OptimizerClass kind) {
     return "unknown";
 }
 
-std::string_view termination_name(Termination termination) {
-    switch (termination) {
-        case Termination::Converged:
+std::string_view ending_name(Ending ending) {
+    switch (ending) {
+        case Ending::Converged:
             return "converged";
-        case Termination::BudgetSpent:
+        case Ending::BudgetSpent:
             return "budget-spent";
-        case Termination::Stalled:
+        case Ending::Stalled:
             return "stalled";
-        case Termination::Invalid:
+        case Ending::Invalid:
             return "invalid";
     }
     return "unknown";

@@ -17,13 +17,13 @@ enum class OptimizerClass {
 std::string_view optimizer_class_name(OptimizerClass kind);
 
 /// How a run ended.
-enum class Termination {
+enum class Ending {
     Converged,    ///< by the method's own criterion
     BudgetSpent,  ///< an evaluation was refused because the budget does not pay for it
     Stalled,      ///< the method found no way on before its criterion was met
     Invalid,      ///< the objective was finite nowhere
 };
-std::string_view termination_name(Termination termination);
+std::string_view ending_name(Ending ending);
 
 /// The options that all methods understand.
 struct OptimizerOptions {
@@ -35,7 +35,7 @@ struct OptimizerOptions {
 
 /// How a method left: why, and where it stood, which need not be the best point that it saw.
 struct RunOutcome {
-    Termination termination = Termination::Converged;
+    Ending ending = Ending::Converged;
     Eigen::VectorXd final_point;
 };
 

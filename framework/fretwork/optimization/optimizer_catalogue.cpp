@@ -2,24 +2,20 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/optimization/annealing_then_ceres.hpp>
-#include <fretwork/optimization/bobyqa.hpp>
 #include <fretwork/optimization/ceres_multistart.hpp>
 #include <fretwork/optimization/ceres_residuals.hpp>
-#include <fretwork/optimization/cma_es.hpp>
-#include <fretwork/optimization/corana_annealing.hpp>
-#include <fretwork/optimization/crs2.hpp>
-#include <fretwork/optimization/differential_evolution.hpp>
-#include <fretwork/optimization/direct_l.hpp>
+#include <fretwork/optimization/detail/nlopt_optimizer.hpp>
 #include <fretwork/optimization/gauss_newton_multistart.hpp>
-#include <fretwork/optimization/mlsl.hpp>
 #include <fretwork/optimization/optimizer_catalogue.hpp>
+#include <fretwork/optimization/pagmo_methods.hpp>
 #include <fretwork/optimization/random_search.hpp>
 #include <fretwork/optimization/simulated_annealing.hpp>
-#include <fretwork/optimization/slsqp.hpp>
-#include <fretwork/optimization/subplex.hpp>
 
 #include <algorithm>
 #include <array>
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace fretwork::optimization {
 namespace {
@@ -41,6 +37,20 @@ Made ceres_residuals(CeresResidualsOptions options, Options common) {
 /// Of the continuation of ceres-multistart, so that the two differ in what Ceres sees, not in the stages.
 std::vector<double> stages() {
     return ContinuationOptions{}.smoothing;
+}
+
+/// Descents by a method of NLopt, or repetitions of one that draws.
+template <nlopt_algorithm kMethod>
+Made nlopt_runs(Options common) {
+    return detail::make_nlopt_runs(kMethod, {.common = common});
+}
+
+/// One search of the whole box by a method of NLopt that ends by patience. It descends by `kLocal`, if any.
+template <nlopt_algorithm kMethod, nlopt_algorithm... kLocal>
+Made nlopt_search(Options common) {
+    std::optional<nlopt_algorithm> local;
+    ((local = kLocal), ...);
+    return detail::make_nlopt_search(kMethod, local, {.common = common});
 }
 
 constexpr std::array kRows = {
@@ -83,19 +93,26 @@ constexpr std::array kRows = {
         "ceres-smoothed-sine", "As ceres-smoothed with the bounds of ceres-sine", OptimizerClass::Local,
         Evaluation::Residuals,
         [](Options o) { return ceres_residuals({.bounds = CeresBounds::Sine, .smoothing = stages()}, o); }},
+    // [Powell2009]
     OptimizerRow{"bobyqa", "BOBYQA of NLopt on values from low-discrepancy starts", OptimizerClass::Local,
-                 Evaluation::Value, [](Options o) { return make_bobyqa({.common = o}); }},
+                 Evaluation::Value, nlopt_runs<NLOPT_LN_BOBYQA>},
+    // [Rowan1990]
     OptimizerRow{"subplex", "Subplex of NLopt on values from low-discrepancy starts", OptimizerClass::Local,
-                 Evaluation::Value, [](Options o) { return make_subplex({.common = o}); }},
+                 Evaluation::Value, nlopt_runs<NLOPT_LN_SBPLX>},
+    // [Kraft1994]
     OptimizerRow{"slsqp", "SLSQP of NLopt on gradients from low-discrepancy starts", OptimizerClass::Local,
-                 Evaluation::Gradient, [](Options o) { return make_slsqp({.common = o}); }},
+                 Evaluation::Gradient, nlopt_runs<NLOPT_LD_SLSQP>},
+    // [Gablonsky2001]
     OptimizerRow{"direct-l", "DIRECT-L of NLopt: divides the box", OptimizerClass::Global, Evaluation::Value,
-                 [](Options o) { return make_direct_l({.common = o}); }},
+                 nlopt_search<NLOPT_GN_DIRECT_L>},
+    // [RinnooyKan1987, Kucherenko2005]. The time of its clustering grows with the square of the number of
+    // points.
     OptimizerRow{"mlsl", "Multi-level single linkage of NLopt: Sobol points and SLSQP",
                  OptimizerClass::Global, Evaluation::Gradient,
-                 [](Options o) { return make_mlsl({.common = o}); }},
+                 nlopt_search<NLOPT_G_MLSL_LDS, NLOPT_LD_SLSQP>},
+    // [Kaelo2006]
     OptimizerRow{"crs2", "Controlled random search with local mutation of NLopt", OptimizerClass::Random,
-                 Evaluation::Value, [](Options o) { return make_crs2({.common = o}); }},
+                 Evaluation::Value, nlopt_runs<NLOPT_GN_CRS2_LM>},
     OptimizerRow{"cma-es", "CMA-ES of pagmo; each restart doubles the population", OptimizerClass::Random,
                  Evaluation::Value, [](Options o) { return make_cma_es({.common = o}); }},
     OptimizerRow{"differential-evolution", "Differential evolution rand/1/exp of pagmo",
@@ -128,21 +145,6 @@ constexpr std::array kRows = {
                  OptimizerClass::Random, Evaluation::Value, [](Options o) { return make_random_search(o); }},
 };
 
-OptimizationReport report_of(const Evaluator& evaluator, RunOutcome outcome) {
-    OptimizationReport report;
-    report.termination = evaluator.trace().empty() ? Termination::Invalid : outcome.termination;
-    report.point = evaluator.best_point();
-    report.value = evaluator.best_value();
-    report.final_point = std::move(outcome.final_point);
-    report.cost = evaluator.cost();
-    report.evaluations = evaluator.evaluations();
-    report.derivative_evaluations = evaluator.derivative_evaluations();
-    report.failures = evaluator.failures();
-    report.points_outside = evaluator.points_outside();
-    report.trace = evaluator.trace();
-    return report;
-}
-
 }  // namespace
 
 std::span<const OptimizerRow> optimizer_catalogue() {
@@ -155,25 +157,6 @@ const OptimizerRow& find_optimizer(std::string_view name) {
     std::vector<std::string> names;
     for (const OptimizerRow& candidate : kRows) names.emplace_back(candidate.name);
     throw base::InputError(base::unknown_name_message("optimizer", name, names));
-}
-
-OptimizationReport minimize(const Problem& problem, const OptimizerRow& method,
-                            const OptimizerOptions& options, const Budget& budget) {
-    options.validate();
-    if (!problem.offers(method.needs)) {
-        throw base::InputError("optimizer '" + std::string(method.name) + "' needs what problem '" +
-                               problem.name() +
-                               "' does not offer: " + std::string(evaluation_name(method.needs)));
-    }
-    OptimizationReport report = minimize(problem, *method.make(options), budget);
-    report.optimizer = method.name;
-    return report;
-}
-
-OptimizationReport minimize(const Problem& problem, const Optimizer& optimizer, const Budget& budget) {
-    Evaluator evaluator(problem, budget);
-    RunOutcome outcome = optimizer.run(evaluator);
-    return report_of(evaluator, std::move(outcome));
 }
 
 }  // namespace fretwork::optimization

@@ -5,9 +5,7 @@
 
 #include <memory>
 #include <span>
-#include <string>
 #include <string_view>
-#include <vector>
 
 namespace fretwork::optimization {
 
@@ -20,33 +18,10 @@ struct OptimizerRow {
     std::unique_ptr<Optimizer> (*make)(const OptimizerOptions& options);
 };
 
-/// All methods. To add one: a file with its factory, and a row.
+/// All methods. To add one: a file with its factory, and a row; a method of NLopt is a row alone.
 std::span<const OptimizerRow> optimizer_catalogue();
 
 /// Throws InputError that names the nearest method, or all of them.
 const OptimizerRow& find_optimizer(std::string_view name);
-
-struct OptimizationReport {
-    std::string optimizer;
-    Termination termination = Termination::Converged;
-    Eigen::VectorXd point;        ///< the best that was seen; empty if the objective was finite nowhere
-    double value = 0.0;           ///< the objective there
-    Eigen::VectorXd final_point;  ///< where the method itself stood in the end
-    long cost = 0;                ///< in the problem's unit
-    long evaluations = 0;         ///< of any kind
-    long derivative_evaluations = 0;
-    long failures = 0;        ///< evaluations whose objective was not finite
-    long points_outside = 0;  ///< refused: a method that asks for them is at fault
-    std::vector<TracePoint> trace;
-};
-
-/// Minimize a problem by the method of this row. The same arguments give the same report, except where a
-/// budget in seconds cuts in. Throws InputError if an option makes no sense, or the problem does not offer
-/// what the method needs.
-OptimizationReport minimize(const Problem& problem, const OptimizerRow& method,
-                            const OptimizerOptions& options = {}, const Budget& budget = {});
-
-/// The same by a method that is in no catalogue.
-OptimizationReport minimize(const Problem& problem, const Optimizer& optimizer, const Budget& budget = {});
 
 }  // namespace fretwork::optimization

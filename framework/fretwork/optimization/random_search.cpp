@@ -17,7 +17,7 @@ class RandomSearch final : public Optimizer {
             for (double& share : shares) share = random.uniform();
             point = evaluator.bounds().at_shares(shares);
         } while (evaluator.value(point));
-        return {Termination::BudgetSpent, point};
+        return {Ending::BudgetSpent, point};
     }
 
   private:

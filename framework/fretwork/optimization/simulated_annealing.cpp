@@ -40,10 +40,10 @@ class Annealing {
 
     RunOutcome run() {
         const auto first = evaluator_.value(point());
-        if (!first) return {Termination::BudgetSpent, point()};
+        if (!first) return {Ending::BudgetSpent, point()};
         energy_ = *first;
         for (; moves_ < options_.initial_moves;) {
-            if (!try_move()) return {Termination::BudgetSpent, point()};
+            if (!try_move()) return {Ending::BudgetSpent, point()};
         }
         return cool();
     }
@@ -57,12 +57,12 @@ class Annealing {
         long still_moves = 0;
         for (long move = 0; move < options_.largest_moves; ++move) {
             const double previous = energy_;
-            if (!try_move()) return {Termination::BudgetSpent, point()};
+            if (!try_move()) return {Ending::BudgetSpent, point()};
             temperature_ *= 1.0 - options_.cooling;
             still_moves = std::abs(energy_ - previous) < options_.tolerance ? still_moves + 1 : 0;
-            if (still_moves >= frozen_after) return {Termination::Converged, point()};
+            if (still_moves >= frozen_after) return {Ending::Converged, point()};
         }
-        return {Termination::Stalled, point()};
+        return {Ending::Stalled, point()};
     }
 
     /// Move the variable whose turn it is. False once the budget is spent.
@@ -127,7 +127,7 @@ class SimulatedAnnealing final : public Optimizer {
         RunOutcome outcome;
         for (int run = 0; run < options_.common.starts; ++run) {
             outcome = Annealing(options_, evaluator, run).run();
-            if (outcome.termination == Termination::BudgetSpent) break;
+            if (outcome.ending == Ending::BudgetSpent) break;
         }
         return outcome;
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
-#include <fretwork/optimization/optimizer_catalogue.hpp>
+#include <fretwork/optimization/minimize.hpp>
 #include <fretwork/reduction/calibration.hpp>
 #include <fretwork/reduction/paper6_problem.hpp>
 
@@ -41,7 +41,7 @@ Calibration calibrate_paper6(const std::vector<Response>& responses, const Setti
     const auto report =
         optimization::minimize(problem, optimization::find_optimizer(options.optimizer),
                                {.starts = options.starts, .seed = options.seed}, {.cost = options.budget});
-    if (report.termination == optimization::Termination::Invalid) {
+    if (report.ending == optimization::Ending::Invalid) {
         throw base::NumericalError("the objective of the six-parameter model is finite nowhere");
     }
     Calibration calibration;
@@ -54,7 +54,7 @@ Calibration calibrate_paper6(const std::vector<Response>& responses, const Setti
     calibration.scenario_errors = objective.scenario_errors(best);
     calibration.evaluations = report.cost;
     calibration.at_bound = parameters_at_bound(problem.bounds(), report.point);
-    calibration.converged = report.termination == optimization::Termination::Converged;
+    calibration.converged = report.ending == optimization::Ending::Converged;
     return calibration;
 }
 

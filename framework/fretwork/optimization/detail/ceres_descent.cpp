@@ -38,20 +38,20 @@ class Stage {
                         smoothing == options.smoothing.back() ? options.tolerance : options.loose_tolerance,
                     .largest_iterations = options.largest_iterations} {}
 
-    Termination run(Eigen::VectorXd& point) {
+    Ending run(Eigen::VectorXd& point) {
         // Each pass changes what is held; two variables that keep changing places are left as they are.
         const Eigen::Index passes = 2 * point.size();
         std::vector<Eigen::Index> free;
         bool converged = true;
         for (Eigen::Index pass = 0; pass < passes; ++pass) {
             auto now_free = free_variables(point);
-            if (!last_) return Termination::BudgetSpent;
+            if (!last_) return Ending::BudgetSpent;
             if (now_free == free || now_free.empty()) break;
             free = std::move(now_free);
             converged = descend_in(free, point);
-            if (is_refused_) return Termination::BudgetSpent;
+            if (is_refused_) return Ending::BudgetSpent;
         }
-        return converged ? Termination::Converged : Termination::Stalled;
+        return converged ? Ending::Converged : Ending::Stalled;
     }
 
   private:
@@ -106,14 +106,13 @@ class Stage {
 
 }  // namespace
 
-Termination descend_by_ceres(Evaluator& evaluator, const ContinuationOptions& options,
-                             Eigen::VectorXd& point) {
-    Termination termination = Termination::Converged;
+Ending descend_by_ceres(Evaluator& evaluator, const ContinuationOptions& options, Eigen::VectorXd& point) {
+    Ending ending = Ending::Converged;
     for (const double smoothing : options.smoothing) {
-        termination = Stage(evaluator, options, smoothing).run(point);
-        if (termination == Termination::BudgetSpent) break;
+        ending = Stage(evaluator, options, smoothing).run(point);
+        if (ending == Ending::BudgetSpent) break;
     }
-    return termination;
+    return ending;
 }
 
 }  // namespace fretwork::optimization::detail

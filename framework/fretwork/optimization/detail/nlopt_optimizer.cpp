@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/base/text.hpp>
 #include <fretwork/optimization/detail/nlopt_optimizer.hpp>
 #include <fretwork/optimization/detail/nlopt_run.hpp>
 #include <fretwork/optimization/random.hpp>
@@ -14,7 +16,7 @@ class NloptRuns final : public Optimizer {
 
     RunOutcome run(Evaluator& evaluator) const override {
         const LowDiscrepancySequence starts(evaluator.bounds().dimension(), options_.common.seed);
-        RunOutcome outcome{Termination::BudgetSpent, {}};
+        RunOutcome outcome{Ending::BudgetSpent, {}};
         for (int i = 0; i < options_.common.starts; ++i) {
             const auto number = static_cast<std::uint64_t>(i);
             outcome = run_nlopt(evaluator, {.algorithm = algorithm_,
@@ -22,7 +24,7 @@ class NloptRuns final : public Optimizer {
                                             .initial_step = options_.initial_step,
                                             .tolerance = options_.tolerance,
                                             .seed = derived_seed(options_.common.seed, number)});
-            if (outcome.termination == Termination::BudgetSpent) break;
+            if (outcome.ending == Ending::BudgetSpent) break;
         }
         return outcome;
     }
@@ -53,6 +55,20 @@ class NloptSearch final : public Optimizer {
 };
 
 }  // namespace
+
+void NloptOptions::validate() const {
+    common.validate();
+    if (!(tolerance > 0.0)) {
+        throw base::InputError("tolerance: " + base::format_number(tolerance) + " must be more than 0");
+    }
+    if (!(initial_step > 0.0 && initial_step <= 1.0)) {
+        throw base::InputError("initial step: " + base::format_number(initial_step) +
+                               " must be a share of the box, more than 0 and at most 1");
+    }
+    if (patience < 1) {
+        throw base::InputError("patience: " + std::to_string(patience) + " evaluations must be at least 1");
+    }
+}
 
 std::unique_ptr<Optimizer> make_nlopt_runs(nlopt_algorithm algorithm, const NloptOptions& options) {
     options.validate();

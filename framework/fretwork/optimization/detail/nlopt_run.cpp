@@ -82,9 +82,9 @@ Method make_method(nlopt_algorithm algorithm, const NloptRun& run) {
     return method;
 }
 
-Termination termination_of(nlopt_result result, const Callback& callback) {
-    if (callback.is_refused) return Termination::BudgetSpent;
-    return result > 0 && !callback.is_patience_over ? Termination::Converged : Termination::Stalled;
+Ending ending_of(nlopt_result result, const Callback& callback) {
+    if (callback.is_refused) return Ending::BudgetSpent;
+    return result > 0 && !callback.is_patience_over ? Ending::Converged : Ending::Stalled;
 }
 
 }  // namespace
@@ -105,7 +105,7 @@ RunOutcome run_nlopt(Evaluator& evaluator, const NloptRun& run) {
     double value = 0.0;
     const nlopt_result result = nlopt_optimize(method.get(), shares.data(), &value);
     if (callback.error) std::rethrow_exception(callback.error);
-    return {termination_of(result, callback), callback.box.point(shares)};
+    return {ending_of(result, callback), callback.box.point(shares)};
 }
 
 }  // namespace fretwork::optimization::detail

@@ -47,7 +47,7 @@ class PagmoRuns final : public Optimizer {
     PagmoRuns(MakeEvolution make, const PagmoOptions& options) : make_(make), options_(options) {}
 
     RunOutcome run(Evaluator& evaluator) const override {
-        RunOutcome outcome{Termination::BudgetSpent, {}};
+        RunOutcome outcome{Ending::BudgetSpent, {}};
         try {
             for (int i = 0; i < options_.common.starts; ++i) {
                 const unsigned seed = derived_seed(options_.common.seed, static_cast<std::uint64_t>(i));
@@ -55,13 +55,13 @@ class PagmoRuns final : public Optimizer {
                 const pagmo::population first{pagmo::problem(UnitProblem(evaluator)), evolution.population,
                                               seed};
                 const auto champion = evolution.algorithm.evolve(first).champion_x();
-                outcome = {Termination::Converged,
+                outcome = {Ending::Converged,
                            UnitBox(evaluator.problem())
                                .point(Eigen::Map<const Eigen::VectorXd>(
                                    champion.data(), static_cast<Eigen::Index>(champion.size())))};
             }
         } catch (const Refused&) {
-            outcome = {Termination::BudgetSpent, evaluator.best_point()};
+            outcome = {Ending::BudgetSpent, evaluator.best_point()};
         }
         return outcome;
     }

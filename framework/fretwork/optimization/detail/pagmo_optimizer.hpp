@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <fretwork/optimization/pagmo_options.hpp>
+#include <fretwork/optimization/pagmo_methods.hpp>
 
 #include <cstddef>
 #include <memory>

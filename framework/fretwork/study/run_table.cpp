@@ -1,44 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/quantity.hpp>
-#include <fretwork/base/sha256.hpp>
 #include <fretwork/base/text.hpp>
-#include <fretwork/optimization/comparison.hpp>
+#include <fretwork/study/run_table.hpp>
 
 #include <algorithm>
 #include <cstdio>
-#include <ctime>
 
-namespace fretwork::optimization {
+namespace fretwork::study {
 namespace {
-
-double thread_cpu_seconds() {
-    timespec time{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
-
-/// How many starts a method gets, where it is not one.
-struct Starts {
-    std::string_view method;
-    int starts;
-};
-constexpr Starts kStarts[] = {
-    {"ceres-multistart", 8},
-    {"gauss-newton-multistart", 8},
-    {"ceres-residuals", 8},
-    {"ceres-dogleg", 8},
-    {"ceres-subspace-dogleg", 8},
-    {"ceres-sine", 8},
-    {"ceres-smoothed", 8},
-    {"ceres-smoothed-dogleg", 8},
-    {"ceres-smoothed-subspace-dogleg", 8},
-    {"ceres-smoothed-sine", 8},
-    {"bobyqa", 8},
-    {"subplex", 4},
-    {"slsqp", 16},
-    {"cma-es", 4},
-};
 
 std::string short_number(double value, int digits = 7) {
     char text[32];
@@ -48,7 +18,7 @@ std::string short_number(double value, int digits = 7) {
 
 /// A point is kept if what the run still has to gain until its end is a fifth less than at the last one: so
 /// closely the cost of hitting a target is known, whatever the target.
-std::string thinned(const std::vector<TracePoint>& trace) {
+std::string thinned(const std::vector<optimization::TracePoint>& trace) {
     constexpr double kShareLeft = 0.8;
     constexpr int kDigits = 12;
     std::string text;
@@ -62,10 +32,6 @@ std::string thinned(const std::vector<TracePoint>& trace) {
                 short_number(trace[i].value, kDigits);
     }
     return text;
-}
-
-double distance_between(const Bounds& bounds, const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
-    return (a - b).cwiseQuotient(bounds.upper - bounds.lower).lpNorm<Eigen::Infinity>();
 }
 
 constexpr std::size_t kColumns = 18;
@@ -89,8 +55,8 @@ std::string row_fault(const std::vector<std::string>& cells) {
     };
     if (base::read_number<int>(cells[2]).value_or(0) < 1)
         return "repetition '" + cells[2] + "' is no number from 1 on";
-    constexpr std::string_view kTerminations[] = {"converged", "budget-spent", "stalled", "invalid"};
-    if (std::ranges::find(kTerminations, cells[8]) == std::end(kTerminations))
+    constexpr std::string_view kEndings[] = {"converged", "budget-spent", "stalled", "invalid"};
+    if (std::ranges::find(kEndings, cells[8]) == std::end(kEndings))
         return "termination '" + cells[8] + "' is none of converged, budget-spent, stalled, invalid";
     for (const std::size_t value : {9U, 10U}) {
         if (!base::read_number<double>(cells[value])) return "value '" + cells[value] + "' is no number";
@@ -105,11 +71,11 @@ std::string row_fault(const std::vector<std::string>& cells) {
 
 /// Under which other condition a row's run was made; empty if under the same ones.
 std::string other_condition(const std::vector<std::string>& cells, const RunKey& key,
-                            const ComparisonOptions& options, std::span<const Contender> contenders) {
+                            const RunConditions& conditions, std::span<const Contender> contenders) {
     const auto contender = std::ranges::find(contenders, key.optimizer,
                                              [](const Contender& c) { return std::string(c.method->name); });
-    if (cells[6] != std::to_string(run_seed(key, options.seed))) return "seed (or problem, or method)";
-    if (cells[7] != std::to_string(options.budget.cost)) return "budget, " + cells[7];
+    if (cells[6] != std::to_string(run_seed(key, conditions.seed))) return "seed (or problem, or method)";
+    if (cells[7] != std::to_string(conditions.budget.cost)) return "budget, " + cells[7];
     if (contender != contenders.end() && cells[5] != std::to_string(contender->starts))
         return "number of starts, " + cells[5];
     return "";
@@ -117,58 +83,14 @@ std::string other_condition(const std::vector<std::string>& cells, const RunKey&
 
 }  // namespace
 
-std::vector<Contender> default_contenders() {
-    std::vector<Contender> contenders;
-    for (const OptimizerRow& row : optimizer_catalogue()) {
-        const auto* given = std::ranges::find(kStarts, row.name, &Starts::method);
-        contenders.push_back({&row, given == std::end(kStarts) ? 1 : given->starts});
-    }
-    return contenders;
-}
-
-void ComparisonOptions::validate() const {
-    budget.validate();
-}
-
-std::uint64_t run_seed(const RunKey& key, std::uint64_t comparison_seed) {
-    const std::string hash = base::sha256(std::to_string(comparison_seed) + "|" + key.problem + "|" +
-                                          key.optimizer + "|" + std::to_string(key.repetition));
-    return std::stoull(hash.substr(0, 16), nullptr, 16);
-}
-
-RunRecord record_run(const Problem& problem, const Contender& contender, const RunKey& key,
-                     const ComparisonOptions& options, const Eigen::VectorXd& optimum) {
-    RunRecord record;
-    record.key = key;
-    record.dimension = problem.bounds().dimension();
-    record.kind = contender.method->kind;
-    record.starts = contender.starts;
-    record.seed = run_seed(key, options.seed);
-    record.budget = options.budget.cost;
-    const double begin = thread_cpu_seconds();
-    record.report = minimize(problem, *contender.method, {.starts = contender.starts, .seed = record.seed},
-                             options.budget);
-    record.cpu_seconds = thread_cpu_seconds() - begin;
-    const bool has_last = problem.bounds().contain(record.report.final_point);
-    record.last_value = has_last ? problem.value(record.report.final_point) : record.report.value;
-    if (optimum.size() > 0 && record.report.point.size() > 0) {
-        record.distance = distance_between(problem.bounds(), record.report.point, optimum);
-    }
-    return record;
-}
-
-int repetitions_of(const Contender& contender, int wanted) {
-    return contender.method->kind == OptimizerClass::Global ? 1 : wanted;
-}
-
-std::string comparison_header() {
+std::string run_table_header() {
     return "problem,optimizer,repetition,class,dimension,starts,seed,budget,termination,best_value,last_"
            "value,"
            "distance,cost,evaluations,derivative_evaluations,failures,cpu_seconds,trace";
 }
 
-std::string comparison_row(const RunRecord& record) {
-    const OptimizationReport& report = record.report;
+std::string run_table_row(const RunRecord& record) {
+    const optimization::OptimizationReport& report = record.report;
     const std::vector<std::string> cells = {record.key.problem,
                                             record.key.optimizer,
                                             std::to_string(record.key.repetition),
@@ -177,7 +99,7 @@ std::string comparison_row(const RunRecord& record) {
                                             std::to_string(record.starts),
                                             std::to_string(record.seed),
                                             std::to_string(record.budget),
-                                            std::string(termination_name(report.termination)),
+                                            std::string(ending_name(report.ending)),
                                             base::format_number(report.value),
                                             base::format_number(record.last_value),
                                             record.distance < 0.0 ? "" : short_number(record.distance),
@@ -190,12 +112,12 @@ std::string comparison_row(const RunRecord& record) {
     return base::join(cells, ",");
 }
 
-ComparisonTable::ComparisonTable(std::string_view text, const std::string& source,
-                                 const ComparisonOptions& options, std::span<const Contender> contenders) {
+RunTable::RunTable(std::string_view text, const std::string& source, const RunConditions& conditions,
+                   std::span<const Contender> contenders) {
     const auto lines = base::split(text, '\n');
-    if (lines.front() != comparison_header()) {
+    if (lines.front() != run_table_header()) {
         throw base::InputError(source, "line 1",
-                               "is not the header of a table of runs: " + comparison_header());
+                               "is not the header of a table of runs: " + run_table_header());
     }
     for (std::size_t i = 1; i < lines.size(); ++i) {
         if (lines[i].empty()) continue;
@@ -204,7 +126,7 @@ ComparisonTable::ComparisonTable(std::string_view text, const std::string& sourc
         if (const std::string fault = row_fault(cells); !fault.empty())
             throw base::InputError(source, place, fault);
         const RunKey key{cells[0], cells[1], base::read_number<int>(cells[2]).value_or(0)};
-        if (const std::string other = other_condition(cells, key, options, contenders); !other.empty())
+        if (const std::string other = other_condition(cells, key, conditions, contenders); !other.empty())
             throw base::InputError(
                 source, place,
                 "this run was made with another " + other + "; choose another folder, or the same one");
@@ -213,14 +135,14 @@ ComparisonTable::ComparisonTable(std::string_view text, const std::string& sourc
     }
 }
 
-void ComparisonTable::add(const RunRecord& record) {
-    rows_[record.key] = comparison_row(record);
+void RunTable::add(const RunRecord& record) {
+    rows_[record.key] = run_table_row(record);
 }
 
-std::string ComparisonTable::csv() const {
-    std::string text = comparison_header() + "\n";
+std::string RunTable::csv() const {
+    std::string text = run_table_header() + "\n";
     for (const auto& [key, row] : rows_) text += row + "\n";
     return text;
 }
 
-}  // namespace fretwork::optimization
+}  // namespace fretwork::study

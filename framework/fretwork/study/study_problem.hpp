@@ -8,13 +8,14 @@
 #include <string>
 #include <vector>
 
-namespace fretwork::app {
+namespace fretwork::study {
 
 /// A problem on which optimizers are compared. Its id is "family/name":
-/// calibration/PATTERN  the paper's model fitted to a pattern's responses in the paper's setting;
-/// synthetic/N          the same fitted to itself: parameters drawn at random from the middle 80 % of their
-/// ranges; analytic/NAME        a function of the literature.
-struct ComparisonProblem {
+/// - calibration/PATTERN: the paper's model fitted to a pattern's responses in the paper's setting;
+/// - synthetic/N: the same fitted to itself, with parameters drawn at random from the middle 80 % of their
+/// ranges;
+/// - analytic/NAME: a function of the literature.
+struct StudyProblem {
     std::string id;
     std::shared_ptr<const optimization::Problem> problem;
     std::optional<double> best_value;  ///< where it is known in closed form
@@ -22,17 +23,17 @@ struct ComparisonProblem {
 };
 
 /// Throws InputError for an id that names nothing.
-ComparisonProblem make_comparison_problem(const std::string& id);
+StudyProblem make_study_problem(const std::string& id);
 
 /// Patterns of the paper's layout, spread over the numbers of edges and, within each, over three classes of
 /// bending stiffness; 12 synthetic problems; all analytic ones.
-std::vector<std::string> comparison_problem_ids(std::size_t patterns);
+std::vector<std::string> study_problem_ids(std::size_t patterns);
 
-/// Of `ids` those that a person asks for, in their order: "all", or words joined by commas, each an id, a
+/// Of `ids` those that `choice` names, in their order: "all", or words joined by commas, each an id, a
 /// family, or family:N for N of it, evenly spread. Throws InputError.
-std::vector<std::string> wanted_problems(const std::vector<std::string>& ids, const std::string& wish);
+std::vector<std::string> chosen_problems(const std::vector<std::string>& ids, const std::string& choice);
 
 /// "calibration" of "calibration/0-1+1-6".
 std::string family_of(const std::string& id);
 
-}  // namespace fretwork::app
+}  // namespace fretwork::study

@@ -1,19 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "comparison_landscape.hpp"
-#include "comparison_problems.hpp"
-
-#include <fretwork/base/file.hpp>
+#include <fretwork/base/error.hpp>
 #include <fretwork/base/parallel.hpp>
-#include <fretwork/base/progress.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/optimization/ceres_residuals.hpp>
 #include <fretwork/optimization/gauss_newton_multistart.hpp>
-#include <fretwork/optimization/optimizer_catalogue.hpp>
+#include <fretwork/optimization/minimize.hpp>
+#include <fretwork/study/landscape.hpp>
+#include <fretwork/study/study_problem.hpp>
 
 #include <limits>
 #include <memory>
 
-namespace fretwork::app {
+namespace fretwork::study {
 namespace {
 
 using optimization::Optimizer;
@@ -60,13 +58,25 @@ std::vector<Descent> descend(const Problem& problem, const Kind& kind, const Lan
     std::vector<Descent> descents(static_cast<std::size_t>(options.descents));
     base::parallel_for(descents.size(), options.threads, [&](std::size_t i) {
         // One start under a seed of its own begins at a uniform random point.
-        const auto report = minimize(problem, *kind.make({.starts = 1, .seed = i + 1}), {.cost = 100'000});
+        const auto report = minimize(problem, *kind.make({.starts = 1, .seed = i + 1}),
+                                     {.cost = 100'000, .control = {.stop = options.control.stop}});
         descents[i] = {report.value, report.cost, report.point};
     });
     return descents;
 }
 
-std::string section_rows(const ComparisonProblem& entry, const Eigen::VectorXd& best) {
+std::string descent_rows(const StudyProblem& entry, const Kind& kind, const std::vector<Descent>& descents) {
+    std::string text;
+    for (std::size_t i = 0; i < descents.size(); ++i) {
+        if (descents[i].point.size() == 0) continue;
+        text += entry.id + "," + kind.name + "," + std::to_string(i + 1) + "," +
+                base::format_number(descents[i].value) + "," + std::to_string(descents[i].cost) + "," +
+                shares_text(entry.problem->bounds(), descents[i].point) + "\n";
+    }
+    return text;
+}
+
+std::string section_rows(const StudyProblem& entry, const Eigen::VectorXd& best) {
     constexpr int kSteps = 400;
     const Problem& problem = *entry.problem;
     const auto& bounds = problem.bounds();
@@ -89,31 +99,31 @@ std::string section_rows(const ComparisonProblem& entry, const Eigen::VectorXd& 
 
 }  // namespace
 
-void write_landscape(const std::vector<std::string>& problems, const LandscapeOptions& options,
-                     const std::filesystem::path& folder) {
-    std::string descents = "problem,kind,descent,value,cost,shares\n";
-    std::string sections = "problem,variable,share,objective,smoothed_0.1,smoothed_0.01\n";
-    base::TerminalProgress progress;
-    progress.start("landscape", problems.size());
+void LandscapeOptions::validate() const {
+    if (descents < 1) throw base::InputError("descents: " + std::to_string(descents) + " must be at least 1");
+}
+
+Landscape explore_landscape(const std::vector<std::string>& problems, const LandscapeOptions& options) {
+    options.validate();
+    Landscape landscape{"problem,kind,descent,value,cost,shares\n",
+                        "problem,variable,share,objective,smoothed_0.1,smoothed_0.01\n"};
+    base::Progress* progress = options.control.progress;
+    if (progress != nullptr) progress->start("landscape", problems.size());
     for (std::size_t p = 0; p < problems.size(); ++p) {
-        const ComparisonProblem entry = make_comparison_problem(problems[p]);
+        const StudyProblem entry = make_study_problem(problems[p]);
         Descent best;
         for (const Kind& kind : kKinds) {
             const auto found = descend(*entry.problem, kind, options);
-            for (std::size_t i = 0; i < found.size(); ++i) {
-                if (found[i].point.size() == 0) continue;
-                if (found[i].value < best.value) best = found[i];
-                descents += entry.id + "," + kind.name + "," + std::to_string(i + 1) + "," +
-                            base::format_number(found[i].value) + "," + std::to_string(found[i].cost) + "," +
-                            shares_text(entry.problem->bounds(), found[i].point) + "\n";
+            landscape.descents += descent_rows(entry, kind, found);
+            for (const Descent& descent : found) {
+                if (descent.point.size() > 0 && descent.value < best.value) best = descent;
             }
         }
-        if (best.point.size() > 0) sections += section_rows(entry, best.point);
-        progress.update(p + 1);
+        if (best.point.size() > 0) landscape.sections += section_rows(entry, best.point);
+        if (progress != nullptr) progress->update(p + 1);
     }
-    progress.finish();
-    base::write_file_atomically(folder / "descents.csv", descents);
-    base::write_file_atomically(folder / "sections.csv", sections);
+    if (progress != nullptr) progress->finish();
+    return landscape;
 }
 
-}  // namespace fretwork::app
+}  // namespace fretwork::study

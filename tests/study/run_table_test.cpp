@@ -1,28 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "analytic_problems.hpp"
+#include "optimization/analytic_problems.hpp"
+#include "optimization/evolution_strategy.hpp"
 
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/text.hpp>
-#include <fretwork/optimization/comparison.hpp>
+#include <fretwork/study/run_table.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <set>
 
-namespace fretwork::optimization {
+namespace fretwork::study {
 namespace {
 
-RunRecord sphere_run(const std::string& optimizer, int repetition, const ComparisonOptions& options) {
-    return record_run(sphere(2), {&find_optimizer(optimizer), 2}, {"sphere", optimizer, repetition}, options,
-                      Eigen::Vector2d(0.1, 0.2));
+using optimization::find_optimizer;
+using optimization::optimizer_catalogue;
+using optimization::sphere;
+
+RunRecord sphere_run(const std::string& optimizer, int repetition, const RunConditions& conditions) {
+    const auto problem = sphere(2);
+    return record_run({problem, Eigen::Vector2d(0.1, 0.2)}, {&find_optimizer(optimizer), 2},
+                      {"sphere", optimizer, repetition}, conditions);
 }
 
 std::vector<std::string> cells_of(const RunRecord& record) {
-    return base::split(comparison_row(record), ',');
+    return base::split(run_table_row(record), ',');
 }
 
-TEST(Comparison, GivesEveryMethodOfTheCatalogueAPlace) {
+TEST(Study, GivesEveryMethodOfTheCatalogueAPlace) {
     const auto contenders = default_contenders();
     ASSERT_EQ(contenders.size(), optimizer_catalogue().size());
     for (std::size_t i = 0; i < contenders.size(); ++i) {
@@ -31,7 +37,7 @@ TEST(Comparison, GivesEveryMethodOfTheCatalogueAPlace) {
     }
 }
 
-TEST(Comparison, SeedsDifferByProblemMethodRepetitionAndComparison) {
+TEST(Study, SeedsDifferByProblemMethodRepetitionAndComparison) {
     std::set<std::uint64_t> seeds;
     for (const char* problem : {"a", "b"}) {
         for (const char* optimizer : {"x", "y"}) {
@@ -47,15 +53,15 @@ TEST(Comparison, SeedsDifferByProblemMethodRepetitionAndComparison) {
     EXPECT_EQ(run_seed({"a", "x", 1}, 1), 0xa78559729a100107U);
 }
 
-TEST(Comparison, RepeatsAllButDeterministicMethods) {
+TEST(Study, RepeatsAllButDeterministicMethods) {
     EXPECT_EQ(repetitions_of({&find_optimizer("direct-l"), 1}, 15), 1);
     EXPECT_EQ(repetitions_of({&find_optimizer("bobyqa"), 1}, 15), 15);
     EXPECT_EQ(repetitions_of({&find_optimizer("cma-es"), 1}, 15), 15);
 }
 
-TEST(Comparison, RecordsWhereTheMethodStoppedAndHowFarTheOptimumIs) {
-    const ComparisonOptions options{.budget = {.cost = 700}};
-    const auto record = sphere_run("simulated-annealing", 1, options);
+TEST(Study, RecordsWhereTheMethodStoppedAndHowFarTheOptimumIs) {
+    const RunConditions conditions{.budget = {.cost = 700}};
+    const auto record = sphere_run("simulated-annealing", 1, conditions);
     const auto problem = sphere(2);
     EXPECT_EQ(record.last_value, problem.value(record.report.final_point));
     EXPECT_GT(record.last_value, record.report.value);
@@ -64,9 +70,9 @@ TEST(Comparison, RecordsWhereTheMethodStoppedAndHowFarTheOptimumIs) {
     EXPECT_GT(record.cpu_seconds, 0.0);
 }
 
-TEST(Comparison, WritesOneCellForEachColumn) {
+TEST(Study, WritesOneCellForEachColumn) {
     const auto record = sphere_run("bobyqa", 3, {});
-    const auto names = base::split(comparison_header(), ',');
+    const auto names = base::split(run_table_header(), ',');
     const auto cells = cells_of(record);
     ASSERT_EQ(cells.size(), names.size());
     EXPECT_EQ(cells[0], "sphere");
@@ -75,29 +81,50 @@ TEST(Comparison, WritesOneCellForEachColumn) {
     EXPECT_EQ(cells[12], std::to_string(record.report.cost));
 }
 
-TEST(Comparison, ThinsTheTraceToWhatIsAFifthNearerToItsEnd) {
+TEST(Study, ThinsTheTraceToWhatIsAFifthNearerToItsEnd) {
     RunRecord record = sphere_run("bobyqa", 1, {});
     // 4 is the end: 6, 5.9, 1, 0.9, 1e-4 and 0.9e-4 are left to gain.
     record.report.trace = {{1, 10.0}, {2, 9.9}, {3, 5.0}, {5, 4.9}, {6, 4.0001}, {7, 4.00009}, {9, 4.0}};
     EXPECT_EQ(cells_of(record).back(), "1:10 3:5 6:4.0001 9:4");
 }
 
-TEST(ComparisonTable, GivesBackWhatItWasMadeOfAndKnowsIt) {
-    const ComparisonOptions options{.budget = {.cost = 100}};
+TEST(RunTable, GivesBackWhatItWasMadeOfAndKnowsIt) {
+    const RunConditions conditions{.budget = {.cost = 100}};
     const std::vector<Contender> contenders{{&find_optimizer("bobyqa"), 2}, {&find_optimizer("crs2"), 2}};
-    ComparisonTable table;
-    for (const char* optimizer : {"crs2", "bobyqa"}) table.add(sphere_run(optimizer, 1, options));
-    const ComparisonTable again(table.csv(), "results.csv", options, contenders);
+    RunTable table;
+    for (const char* optimizer : {"crs2", "bobyqa"}) table.add(sphere_run(optimizer, 1, conditions));
+    const RunTable again(table.csv(), "results.csv", conditions, contenders);
     EXPECT_EQ(again.csv(), table.csv());
     EXPECT_TRUE(again.contains({"sphere", "crs2", 1}));
     EXPECT_FALSE(again.contains({"sphere", "crs2", 2}));
     EXPECT_LT(table.csv().find("bobyqa"), table.csv().find("crs2")) << "rows are sorted";
 }
 
-void expect_refused(const std::string& text, const ComparisonOptions& options, const std::string& complaint) {
+TEST(RunTable, TakesAMethodThatIsInNoCatalogue) {
+    const auto problem = sphere(2);
+    const Contender contender{&own::kEvolutionStrategy, 2};
+    const RunKey key{"sphere", std::string(contender.method->name), 1};
+    RunTable table;
+    table.add(record_run({problem, Eigen::Vector2d(0.1, 0.2)}, contender, key, {.budget = {.cost = 500}}));
+    EXPECT_TRUE(table.contains(key));
+    EXPECT_THAT(table.csv(), testing::HasSubstr("sphere,evolution-strategy,1,random,2,2,"));
+}
+
+TEST(RunTable, MergesTheRunsThatItLacks) {
+    RunTable table;
+    RunTable other;
+    table.add(sphere_run("bobyqa", 1, {}));
+    other.add(sphere_run("bobyqa", 1, {}));
+    other.add(sphere_run("bobyqa", 2, {}));
+    table.merge(other);
+    EXPECT_EQ(table.size(), 2U);
+    EXPECT_TRUE(table.contains({"sphere", "bobyqa", 2}));
+}
+
+void expect_refused(const std::string& text, const RunConditions& conditions, const std::string& complaint) {
     const std::vector<Contender> contenders{{&find_optimizer("bobyqa"), 2}};
     try {
-        const ComparisonTable table(text, "results.csv", options, contenders);
+        const RunTable table(text, "results.csv", conditions, contenders);
         ADD_FAILURE() << complaint;
     } catch (const base::InputError& error) {
         EXPECT_THAT(error.what(),
@@ -105,29 +132,29 @@ void expect_refused(const std::string& text, const ComparisonOptions& options, c
     }
 }
 
-TEST(ComparisonTable, RefusesRowsOfOtherConditionsAndBrokenOnes) {
-    const ComparisonOptions options{.budget = {.cost = 100}};
-    ComparisonTable table;
-    table.add(sphere_run("bobyqa", 1, options));
+TEST(RunTable, RefusesRowsOfOtherConditionsAndBrokenOnes) {
+    const RunConditions conditions{.budget = {.cost = 100}};
+    RunTable table;
+    table.add(sphere_run("bobyqa", 1, conditions));
     expect_refused(table.csv(), {.budget = {.cost = 101}},
                    "line 2: this run was made with another budget, 100");
     expect_refused(table.csv(), {.budget = {.cost = 100}, .seed = 2}, "another seed");
-    expect_refused("a,b\n", options, "line 1");
-    expect_refused("", options, "line 1");
-    expect_refused(comparison_header() + "\nsphere,bobyqa,1\n", options, "has 3 columns");
+    expect_refused("a,b\n", conditions, "line 1");
+    expect_refused("", conditions, "line 1");
+    expect_refused(run_table_header() + "\nsphere,bobyqa,1\n", conditions, "has 3 columns");
     const auto with = [&](const std::string& piece, const std::string& by) {
         std::string text = table.csv();
         const auto place = text.rfind(piece);
         return text.replace(place, piece.size(), by);
     };
-    const std::string row = table.csv().substr(comparison_header().size() + 1);
-    expect_refused(table.csv() + row, options, "line 3: this run stands in the table already");
+    const std::string row = table.csv().substr(run_table_header().size() + 1);
+    expect_refused(table.csv() + row, conditions, "line 3: this run stands in the table already");
     const auto cells = base::split(row, ',');
-    expect_refused(with("," + cells[8] + ",", ",bugdet,"), options, "'bugdet'");
-    expect_refused(with("," + cells[8] + "," + cells[9], "," + cells[8] + ",abc"), options, "value 'abc'");
-    expect_refused(with(cells[17], "x:y\n"), options, "trace");
-    expect_refused(with("," + cells[16] + ",", ",-1,"), options, "CPU time '-1'");
+    expect_refused(with("," + cells[8] + ",", ",bugdet,"), conditions, "'bugdet'");
+    expect_refused(with("," + cells[8] + "," + cells[9], "," + cells[8] + ",abc"), conditions, "value 'abc'");
+    expect_refused(with(cells[17], "x:y\n"), conditions, "trace");
+    expect_refused(with("," + cells[16] + ",", ",-1,"), conditions, "CPU time '-1'");
 }
 
 }  // namespace
-}  // namespace fretwork::optimization
+}  // namespace fretwork::study

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "comparison_problems.hpp"
-
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/quantity.hpp>
 #include <fretwork/base/text.hpp>
@@ -11,12 +9,13 @@
 #include <fretwork/reduction/linear_response.hpp>
 #include <fretwork/reduction/paper6_problem.hpp>
 #include <fretwork/reduction/stratified_sample.hpp>
+#include <fretwork/study/study_problem.hpp>
 
 #include <algorithm>
 #include <map>
 #include <set>
 
-namespace fretwork::app {
+namespace fretwork::study {
 namespace {
 
 constexpr int kSyntheticProblems = 12;
@@ -47,17 +46,17 @@ const pattern::NodeLayout& paper_layout() {
     return layout;
 }
 
-ComparisonProblem calibration_problem(const std::string& id, const std::string& pattern_id) {
+StudyProblem calibration_problem(const std::string& id, const std::string& pattern_id) {
     const auto setting = reduction::paper_setting();
     const auto pattern = pattern::parse_pattern_id(paper_layout(), pattern_id);
     const auto responses = reduction::compute_responses(paper_layout(), pattern, setting);
     return {id, make_calibration(responses, setting), std::nullopt, {}};
 }
 
-ComparisonProblem synthetic_problem(const std::string& id, const std::string& number) {
+StudyProblem synthetic_problem(const std::string& id, const std::string& number) {
     const int n = base::read_number<int>(number).value_or(0);
     if (n < 1 || number != std::to_string(n))  // one problem has one id
-        throw base::InputError("--problems", "", "'" + id + "' is no synthetic problem, such as synthetic/1");
+        throw base::InputError("'" + id + "' is no synthetic problem, such as synthetic/1");
     const auto setting = reduction::paper_setting();
     const reduction::Paper6Hexagon model(setting);
     const auto any = make_calibration(
@@ -73,7 +72,7 @@ ComparisonProblem synthetic_problem(const std::string& id, const std::string& nu
     return {id, make_calibration(target, setting), 0.0, optimum};
 }
 
-ComparisonProblem analytic_problem(const std::string& id, const std::string& name) {
+StudyProblem analytic_problem(const std::string& id, const std::string& name) {
     std::vector<std::string> names;
     for (auto& candidate : optimization::analytic_problems()) {
         names.push_back(candidate.problem->name());
@@ -127,12 +126,10 @@ void choose_family(const std::vector<std::string>& ids, const std::string& word,
     std::size_t count = members.size();
     if (parts.size() == 2) count = base::read_number<std::size_t>(parts[1]).value_or(0);
     if (!members.empty() && count > members.size())
-        throw base::InputError(
-            "--problems", "",
-            "'" + word + "': there are " + std::to_string(members.size()) + " of that family");
+        throw base::InputError("'" + word + "': there are " + std::to_string(members.size()) +
+                               " of that family");
     if (members.empty() || count == 0 || parts.size() > 2) {
-        throw base::InputError("--problems", "",
-                               "'" + word + "' is no problem that is known, no family and no family:N");
+        throw base::InputError("'" + word + "' is no problem that is known, no family and no family:N");
     }
     for (std::size_t k = 0; k < count; ++k)
         chosen.insert(members[(2 * k + 1) * members.size() / (2 * count)]);
@@ -144,7 +141,7 @@ std::string family_of(const std::string& id) {
     return id.substr(0, id.find('/'));
 }
 
-ComparisonProblem make_comparison_problem(const std::string& id) {
+StudyProblem make_study_problem(const std::string& id) {
     const std::string family = family_of(id);
     const std::string name = id.size() > family.size() ? id.substr(family.size() + 1) : "";
     if (family == "calibration") return calibration_problem(id, name);
@@ -154,7 +151,7 @@ ComparisonProblem make_comparison_problem(const std::string& id) {
         "family of problems", family, std::vector<std::string>{"calibration", "synthetic", "analytic"}));
 }
 
-std::vector<std::string> comparison_problem_ids(std::size_t patterns) {
+std::vector<std::string> study_problem_ids(std::size_t patterns) {
     std::vector<std::string> ids = pattern_ids(patterns);
     for (int n = 1; n <= kSyntheticProblems; ++n) ids.push_back("synthetic/" + std::to_string(n));
     for (const auto& entry : optimization::analytic_problems()) {
@@ -163,20 +160,20 @@ std::vector<std::string> comparison_problem_ids(std::size_t patterns) {
     return ids;
 }
 
-std::vector<std::string> wanted_problems(const std::vector<std::string>& ids, const std::string& wish) {
-    if (wish == "all") return ids;
+std::vector<std::string> chosen_problems(const std::vector<std::string>& ids, const std::string& choice) {
+    if (choice == "all") return ids;
     std::set<std::string> chosen;
-    for (const std::string& word : base::split(wish, ',')) {
+    for (const std::string& word : base::split(choice, ',')) {
         if (std::ranges::find(ids, word) != ids.end()) {
             chosen.insert(word);
         } else {
             choose_family(ids, word, chosen);
         }
     }
-    std::vector<std::string> wanted;
-    std::ranges::copy_if(ids, std::back_inserter(wanted),
+    std::vector<std::string> matching;
+    std::ranges::copy_if(ids, std::back_inserter(matching),
                          [&](const std::string& id) { return chosen.contains(id); });
-    return wanted;
+    return matching;
 }
 
-}  // namespace fretwork::app
+}  // namespace fretwork::study

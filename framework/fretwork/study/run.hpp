@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/optimization/minimize.hpp>
+#include <fretwork/study/contender.hpp>
+
+#include <compare>
+#include <cstdint>
+#include <string>
+
+namespace fretwork::study {
+
+/// What identifies a run in a study.
+struct RunKey {
+    std::string problem;
+    std::string optimizer;
+    int repetition = 0;  ///< from 1
+    friend auto operator<=>(const RunKey&, const RunKey&) = default;
+};
+
+/// The conditions that all runs of a study share.
+struct RunConditions {
+    optimization::Budget budget{.cost = 40000};  ///< the published annealing ends before
+    std::uint64_t seed = 1;                      ///< changes the seeds of all runs
+    void validate() const;
+};
+
+/// One run: a row of the table (see run_table.hpp).
+struct RunRecord {
+    RunKey key;
+    int dimension = 0;
+    optimization::OptimizerClass kind = optimization::OptimizerClass::Local;
+    int starts = 0;
+    std::uint64_t seed = 0;
+    long budget = 0;
+    optimization::OptimizationReport report;
+    double last_value = 0.0;  ///< the objective where the method itself stopped; not charged
+    double distance = -1.0;  ///< from the known optimum, as the largest share of the box; negative: not known
+    double cpu_seconds = 0.0;  ///< of the thread
+};
+
+/// The seed of a run: a hash of its key and the study's seed, so that no two runs share one.
+std::uint64_t run_seed(const RunKey& key, std::uint64_t study_seed);
+
+/// What is run: a problem and, where the minimum is known to be at one point, that point (else empty).
+struct RunTarget {
+    const optimization::Problem& problem;
+    Eigen::VectorXd optimum{};
+};
+
+/// Run a contender on a problem. Throws base::Stopped once the budget's control asks to stop.
+RunRecord record_run(const RunTarget& target, const Contender& contender, const RunKey& key,
+                     const RunConditions& conditions);
+
+}  // namespace fretwork::study

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/base/file.hpp>
+#include <fretwork/base/file_lock.hpp>
+#include <fretwork/base/parallel.hpp>
+#include <fretwork/study/run_table.hpp>
+#include <fretwork/study/study.hpp>
+#include <fretwork/study/study_problem.hpp>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <map>
+#include <mutex>
+#include <optional>
+
+namespace fretwork::study {
+namespace {
+
+struct Task {
+    RunKey key;
+    Contender contender;
+};
+
+std::vector<Task> missing_tasks(const StudyPlan& plan, const RunTable& table) {
+    std::vector<Task> tasks;
+    for (int repetition = 1; repetition <= plan.repetitions; ++repetition) {
+        for (const std::string& problem : plan.problems) {
+            for (const Contender& contender : plan.contenders) {
+                if (repetition > repetitions_of(contender, plan.repetitions)) continue;
+                Task task{{problem, std::string(contender.method->name), repetition}, contender};
+                if (!table.contains(task.key)) tasks.push_back(std::move(task));
+            }
+        }
+    }
+    return tasks;
+}
+
+/// Problems that were made once; making one takes longer than some runs. Threads may share it, and one makes
+/// a problem while others get theirs.
+class ProblemStore {
+  public:
+    const StudyProblem& get(const std::string& id) {
+        Entry& entry = entry_of(id);
+        std::call_once(entry.made, [&] { entry.problem = make_study_problem(id); });
+        return *entry.problem;
+    }
+
+  private:
+    struct Entry {
+        std::once_flag made;
+        std::optional<StudyProblem> problem;
+    };
+    Entry& entry_of(const std::string& id) {
+        const std::lock_guard lock(mutex_);
+        return entries_[id];
+    }
+    std::mutex mutex_;
+    std::map<std::string, Entry> entries_;
+};
+
+RunTable stored_table(const std::filesystem::path& folder, const StudyPlan& plan) {
+    const std::filesystem::path path = run_table_path(folder);
+    if (!std::filesystem::exists(path)) return {};
+    return {base::read_text_file(path), path.string(), plan.conditions, plan.contenders};
+}
+
+/// Takes what threads have done, in any order: the table sorts it.
+class TableWriter {
+  public:
+    TableWriter(RunTable table, std::filesystem::path folder, const StudyPlan& plan)
+        : table_(std::move(table)), folder_(std::move(folder)), plan_(plan) {}
+
+    void add(const RunRecord& record) {
+        const std::lock_guard lock(mutex_);
+        table_.add(record);
+        ++runs_done_;
+        if (plan_.control.progress != nullptr) plan_.control.progress->update(runs_done_);
+        if (Clock::now() >= next_write_) write();
+    }
+
+    /// How many runs were added.
+    std::size_t finish() {
+        write();
+        return runs_done_;
+    }
+
+  private:
+    using Clock = std::chrono::steady_clock;
+
+    /// Every few seconds, but at most a twentieth of the time goes into it: a whole table is tens of
+    /// megabytes.
+    void write() {
+        constexpr std::chrono::seconds kLeastPause(5);
+        constexpr int kPausePerWrite = 19;
+        const auto begin = Clock::now();
+        const base::FileLock lock(folder_);
+        table_.merge(stored_table(folder_, plan_));
+        base::write_file_atomically(run_table_path(folder_), table_.csv());
+        const auto end = Clock::now();
+        next_write_ = end + std::max<Clock::duration>(kLeastPause, kPausePerWrite * (end - begin));
+    }
+
+    std::mutex mutex_;
+    RunTable table_;
+    std::filesystem::path folder_;
+    const StudyPlan& plan_;
+    std::size_t runs_done_ = 0;
+    Clock::time_point next_write_ = Clock::now();
+};
+
+}  // namespace
+
+void StudyPlan::validate() const {
+    conditions.validate();
+    if (repetitions < 1)
+        throw base::InputError("repetitions: " + std::to_string(repetitions) + " must be at least 1");
+}
+
+std::filesystem::path run_table_path(const std::filesystem::path& folder) {
+    return folder / "results.csv";
+}
+
+StudyReport run_study(const StudyPlan& plan, const std::filesystem::path& folder) {
+    plan.validate();
+    RunTable table = stored_table(folder, plan);
+    const std::vector<Task> tasks = missing_tasks(plan, table);
+    const std::size_t runs_before = table.size();
+    RunConditions conditions = plan.conditions;
+    conditions.budget.control = {.stop = plan.control.stop};
+    ProblemStore store;
+    TableWriter writer(std::move(table), folder, plan);
+    base::Progress* progress = plan.control.progress;
+    if (progress != nullptr) progress->start("run optimizers", tasks.size());
+    base::parallel_for(tasks.size(), plan.threads, [&](std::size_t i) {
+        if (plan.control.stop.stop_requested()) return;
+        const Task& task = tasks[i];
+        const StudyProblem& entry = store.get(task.key.problem);
+        try {
+            writer.add(record_run({*entry.problem, entry.optimum}, task.contender, task.key, conditions));
+        } catch (const base::Stopped&) {
+            return;  // what is done is stored below
+        }
+    });
+    if (progress != nullptr) progress->finish();
+    const std::size_t runs_done = writer.finish();
+    return {runs_before, runs_done, tasks.size() - runs_done};
+}
+
+}  // namespace fretwork::study

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/study/run.hpp>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace fretwork::study {
+
+/// What is run: every contender on every problem, so many times.
+struct StudyPlan {
+    std::vector<std::string> problems;  ///< ids (see study_problem.hpp)
+    std::vector<Contender> contenders;
+    RunConditions conditions;  ///< its budget's control is not used: that of the plan is
+    int repetitions = 15;
+    int threads = 0;          ///< 0: all there are
+    base::Control control{};  ///< told of every run that is done
+    /// Throws InputError if a value makes no sense.
+    void validate() const;
+};
+
+struct StudyReport {
+    std::size_t runs_before = 0;  ///< that were in the table when it began
+    std::size_t runs_done = 0;
+    std::size_t runs_left_out = 0;  ///< since it was asked to stop
+};
+
+/// The table of a study's folder.
+std::filesystem::path run_table_path(const std::filesystem::path& folder);
+
+/// Do the runs that the table in a folder lacks: all problems once, then all of them again.
+///
+/// The table is replaced every few seconds, so that a study which is stopped goes on where it was; asked to
+/// stop, it stores what is done and returns. Several processes may work in one folder: each adds its runs to
+/// those that the others have stored, under a lock of the folder. But for the times, the table depends on the
+/// plan alone. Throws InputError if the table was made under other conditions.
+StudyReport run_study(const StudyPlan& plan, const std::filesystem::path& folder);
+
+}  // namespace fretwork::study

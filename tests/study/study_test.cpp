@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "support.hpp"
+
+#include <fretwork/base/file.hpp>
+#include <fretwork/base/text.hpp>
+#include <fretwork/study/run_table.hpp>
+#include <fretwork/study/study.hpp>
+
+#include <algorithm>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace fretwork::study {
+namespace {
+
+using optimization::find_optimizer;
+using test::TemporaryFolder;
+
+StudyPlan small_plan(const std::string& method) {
+    StudyPlan plan;
+    plan.problems = {"analytic/beale", "analytic/levy", "analytic/sphere"};
+    plan.contenders = {{&find_optimizer(method), 1}};
+    plan.conditions.budget.cost = 2000;
+    plan.repetitions = 20;
+    plan.threads = 1;
+    return plan;
+}
+
+std::size_t stored_runs(const std::filesystem::path& folder) {
+    const auto lines = base::split(base::read_text_file(run_table_path(folder)), '\n');
+    return static_cast<std::size_t>(
+               std::ranges::count_if(lines, [](const auto& line) { return !line.empty(); })) -
+           1;
+}
+
+/// Asks to stop once so many runs are done.
+class StopAfter final : public base::Progress {
+  public:
+    explicit StopAfter(std::size_t runs) : runs_(runs) {}
+    void start(std::string_view, std::size_t) override {}
+    void update(std::size_t done) override {
+        if (done == runs_) source.request_stop();
+    }
+    void finish() override {}
+    std::stop_source source;
+
+  private:
+    std::size_t runs_;
+};
+
+TEST(Study, StoresWhatIsDoneWhenItIsStoppedAndGoesOnThere) {
+    const TemporaryFolder folder;
+    StudyPlan plan = small_plan("bobyqa");
+    StopAfter progress(7);
+    plan.control = {.stop = progress.source.get_token(), .progress = &progress};
+    const StudyReport stopped = run_study(plan, folder.path());
+    EXPECT_EQ(stopped.runs_done, 7U);
+    EXPECT_EQ(stopped.runs_left_out, 53U);
+    EXPECT_EQ(stored_runs(folder.path()), 7U);
+    plan.control = {};
+    const StudyReport rest = run_study(plan, folder.path());
+    EXPECT_EQ(rest.runs_before, 7U);
+    EXPECT_EQ(rest.runs_done, 53U);
+    EXPECT_EQ(stored_runs(folder.path()), 60U);
+}
+
+/// Start a process of its own that runs a plan.
+pid_t start(const StudyPlan& plan, const std::filesystem::path& folder) {
+    const pid_t child = ::fork();
+    if (child != 0) return child;
+    try {
+        run_study(plan, folder);
+        ::_exit(0);
+    } catch (const std::exception&) {
+        ::_exit(1);
+    }
+}
+
+TEST(Study, KeepsTheRunsOfTwoProcessesInOneFolder) {
+    const TemporaryFolder folder;
+    const pid_t first = start(small_plan("bobyqa"), folder.path());
+    const pid_t second = start(small_plan("crs2"), folder.path());
+    for (const pid_t child : {first, second}) {
+        int status = -1;
+        ::waitpid(child, &status, 0);
+        EXPECT_EQ(status, 0);
+    }
+    EXPECT_EQ(stored_runs(folder.path()), 120U);
+}
+
+TEST(Study, SeesTheRunsThatAnotherProcessStoredMeanwhile) {
+    const TemporaryFolder folder;
+    StudyPlan plan = small_plan("bobyqa");
+    // The first of its runs is done when another process stores runs of another method.
+    class RunOther final : public base::Progress {
+      public:
+        explicit RunOther(const std::filesystem::path& folder) : folder_(folder) {}
+        void start(std::string_view, std::size_t) override {}
+        void update(std::size_t done) override {
+            if (done == 1) run_study(small_plan("crs2"), folder_);
+        }
+        void finish() override {}
+
+      private:
+        const std::filesystem::path& folder_;
+    } other(folder.path());
+    plan.control.progress = &other;
+    run_study(plan, folder.path());
+    EXPECT_EQ(stored_runs(folder.path()), 120U);
+}
+
+TEST(Study, RefusesAPlanThatMakesNoSense) {
+    StudyPlan plan = small_plan("bobyqa");
+    plan.repetitions = 0;
+    const TemporaryFolder folder;
+    EXPECT_THROW(run_study(plan, folder.path()), base::InputError);
+}
+
+}  // namespace
+}  // namespace fretwork::study
