@@ -5,10 +5,10 @@
 // unknowns a node, from its pattern to a solution: by this project's solver, and by others as a yardstick.
 // For one thread of theirs, set OPENBLAS_NUM_THREADS=1 and OMP_NUM_THREADS=1.
 #include <fretwork/mechanics/condensation.hpp>
-#include <fretwork/mechanics/detail/ldlt.hpp>
-#include <fretwork/mechanics/detail/nonlinear_system.hpp>
 #include <fretwork/mechanics/equilibrium.hpp>
 #include <fretwork/mechanics/linear_solver.hpp>
+#include <fretwork/mechanics/nonlinear/nonlinear_system.hpp>
+#include <fretwork/mechanics/sparse/ldlt.hpp>
 
 #include <Eigen/CholmodSupport>
 #include <Eigen/SparseCholesky>
@@ -167,15 +167,15 @@ void linear_other_sections(benchmark::State& state) {
 class StiffnessProblem {
   public:
     explicit StiffnessProblem(const Frame& frame) : assembly_(assemble(frame)), system_(assembly_) {
-        system_.evaluate(system_.rest(), 0.0);
+        system_.evaluate(system_.unknowns().rest(), 0.0);
         load_ = system_.load_rate();
     }
-    [[nodiscard]] const detail::SystemLayout& layout() const { return system_.layout(); }
+    [[nodiscard]] const sparse::SystemLayout& layout() const { return system_.unknowns().layout(); }
     [[nodiscard]] std::span<const double> values() const { return system_.tangent(); }
     [[nodiscard]] const Eigen::VectorXd& load() const { return load_; }
     /// The lower triangle, its rows in a random order: no program inherits the order of another.
     [[nodiscard]] Eigen::SparseMatrix<double> shuffled() const {
-        const int n = system_.equations();
+        const int n = system_.unknowns().equations();
         const Eigen::Map<const Eigen::SparseMatrix<double>> lower(n, n, static_cast<int>(values().size()),
                                                                   layout().column_start().data(),
                                                                   layout().row().data(), values().data());
@@ -189,7 +189,7 @@ class StiffnessProblem {
 
   private:
     Assembly assembly_;
-    detail::NonlinearSystem system_;
+    nonlinear::NonlinearSystem system_;
     Eigen::VectorXd load_;
 };
 
@@ -198,8 +198,8 @@ void stiffness_by_this_project(benchmark::State& state) {
     const Assembly assembly = assemble(frame);
     const StiffnessProblem problem(frame);
     for (auto _ : state) {
-        const detail::NonlinearSystem ordered(assembly);
-        detail::Ldlt factors(ordered.layout());
+        const nonlinear::NonlinearSystem ordered(assembly);
+        sparse::Ldlt factors(ordered.unknowns().layout());
         Eigen::VectorXd x = problem.load();
         if (!factors.factorize(problem.values()).positive_definite()) state.SkipWithError("singular");
         factors.solve(x);

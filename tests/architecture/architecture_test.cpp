@@ -54,20 +54,48 @@ const std::map<std::string, std::set<std::string>> kFences = {
       "exports"}},
 };
 
+/// Rooms of a stage: folders whose headers are its own, as those in detail/ are. Which other rooms of the
+/// stage each may include; what lies in the stage's own folder is open to a room unless it is closed.
+enum class Door { Open, Closed };
+struct Room {
+    std::set<std::string> may_include;
+    Door to_stage = Door::Open;
+};
+const std::map<std::string, std::map<std::string, Room>> kRooms = {
+    {"mechanics",
+     {{"sparse", {{}, Door::Closed}},
+      {"elements", {{}}},
+      {"structure", {{"sparse"}}},
+      {"nonlinear", {{"sparse", "elements", "structure"}}},
+      {"decks", {{}}}}},
+};
+
 struct SourceFile {
     std::string name;  ///< relative to framework/fretwork
     std::string stage;
-    bool is_public;  ///< a header that is installed
+    std::string room;  ///< the folder below the stage's, or nothing
+    bool is_public;    ///< a header that is installed
     std::vector<std::string> lines;
     std::vector<std::string> includes;
 };
+
+/// Of a file's path from its stage on: {"mechanics", "sparse", "ldlt.hpp"}.
+std::string room_of(const std::vector<std::string>& parts) {
+    return parts.size() >= 3 ? parts[1] : "";
+}
+
+bool is_private(const std::string& stage, const std::string& room) {
+    const auto rooms = kRooms.find(stage);
+    return room == "detail" || (rooms != kRooms.end() && rooms->second.contains(room));
+}
 
 SourceFile read_source(const fs::path& path) {
     SourceFile file;
     const fs::path relative = fs::relative(path, kFramework);
     file.name = relative.generic_string();
     file.stage = relative.begin()->string();
-    file.is_public = path.extension() == ".hpp" && file.name.find("/detail/") == std::string::npos;
+    file.room = room_of(base::split(file.name, '/'));
+    file.is_public = path.extension() == ".hpp" && !is_private(file.stage, file.room);
     file.lines = base::split(base::read_text_file(path), '\n');
     const std::regex include(R"(^\s*#\s*include\s*[<"]([^>"]+)[>"])");
     for (const std::string& line : file.lines) {
@@ -94,6 +122,13 @@ const std::vector<SourceFile>& sources() {
 std::string stage_of(const std::string& include) {
     const auto parts = base::split(include, '/');
     return parts.size() >= 3 && parts[0] == "fretwork" ? parts[1] : "";
+}
+
+/// The room of such an include, or nothing.
+std::string included_room(const std::string& include) {
+    auto parts = base::split(include, '/');
+    if (!parts.empty()) parts.erase(parts.begin());
+    return room_of(parts);
 }
 
 TEST(Architecture, HasAFolderForEveryStageAndNoOther) {
@@ -127,15 +162,41 @@ TEST(Architecture, FencedLibrariesStayInTheirStages) {
     }
 }
 
-TEST(Architecture, DetailHeadersAreNotForPublicHeadersNorForOtherStages) {
+TEST(Architecture, PrivateHeadersAreNotForPublicHeadersNorForOtherStages) {
     for (const SourceFile& file : sources()) {
         for (const std::string& include : file.includes) {
-            if (include.find("/detail/") == std::string::npos || stage_of(include).empty()) continue;
+            if (!is_private(stage_of(include), included_room(include))) continue;
             EXPECT_FALSE(file.is_public) << file.name << " is public and includes <" << include << ">";
             const bool shared = include == "fretwork/base/detail/json_text.hpp";
             EXPECT_TRUE(shared || stage_of(include) == file.stage)
                 << file.name << " includes <" << include << ">";
         }
+    }
+}
+
+TEST(Architecture, RoomsIncludeOnlyTheRoomsThatTheyMay) {
+    for (const SourceFile& file : sources()) {
+        const auto rooms = kRooms.find(file.stage);
+        if (rooms == kRooms.end() || !rooms->second.contains(file.room)) continue;
+        const Room& room = rooms->second.at(file.room);
+        for (const std::string& include : file.includes) {
+            const std::string other = included_room(include);
+            if (stage_of(include) != file.stage || other == file.room) continue;
+            EXPECT_TRUE(other.empty() ? room.to_stage == Door::Open : room.may_include.contains(other))
+                << file.name << " includes <" << include << ">";
+        }
+    }
+}
+
+TEST(Architecture, StagesWithRoomsHaveAFolderForEachAndNoOther) {
+    for (const auto& [stage, rooms] : kRooms) {
+        std::set<std::string> found;
+        std::set<std::string> wanted;
+        for (const SourceFile& file : sources()) {
+            if (file.stage == stage && !file.room.empty()) found.insert(file.room);
+        }
+        for (const auto& [room, ignored] : rooms) wanted.insert(room);
+        EXPECT_EQ(found, wanted) << stage;
     }
 }
 

@@ -3,7 +3,7 @@
 
 #include <fretwork/mechanics/assembly.hpp>
 #include <fretwork/mechanics/condensation.hpp>
-#include <fretwork/mechanics/detail/beam_element.hpp>
+#include <fretwork/mechanics/elements/beam_element.hpp>
 
 #include <gtest/gtest.h>
 
@@ -64,7 +64,7 @@ std::vector<NodeState> random_states(std::size_t count, double amplitude, Random
     const Quaterniond common = random.rotation();
     for (std::size_t i = 0; i < count; ++i) {
         states[i].displacement = amplitude * kLength * random.vector(1.0);
-        states[i].rotation = detail::exponential(amplitude * random.vector(1.0));
+        states[i].rotation = elements::exponential(amplitude * random.vector(1.0));
         if (i >= 2) continue;
         const Vector3d rest = static_cast<double>(i) * kLength * Vector3d(0.6, -0.48, 0.64);
         states[i].displacement += common * rest - rest;
@@ -77,7 +77,7 @@ void move(NodeState& state, int dof, double by) {
     if (dof < 3) {
         state.displacement[dof] += by;
     } else {
-        state.rotation = (detail::exponential(by * Vector3d::Unit(dof - 3)) * state.rotation).normalized();
+        state.rotation = (elements::exponential(by * Vector3d::Unit(dof - 3)) * state.rotation).normalized();
     }
 }
 
@@ -142,7 +142,7 @@ TEST(Element, TangentIsTheDerivativeOfTheForceAtLargeRotations) {
             MatrixXd derivative = response.tangent;
             for (Eigen::Index at = 3; at < derivative.rows(); at += kDofsPerNode) {
                 const Vector3d moment = response.force.segment<3>(at);
-                derivative.block<3, 3>(at, at) -= 0.5 * detail::cross_matrix(moment);
+                derivative.block<3, 3>(at, at) -= 0.5 * elements::cross_matrix(moment);
             }
             const MatrixXd difference = scaled(differentiate(*element, states).tangent);
             EXPECT_LT((scaled(derivative) - difference).norm(), 1e-8 * difference.norm()) << name;
@@ -168,8 +168,8 @@ TEST(BeamElement, RestStiffnessIsTheTextbooks) {
     const Material material{.young_modulus = 1e9, .poisson_ratio = 0.25};
     const double l = 0.02;
     const double shear = material.shear_modulus();
-    const detail::BeamElement element({{NodeIndex(0), NodeIndex(1)}, l, Eigen::Matrix3d::Identity()}, section,
-                                      material);
+    const elements::BeamElement element({{NodeIndex(0), NodeIndex(1)}, l, Eigen::Matrix3d::Identity()},
+                                        section, material);
     MatrixXd k;
     element.rest_stiffness(k);
     const double phi_y = 12.0 * 1e9 * section.I3 / (shear * *section.shear_area2 * l * l);

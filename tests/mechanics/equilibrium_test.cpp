@@ -46,7 +46,7 @@ TEST(Equilibrium, EndMomentRollsACantileverIntoArcsAndCircles) {
 
 TEST(Equilibrium, RollUpIsTheSameInAnyDirectionOfSpace) {
     Frame frame = thin_cantilever(20);
-    const Eigen::Quaterniond turn = detail::exponential({0.7, -0.4, 1.1});
+    const Eigen::Quaterniond turn = elements::exponential({0.7, -0.4, 1.1});
     frame.nodes[1] = turn * frame.nodes[1];
     frame.loads.push_back({NodeIndex(1), Vector3d::Zero(), turn * Vector3d(0.0, -2.0 * kPi, 0.0)});
     const Solution solution = full_load(frame, 10);
@@ -179,7 +179,7 @@ TEST(Equilibrium, SmallLoadsGiveTheLinearSolution) {
 TEST(Equilibrium, TurningAStructureTurnsItsSolution) {
     Frame frame = sample::star();
     const Solution before = full_load(frame, 4);
-    const Eigen::Quaterniond turn = detail::exponential({0.7, -0.4, 1.1});
+    const Eigen::Quaterniond turn = elements::exponential({0.7, -0.4, 1.1});
     for (Beam& beam : frame.beams) beam.normal = turn * Vector3d::UnitZ();
     for (Vector3d& node : frame.nodes) node = turn * node;
     frame.loads[0].force = turn * frame.loads[0].force;

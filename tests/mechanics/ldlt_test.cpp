@@ -2,15 +2,15 @@
 #include "sample.hpp"
 
 #include <fretwork/base/error.hpp>
-#include <fretwork/mechanics/detail/ldlt.hpp>
-#include <fretwork/mechanics/detail/nonlinear_system.hpp>
+#include <fretwork/mechanics/nonlinear/nonlinear_system.hpp>
+#include <fretwork/mechanics/sparse/ldlt.hpp>
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
 
 #include <limits>
 
-namespace fretwork::mechanics::detail {
+namespace fretwork::mechanics::sparse {
 namespace {
 
 using Eigen::MatrixXd;
@@ -84,11 +84,11 @@ TEST(DenseLdlt, AVanishingPivotStopsTheElimination) {
 /// A matrix with the sparsity of a structure.
 struct Sample {
     explicit Sample(const Frame& frame) : assembly(assemble(frame)), system(assembly) {
-        system.evaluate(system.rest(), 0.0);
+        system.evaluate(system.unknowns().rest(), 0.0);
         values.assign(system.tangent().begin(), system.tangent().end());
     }
     [[nodiscard]] MatrixXd dense() const {
-        const auto& layout = system.layout();
+        const auto& layout = system.unknowns().layout();
         MatrixXd a = MatrixXd::Zero(layout.equations(), layout.equations());
         for (int j = 0; j < layout.equations(); ++j) {
             for (int k = layout.column_start()[static_cast<std::size_t>(j)];
@@ -100,12 +100,12 @@ struct Sample {
         return a;
     }
     void shift(double share) {
-        for (int j = 0; j < system.layout().equations(); ++j)
-            values[static_cast<std::size_t>(system.layout().column_start()[static_cast<std::size_t>(j)])] *=
-                1.0 - share;
+        for (int j = 0; j < system.unknowns().layout().equations(); ++j)
+            values[static_cast<std::size_t>(
+                system.unknowns().layout().column_start()[static_cast<std::size_t>(j)])] *= 1.0 - share;
     }
     Assembly assembly;
-    NonlinearSystem system;
+    nonlinear::NonlinearSystem system;
     std::vector<double> values;
 };
 
@@ -130,7 +130,7 @@ Frame grid(int size) {
 TEST(Ldlt, SolvesWhatItFactorized) {
     for (const Frame& frame : {sample::star(), sample::flat_wheel(), grid(2), grid(9)}) {
         Sample sample(frame);
-        Ldlt factors(sample.system.layout());
+        Ldlt factors(sample.system.unknowns().layout());
         ASSERT_TRUE(factors.factorize(sample.values).positive_definite());
         const MatrixXd a = sample.dense();
         const VectorXd expected = random_vector(a.rows(), 3);
@@ -145,9 +145,9 @@ TEST(Ldlt, SolvesWhatItFactorized) {
 
 TEST(Ldlt, SeveralRightSidesAreSolvedAsOne) {
     Sample sample(grid(4));
-    Ldlt factors(sample.system.layout());
+    Ldlt factors(sample.system.unknowns().layout());
     factors.factorize(sample.values);
-    MatrixXd many(sample.system.equations(), 3);
+    MatrixXd many(sample.system.unknowns().equations(), 3);
     for (int i = 0; i < 3; ++i) many.col(i) = random_vector(many.rows(), static_cast<std::uint64_t>(i) + 1);
     const MatrixXd right_sides = many;
     factors.solve(many);
@@ -167,7 +167,7 @@ TEST(Ldlt, CountsTheNegativeEigenvalues) {
             const MatrixXd a = sample.dense();
             const VectorXd eigenvalues = Eigen::SelfAdjointEigenSolver<MatrixXd>(a).eigenvalues();
             const auto expected = (eigenvalues.array() < 0.0).count();
-            Ldlt factors(sample.system.layout());
+            Ldlt factors(sample.system.unknowns().layout());
             const Ldlt::Outcome outcome = factors.factorize(sample.values);
             EXPECT_EQ(outcome.zero_pivot, -1);
             EXPECT_EQ(outcome.negative_pivots, expected) << share;
@@ -178,7 +178,7 @@ TEST(Ldlt, CountsTheNegativeEigenvalues) {
 
 TEST(Ldlt, NamesAVanishingPivotAndRefusesWhatIsNotANumber) {
     Sample sample(grid(3));
-    Ldlt factors(sample.system.layout());
+    Ldlt factors(sample.system.unknowns().layout());
     std::vector<double> values(sample.values.size(), 0.0);
     EXPECT_EQ(factors.factorize(values).zero_pivot, 0);
     values[0] = std::numeric_limits<double>::quiet_NaN();
@@ -188,12 +188,12 @@ TEST(Ldlt, NamesAVanishingPivotAndRefusesWhatIsNotANumber) {
 // The same numbers, again and again: nothing is left over from the factorization before.
 TEST(Ldlt, AnotherFactorizationForgetsTheLast) {
     Sample sample(grid(5));
-    const VectorXd right_side = random_vector(sample.system.equations(), 9);
-    Ldlt fresh(sample.system.layout());
+    const VectorXd right_side = random_vector(sample.system.unknowns().equations(), 9);
+    Ldlt fresh(sample.system.unknowns().layout());
     fresh.factorize(sample.values);
     VectorXd expected = right_side;
     fresh.solve(expected);
-    Ldlt used(sample.system.layout());
+    Ldlt used(sample.system.unknowns().layout());
     std::vector<double> other = sample.values;
     for (double& value : other) value *= -3.0;
     used.factorize(other);
@@ -204,4 +204,4 @@ TEST(Ldlt, AnotherFactorizationForgetsTheLast) {
 }
 
 }  // namespace
-}  // namespace fretwork::mechanics::detail
+}  // namespace fretwork::mechanics::sparse

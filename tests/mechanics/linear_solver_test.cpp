@@ -213,7 +213,7 @@ TEST(LinearSolver, AFlatFrameTiltedInSpaceGivesTheSameTurned) {
     Frame frame = sample::flat_wheel();
     frame.loads.push_back({NodeIndex(4), {0.5, -0.3, 0.7}, {0.001, 0.002, 0.003}});
     const Solution flat = solve_linear(assemble(frame));
-    const Eigen::Quaterniond turn = detail::exponential({0.4, -0.8, 0.3});
+    const Eigen::Quaterniond turn = elements::exponential({0.4, -0.8, 0.3});
     for (Vector3d& node : frame.nodes) node = turn * node;
     for (Beam& beam : frame.beams) beam.normal = turn * Vector3d::UnitZ();
     frame.loads[0].force = turn * frame.loads[0].force;

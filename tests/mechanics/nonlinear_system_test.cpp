@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sample.hpp"
 
-#include <fretwork/mechanics/detail/nonlinear_system.hpp>
+#include <fretwork/mechanics/nonlinear/nonlinear_system.hpp>
 
 #include <gtest/gtest.h>
 
-namespace fretwork::mechanics::detail {
+namespace fretwork::mechanics::nonlinear {
 namespace {
 
 constexpr double kLength = 0.02;
@@ -27,28 +27,28 @@ Frame varied_wheel() {
 
 Configuration random_configuration(const NonlinearSystem& system, double load_factor) {
     sample::Random random(21);
-    Configuration configuration = system.rest();
-    system.prescribe(load_factor, configuration);
+    Configuration configuration = system.unknowns().rest();
+    system.unknowns().prescribe(load_factor, configuration);
     for (int pass = 0; pass < 3; ++pass) {
-        Eigen::VectorXd step(system.equations());
+        Eigen::VectorXd step(system.unknowns().equations());
         for (double& value : step) value = 0.5 * random.next();
-        NodeValues table =
-            NodeValues::Zero(static_cast<Eigen::Index>(system.assembly().nodes.size()), kDofsPerNode);
-        system.layout().scatter(step, table);
+        NodeValues table = NodeValues::Zero(
+            static_cast<Eigen::Index>(system.unknowns().assembly().nodes.size()), kDofsPerNode);
+        system.unknowns().layout().scatter(step, table);
         table.leftCols<3>() *= 0.2 * kLength;
-        system.layout().gather(table, step);
-        system.move(step, configuration);
+        system.unknowns().layout().gather(table, step);
+        system.unknowns().move(step, configuration);
     }
     return configuration;
 }
 
 Eigen::MatrixXd whole_tangent(const NonlinearSystem& system) {
-    const int size = system.equations();
+    const int size = system.unknowns().equations();
     Eigen::MatrixXd tangent(size, size);
     for (int i = 0; i < size; ++i) {
         const Eigen::VectorXd unit = Eigen::VectorXd::Unit(size, i);
         Eigen::VectorXd column = system.skew_product(unit);
-        add_product(system.layout(), system.tangent(), unit, column);
+        sparse::add_product(system.unknowns().layout(), system.tangent(), unit, column);
         tangent.col(i) = column;
     }
     return tangent;
@@ -62,11 +62,11 @@ TEST(NonlinearSystem, TangentIsTheDerivativeOfTheUnbalancedForces) {
     // Loads that hold this configuration: then the residual vanishes at freely turning nodes.
     first.evaluate(configuration, 0.0);
     NodeValues holding = NodeValues::Zero(assembly.loads.rows(), kDofsPerNode);
-    first.layout().scatter(-first.unbalanced(), holding);
+    first.unknowns().layout().scatter(-first.unbalanced(), holding);
     for (Eigen::Index node = 0; node < holding.rows(); ++node) {
-        const bool free = first.layout().equation(static_cast<int>(node), 3) >= 0 &&
-                          first.layout().equation(static_cast<int>(node), 4) >= 0 &&
-                          first.layout().equation(static_cast<int>(node), 5) >= 0;
+        const bool free = first.unknowns().layout().equation(static_cast<int>(node), 3) >= 0 &&
+                          first.unknowns().layout().equation(static_cast<int>(node), 4) >= 0 &&
+                          first.unknowns().layout().equation(static_cast<int>(node), 5) >= 0;
         if (free) assembly.loads.row(node) = holding.row(node);
     }
     NonlinearSystem system(assembly);
@@ -74,18 +74,18 @@ TEST(NonlinearSystem, TangentIsTheDerivativeOfTheUnbalancedForces) {
     const Eigen::MatrixXd tangent = whole_tangent(system);
     Eigen::MatrixXd difference(tangent.rows(), tangent.cols());
     constexpr double kStep = 1e-6;
-    for (int i = 0; i < system.equations(); ++i) {
-        const Eigen::VectorXd step = kStep * Eigen::VectorXd::Unit(system.equations(), i);
+    for (int i = 0; i < system.unknowns().equations(); ++i) {
+        const Eigen::VectorXd step = kStep * Eigen::VectorXd::Unit(system.unknowns().equations(), i);
         Configuration moved = configuration;
-        system.move(step, moved);
+        system.unknowns().move(step, moved);
         system.evaluate(moved, 1.0);
         const Eigen::VectorXd plus = system.unbalanced();
         moved = configuration;
-        system.move(-step, moved);
+        system.unknowns().move(-step, moved);
         system.evaluate(moved, 1.0);
         difference.col(i) = (system.unbalanced() - plus) / (2.0 * kStep);
     }
-    for (int i = 0; i < system.equations(); ++i)
+    for (int i = 0; i < system.unknowns().equations(); ++i)
         EXPECT_LT((tangent.col(i) - difference.col(i)).norm(), 3e-6 * difference.col(i).norm()) << i;
 }
 
@@ -97,10 +97,10 @@ TEST(NonlinearSystem, LoadRateIsTheDerivativeInTheLoadFactor) {
     const Eigen::VectorXd rate = system.load_rate();
     constexpr double kStep = 1e-6;
     Configuration moved = configuration;
-    system.prescribe(1.0 + kStep, moved);
+    system.unknowns().prescribe(1.0 + kStep, moved);
     system.evaluate(moved, 1.0 + kStep);
     const Eigen::VectorXd plus = system.unbalanced();
-    system.prescribe(1.0 - kStep, moved);
+    system.unknowns().prescribe(1.0 - kStep, moved);
     system.evaluate(moved, 1.0 - kStep);
     const Eigen::VectorXd difference = (plus - system.unbalanced()) / (2.0 * kStep);
     EXPECT_LT((rate - difference).norm(), 1e-6 * difference.norm());
@@ -110,31 +110,34 @@ TEST(NonlinearSystem, StepBetweenUndoesAMove) {
     const Assembly assembly = assemble(varied_wheel());
     const NonlinearSystem system(assembly);
     const Configuration from = random_configuration(system, 1.0);
-    Eigen::VectorXd step(system.equations());
+    Eigen::VectorXd step(system.unknowns().equations());
     sample::Random random(22);
     for (double& value : step) value = 0.3 * random.next();
     Configuration to = from;
-    system.move(step, to);
-    EXPECT_LT((system.step_between(from, to) - step).norm(), 1e-13);
+    system.unknowns().move(step, to);
+    EXPECT_LT((system.unknowns().step_between(from, to) - step).norm(), 1e-13);
 }
 
 TEST(NonlinearSystem, RatesOfStepsAgreeWithFiniteDifferences) {
     const Assembly assembly = assemble(varied_wheel());
     const NonlinearSystem system(assembly);
-    const Configuration base = system.rest();
+    const Configuration base = system.unknowns().rest();
     const Configuration far = random_configuration(system, 0.0);
     sample::Random random(4);
-    Eigen::VectorXd rate(system.equations());
+    Eigen::VectorXd rate(system.unknowns().equations());
     for (double& value : rate) value = random.next();
     constexpr double kStep = 1e-6;
     Configuration before = far;
     Configuration after = far;
-    system.move(-kStep * rate, before);
-    system.move(kStep * rate, after);
+    system.unknowns().move(-kStep * rate, before);
+    system.unknowns().move(kStep * rate, after);
     const Eigen::VectorXd difference =
-        (system.step_between(base, after) - system.step_between(base, before)) / (2.0 * kStep);
-    EXPECT_LT((system.rate_of_steps(system.step_between(base, far), rate) - difference).norm(), 1e-8);
+        (system.unknowns().step_between(base, after) - system.unknowns().step_between(base, before)) /
+        (2.0 * kStep);
+    EXPECT_LT((system.unknowns().rate_of_steps(system.unknowns().step_between(base, far), rate) - difference)
+                  .norm(),
+              1e-8);
 }
 
 }  // namespace
-}  // namespace fretwork::mechanics::detail
+}  // namespace fretwork::mechanics::nonlinear

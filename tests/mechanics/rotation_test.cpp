@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sample.hpp"
 
-#include <fretwork/mechanics/detail/rotation.hpp>
+#include <fretwork/mechanics/elements/rotation.hpp>
 
 #include <gtest/gtest.h>
 
-namespace fretwork::mechanics::detail {
+namespace fretwork::mechanics::elements {
 namespace {
 
 using Eigen::Matrix3d;
@@ -73,4 +73,4 @@ TEST(Rotation, DerivativeOfTheSpinMapAgreesWithFiniteDifferences) {
 }
 
 }  // namespace
-}  // namespace fretwork::mechanics::detail
+}  // namespace fretwork::mechanics::elements

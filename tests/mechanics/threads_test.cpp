@@ -2,10 +2,10 @@
 // Results do not depend on the number of threads: not by a bit.
 #include "sample.hpp"
 
-#include <fretwork/mechanics/detail/ldlt.hpp>
-#include <fretwork/mechanics/detail/nonlinear_system.hpp>
 #include <fretwork/mechanics/equilibrium.hpp>
 #include <fretwork/mechanics/linear_solver.hpp>
+#include <fretwork/mechanics/nonlinear/nonlinear_system.hpp>
+#include <fretwork/mechanics/sparse/ldlt.hpp>
 
 #include <gtest/gtest.h>
 
@@ -50,19 +50,19 @@ bool same_bits(const Solution& a, const Solution& b) {
 
 TEST(Threads, TheElementsAreManyEnoughAndTheEliminationIsCut) {
     const Assembly assembly = assemble(large_frame());
-    const detail::NonlinearSystem system(assembly);
-    const detail::SupernodeTree tree = detail::supernode_tree(system.layout());
+    const nonlinear::NonlinearSystem system(assembly);
+    const sparse::SupernodeTree tree = sparse::supernode_tree(system.unknowns().layout());
     EXPECT_GT(assembly.elements.size(), 4000U);
-    EXPECT_EQ(detail::plan_elimination(tree, 1).parent.size(), 1U);
-    EXPECT_GT(detail::plan_elimination(tree, 2).parent.size(), 4U);
+    EXPECT_EQ(sparse::plan_elimination(tree, 1).parent.size(), 1U);
+    EXPECT_GT(sparse::plan_elimination(tree, 2).parent.size(), 4U);
 }
 
 TEST(Threads, APlanHoldsEverySupernodeOnceAndAfterItsChildren) {
     const Assembly assembly = assemble(large_frame());
-    const detail::NonlinearSystem system(assembly);
-    const detail::SupernodeTree tree = detail::supernode_tree(system.layout());
+    const nonlinear::NonlinearSystem system(assembly);
+    const sparse::SupernodeTree tree = sparse::supernode_tree(system.unknowns().layout());
     for (const int threads : {1, 2, 4}) {
-        const detail::EliminationPlan plan = detail::plan_elimination(tree, threads);
+        const sparse::EliminationPlan plan = sparse::plan_elimination(tree, threads);
         std::vector<int> task_of(tree.supernodes.size(), -1);
         for (std::size_t task = 0; task < plan.parent.size(); ++task) {
             for (const int s : plan.supernodes_of(task)) {
@@ -102,27 +102,28 @@ TEST(Threads, ChangeNoBitOfANonlinearPath) {
 
 TEST(Threads, MeetTheSameVanishingPivot) {
     const Assembly assembly = assemble(large_frame());
-    detail::NonlinearSystem system(assembly);
-    system.evaluate(system.rest(), 0.0);
+    nonlinear::NonlinearSystem system(assembly);
+    system.evaluate(system.unknowns().rest(), 0.0);
     std::vector<double> values(system.tangent().begin(), system.tangent().end());
     // Uncouple some equations and leave them without stiffness, far apart and negative ones among the rest.
-    const auto& start = system.layout().column_start();
+    const auto& start = system.unknowns().layout().column_start();
     for (const int equation : {9000, 12000, 15000}) {
         for (int column = 0; column <= equation; ++column) {
             for (auto k = start[static_cast<std::size_t>(column)];
                  k < start[static_cast<std::size_t>(column) + 1]; ++k) {
-                if (column == equation || system.layout().row()[static_cast<std::size_t>(k)] == equation)
+                if (column == equation ||
+                    system.unknowns().layout().row()[static_cast<std::size_t>(k)] == equation)
                     values[static_cast<std::size_t>(k)] = 0.0;
             }
         }
     }
     for (std::size_t column = 0; column < 8000; column += 100)
         values[static_cast<std::size_t>(start[column])] *= -1.0;
-    const auto one = detail::Ldlt(system.layout()).factorize(values);
+    const auto one = sparse::Ldlt(system.unknowns().layout()).factorize(values);
     EXPECT_EQ(one.zero_pivot, 9000);
     EXPECT_GT(one.negative_pivots, 0);
     for (const int threads : {2, 4}) {
-        const auto found = detail::Ldlt(system.layout(), threads).factorize(values);
+        const auto found = sparse::Ldlt(system.unknowns().layout(), threads).factorize(values);
         EXPECT_EQ(found.zero_pivot, one.zero_pivot);
         EXPECT_EQ(found.negative_pivots, one.negative_pivots);
     }

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/mechanics/assembly.hpp>
-#include <fretwork/mechanics/detail/beam_element.hpp>
-#include <fretwork/mechanics/detail/frame_check.hpp>
-#include <fretwork/mechanics/detail/hinged_element.hpp>
+#include <fretwork/mechanics/elements/beam_element.hpp>
+#include <fretwork/mechanics/elements/hinged_element.hpp>
+#include <fretwork/mechanics/structure/frame_check.hpp>
 
 #include <algorithm>
 
 namespace fretwork::mechanics {
 namespace {
 
-using detail::BeamElement;
+using elements::BeamElement;
 
 /// What each end of a beam releases. Where both ends release the torsion (or the axial force), the beam
 /// passes none of it on; one release says the same and leaves the beam without a free motion of its own.
@@ -66,7 +66,7 @@ class Assembler {
     }
 
     void add_beam(const Beam& beam) {
-        const Eigen::Matrix3d axes = detail::beam_axes(frame_, beam);
+        const Eigen::Matrix3d axes = structure::beam_axes(frame_, beam);
         const Eigen::Vector3d start = position(beam.nodes[0]);
         const Eigen::Vector3d end = position(beam.nodes[1]);
         const std::array<DofSet, 2> free = released_dofs(beam);
@@ -101,7 +101,7 @@ class Assembler {
             for (bool& component : held.fixed.contains) component = !component;
             assembly_.supports.push_back(held);
         }
-        assembly_.elements.push_back(std::make_unique<detail::HingedElement>(std::move(element), hinges));
+        assembly_.elements.push_back(std::make_unique<elements::HingedElement>(std::move(element), hinges));
         return hinges;
     }
 
@@ -136,7 +136,7 @@ class Assembler {
 }  // namespace
 
 Assembly assemble(const Frame& frame, const AssemblyOptions& options) {
-    detail::check_parts(frame);
+    structure::check_parts(frame);
     return Assembler(frame, options).run();
 }
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
 #include <fretwork/mechanics/calculix_file.hpp>
-#include <fretwork/mechanics/detail/deck_history.hpp>
-#include <fretwork/mechanics/detail/deck_section.hpp>
-#include <fretwork/mechanics/detail/frame_check.hpp>
-#include <fretwork/mechanics/detail/input_deck.hpp>
-#include <fretwork/mechanics/detail/label_sets.hpp>
+#include <fretwork/mechanics/decks/deck_history.hpp>
+#include <fretwork/mechanics/decks/deck_section.hpp>
+#include <fretwork/mechanics/decks/input_deck.hpp>
+#include <fretwork/mechanics/decks/label_sets.hpp>
+#include <fretwork/mechanics/structure/frame_check.hpp>
 
 #include <algorithm>
 #include <list>
@@ -16,9 +16,9 @@
 namespace fretwork::mechanics {
 namespace {
 
-using detail::Card;
-using detail::InputDeck;
-using detail::StepOperation;
+using decks::Card;
+using decks::InputDeck;
+using decks::StepOperation;
 
 const std::set<std::string> kPassedOver = {
     "*HEADING", "*STATIC",     "*ENDSTEP",       "*NODEFILE",    "*ELFILE",      "*NODEPRINT", "*ELPRINT",
@@ -33,7 +33,7 @@ class Reader {
         for (const Card& card : deck_.cards()) read(card);
         for (const auto& [label, element] : elements_) add_beams(label, element);
         history_.put_into(result_.frame);
-        detail::check_frame(result_.frame, {deck_.path(), result_.labels, beam_labels_});
+        structure::check_frame(result_.frame, {deck_.path(), result_.labels, beam_labels_});
         return std::move(result_);
     }
 
@@ -147,7 +147,7 @@ class Reader {
         if (card.lines.size() > 2 && card.keyword == "*BEAMGENERALSECTION")
             deck_.fail(card.lines[2].number, "gives a section elastic constants, which its material has");
         const Section& section =
-            sections_.emplace_back(detail::deck_section(deck_, shape, card.lines.front()));
+            sections_.emplace_back(decks::deck_section(deck_, shape, card.lines.front()));
         std::optional<Eigen::Vector3d> normal = Eigen::Vector3d(0.0, 0.0, -1.0);  // as CalculiX
         if (card.lines.size() > 1) {
             const auto n = deck_.numbers(card.lines[1], {3, 3});
@@ -195,7 +195,7 @@ class Reader {
     }
 
     /// The first and the last component that a line of *BOUNDARY holds.
-    [[nodiscard]] std::pair<int, int> held_range(std::size_t line, const detail::Words& words) const {
+    [[nodiscard]] std::pair<int, int> held_range(std::size_t line, const decks::Words& words) const {
         if (words[1] == "ENCASTRE") return {0, 5};
         if (words[1] == "PINNED") return {0, 2};
         const int first = dof(line, words[1]);
@@ -279,10 +279,10 @@ class Reader {
     InputDeck deck_;
     LabelledFrame result_;
     std::vector<int> beam_labels_;
-    detail::DeckHistory history_;
+    decks::DeckHistory history_;
     std::map<int, NodeIndex> nodes_;
     std::map<int, ElementData> elements_;
-    detail::LabelSets node_sets_{"NSET"}, element_sets_{"ELSET"};
+    decks::LabelSets node_sets_{"NSET"}, element_sets_{"ELSET"};
     std::map<std::string, Material> materials_;
     Material* material_ = nullptr;
     std::list<Section> sections_;

@@ -2,7 +2,7 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/file.hpp>
 #include <fretwork/mechanics/calculix_file.hpp>
-#include <fretwork/mechanics/detail/frame_check.hpp>
+#include <fretwork/mechanics/structure/frame_check.hpp>
 
 #include <algorithm>
 #include <cstdio>
@@ -73,7 +73,7 @@ class Writer {
     }
 
     [[nodiscard]] Eigen::Vector3d normal_of(const Beam& beam) const {
-        return beam.normal ? *beam.normal : Eigen::Vector3d(detail::beam_axes(frame_, beam).col(2));
+        return beam.normal ? *beam.normal : Eigen::Vector3d(structure::beam_axes(frame_, beam).col(2));
     }
 
     void write_group(std::size_t g) {

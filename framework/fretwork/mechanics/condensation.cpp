@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
 #include <fretwork/mechanics/condensation.hpp>
-#include <fretwork/mechanics/detail/constraints.hpp>
-#include <fretwork/mechanics/detail/ldlt.hpp>
-#include <fretwork/mechanics/detail/linear_element.hpp>
+#include <fretwork/mechanics/elements/linear_element.hpp>
+#include <fretwork/mechanics/sparse/ldlt.hpp>
+#include <fretwork/mechanics/structure/constraints.hpp>
+#include <fretwork/mechanics/structure/coupling.hpp>
 
 #include <string>
 
@@ -27,12 +28,9 @@ class Condensation {
     }
 
     Eigen::MatrixXd run() {
-        const std::vector<DofSet> free = inner_dofs();
-        std::vector<bool> inner;
-        inner.reserve(free.size());
-        for (const DofSet& dofs : free) inner.push_back(dofs != DofSet{});
-        const detail::NodeGraph graph = detail::node_graph(assembly_);
-        const detail::SystemLayout layout(assembly_, graph, free, detail::elimination_order(graph, inner));
+        const std::vector<sparse::Components> free = structure::components(inner_dofs());
+        const sparse::NodeGraph graph = structure::coupling_graph(assembly_);
+        const sparse::SystemLayout layout(graph, free, sparse::elimination_order(graph, free));
         assemble(layout);
         if (layout.equations() > 0) eliminate(layout);
         return std::move(kept_stiffness_);
@@ -54,7 +52,7 @@ class Condensation {
         return free;
     }
 
-    void assemble(const detail::SystemLayout& layout) {
+    void assemble(const sparse::SystemLayout& layout) {
         const Eigen::Index size = static_cast<Eigen::Index>(slots_) * kDofsPerNode;
         kept_stiffness_.setZero(size, size);
         coupling_.setZero(layout.equations(), size);
@@ -63,7 +61,7 @@ class Condensation {
         for (std::size_t e = 0; e < assembly_.elements.size(); ++e) {
             const auto nodes = assembly_.elements[e]->nodes();
             assembly_.elements[e]->rest_stiffness(stiffness);
-            layout.add(e, nodes, stiffness, values_);
+            layout.add(e, stiffness, values_);
             for (std::size_t i = 0; i < nodes.size(); ++i) {
                 const int slot = slot_[static_cast<std::size_t>(nodes[i].value)];
                 if (slot >= 0) add_kept_columns(layout, nodes, {static_cast<int>(i), slot}, stiffness);
@@ -76,7 +74,7 @@ class Condensation {
         Eigen::Index slot;   ///< place of the node among the kept
     };
 
-    void add_kept_columns(const detail::SystemLayout& layout, std::span<const NodeIndex> nodes, Column column,
+    void add_kept_columns(const sparse::SystemLayout& layout, std::span<const NodeIndex> nodes, Column column,
                           const Eigen::MatrixXd& stiffness) {
         for (std::size_t j = 0; j < nodes.size(); ++j) {
             const auto block = stiffness.block<kDofsPerNode, kDofsPerNode>(
@@ -95,14 +93,14 @@ class Condensation {
         }
     }
 
-    void eliminate(const detail::SystemLayout& layout) {
-        detail::Ldlt factors(layout);
+    void eliminate(const sparse::SystemLayout& layout) {
+        sparse::Ldlt factors(layout);
         const auto outcome = factors.factorize(values_);
         if (!outcome.positive_definite()) {
             throw base::NumericalError(
                 "the structure cannot be condensed: while the kept nodes are held, it can move without "
                 "strain at " +
-                detail::node_text(assembly_, layout.node_of(std::max(outcome.zero_pivot, 0))));
+                structure::node_text(assembly_, NodeIndex(layout.node_of(std::max(outcome.zero_pivot, 0)))));
         }
         Eigen::MatrixXd answer = coupling_;
         factors.solve(answer);
@@ -131,7 +129,7 @@ std::unique_ptr<const Element> linear_element(std::vector<NodeIndex> nodes, Eige
                                " nodes needs a stiffness of " + std::to_string(size) +
                                " rows and columns, not " + std::to_string(stiffness.rows()) + " x " +
                                std::to_string(stiffness.cols()));
-    return std::make_unique<detail::LinearElement>(std::move(nodes), std::move(stiffness));
+    return std::make_unique<elements::LinearElement>(std::move(nodes), std::move(stiffness));
 }
 
 }  // namespace fretwork::mechanics

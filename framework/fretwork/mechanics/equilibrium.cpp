@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/text.hpp>
-#include <fretwork/mechanics/detail/lowest_mode.hpp>
-#include <fretwork/mechanics/detail/newton.hpp>
-#include <fretwork/mechanics/detail/path_predictor.hpp>
 #include <fretwork/mechanics/equilibrium.hpp>
+#include <fretwork/mechanics/nonlinear/lowest_mode.hpp>
+#include <fretwork/mechanics/nonlinear/newton.hpp>
+#include <fretwork/mechanics/nonlinear/path_predictor.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +14,7 @@
 namespace fretwork::mechanics {
 namespace {
 
-using detail::Configuration;
+using nonlinear::Configuration;
 
 /// Near a limit load the path turns back, and the response to load grows without bound; by the time that
 /// steps have been halved ten times it has grown thirtyfold. Elsewhere a step that fails is divergence.
@@ -57,14 +57,15 @@ class LoadPath {
         : options_(options),
           system_(assembly, options.threads),
           newton_(system_, options),
-          configuration_(system_.rest()),
-          predictor_(system_) {
+          configuration_(unknowns_.rest()),
+          predictor_(unknowns_) {
         system_.evaluate(configuration_, 0.0);
         newton_.factorize_at_rest();
         rate_ = newton_.solve_tangent(system_.load_rate());
-        rest_rate_ = system_.largest_component(rate_);
+        rest_rate_ = unknowns_.largest_component(rate_);
         predictor_.add(0.0, configuration_, rate_);
-        prescribed_turn_ = detail::constraints_of(assembly).values.rightCols<3>().rowwise().norm().maxCoeff();
+        prescribed_turn_ =
+            structure::constraints_of(assembly).values.rightCols<3>().rowwise().norm().maxCoeff();
     }
 
     Solution advance_to(double target) {
@@ -93,19 +94,19 @@ class LoadPath {
         newton_.set_neutral({}, 0.0);
         const Termination termination = try_step(factor);
         if (termination != Termination::Converged)
-            newton_.set_neutral(neutral, detail::rounding_shift(system_));
+            newton_.set_neutral(neutral, nonlinear::rounding_shift(system_));
         return termination;
     }
 
     Termination try_step(double factor) {
         Configuration trial = configuration_;
         const Eigen::VectorXd guess = predictor_.step_to(factor);
-        system_.prescribe(factor, trial);
-        system_.move(capped(guess), trial);
+        unknowns_.prescribe(factor, trial);
+        unknowns_.move(capped(guess), trial);
         const Termination termination = newton_.solve(factor, trial);
         if (termination != Termination::Converged) return termination;
-        system_.unwind(configuration_, trial);
-        const Eigen::VectorXd move = system_.step_between(configuration_, trial);
+        unknowns_.unwind(configuration_, trial);
+        const Eigen::VectorXd move = unknowns_.step_between(configuration_, trial);
         const double twist_bound = bound_twist(factor, move, trial);
         if (twist_bound > std::numbers::pi) return Termination::Diverged;
         const auto outcome = newton_.factorize();
@@ -126,7 +127,7 @@ class LoadPath {
         twist_bound_ = twist_bound;
         outcome_ = outcome;
         if (newton_.has_neutral()) {
-            newton_.set_neutral(lowest_mode_here().shape, detail::rounding_shift(system_));
+            newton_.set_neutral(lowest_mode_here().shape, nonlinear::rounding_shift(system_));
             predict_anew();
         } else {
             predictor_.add(factor_, configuration_, rate_);
@@ -139,7 +140,8 @@ class LoadPath {
     /// below that, no element is asked.
     [[nodiscard]] double bound_twist(double factor, const Eigen::VectorXd& move,
                                      const Configuration& trial) const {
-        const double turned = std::max(system_.largest_rotation(move), (factor - factor_) * prescribed_turn_);
+        const double turned =
+            std::max(unknowns_.largest_rotation(move), (factor - factor_) * prescribed_turn_);
         const double bound = twist_bound_ + 2.0 * turned;
         if (bound < kSafeTwist) return bound;
         const auto twist = system_.twist(trial, configuration_);
@@ -150,16 +152,16 @@ class LoadPath {
     /// the unstable one resisted before: a symmetry turns the buckled shape about an axis.
     void begin_branch(double unstable_eigenvalue) {
         newton_.set_neutral({}, 0.0);
-        const detail::LowestMode mode = lowest_mode_here();
+        const nonlinear::LowestMode mode = lowest_mode_here();
         if (mode.eigenvalue < kNeutral * std::abs(unstable_eigenvalue))
-            newton_.set_neutral(mode.shape, detail::rounding_shift(system_));
+            newton_.set_neutral(mode.shape, nonlinear::rounding_shift(system_));
         predict_anew();
     }
 
     /// Of the last equilibrium, at which the system is evaluated.
-    detail::LowestMode lowest_mode_here() {
+    nonlinear::LowestMode lowest_mode_here() {
         system_.evaluate(configuration_, factor_);
-        return detail::lowest_mode(system_, newton_);
+        return nonlinear::lowest_mode(system_, newton_);
     }
 
     /// Each step has its own neutral direction; moves and rates are measured against it. The system is
@@ -175,16 +177,16 @@ class LoadPath {
     /// that is wished.
     Termination leave(double factor, const Eigen::VectorXd& move, Configuration& unstable) {
         system_.evaluate(unstable, factor);
-        detail::LowestMode mode = detail::lowest_mode(system_, newton_);
-        StabilityLoss loss = detail::describe_loss(system_, mode);
+        nonlinear::LowestMode mode = nonlinear::lowest_mode(system_, newton_);
+        StabilityLoss loss = nonlinear::describe_loss(system_, mode);
         loss.load_factor = critical_factor({factor, mode.eigenvalue}, move);
         if (options_.branch == Branch::Stable) {
             Configuration pushed = unstable;
-            system_.move(kPush * mode.shape / system_.largest_component(mode.shape), pushed);
-            const Termination found = detail::descend(factor, system_, newton_, options_, pushed);
+            unknowns_.move(kPush * mode.shape / unknowns_.largest_component(mode.shape), pushed);
+            const Termination found = nonlinear::descend(factor, system_, newton_, options_, pushed);
             if (found != Termination::Converged) return found;
             loss.pushed = true;
-            system_.unwind(configuration_, pushed);
+            unknowns_.unwind(configuration_, pushed);
             configuration_ = std::move(pushed);
             factor_ = factor;
             outcome_ = {};
@@ -213,10 +215,10 @@ class LoadPath {
             const double share = stable.eigenvalue / (stable.eigenvalue - unstable.eigenvalue);
             const double factor = stable.factor + share * (unstable.factor - stable.factor);
             Configuration trial = configuration_;
-            system_.prescribe(factor, trial);
-            system_.move(((factor - factor_) / span) * move, trial);
+            unknowns_.prescribe(factor, trial);
+            unknowns_.move(((factor - factor_) / span) * move, trial);
             if (newton_.solve(factor, trial) != Termination::Converged) break;
-            const Lowest found{factor, detail::lowest_mode(system_, newton_).eigenvalue};
+            const Lowest found{factor, nonlinear::lowest_mode(system_, newton_).eigenvalue};
             const bool is_stable = found.eigenvalue > 0.0;
             if (side == (is_stable ? 1 : -1)) (is_stable ? unstable : stable).eigenvalue *= 0.5;
             side = is_stable ? 1 : -1;
@@ -228,13 +230,13 @@ class LoadPath {
 
     /// Newton's method may find an equilibrium on a far branch, to which the structure would snap.
     [[nodiscard]] bool is_jump(double step, const Eigen::VectorXd& move, const Eigen::VectorXd& rate) const {
-        const double moved = system_.largest_component(move);
+        const double moved = unknowns_.largest_component(move);
         if (moved <= kSmallMove) return false;
         if (step < 1.5 * shortest_step_) {
-            const double rates = system_.largest_component(rate_) * system_.largest_component(rate);
+            const double rates = unknowns_.largest_component(rate_) * unknowns_.largest_component(rate);
             return moved > kJump * step * std::sqrt(rates);
         }
-        const Eigen::ArrayXd unit = system_.weights().array().sqrt();
+        const Eigen::ArrayXd unit = unknowns_.weights().array().sqrt();
         const Eigen::ArrayXd explained = 0.5 * step * unit * (rate_ + rate).array();
         const Eigen::ArrayXd made = unit * move.array();
         const Eigen::ArrayXd own = explained.abs().max(made.abs());
@@ -242,13 +244,13 @@ class LoadPath {
     }
 
     [[nodiscard]] Eigen::VectorXd capped(const Eigen::VectorXd& guess) const {
-        const double rotation = system_.largest_rotation(guess);
+        const double rotation = unknowns_.largest_rotation(guess);
         return guess * std::min(1.0, options_.largest_rotation_step / std::max(rotation, 1e-300));
     }
 
     [[nodiscard]] Solution solution(Termination termination) {
         if (termination != Termination::Converged) {
-            if (system_.largest_component(rate_) > kLimitLoadGrowth * rest_rate_)
+            if (unknowns_.largest_component(rate_) > kLimitLoadGrowth * rest_rate_)
                 termination = Termination::LimitLoad;
             system_.evaluate(configuration_, factor_);
         }
@@ -265,18 +267,19 @@ class LoadPath {
     }
 
     const EquilibriumOptions& options_;
-    detail::NonlinearSystem system_;
-    detail::Newton newton_;
+    nonlinear::NonlinearSystem system_;
+    const nonlinear::Unknowns& unknowns_ = system_.unknowns();
+    nonlinear::Newton newton_;
     Configuration configuration_;
     double factor_ = 0.0;
     double shortest_step_ = 0.0;
     double longest_crossing_ = 0.0;  ///< of steps on which stability changes
-    detail::Ldlt::Outcome outcome_;
+    sparse::Ldlt::Outcome outcome_;
     Eigen::VectorXd rate_;  ///< of the unknowns in the load factor
     double rest_rate_ = 0.0;
     double prescribed_turn_ = 0.0;  ///< the largest rotation that is prescribed at a node, at the full load
     double twist_bound_ = 0.0;
-    detail::PathPredictor predictor_;
+    nonlinear::PathPredictor predictor_;
     std::vector<StabilityLoss> losses_;
 };
 

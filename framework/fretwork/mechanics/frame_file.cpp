@@ -3,8 +3,8 @@
 #include <fretwork/base/file.hpp>
 #include <fretwork/base/json_reader.hpp>
 #include <fretwork/base/text.hpp>
-#include <fretwork/mechanics/detail/frame_check.hpp>
 #include <fretwork/mechanics/frame.hpp>
+#include <fretwork/mechanics/structure/frame_check.hpp>
 
 #include <algorithm>
 #include <map>
@@ -274,7 +274,7 @@ void append_conditions(Json& document, const Frame& frame) {
 Frame read_frame(const std::filesystem::path& path) {
     const JsonReader document = JsonReader::from_file(path);
     Frame frame = FrameReader(document).read();
-    detail::check_frame(frame, {path.string()});
+    structure::check_frame(frame, {path.string()});
     return frame;
 }
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/parallel.hpp>
-#include <fretwork/mechanics/detail/constraints.hpp>
-#include <fretwork/mechanics/detail/ldlt.hpp>
-#include <fretwork/mechanics/detail/mechanism.hpp>
 #include <fretwork/mechanics/linear_solver.hpp>
+#include <fretwork/mechanics/sparse/ldlt.hpp>
+#include <fretwork/mechanics/structure/constraints.hpp>
+#include <fretwork/mechanics/structure/coupling.hpp>
+#include <fretwork/mechanics/structure/mechanism.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -14,8 +15,8 @@
 namespace fretwork::mechanics {
 namespace {
 
-using detail::Ldlt;
-using detail::SystemLayout;
+using sparse::Ldlt;
+using sparse::SystemLayout;
 
 constexpr DofSet kInPlane = {{true, true, false, false, false, true}};
 constexpr DofSet kOutOfPlane = {{false, false, true, true, true, false}};
@@ -74,7 +75,7 @@ class LinearSolver::Impl {
     }
 
     void refactorize(const Assembly& assembly) {
-        constraints_ = detail::constraints_of(assembly);
+        constraints_ = structure::constraints_of(assembly);
         loads_ = assembly.loads;
         if (!assemble(assembly)) return build(assembly);  // what was flat is not any more
         factorize(assembly);
@@ -100,39 +101,33 @@ class LinearSolver::Impl {
 
   private:
     void build(const Assembly& assembly) {
-        constraints_ = detail::constraints_of(assembly);
+        constraints_ = structure::constraints_of(assembly);
         loads_ = assembly.loads;
         reported_ = assembly.reported_nodes;
-        length_ = detail::characteristic_length(assembly);
-        const detail::NodeGraph graph = detail::node_graph(assembly);
-        const std::vector<int> order = detail::elimination_order(graph, nodes_with_free_dofs());
+        length_ = structure::characteristic_length(assembly);
+        const sparse::NodeGraph graph = structure::coupling_graph(assembly);
+        const std::vector<int> order =
+            sparse::elimination_order(graph, structure::other_components(constraints_.held));
         if (!planar_refused_ && is_flat(assembly)) {
-            lay_out(assembly, graph, order, {kInPlane, kOutOfPlane});
+            lay_out(graph, order, {kInPlane, kOutOfPlane});
             if (assemble(assembly)) return factorize(assembly);
             planar_refused_ = true;
         }
-        lay_out(assembly, graph, order, {DofSet::all()});
+        lay_out(graph, order, {DofSet::all()});
         assemble(assembly);
         factorize(assembly);
     }
 
-    [[nodiscard]] std::vector<bool> nodes_with_free_dofs() const {
-        std::vector<bool> free;
-        free.reserve(constraints_.held.size());
-        for (const DofSet& held : constraints_.held) free.push_back(held != DofSet::all());
-        return free;
-    }
-
-    void lay_out(const Assembly& assembly, const detail::NodeGraph& graph, const std::vector<int>& order,
+    void lay_out(const sparse::NodeGraph& graph, const std::vector<int>& order,
                  const std::vector<DofSet>& parts) {
         systems_.clear();
         for (const DofSet& part : parts) {
-            std::vector<DofSet> free = constraints_.held;
-            for (DofSet& dofs : free) {
+            std::vector<sparse::Components> free = structure::other_components(constraints_.held);
+            for (sparse::Components& components : free) {
                 for (std::size_t d = 0; d < kDofsPerNode; ++d)
-                    dofs.contains[d] = !dofs.contains[d] && part.contains[d];
+                    components[d] = components[d] && part.contains[d];
             }
-            SystemLayout layout(assembly, graph, free, order);
+            SystemLayout layout(graph, free, order);
             if (layout.equations() > 0) systems_.emplace_back(std::move(layout), threads_);
         }
         split_ = parts.size() > 1;
@@ -147,8 +142,7 @@ class LinearSolver::Impl {
             const Element& element = *assembly.elements[e];
             element.rest_stiffness(stiffness);
             if (split_ && !decouples(stiffness)) return false;
-            for (Subsystem& system : systems_)
-                system.layout->add(e, element.nodes(), stiffness, system.values);
+            for (Subsystem& system : systems_) system.layout->add(e, stiffness, system.values);
             keep_held_rows(element.nodes(), stiffness);
         }
         return true;
@@ -179,7 +173,7 @@ class LinearSolver::Impl {
     void factorize(const Assembly& assembly) {
         for (Subsystem& system : systems_) {
             const Ldlt::Outcome outcome = system.factors.factorize(system.values);
-            detail::refuse_mechanisms(assembly, *system.layout, system.values, system.factors, outcome);
+            structure::refuse_mechanisms(assembly, *system.layout, system.values, system.factors, outcome);
         }
     }
 
@@ -213,7 +207,7 @@ class LinearSolver::Impl {
         for_each_system([&](Subsystem& system) {
             system.layout->gather(result, system.unbalanced);
             system.internal.setZero(system.displacements.size());
-            detail::add_product(*system.layout, system.values, system.displacements, system.internal);
+            sparse::add_product(*system.layout, system.values, system.displacements, system.internal);
             system.unbalanced -= system.internal;
             system.layout->scatter(system.unbalanced, result);
         });
@@ -254,7 +248,7 @@ class LinearSolver::Impl {
                 (is_held(node, d) ? held : free) += force * force;
             }
         }
-        const double scale = detail::force_norm(loads, length_) + std::sqrt(held);
+        const double scale = structure::force_norm(loads, length_) + std::sqrt(held);
         return scale > 0 ? std::sqrt(free) / scale : 0.0;
     }
 
@@ -268,7 +262,7 @@ class LinearSolver::Impl {
     }
 
     int threads_;
-    detail::Constraints constraints_;
+    structure::Constraints constraints_;
     NodeValues loads_;
     int reported_ = 0;
     double length_ = 1.0;

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
-#include <fretwork/mechanics/detail/constraints.hpp>
-#include <fretwork/mechanics/detail/mechanism.hpp>
-#include <fretwork/mechanics/detail/subspace_iteration.hpp>
 #include <fretwork/mechanics/modes.hpp>
+#include <fretwork/mechanics/nonlinear/nonlinear_system.hpp>
+#include <fretwork/mechanics/structure/constraints.hpp>
+#include <fretwork/mechanics/structure/mechanism.hpp>
+#include <fretwork/mechanics/structure/subspace_iteration.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -25,22 +26,24 @@ double largest_entry(const Eigen::Ref<const MatrixXd>& values) {
 }
 
 /// The factor of the stiffness of a structure at rest, which must not be a mechanism.
-detail::Ldlt factorize_at_rest(const detail::NonlinearSystem& system) {
-    detail::Ldlt factors(system.layout());
+sparse::Ldlt factorize_at_rest(const nonlinear::NonlinearSystem& system) {
+    sparse::Ldlt factors(system.unknowns().layout());
     const auto outcome = factors.factorize(system.tangent());
-    detail::refuse_mechanisms(system.assembly(), system.layout(), system.tangent(), factors, outcome);
+    structure::refuse_mechanisms(system.unknowns().assembly(), system.unknowns().layout(), system.tangent(),
+                                 factors, outcome);
     return factors;
 }
 
-Mode make_mode(const detail::NonlinearSystem& system, double value, const VectorXd& vector) {
+Mode make_mode(const nonlinear::NonlinearSystem& system, double value, const VectorXd& vector) {
     NodeValues table =
-        NodeValues::Zero(static_cast<Eigen::Index>(system.assembly().nodes.size()), kDofsPerNode);
-    system.layout().scatter(vector, table);
-    const Eigen::Index reported = system.assembly().reported_nodes;
+        NodeValues::Zero(static_cast<Eigen::Index>(system.unknowns().assembly().nodes.size()), kDofsPerNode);
+    system.unknowns().layout().scatter(vector, table);
+    const Eigen::Index reported = system.unknowns().assembly().reported_nodes;
     const double turn = largest_entry(table.rightCols<3>());
     const double move = largest_entry(table.leftCols<3>());
     constexpr double kOnlyTurns = 1e-9;
-    table /= std::abs(move) > kOnlyTurns * detail::characteristic_length(system.assembly()) * std::abs(turn)
+    table /= std::abs(move) > kOnlyTurns * structure::characteristic_length(system.unknowns().assembly()) *
+                                  std::abs(turn)
                  ? move
                  : turn;
     return {value, table.topRows(reported), table.bottomRows(table.rows() - reported)};
@@ -52,13 +55,13 @@ void check_count(int count) {
                                ", and must be above zero");
 }
 
-std::vector<double> mass_values(const detail::NonlinearSystem& system) {
-    std::vector<double> values(system.layout().row().size(), 0.0);
+std::vector<double> mass_values(const nonlinear::NonlinearSystem& system) {
+    std::vector<double> values(system.unknowns().layout().row().size(), 0.0);
     MatrixXd mass;
-    const Assembly& assembly = system.assembly();
+    const Assembly& assembly = system.unknowns().assembly();
     for (std::size_t e = 0; e < assembly.elements.size(); ++e) {
         assembly.elements[e]->mass(mass);
-        system.layout().add(e, assembly.elements[e]->nodes(), mass, values);
+        system.unknowns().layout().add(e, mass, values);
     }
     if (std::all_of(values.begin(), values.end(), [](double value) { return value == 0.0; }))
         throw base::InputError("the structure has no mass to vibrate: give its materials a density");
@@ -66,11 +69,11 @@ std::vector<double> mass_values(const detail::NonlinearSystem& system) {
 }
 
 /// Minus the geometric stiffness of the linear solution.
-std::vector<double> softening(const detail::NonlinearSystem& system, const VectorXd& linear_rate) {
-    const Assembly& assembly = system.assembly();
-    NodeValues table = detail::constraints_of(assembly).values;
-    system.layout().scatter(linear_rate, table);
-    std::vector<double> values(system.layout().row().size(), 0.0);
+std::vector<double> softening(const nonlinear::NonlinearSystem& system, const VectorXd& linear_rate) {
+    const Assembly& assembly = system.unknowns().assembly();
+    NodeValues table = structure::constraints_of(assembly).values;
+    system.unknowns().layout().scatter(linear_rate, table);
+    std::vector<double> values(system.unknowns().layout().row().size(), 0.0);
     MatrixXd stiffness;
     for (std::size_t e = 0; e < assembly.elements.size(); ++e) {
         const auto nodes = assembly.elements[e]->nodes();
@@ -80,7 +83,7 @@ std::vector<double> softening(const detail::NonlinearSystem& system, const Vecto
                 table.row(nodes[i].value).transpose();
         assembly.elements[e]->geometric_stiffness(displacements, stiffness);
         stiffness = -stiffness;
-        system.layout().add(e, nodes, stiffness, values);
+        system.unknowns().layout().add(e, stiffness, values);
     }
     return values;
 }
@@ -89,11 +92,12 @@ std::vector<double> softening(const detail::NonlinearSystem& system, const Vecto
 
 std::vector<Mode> vibration_modes(const Assembly& assembly, int count) {
     check_count(count);
-    detail::NonlinearSystem system(assembly);
-    system.evaluate(system.rest(), 0.0);
+    nonlinear::NonlinearSystem system(assembly);
+    system.evaluate(system.unknowns().rest(), 0.0);
     std::vector<double> masses = mass_values(system);
-    const auto pairs =
-        detail::SubspaceIteration(system, factorize_at_rest(system), std::move(masses)).largest(count);
+    const auto pairs = structure::SubspaceIteration(system.unknowns().layout(), system.tangent(),
+                                                    factorize_at_rest(system), std::move(masses))
+                           .largest(count);
     std::vector<Mode> modes;
     for (Eigen::Index i = 0; i < pairs.values.size(); ++i) {
         if (pairs.values[i] <= 0.0) break;
@@ -105,12 +109,13 @@ std::vector<Mode> vibration_modes(const Assembly& assembly, int count) {
 
 std::vector<Mode> buckling_modes(const Assembly& assembly, int count) {
     check_count(count);
-    detail::NonlinearSystem system(assembly);
-    system.evaluate(system.rest(), 0.0);
-    detail::Ldlt factors = factorize_at_rest(system);
+    nonlinear::NonlinearSystem system(assembly);
+    system.evaluate(system.unknowns().rest(), 0.0);
+    sparse::Ldlt factors = factorize_at_rest(system);
     VectorXd rate = system.load_rate();
     factors.solve(rate);
-    const auto pairs = detail::SubspaceIteration(system, std::move(factors), softening(system, rate))
+    const auto pairs = structure::SubspaceIteration(system.unknowns().layout(), system.tangent(),
+                                                    std::move(factors), softening(system, rate))
                            .largest_positive(count);
     std::vector<Mode> modes;
     for (Eigen::Index i = 0; i < pairs.values.size(); ++i)

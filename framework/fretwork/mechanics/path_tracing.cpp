@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
-#include <fretwork/mechanics/detail/newton.hpp>
+#include <fretwork/mechanics/nonlinear/newton.hpp>
 #include <fretwork/mechanics/path_tracing.hpp>
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 namespace fretwork::mechanics {
 namespace {
 
-using detail::Configuration;
+using nonlinear::Configuration;
 
 /// A step that takes about so many iterations is neither too long nor too short.
 constexpr double kGoodIterations = 4.0;
@@ -23,7 +23,7 @@ class Tracer {
         : options_(options),
           system_(assembly, options.equilibrium.threads),
           newton_(system_, options_.equilibrium),
-          configuration_(system_.rest()) {
+          configuration_(unknowns_.rest()) {
         system_.evaluate(configuration_, 0.0);
         newton_.factorize_at_rest();
         rate_ = newton_.solve_tangent(system_.load_rate());
@@ -51,7 +51,7 @@ class Tracer {
 
   private:
     [[nodiscard]] double product(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const {
-        return a.cwiseProduct(system_.weights()).dot(b);
+        return a.cwiseProduct(unknowns_.weights()).dot(b);
     }
     [[nodiscard]] double size_of(const Eigen::VectorXd& a) const { return std::sqrt(product(a, a)); }
 
@@ -61,11 +61,11 @@ class Tracer {
         const Eigen::VectorXd tangent = load_step * rate_;
         Configuration trial = configuration_;
         double factor = factor_ + load_step;
-        system_.prescribe(factor, trial);
-        system_.move(tangent, trial);
+        unknowns_.prescribe(factor, trial);
+        unknowns_.move(tangent, trial);
         const int iterations = correct(tangent, factor, trial);
         if (iterations < 0) return false;
-        Eigen::VectorXd move = system_.step_between(configuration_, trial);
+        Eigen::VectorXd move = unknowns_.step_between(configuration_, trial);
         if (product(move, tangent) <= 0.25 * arc_ * arc_) return false;
         direction_ = std::move(move);
         configuration_ = std::move(trial);
@@ -89,11 +89,11 @@ class Tracer {
             const double load_step = -product(tangent, step) / product(tangent, rate);
             const Eigen::VectorXd move = step + load_step * rate;
             if (!std::isfinite(load_step) ||
-                system_.largest_rotation(move) > options_.equilibrium.largest_rotation_step)
+                unknowns_.largest_rotation(move) > options_.equilibrium.largest_rotation_step)
                 return -1;
             factor += load_step;
-            system_.prescribe(factor, trial);
-            system_.move(move, trial);
+            unknowns_.prescribe(factor, trial);
+            unknowns_.move(move, trial);
         }
         return -1;
     }
@@ -109,14 +109,15 @@ class Tracer {
     }
 
     const PathTracingOptions& options_;
-    detail::NonlinearSystem system_;
-    detail::Newton newton_;
+    nonlinear::NonlinearSystem system_;
+    const nonlinear::Unknowns& unknowns_ = system_.unknowns();
+    nonlinear::Newton newton_;
     Configuration configuration_;
     double factor_ = 0.0;
     double arc_ = 0.0;
     Eigen::VectorXd rate_;       ///< of the unknowns in the load factor
     Eigen::VectorXd direction_;  ///< the last move
-    detail::Ldlt::Outcome outcome_;
+    sparse::Ldlt::Outcome outcome_;
 };
 
 }  // namespace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/text.hpp>
-#include <fretwork/mechanics/detail/newton.hpp>
+#include <fretwork/mechanics/nonlinear/newton.hpp>
 #include <fretwork/mechanics/relaxation.hpp>
 
 #include <algorithm>
@@ -19,9 +19,9 @@ constexpr double kMassShare = 0.5;
 /// @param against  the node against which it turns; invalid: against its rest position
 void refuse_turn(const Assembly& assembly, NodeIndex node, double angle, NodeIndex against = {}) {
     if (angle <= std::numbers::pi) return;
-    throw base::InputError(detail::node_text(assembly, node) + " is prescribed to turn by " +
+    throw base::InputError(structure::node_text(assembly, node) + " is prescribed to turn by " +
                            base::format_number(angle) + " rad" +
-                           (against.is_valid() ? " against " + detail::node_text(assembly, against) : "") +
+                           (against.is_valid() ? " against " + structure::node_text(assembly, against) : "") +
                            ", and dynamic relaxation, which begins with one jump to there, follows none of "
                            "more than pi; newton does");
 }
@@ -45,10 +45,10 @@ void refuse_turns_beyond_pi(const Assembly& assembly) {
 class Relaxation {
   public:
     Relaxation(const Assembly& assembly, const RelaxationOptions& options)
-        : options_(options), system_(assembly), configuration_(system_.rest()) {
-        system_.prescribe(1.0, configuration_);
+        : options_(options), system_(assembly), configuration_(unknowns_.rest()) {
+        unknowns_.prescribe(1.0, configuration_);
         last_peak_ = configuration_;
-        velocity_.setZero(system_.equations());
+        velocity_.setZero(unknowns_.equations());
         system_.evaluate(configuration_, 1.0);
         weigh();
     }
@@ -75,7 +75,7 @@ class Relaxation {
                 continue;
             }
             last_energy = energy;
-            system_.move(velocity_, configuration_);
+            unknowns_.move(velocity_, configuration_);
             system_.evaluate(configuration_, 1.0, Demand::Force);
         }
         return finish(termination, iteration);
@@ -92,7 +92,7 @@ class Relaxation {
     /// The peak lies in the middle of the step that was made last: go half of it back, weigh anew and start
     /// from rest.
     void restart() {
-        system_.move(-0.5 * last_velocity_, configuration_);
+        unknowns_.move(-0.5 * last_velocity_, configuration_);
         last_peak_ = configuration_;
         velocity_.setZero();
         is_at_rest_ = true;
@@ -102,11 +102,11 @@ class Relaxation {
 
     /// Gershgorin's bound of the stiffness in units in which displacements and rotations are comparable.
     void weigh() {
-        const Eigen::VectorXd scale = system_.weights().cwiseSqrt();
-        const auto& start = system_.layout().column_start();
-        const auto& row = system_.layout().row();
-        mass_.setZero(system_.equations());
-        for (int column = 0; column < system_.equations(); ++column) {
+        const Eigen::VectorXd scale = unknowns_.weights().cwiseSqrt();
+        const auto& start = unknowns_.layout().column_start();
+        const auto& row = unknowns_.layout().row();
+        mass_.setZero(unknowns_.equations());
+        for (int column = 0; column < unknowns_.equations(); ++column) {
             for (int k = start[static_cast<std::size_t>(column)];
                  k < start[static_cast<std::size_t>(column) + 1]; ++k) {
                 const int i = row[static_cast<std::size_t>(k)];
@@ -117,18 +117,18 @@ class Relaxation {
         }
         mass_ *= kMassShare;
         if (options_.rotational_mass == RotationalMass::Published) weigh_rotations_as_published();
-        for (int node = 0; node < static_cast<int>(system_.assembly().nodes.size()); ++node) {
+        for (int node = 0; node < static_cast<int>(unknowns_.assembly().nodes.size()); ++node) {
             make_isotropic(node, 0);
             make_isotropic(node, 3);
         }
     }
 
     void weigh_rotations_as_published() {
-        const double length = detail::characteristic_length(system_.assembly());
+        const double length = structure::characteristic_length(unknowns_.assembly());
         const double per_square_metre = std::max(1.0, 1.0 / (length * length));
-        for (int node = 0; node < static_cast<int>(system_.assembly().nodes.size()); ++node) {
+        for (int node = 0; node < static_cast<int>(unknowns_.assembly().nodes.size()); ++node) {
             for (int d = 3; d < kDofsPerNode; ++d) {
-                const int equation = system_.layout().equation(node, d);
+                const int equation = unknowns_.layout().equation(node, d);
                 if (equation >= 0) mass_[equation] *= per_square_metre;
             }
         }
@@ -138,11 +138,11 @@ class Relaxation {
     void make_isotropic(int node, int first_dof) {
         double largest = 0.0;
         for (int d = first_dof; d < first_dof + 3; ++d) {
-            const int equation = system_.layout().equation(node, d);
+            const int equation = unknowns_.layout().equation(node, d);
             if (equation >= 0) largest = std::max(largest, mass_[equation]);
         }
         for (int d = first_dof; d < first_dof + 3; ++d) {
-            const int equation = system_.layout().equation(node, d);
+            const int equation = unknowns_.layout().equation(node, d);
             if (equation >= 0) mass_[equation] = largest;
         }
     }
@@ -152,7 +152,7 @@ class Relaxation {
         Solution solution = system_.describe(configuration_, 1.0);
         solution.termination = termination;
         solution.iterations = iterations;
-        detail::Ldlt factors(system_.layout());
+        sparse::Ldlt factors(unknowns_.layout());
         solution.stable = factors.factorize(system_.tangent()).positive_definite();
         solution.stability =
             system_.is_conservative() ? StabilityTest::Tangent : StabilityTest::SymmetricPart;
@@ -160,9 +160,10 @@ class Relaxation {
     }
 
     const RelaxationOptions& options_;
-    detail::NonlinearSystem system_;
-    detail::Configuration configuration_;
-    detail::Configuration last_peak_;  ///< of the kinetic energy, or rest: what is told where it diverges
+    nonlinear::NonlinearSystem system_;
+    const nonlinear::Unknowns& unknowns_ = system_.unknowns();
+    nonlinear::Configuration configuration_;
+    nonlinear::Configuration last_peak_;  ///< of the kinetic energy, or rest: what is told where it diverges
     Eigen::VectorXd velocity_;
     Eigen::VectorXd last_velocity_;
     bool is_at_rest_ = true;

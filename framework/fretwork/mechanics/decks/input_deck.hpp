@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <initializer_list>
+#include <limits>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace fretwork::mechanics::decks {
+
+using Words = std::vector<std::string>;
+
+/// A keyword of an input deck, its parameters, and the data lines under it; all without blanks and in
+/// capitals.
+struct Card {
+    struct Line {
+        std::size_t number = 0;  ///< in the file
+        Words words;
+    };
+    std::string keyword;
+    std::map<std::string, std::string> parameters;  ///< the values of those without one are empty
+    std::vector<Line> lines;
+    std::size_t line = 0;
+
+    [[nodiscard]] bool has(const std::string& parameter) const { return parameters.contains(parameter); }
+};
+
+/// The cards of a CalculiX or Abaqus input deck, and how its words are read. What fails throws InputError
+/// with file and line.
+class InputDeck {
+  public:
+    explicit InputDeck(const std::filesystem::path& path);
+
+    [[nodiscard]] const std::string& path() const { return path_; }
+    [[nodiscard]] const std::vector<Card>& cards() const { return cards_; }
+
+    [[noreturn]] void fail(std::size_t line, const std::string& message) const;
+
+    /// A finite number, with Fortran's exponents (1.0D9), too.
+    [[nodiscard]] double number(std::size_t line, const std::string& word) const;
+    [[nodiscard]] int integer(std::size_t line, const std::string& word) const;
+
+    struct Count {
+        std::size_t least = 0;
+        std::size_t most = std::numeric_limits<std::size_t>::max();
+    };
+    /// The numbers of a line; empty words are none.
+    [[nodiscard]] std::vector<double> numbers(const Card::Line& line, Count count) const;
+
+    /// The value of a parameter that must be there.
+    [[nodiscard]] const std::string& parameter(const Card& card, const std::string& name) const;
+    /// The value of one that need not be there, and must be one of these if it is.
+    void require_choice(const Card& card, const std::string& name,
+                        std::initializer_list<const char*> choices) const;
+    /// Refuse parameters that are not read: they may change what a card means.
+    void allow_only(const Card& card, std::initializer_list<const char*> known) const;
+    /// The only data line of a card.
+    [[nodiscard]] const Card::Line& only_line(const Card& card, const std::string& why) const;
+
+  private:
+    std::string path_;
+    std::vector<Card> cards_;
+};
+
+}  // namespace fretwork::mechanics::decks

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/mechanics/elements/beam_deformation.hpp>
+#include <fretwork/mechanics/elements/beam_element.hpp>
+
+#include <array>
+#include <tuple>
+#include <utility>
+
+namespace fretwork::mechanics::elements {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+BeamEnergy::Stiffness stiffness_of(const Section& section, const Material& material) {
+    const double shear = material.shear_modulus();
+    return {.axial = material.young_modulus * section.area,
+            .torsion = shear * section.J,
+            .bending2 = material.young_modulus * section.I2,
+            .bending3 = material.young_modulus * section.I3,
+            .shear_flexibility2 = section.shear_area2 ? 1.0 / (shear * *section.shear_area2) : 0.0,
+            .shear_flexibility3 = section.shear_area3 ? 1.0 / (shear * *section.shear_area3) : 0.0};
+}
+
+/// The chord's vector is the difference of the end displacements.
+void expand_force(const MotionVector& motion, Eigen::VectorXd& force) {
+    force.resize(2 * kDofsPerNode);
+    force.segment<3>(0) = -motion.segment<3>(kChord);
+    force.segment<3>(3) = motion.segment<3>(kSpin1);
+    force.segment<3>(6) = motion.segment<3>(kChord);
+    force.segment<3>(9) = motion.segment<3>(kSpin2);
+}
+
+/// The motions that small displacements and rotations of the two nodes are.
+MotionVector motion_of(const Eigen::VectorXd& displacements) {
+    MotionVector motion;
+    motion.segment<3>(kChord) = displacements.segment<3>(6) - displacements.segment<3>(0);
+    motion.segment<3>(kSpin1) = displacements.segment<3>(3);
+    motion.segment<3>(kSpin2) = displacements.segment<3>(9);
+    return motion;
+}
+
+void expand_tangent(const MotionMatrix& motion, Eigen::MatrixXd& tangent) {
+    tangent.resize(2 * kDofsPerNode, 2 * kDofsPerNode);
+    constexpr int kPlace[4] = {kChord, kSpin1, kChord, kSpin2};
+    constexpr double kSign[4] = {-1.0, 1.0, 1.0, 1.0};
+    for (int i = 0; i < 4; ++i) {
+        for (int j = 0; j < 4; ++j)
+            tangent.block<3, 3>(3 * i, 3 * j) =
+                kSign[i] * kSign[j] * motion.block<3, 3>(kPlace[i], kPlace[j]);
+    }
+}
+
+}  // namespace
+
+BeamElement::BeamElement(const Geometry& geometry, const Section& section, const Material& material)
+    : geometry_(geometry),
+      energy_(stiffness_of(section, material), geometry.length),
+      line_mass_(material.density * section.area),
+      line_inertia_(material.density * (section.I2 + section.I3)) {}
+
+void BeamElement::rest_stiffness(Eigen::MatrixXd& stiffness) const {
+    using Row = Eigen::Matrix<double, 2 * kDofsPerNode, 1>;
+    const Vector3d axis1 = geometry_.axes.col(0);
+    const Vector3d axis2 = geometry_.axes.col(1);
+    const Vector3d axis3 = geometry_.axes.col(2);
+    const Vector3d zero = Vector3d::Zero();
+    const Vector3d slope2 = axis2 / geometry_.length;
+    const Vector3d slope3 = axis3 / geometry_.length;
+    Row rows[kBeamDeformations];
+    rows[kElongation] << -axis1, zero, axis1, zero;
+    rows[kBow2] << zero, 0.5 * axis2, zero, -0.5 * axis2;
+    rows[kSway2] << -slope3, 0.5 * axis2, slope3, 0.5 * axis2;
+    rows[kBow3] << zero, 0.5 * axis3, zero, -0.5 * axis3;
+    rows[kSway3] << slope2, 0.5 * axis3, -slope2, 0.5 * axis3;
+    rows[kTwist] << zero, -axis1, zero, axis1;
+    stiffness.setZero(2 * kDofsPerNode, 2 * kDofsPerNode);
+    for (int i = 0; i < kBeamDeformations; ++i) {
+        const Row scaled = energy_.rest_hessian()[i] * rows[i];
+        for (int column = 0; column < 2 * kDofsPerNode; ++column)
+            stiffness.col(column) += rows[i][column] * scaled;
+    }
+}
+
+void BeamElement::evaluate(std::span<const NodeState> states, Demand demand,
+                           ElementResponse& response) const {
+    const BeamDeformation deformation(geometry_.axes, geometry_.length, states);
+    const BeamVector d = deformation.values();
+    const DeformationSlopes slopes = deformation.slopes();
+    const BeamEnergy::State state = energy_.evaluate(d);
+    response.energy = state.value;
+    expand_force(slopes.transpose().lazyProduct(state.gradient), response.force);
+    if (demand == Demand::Force) return;
+    MotionMatrix tangent = deformation.curvature(state.gradient);
+    // Lazy: Eigen's blocked product is slower on matrices as small as these.
+    const DeformationSlopes scaled = energy_.hessian(d, state).lazyProduct(slopes);
+    tangent += slopes.transpose().lazyProduct(scaled);
+    expand_tangent(tangent, response.tangent);
+}
+
+double BeamElement::twist(std::span<const NodeState> states) const {
+    return BeamDeformation(geometry_.axes, geometry_.length, states).values()[kTwist];
+}
+
+void BeamElement::geometric_stiffness(const Eigen::VectorXd& displacements,
+                                      Eigen::MatrixXd& stiffness) const {
+    const std::array<NodeState, 2> at_rest{};
+    const BeamDeformation rest(geometry_.axes, geometry_.length, at_rest);
+    const DeformationSlopes slopes = rest.slopes();
+    BeamEnergy::State state = energy_.evaluate(BeamVector::Zero());
+    state.stress = energy_.rest_hessian().cwiseProduct(slopes * motion_of(displacements));
+    BeamMatrix hessian = energy_.hessian(BeamVector::Zero(), state);
+    hessian.diagonal() -= energy_.rest_hessian();
+    expand_tangent(rest.curvature(state.stress) + slopes.transpose() * hessian * slopes, stiffness);
+}
+
+void BeamElement::mass(Eigen::MatrixXd& mass) const {
+    const double l = geometry_.length;
+    Eigen::Matrix<double, 12, 12> m = Eigen::Matrix<double, 12, 12>::Zero();
+    const auto add = [&m](int i, int j, double value) {
+        m(i, j) += value;
+        if (i != j) m(j, i) += value;
+    };
+    const double along = line_mass_ * l / 6.0;
+    const double twist = line_inertia_ * l / 6.0;
+    const double bend = line_mass_ * l / 420.0;
+    for (const auto& [dof, value] : {std::pair{0, along}, std::pair{3, twist}}) {
+        add(dof, dof, 2.0 * value);
+        add(dof + 6, dof + 6, 2.0 * value);
+        add(dof, dof + 6, value);
+    }
+    // Deflection along axis 2 turns about axis 3 with the same sign, along axis 3 about axis 2 with the
+    // other.
+    for (const auto& [w, r, sign] : {std::tuple{1, 5, 1.0}, std::tuple{2, 4, -1.0}}) {
+        add(w, w, 156.0 * bend);
+        add(w + 6, w + 6, 156.0 * bend);
+        add(w, w + 6, 54.0 * bend);
+        add(r, r, 4.0 * l * l * bend);
+        add(r + 6, r + 6, 4.0 * l * l * bend);
+        add(r, r + 6, -3.0 * l * l * bend);
+        add(w, r, sign * 22.0 * l * bend);
+        add(w + 6, r + 6, -sign * 22.0 * l * bend);
+        add(w, r + 6, -sign * 13.0 * l * bend);
+        add(w + 6, r, sign * 13.0 * l * bend);
+    }
+    mass.resize(12, 12);
+    for (int i = 0; i < 4; ++i) {
+        for (int j = 0; j < 4; ++j)
+            mass.block<3, 3>(3 * i, 3 * j) =
+                geometry_.axes * m.block<3, 3>(3 * i, 3 * j) * geometry_.axes.transpose();
+    }
+}
+
+}  // namespace fretwork::mechanics::elements

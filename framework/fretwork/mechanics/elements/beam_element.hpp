@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/mechanics/element.hpp>
+#include <fretwork/mechanics/elements/beam_energy.hpp>
+
+#include <array>
+
+namespace fretwork::mechanics::elements {
+
+/// A straight beam between two nodes that may move and turn at will.
+///
+/// Its energy is a function of deformations that no rigid motion changes (BeamEnergy), measured against the
+/// chord and in the end sections' own axes; so it does not depend on how a round section's axes are chosen.
+/// Its linearization at rest is the linear Euler-Bernoulli element, with shear areas Timoshenko's.
+class BeamElement final : public Element {
+  public:
+    struct Geometry {
+        std::array<NodeIndex, 2> nodes;
+        double length = 0.0;                                 ///< m
+        Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  ///< local axes 1, 2, 3 at rest, as columns
+    };
+    BeamElement(const Geometry& geometry, const Section& section, const Material& material);
+
+    [[nodiscard]] std::span<const NodeIndex> nodes() const override { return geometry_.nodes; }
+    void rest_stiffness(Eigen::MatrixXd& stiffness) const override;
+    void evaluate(std::span<const NodeState> states, Demand demand, ElementResponse& response) const override;
+    [[nodiscard]] double twist(std::span<const NodeState> states) const override;
+    void geometric_stiffness(const Eigen::VectorXd& displacements, Eigen::MatrixXd& stiffness) const override;
+    void mass(Eigen::MatrixXd& mass) const override;
+
+    [[nodiscard]] const Geometry& geometry() const { return geometry_; }
+
+  private:
+    Geometry geometry_;
+    BeamEnergy energy_;
+    double line_mass_;     ///< kg/m
+    double line_inertia_;  ///< kg m, about the axis
+};
+
+}  // namespace fretwork::mechanics::elements

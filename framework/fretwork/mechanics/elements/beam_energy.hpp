@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+
+namespace fretwork::mechanics::elements {
+
+/// The deformations of a beam, all zero under rigid motions. With t1, t2 the rotations of the end sections
+/// against the chord, about the sections' own axes 2 (out of plane, for a flat pattern) and 3 (in plane):
+inline constexpr int kElongation = 0;  ///< change of the chord's length, m
+inline constexpr int kBow2 = 1;        ///< (t1 - t2) / 2 about axis 2: the arc of constant curvature
+inline constexpr int kSway2 = 2;       ///< (t1 + t2) / 2 about axis 2: the S shape
+inline constexpr int kBow3 = 3;        ///< as kBow2, about axis 3
+inline constexpr int kSway3 = 4;       ///< as kSway2, about axis 3
+inline constexpr int kTwist = 5;       ///< rotation of end 2 against end 1 about the chord
+inline constexpr int kBeamDeformations = 6;
+using BeamVector = Eigen::Matrix<double, kBeamDeformations, 1>;
+using BeamMatrix = Eigen::Matrix<double, kBeamDeformations, kBeamDeformations>;
+
+/// The elastic energy of a beam as a function of its deformations d: sum of stiffness * strain^2 / 2 over six
+/// generalized strains. A strain is the deformation of the same name plus products of others:
+///
+///   axial  (e / L + ((bow2^2 + bow3^2) / 3 + q2 sway2^2 + q3 sway3^2) / 2) L    bending shortens the chord
+///   bow2   (1 + twist^2 / 12 + g3^2 / 3) bow2 - g2 g3 bow3 / 3 + twist g3 / 2
+///   bow3   (1 + twist^2 / 12 + g2^2 / 3) bow3 - g2 g3 bow2 / 3 - twist g2 / 2
+///   sway2  + twist bow3 / 3                                          twist turns the plane of bending
+///   sway3  - twist bow2 / 3
+///   twist  / (1 + bow2^2 + bow3^2) + 2 (k3 bow2 sway3 - k2 bow3 sway2)    bending in two planes twists
+///
+/// with the shear ratios f2 = 12 E I2 / (G As3 L^2), f3 = 12 E I3 / (G As2 L^2), k = 1 / (1 + f),
+/// q = (1/5 - f^2) k^2 and the shear angles g = f k sway. The products of two follow from minimizing the
+/// energy of the geometrically exact (Simo-Reissner) rod over all shapes between given ends; those of three
+/// make the strains of a helix, to which every piece of a rod tends under refinement, right to fourth order,
+/// and those of a rod whose sections stand at a shear angle to it: refinement does not make that angle small.
+/// Written as squares, the energy is never negative. The error falls with the fourth power of the length in a
+/// plane, and in space for sections that bend equally about both axes; otherwise, and with shear, with the
+/// second.
+class BeamEnergy {
+  public:
+    /// The stiffness of a beam of length `length`. Stiffnesses in N and N m^2, flexibilities in 1/N.
+    struct Stiffness {
+        double axial = 0.0;               ///< E A
+        double torsion = 0.0;             ///< G J
+        double bending2 = 0.0;            ///< E I2
+        double bending3 = 0.0;            ///< E I3
+        double shear_flexibility2 = 0.0;  ///< 1 / (G As2): shear along axis 2; zero is shear-rigid
+        double shear_flexibility3 = 0.0;  ///< 1 / (G As3)
+    };
+    BeamEnergy(const Stiffness& stiffness, double length);
+
+    /// The energy and its derivatives at some deformations.
+    struct State {
+        double value = 0.0;
+        BeamVector gradient;
+        BeamMatrix strain_slopes;  ///< row i: the derivatives of strain i
+        BeamVector stress;         ///< stiffness * strain
+    };
+    [[nodiscard]] State evaluate(const BeamVector& d) const;
+    [[nodiscard]] BeamMatrix hessian(const BeamVector& d, const State& state) const;
+    /// The Hessian at rest, which is diagonal.
+    [[nodiscard]] const BeamVector& rest_hessian() const { return stiffness_; }
+
+  private:
+    [[nodiscard]] BeamVector strains(const BeamVector& d) const;
+    [[nodiscard]] BeamMatrix strain_slopes(const BeamVector& d) const;
+    static void add_helix_terms(const BeamVector& d, const BeamVector& stress, BeamMatrix& h);
+    void add_shear_terms(const BeamVector& d, const BeamVector& stress, BeamMatrix& h) const;
+
+    BeamVector stiffness_;
+    // Coefficients of the products in the strains.
+    double bow_shortening_, sway2_shortening_, sway3_shortening_;
+    double shear2_, shear3_;  ///< f k: how much of the sway is shear
+    double twist2_, twist3_;
+};
+
+}  // namespace fretwork::mechanics::elements

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/mechanics/elements/beam_element.hpp>
+
+#include <memory>
+#include <vector>
+
+namespace fretwork::mechanics::elements {
+
+/// A beam with hinges. At a hinged end there is one more node, whose displacement and rotation are those of
+/// the beam's end against the frame's node, in the beam's axes at rest as they turn with that node. What is
+/// not released is held at zero there, by supports.
+class HingedElement final : public Element {
+  public:
+    /// @param hinges  the hinge's node at each end; an invalid index where the end is rigid
+    HingedElement(std::unique_ptr<const BeamElement> beam, const std::array<NodeIndex, 2>& hinges);
+
+    [[nodiscard]] std::span<const NodeIndex> nodes() const override { return nodes_; }
+    void rest_stiffness(Eigen::MatrixXd& stiffness) const override;
+    void evaluate(std::span<const NodeState> states, Demand demand, ElementResponse& response) const override;
+    [[nodiscard]] double twist(std::span<const NodeState> states) const override;
+    void geometric_stiffness(const Eigen::VectorXd& displacements, Eigen::MatrixXd& stiffness) const override;
+    void mass(Eigen::MatrixXd& mass) const override;
+
+  private:
+    struct Hinge {
+        Eigen::Index end;   ///< 0 or 1
+        Eigen::Index slot;  ///< its place in nodes_
+    };
+    /// The state of a beam's end behind a hinge, and what its derivatives need.
+    struct HingedEnd {
+        Eigen::Matrix3d turned_axes;  ///< the beam's axes, turned with the frame's node
+        Eigen::Vector3d arm;          ///< from the frame's node to the beam's end
+        NodeState state;
+    };
+    static HingedEnd compose(const Eigen::Matrix3d& axes, const NodeState& node, const NodeState& hinge);
+    [[nodiscard]] Eigen::MatrixXd rest_map() const;
+    /// Add what the forces on the beam's ends contribute, since these move with the frame's nodes to second
+    /// order.
+    void add_hinge_curvature(const Eigen::VectorXd& force, const std::array<HingedEnd, 2>& hinged,
+                             Eigen::MatrixXd& tangent) const;
+    [[nodiscard]] Eigen::Index size() const {
+        return static_cast<Eigen::Index>(nodes_.size()) * kDofsPerNode;
+    }
+
+    std::unique_ptr<const BeamElement> beam_;
+    std::vector<NodeIndex> nodes_;
+    std::vector<Hinge> hinges_;
+};
+
+}  // namespace fretwork::mechanics::elements

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/mechanics/elements/linear_element.hpp>
+#include <fretwork/mechanics/elements/rotation.hpp>
+
+#include <Eigen/LU>
+
+namespace fretwork::mechanics::elements {
+
+void LinearElement::evaluate(std::span<const NodeState> states, Demand demand,
+                             ElementResponse& response) const {
+    const Eigen::Index size = stiffness_.rows();
+    const auto count = static_cast<Eigen::Index>(nodes_.size());
+    Eigen::VectorXd d(size);
+    for (Eigen::Index i = 0; i < count; ++i) {
+        const NodeState& state = states[static_cast<std::size_t>(i)];
+        d.segment<3>(i * kDofsPerNode) = state.displacement;
+        d.segment<3>(i * kDofsPerNode + 3) = logarithm(state.rotation);
+    }
+    response.force.noalias() = stiffness_ * d;
+    response.energy = 0.5 * d.dot(response.force);
+    if (demand == Demand::Tangent) response.tangent = stiffness_;
+    for (Eigen::Index i = 0; i < count; ++i) {
+        const Eigen::Index at = i * kDofsPerNode + 3;
+        const Eigen::Vector3d rotation = d.segment<3>(at);
+        const Eigen::Matrix3d inverse = spin_map(rotation).inverse();
+        const Eigen::Vector3d moment = inverse.transpose() * response.force.segment<3>(at);
+        response.force.segment<3>(at) = moment;
+        if (demand == Demand::Force) continue;
+        // From components of the rotation vector to spins: K = T^T K_spin T + the change of T^T m.
+        Eigen::Matrix3d change = spin_map_derivative(rotation, moment);
+        change = 0.5 * (change + change.transpose()).eval();
+        response.tangent.block<3, 3>(at, at) -= change;
+        response.tangent.middleCols<3>(at) = (response.tangent.middleCols<3>(at) * inverse).eval();
+        response.tangent.middleRows<3>(at) =
+            (inverse.transpose() * response.tangent.middleRows<3>(at)).eval();
+    }
+}
+
+}  // namespace fretwork::mechanics::elements

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/mechanics/nonlinear/newton.hpp>
+#include <fretwork/mechanics/structure/mechanism.hpp>
+
+#include <Eigen/Jacobi>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace fretwork::mechanics::nonlinear {
+namespace {
+
+/// Accuracy of the solves with the skew part; Newton corrects the rest.
+constexpr double kSkewTolerance = 1e-6;
+constexpr int kMostSkewIterations = 60;
+
+/// A step this small (rotations in rad, displacements in element lengths) changes nothing but rounding ...
+constexpr double kNegligibleStep = 1e-13;
+/// ... and ends the iteration if the residual is below this: its floor, where members are very stiff for the
+/// load.
+constexpr double kResidualFloor = 1e-6;
+/// Displacements so small (rad, and element lengths) are linear in the load: the first prediction is exact,
+/// and the residual it leaves is that of the elements' geometry, which knows positions to 1e-16 only.
+constexpr double kLinearReach = 1e-7;
+
+/// Solve (1 + B) x = b by GMRES, where B is the skew part behind the symmetric part's inverse. Its rank is at
+/// most two for each node with a moment, so a few steps are exact. Givens' rotations keep the small problem
+/// triangular, and tell the residual at each step.
+template <class Operator>
+Eigen::VectorXd solve_near_identity(const Operator& b_times, const Eigen::VectorXd& right_side) {
+    const double size = right_side.norm();
+    if (size == 0.0) return right_side;
+    std::vector<Eigen::VectorXd> basis{right_side / size};
+    Eigen::MatrixXd triangle = Eigen::MatrixXd::Zero(kMostSkewIterations + 1, kMostSkewIterations);
+    Eigen::VectorXd target = size * Eigen::VectorXd::Unit(kMostSkewIterations + 1, 0);
+    std::vector<Eigen::JacobiRotation<double>> rotations;
+    int k = 0;
+    for (bool done = false; !done && k < kMostSkewIterations; ++k) {
+        Eigen::VectorXd next = basis.back() + b_times(basis.back());
+        for (int i = 0; i <= k; ++i) {
+            triangle(i, k) = basis[static_cast<std::size_t>(i)].dot(next);
+            next -= triangle(i, k) * basis[static_cast<std::size_t>(i)];
+        }
+        const double length = triangle(k + 1, k) = next.norm();
+        for (int i = 0; i < k; ++i)
+            triangle.col(k).applyOnTheLeft(i, i + 1, rotations[static_cast<std::size_t>(i)].adjoint());
+        Eigen::JacobiRotation<double> rotation;
+        rotation.makeGivens(triangle(k, k), triangle(k + 1, k));
+        triangle.col(k).applyOnTheLeft(k, k + 1, rotation.adjoint());
+        target.applyOnTheLeft(k, k + 1, rotation.adjoint());
+        rotations.push_back(rotation);
+        done = std::abs(target[k + 1]) <= kSkewTolerance * size;
+        if (!done) basis.push_back(next / length);
+    }
+    const Eigen::VectorXd weights =
+        triangle.topLeftCorner(k, k).triangularView<Eigen::Upper>().solve(target.head(k));
+    Eigen::VectorXd x = Eigen::VectorXd::Zero(right_side.size());
+    for (Eigen::Index i = 0; i < k; ++i) x += weights[i] * basis[static_cast<std::size_t>(i)];
+    return x;
+}
+
+}  // namespace
+
+void Newton::factorize_at_rest() {
+    const sparse::Ldlt::Outcome outcome = factorize();
+    structure::refuse_mechanisms(unknowns_.assembly(), unknowns_.layout(), system_.tangent(), factors_,
+                                 outcome);
+}
+
+sparse::Ldlt::Outcome Newton::factorize() {
+    if (neutral_.size() > 0) return factorize(neutral_shift_);
+    return factors_.factorize(system_.tangent());
+}
+
+sparse::Ldlt::Outcome Newton::factorize(double shift) {
+    shifted_.assign(system_.tangent().begin(), system_.tangent().end());
+    const auto& start = unknowns_.layout().column_start();
+    for (int i = 0; i < unknowns_.equations(); ++i)
+        shifted_[static_cast<std::size_t>(start[static_cast<std::size_t>(i)])] +=
+            shift * unknowns_.weights()[i];
+    return factors_.factorize(shifted_);
+}
+
+void Newton::set_neutral(Eigen::VectorXd direction, double shift) {
+    neutral_ = std::move(direction);
+    if (neutral_.size() > 0) neutral_ /= std::sqrt(neutral_.dot(unknowns_.weights().cwiseProduct(neutral_)));
+    neutral_shift_ = shift;
+}
+
+/// Where K n = 0, solutions are known up to multiples of n. The one that does not move along the direction is
+/// that of K bordered with it; n itself comes out of the solve with the bordering column.
+Eigen::VectorXd Newton::without_neutral_part(Eigen::VectorXd x) {
+    if (neutral_.size() == 0) return x;
+    const Eigen::VectorXd along = unknowns_.weights().cwiseProduct(neutral_);
+    Eigen::VectorXd moved = along;
+    factors_.solve(moved);
+    x -= along.dot(x) / along.dot(moved) * moved;
+    return x;
+}
+
+void Newton::solve_symmetric(Eigen::VectorXd& right_side) {
+    factors_.solve(right_side);
+    ++iterations_;
+}
+
+Eigen::VectorXd Newton::solve_tangent(const Eigen::VectorXd& right_side) {
+    Eigen::VectorXd x = right_side;
+    factors_.solve(x);
+    ++iterations_;
+    if (!system_.has_skew_part()) return without_neutral_part(std::move(x));
+    return without_neutral_part(solve_near_identity(
+        [this](const Eigen::VectorXd& v) {
+            Eigen::VectorXd y = system_.skew_product(v);
+            factors_.solve(y);
+            return y;
+        },
+        x));
+}
+
+bool Newton::is_converged(const Configuration& configuration, const Eigen::VectorXd& last_step) const {
+    if (system_.relative_residual() <= options_.relative_residual) return true;
+    if (system_.is_rounding() &&
+        unknowns_.largest_component(unknowns_.step_between(unknowns_.rest(), configuration)) <= kLinearReach)
+        return true;
+    return last_step.size() > 0 && system_.relative_residual() <= kResidualFloor &&
+           unknowns_.largest_component(last_step) <= kNegligibleStep;
+}
+
+Termination Newton::solve(double load_factor, Configuration& configuration) {
+    Eigen::VectorXd step;
+    for (int iteration = 0;; ++iteration) {
+        system_.evaluate(configuration, load_factor);
+        if (!std::isfinite(system_.relative_residual())) return Termination::Diverged;
+        if (is_converged(configuration, step)) return Termination::Converged;
+        if (iteration == options_.iterations_per_step) return Termination::IterationsSpent;
+        if (factorize().zero_pivot >= 0) return Termination::Diverged;
+        step = solve_tangent(system_.unbalanced());
+        const double rotation = unknowns_.largest_rotation(step);
+        if (!std::isfinite(rotation)) return Termination::Diverged;
+        if (rotation > options_.largest_rotation_step) step *= options_.largest_rotation_step / rotation;
+        unknowns_.move(step, configuration);
+    }
+}
+
+}  // namespace fretwork::mechanics::nonlinear

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/mechanics/equilibrium.hpp>
+#include <fretwork/mechanics/nonlinear/nonlinear_system.hpp>
+
+#include <utility>
+#include <vector>
+
+namespace fretwork::mechanics::nonlinear {
+
+/// Newton's method on a NonlinearSystem, and the linear solves with its tangent.
+class Newton {
+  public:
+    Newton(NonlinearSystem& system, const EquilibriumOptions& options)
+        : system_(system),
+          unknowns_(system.unknowns()),
+          options_(options),
+          factors_(unknowns_.layout(), options.threads) {}
+
+    /// Bring a configuration to equilibrium under this load factor. On Converged the system is evaluated
+    /// there.
+    Termination solve(double load_factor, Configuration& configuration);
+
+    /// Factorize the tangent of the last evaluation, which is at rest. Throws NumericalError that names a
+    /// node if the structure can move without strain.
+    void factorize_at_rest();
+    /// Factorize the tangent of the last evaluation. Returns what its symmetric part is.
+    sparse::Ldlt::Outcome factorize();
+    /// The same with `shift` times the system's weights added to the diagonal.
+    sparse::Ldlt::Outcome factorize(double shift);
+    /// From here on the tangent is singular along this direction by symmetry, or (empty) not: factorize()
+    /// makes it regular by `shift`, and solve_tangent() does not move along the direction.
+    void set_neutral(Eigen::VectorXd direction, double shift);
+    [[nodiscard]] bool has_neutral() const { return neutral_.size() > 0; }
+    [[nodiscard]] const Eigen::VectorXd& neutral() const { return neutral_; }
+
+    /// Solve with the symmetric part of the last factorization, in place.
+    void solve_symmetric(Eigen::VectorXd& right_side);
+    /// Solve with the whole tangent of the last factorization, its skew part included.
+    [[nodiscard]] Eigen::VectorXd solve_tangent(const Eigen::VectorXd& right_side);
+
+    /// Linear solves since the last call.
+    int take_iterations() { return std::exchange(iterations_, 0); }
+
+  private:
+    [[nodiscard]] Eigen::VectorXd without_neutral_part(Eigen::VectorXd x);
+    [[nodiscard]] bool is_converged(const Configuration& configuration,
+                                    const Eigen::VectorXd& last_step) const;
+
+    NonlinearSystem& system_;
+    const Unknowns& unknowns_;
+    const EquilibriumOptions& options_;
+    sparse::Ldlt factors_;
+    std::vector<double> shifted_;
+    Eigen::VectorXd neutral_;  ///< of unit size against the system's weights, or empty
+    double neutral_shift_ = 0.0;
+    int iterations_ = 0;
+};
+
+}  // namespace fretwork::mechanics::nonlinear

@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/parallel.hpp>
+#include <fretwork/mechanics/elements/rotation.hpp>
+#include <fretwork/mechanics/nonlinear/nonlinear_system.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace fretwork::mechanics::nonlinear {
+namespace {
+
+std::size_t at(int index) {
+    return static_cast<std::size_t>(index);
+}
+
+/// Elements that threads evaluate before they are added, one after the other, and what one thread takes of
+/// them at a time. What is in a batch stays in the cache.
+constexpr std::size_t kBatch = 2048;
+constexpr std::size_t kPiece = 64;
+
+/// What the forces on each node come to in floating point where the elements at it are near rest: rounding of
+/// their geometry times their stiffness. A stiff element far away adds nothing.
+NodeValues rounding_forces(const Assembly& assembly, double length) {
+    constexpr double kRoundings = 8.0;
+    NodeValues forces = NodeValues::Zero(static_cast<Eigen::Index>(assembly.nodes.size()), kDofsPerNode);
+    Eigen::MatrixXd stiffness;
+    for (const auto& element : assembly.elements) {
+        element->rest_stiffness(stiffness);
+        const auto nodes = element->nodes();
+        for (std::size_t i = 0; i < nodes.size(); ++i) {
+            const auto own =
+                stiffness.diagonal().segment<kDofsPerNode>(static_cast<Eigen::Index>(i) * kDofsPerNode);
+            forces.row(nodes[i].value).head<3>().array() += length * own.head<3>().maxCoeff();
+            forces.row(nodes[i].value).tail<3>().array() += own.tail<3>().maxCoeff();
+        }
+    }
+    return kRoundings * std::numeric_limits<double>::epsilon() * forces;
+}
+
+}  // namespace
+
+NonlinearSystem::NonlinearSystem(const Assembly& assembly, int threads)
+    : unknowns_(assembly),
+      threads_(assembly.elements.size() < kBatch / 2 ? 1 : base::resolved_thread_count(threads)),
+      batch_(threads_ > 1 ? kBatch : 1),
+      responses_(batch_) {
+    for (int node = 0; node < static_cast<int>(assembly.nodes.size()); ++node) {
+        const int free =
+            3 - unknowns_.is_held(node, 3) - unknowns_.is_held(node, 4) - unknowns_.is_held(node, 5);
+        if (free >= 2 && !assembly.loads.row(node).tail<3>().isZero(0.0)) moment_nodes_.push_back(node);
+    }
+    unknowns_.layout().gather(rounding_forces(assembly, unknowns_.length()), rounding_);
+    is_loaded_ = unknowns_.has_prescribed() || !assembly.loads.isZero(0.0);
+    spin_maps_.resize(unknowns_.vector_nodes().size());
+    values_.resize(unknowns_.layout().row().size());
+}
+
+void NonlinearSystem::map_spins(const Configuration& configuration) {
+    for (std::size_t i = 0; i < unknowns_.vector_nodes().size(); ++i)
+        spin_maps_[i] = elements::spin_map(configuration.rotation_vectors[at(unknowns_.vector_nodes()[i])]);
+}
+
+/// From spins to components of the rotation vector, where these are the unknowns.
+void NonlinearSystem::map_to_unknowns(std::span<const NodeIndex> nodes, Eigen::MatrixXd& tangent) const {
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        const int slot = unknowns_.vector_slot(nodes[i].value);
+        if (slot < 0) continue;
+        const Eigen::Matrix3d& map = spin_maps_[at(slot)];
+        const Eigen::Index place = static_cast<Eigen::Index>(i) * kDofsPerNode + 3;
+        tangent.middleCols<3>(place) = (tangent.middleCols<3>(place) * map).eval();
+        tangent.middleRows<3>(place) = (map.transpose() * tangent.middleRows<3>(place)).eval();
+    }
+}
+
+void NonlinearSystem::add_prescribed_rate(std::span<const NodeIndex> nodes, const Eigen::MatrixXd& tangent) {
+    for (std::size_t j = 0; j < nodes.size(); ++j) {
+        const auto given = unknowns_.constraints().values.row(nodes[j].value);
+        if (given.isZero(0.0)) continue;
+        const Eigen::VectorXd rate =
+            tangent.middleCols<kDofsPerNode>(static_cast<Eigen::Index>(j) * kDofsPerNode) * given.transpose();
+        for (std::size_t i = 0; i < nodes.size(); ++i)
+            prescribed_rate_.row(nodes[i].value) +=
+                rate.segment<kDofsPerNode>(static_cast<Eigen::Index>(i) * kDofsPerNode).transpose();
+    }
+}
+
+/// Elements are added in their order, whoever has evaluated them, so that sums do not depend on threads.
+void NonlinearSystem::add_elements(const Configuration& configuration, Demand demand) {
+    for (std::size_t first = 0; first < unknowns_.assembly().elements.size(); first += batch_) {
+        const std::size_t count = std::min(batch_, unknowns_.assembly().elements.size() - first);
+        if (threads_ == 1) {
+            evaluate_element(first, configuration, demand, responses_[0]);
+        } else {
+            base::parallel_for((count + kPiece - 1) / kPiece, threads_, [&](std::size_t piece) {
+                const std::size_t end = std::min(count, (piece + 1) * kPiece);
+                for (std::size_t i = piece * kPiece; i < end; ++i)
+                    evaluate_element(first + i, configuration, demand, responses_[i]);
+            });
+        }
+        for (std::size_t i = 0; i < count; ++i) add_response(first + i, responses_[i], demand);
+    }
+}
+
+void NonlinearSystem::evaluate_element(std::size_t index, const Configuration& configuration, Demand demand,
+                                       ElementResponse& response) const {
+    const Element& element = *unknowns_.assembly().elements[index];
+    element.evaluate(states_of(element, configuration), demand, response);
+    if (demand == Demand::Tangent && !unknowns_.vector_nodes().empty())
+        map_to_unknowns(element.nodes(), response.tangent);
+}
+
+/// Valid until the next call on the same thread.
+std::span<const NodeState> NonlinearSystem::states_of(const Element& element,
+                                                      const Configuration& configuration) {
+    thread_local std::vector<NodeState> states;
+    const auto nodes = element.nodes();
+    states.resize(nodes.size());
+    for (std::size_t i = 0; i < nodes.size(); ++i) states[i] = configuration.states[at(nodes[i].value)];
+    return states;
+}
+
+NonlinearSystem::Twist NonlinearSystem::twist(const Configuration& configuration,
+                                              const Configuration& last) const {
+    Twist result;
+    for (const auto& element : unknowns_.assembly().elements) {
+        const double before = element->twist(states_of(*element, last));
+        const double after = element->twist(states_of(*element, configuration));
+        result.largest = std::max(result.largest, std::abs(after));
+        result.largest_change = std::max(result.largest_change, std::abs(after - before));
+    }
+    return result;
+}
+
+void NonlinearSystem::add_response(std::size_t index, const ElementResponse& response, Demand demand) {
+    const auto nodes = unknowns_.assembly().elements[index]->nodes();
+    energy_ += response.energy;
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+        internal_.row(nodes[i].value) +=
+            response.force.segment<kDofsPerNode>(static_cast<Eigen::Index>(i) * kDofsPerNode).transpose();
+    if (demand == Demand::Force) return;
+    unknowns_.layout().add(index, response.tangent, values_);
+    if (unknowns_.has_prescribed()) add_prescribed_rate(nodes, response.tangent);
+}
+
+/// What moments add to the tangent: at vector nodes the change of the map itself (it meets the out-of-balance
+/// moment, which the supports carry), at freely turning ones the skew part of moments of fixed direction.
+void NonlinearSystem::add_moment_terms(const Configuration& configuration, double load_factor) {
+    for (const int node : unknowns_.vector_nodes()) {
+        const Eigen::Vector3d excess = -forces_.row(node).tail<3>().transpose();
+        Eigen::Matrix3d change =
+            elements::spin_map_derivative(configuration.rotation_vectors[at(node)], excess);
+        change = 0.5 * (change + change.transpose()).eval();
+        Eigen::Matrix<double, kDofsPerNode, kDofsPerNode> block =
+            Eigen::Matrix<double, kDofsPerNode, kDofsPerNode>::Zero();
+        block.bottomRightCorner<3, 3>() = change;
+        unknowns_.layout().add_node(node, block, values_);
+        if (!unknowns_.has_prescribed()) continue;
+        const Eigen::Vector3d given = unknowns_.constraints().values.row(node).tail<3>();
+        const Eigen::Vector3d rate = (change + skew_of_moment(node, load_factor)) * given;
+        prescribed_rate_.row(node).tail<3>() += rate.transpose();
+    }
+    for (const int node : moment_nodes_) {
+        skew_.push_back({{unknowns_.layout().equation(node, 3), unknowns_.layout().equation(node, 4),
+                          unknowns_.layout().equation(node, 5)},
+                         skew_of_moment(node, load_factor)});
+    }
+}
+
+/// The skew part of the tangent that a node's applied moment leaves.
+Eigen::Matrix3d NonlinearSystem::skew_of_moment(int node, double load_factor) const {
+    const Eigen::Vector3d moment = load_factor * unknowns_.assembly().loads.row(node).tail<3>().transpose();
+    Eigen::Matrix3d skew = -0.5 * elements::cross_matrix(moment);
+    const int slot = unknowns_.vector_slot(node);
+    if (slot < 0) return skew;
+    return spin_maps_[at(slot)].transpose() * skew * spin_maps_[at(slot)];
+}
+
+void NonlinearSystem::gather_unbalanced(double load_factor) {
+    NodeValues mapped = forces_;
+    NodeValues rate = unknowns_.assembly().loads;
+    for (std::size_t i = 0; i < unknowns_.vector_nodes().size(); ++i) {
+        const int node = unknowns_.vector_nodes()[i];
+        mapped.row(node).tail<3>() = (forces_.row(node).tail<3>() * spin_maps_[i]).eval();
+        rate.row(node).tail<3>() = (unknowns_.assembly().loads.row(node).tail<3>() * spin_maps_[i]).eval();
+    }
+    if (unknowns_.has_prescribed()) rate -= prescribed_rate_;
+    unknowns_.layout().gather(mapped, unbalanced_);
+    unknowns_.layout().gather(rate, load_rate_);
+    double square = 0.0;
+    for (Eigen::Index node = 0; node < mapped.rows(); ++node) {
+        for (int d = 0; d < kDofsPerNode; ++d) {
+            if (unknowns_.is_held(static_cast<int>(node), d)) continue;
+            const double value = mapped(node, d) / (d < 3 ? 1.0 : unknowns_.length());
+            square += value * value;
+        }
+    }
+    const double scale = load_factor * structure::force_norm(unknowns_.assembly().loads, unknowns_.length()) +
+                         structure::force_norm(reactions(), unknowns_.length());
+    const bool is_at_rest = square == 0.0 || ((!is_loaded_ || load_factor == 0.0) && is_rounding());
+    relative_residual_ = is_at_rest ? 0.0 : std::sqrt(square) / scale;
+}
+
+void NonlinearSystem::evaluate(const Configuration& configuration, double load_factor, Demand demand) {
+    const auto nodes = static_cast<Eigen::Index>(unknowns_.assembly().nodes.size());
+    internal_.setZero(nodes, kDofsPerNode);
+    if (unknowns_.has_prescribed()) prescribed_rate_.setZero(nodes, kDofsPerNode);
+    if (demand == Demand::Tangent) std::fill(values_.begin(), values_.end(), 0.0);
+    energy_ = 0.0;
+    skew_.clear();
+    map_spins(configuration);
+    add_elements(configuration, demand);
+    forces_ = load_factor * unknowns_.assembly().loads - internal_;
+    if (demand == Demand::Tangent) add_moment_terms(configuration, load_factor);
+    gather_unbalanced(load_factor);
+}
+
+Eigen::VectorXd NonlinearSystem::skew_product(const Eigen::VectorXd& x) const {
+    Eigen::VectorXd y = Eigen::VectorXd::Zero(x.size());
+    for (const SkewBlock& block : skew_) {
+        for (int i = 0; i < 3; ++i) {
+            for (int j = 0; j < 3; ++j) {
+                if (block.equation[at(i)] >= 0 && block.equation[at(j)] >= 0)
+                    y[block.equation[at(i)]] += block.matrix(i, j) * x[block.equation[at(j)]];
+            }
+        }
+    }
+    return y;
+}
+
+NodeValues NonlinearSystem::reactions() const {
+    NodeValues result = NodeValues::Zero(forces_.rows(), kDofsPerNode);
+    for (Eigen::Index node = 0; node < forces_.rows(); ++node) {
+        for (int d = 0; d < 3; ++d) {
+            if (unknowns_.is_held(static_cast<int>(node), d)) result(node, d) = -forces_(node, d);
+        }
+        if (unknowns_.has_held_rotation(static_cast<int>(node)))
+            result.row(node).tail<3>() = -forces_.row(node).tail<3>();
+    }
+    return result;
+}
+
+Solution NonlinearSystem::describe(const Configuration& configuration, double load_factor) const {
+    const auto all = static_cast<Eigen::Index>(configuration.states.size());
+    const Eigen::Index reported = unknowns_.assembly().reported_nodes;
+    Solution solution;
+    solution.load_factor = load_factor;
+    solution.energy = energy_;
+    solution.residual = relative_residual_;
+    solution.displacements.resize(reported, kDofsPerNode);
+    solution.inner_displacements.resize(all - reported, kDofsPerNode);
+    for (int node = 0; node < static_cast<int>(all); ++node) {
+        auto row = node < reported ? solution.displacements.row(node)
+                                   : solution.inner_displacements.row(node - reported);
+        row << configuration.states[at(node)].displacement.transpose(),
+            configuration.rotation_vectors[at(node)].transpose();
+    }
+    solution.reactions = reactions().topRows(reported);
+    return solution;
+}
+
+}  // namespace fretwork::mechanics::nonlinear

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/mechanics/nonlinear/unknowns.hpp>
+#include <fretwork/mechanics/solution.hpp>
+#include <fretwork/mechanics/sparse/ldlt.hpp>
+
+#include <vector>
+
+namespace fretwork::mechanics::nonlinear {
+
+/// The equations of nonlinear equilibrium, internal = load factor * loads, and their derivative.
+///
+/// Where the unknowns are components of rotation vectors, moments and tangent are transformed to them. The
+/// tangent is a symmetric matrix and, at freely turning nodes with applied moments of fixed direction, small
+/// skew blocks.
+class NonlinearSystem {
+  public:
+    /// @param threads  that evaluate the elements where these are many; 0: all there are
+    explicit NonlinearSystem(const Assembly& assembly, int threads = 1);
+
+    [[nodiscard]] const Unknowns& unknowns() const { return unknowns_; }
+
+    /// Compute what the members below tell; the tangent and what depends on it only where it is asked for.
+    void evaluate(const Configuration& configuration, double load_factor, Demand demand = Demand::Tangent);
+
+    /// The solution at the configuration of the last evaluation, but for how it came about and whether it is
+    /// stable.
+    [[nodiscard]] Solution describe(const Configuration& configuration, double load_factor) const;
+
+    /// Load less internal force, for each equation.
+    [[nodiscard]] const Eigen::VectorXd& unbalanced() const { return unbalanced_; }
+    /// Norm of the unbalanced forces over that of loads and reactions.
+    [[nodiscard]] double relative_residual() const { return relative_residual_; }
+    /// Whether the unbalanced forces are no more than what rounding makes of elements near rest.
+    [[nodiscard]] bool is_rounding() const {
+        return (unbalanced_.cwiseAbs().array() <= rounding_.array()).all();
+    }
+    /// The rate of the unbalanced forces in the load factor while the unknowns rest.
+    [[nodiscard]] const Eigen::VectorXd& load_rate() const { return load_rate_; }
+    [[nodiscard]] std::span<const double> tangent() const { return values_; }
+    /// Whether moments make the tangent unsymmetric.
+    [[nodiscard]] bool has_skew_part() const { return !skew_.empty(); }
+    /// y = skew part of the tangent times x.
+    [[nodiscard]] Eigen::VectorXd skew_product(const Eigen::VectorXd& x) const;
+    /// False if external moments act: their direction stays fixed in space, so they have no potential. The
+    /// moments of gravity stand for forces, which have one.
+    [[nodiscard]] bool is_conservative() const { return skew_.empty() || !unknowns_.assembly().has_moments; }
+    /// How elements are twisted, and how much more than in another configuration near it: the largest of
+    /// each.
+    struct Twist {
+        double largest = 0.0;
+        double largest_change = 0.0;
+    };
+    [[nodiscard]] Twist twist(const Configuration& configuration, const Configuration& last) const;
+    /// True forces and moments of the supports.
+    [[nodiscard]] NodeValues reactions() const;
+
+  private:
+    struct SkewBlock {
+        std::array<int, 3> equation;
+        Eigen::Matrix3d matrix;
+    };
+    void map_spins(const Configuration& configuration);
+    void add_elements(const Configuration& configuration, Demand demand);
+    void evaluate_element(std::size_t index, const Configuration& configuration, Demand demand,
+                          ElementResponse& response) const;
+    [[nodiscard]] static std::span<const NodeState> states_of(const Element& element,
+                                                              const Configuration& configuration);
+    void add_response(std::size_t index, const ElementResponse& response, Demand demand);
+    void map_to_unknowns(std::span<const NodeIndex> nodes, Eigen::MatrixXd& tangent) const;
+    void add_prescribed_rate(std::span<const NodeIndex> nodes, const Eigen::MatrixXd& tangent);
+    void add_moment_terms(const Configuration& configuration, double load_factor);
+    [[nodiscard]] Eigen::Matrix3d skew_of_moment(int node, double load_factor) const;
+    void gather_unbalanced(double load_factor);
+
+    Unknowns unknowns_;
+    bool is_loaded_ = false;
+    Eigen::VectorXd rounding_;                ///< what an equation's force may come to at rest
+    std::vector<int> moment_nodes_;           ///< with applied moments and at least two free rotations
+    std::vector<Eigen::Matrix3d> spin_maps_;  ///< of the vector nodes
+    int threads_;
+    std::size_t batch_;  ///< elements that are evaluated before they are added
+    std::vector<ElementResponse> responses_;
+
+    NodeValues internal_;
+    NodeValues forces_;  ///< loads less internal, true moments
+    NodeValues prescribed_rate_;
+    double energy_ = 0.0;
+    double relative_residual_ = 0.0;
+    std::vector<double> values_;
+    std::vector<SkewBlock> skew_;
+    Eigen::VectorXd unbalanced_;
+    Eigen::VectorXd load_rate_;
+};
+
+}  // namespace fretwork::mechanics::nonlinear

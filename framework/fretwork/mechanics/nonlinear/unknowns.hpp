@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/mechanics/assembly.hpp>
+#include <fretwork/mechanics/sparse/system_layout.hpp>
+#include <fretwork/mechanics/structure/constraints.hpp>
+
+#include <memory>
+#include <vector>
+
+namespace fretwork::mechanics::nonlinear {
+
+/// Where all nodes are: their rotations as rotations, and as rotation vectors that follow the path without
+/// jumps.
+struct Configuration {
+    std::vector<NodeState> states;
+    std::vector<Eigen::Vector3d> rotation_vectors;
+};
+
+/// Which components of a structure's nodes are unknown, and how steps of them change a configuration.
+///
+/// The rotational unknowns of a node that turns freely are spins. Where supports hold some components of the
+/// total rotation vector, the unknowns are the others.
+class Unknowns {
+  public:
+    explicit Unknowns(const Assembly& assembly);
+
+    [[nodiscard]] const sparse::SystemLayout& layout() const { return *layout_; }
+    [[nodiscard]] const Assembly& assembly() const { return assembly_; }
+    [[nodiscard]] int equations() const { return layout_->equations(); }
+
+    [[nodiscard]] Configuration rest() const;
+    /// Move the prescribed components to this share of their values.
+    void prescribe(double load_factor, Configuration& configuration) const;
+    /// Add a step of the unknowns.
+    void move(const Eigen::VectorXd& step, Configuration& configuration) const;
+    /// Give rotation vectors the whole turns that bring them next to those of the last equilibrium, so that
+    /// they are continuous along a path whatever the iterations went through.
+    void unwind(const Configuration& last, Configuration& configuration) const;
+    /// The step of the unknowns from one configuration to another near it.
+    [[nodiscard]] Eigen::VectorXd step_between(const Configuration& from, const Configuration& to) const;
+    /// The rate at which such a step changes where the unknowns change at `rate` at its end.
+    [[nodiscard]] Eigen::VectorXd rate_of_steps(const Eigen::VectorXd& step,
+                                                const Eigen::VectorXd& rate) const;
+    /// The largest rotation of a node in a step, rad.
+    [[nodiscard]] double largest_rotation(const Eigen::VectorXd& step) const;
+    /// Largest component of a step; displacements count in characteristic lengths.
+    [[nodiscard]] double largest_component(const Eigen::VectorXd& step) const;
+
+    /// For each equation 1 for a rotation and 1 / length^2 for a displacement: squares in one unit.
+    [[nodiscard]] const Eigen::VectorXd& weights() const { return weights_; }
+
+    [[nodiscard]] const structure::Constraints& constraints() const { return constraints_; }
+    [[nodiscard]] bool is_held(int node, int dof) const;
+    [[nodiscard]] bool has_held_rotation(int node) const;
+    [[nodiscard]] bool has_prescribed() const { return has_prescribed_; }
+    /// The characteristic length of the elements, m.
+    [[nodiscard]] double length() const { return length_; }
+    /// Nodes some of whose rotation vector's components are unknowns or prescribed, and a node's place among
+    /// them, or -1.
+    [[nodiscard]] const std::vector<int>& vector_nodes() const { return vector_nodes_; }
+    [[nodiscard]] int vector_slot(int node) const { return vector_slot_[static_cast<std::size_t>(node)]; }
+
+  private:
+    const Assembly& assembly_;
+    structure::Constraints constraints_;
+    double length_;
+    std::unique_ptr<sparse::SystemLayout> layout_;
+    std::vector<int> vector_nodes_;
+    std::vector<int> vector_slot_;
+    bool has_prescribed_;
+    Eigen::VectorXd weights_;
+};
+
+}  // namespace fretwork::mechanics::nonlinear

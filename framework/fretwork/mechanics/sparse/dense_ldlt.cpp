@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/mechanics/sparse/dense_ldlt.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstring>
+
+// The build is for any machine of its architecture; where the compiler can, these loops come in several
+// versions and the machine picks one when the program starts. (The sanitizers do not run that early.)
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__)
+#define FRETWORK_CLONES __attribute__((target_clones("avx512f", "fma", "default")))
+#else
+#define FRETWORK_CLONES
+#endif
+#define FRETWORK_INLINE inline __attribute__((always_inline))
+
+namespace fretwork::mechanics::sparse {
+namespace {
+
+using Index = std::ptrdiff_t;
+
+/// Columns that are handled together: their products with one strip of rows stay in registers.
+constexpr int kBlock = 6;
+/// Columns of the panel that the rest meets at a time, so that they stay in the cache.
+constexpr int kDepth = 128;
+
+using Strip8 = double __attribute__((vector_size(64), aligned(8), may_alias));
+using Strip4 = double __attribute__((vector_size(32), aligned(8), may_alias));
+using Strip2 = double __attribute__((vector_size(16), aligned(8), may_alias));
+
+/// Some columns of a dense matrix: entry (i, j) is values[i + j * stride].
+struct Columns {
+    double* values;
+    Index stride;
+    Index rows;
+    int count;
+};
+
+/// What is subtracted from columns: left (rows x depth) times the transpose of `packed`, whose kBlock numbers
+/// for each of `depth` columns follow one another.
+struct Product {
+    const double* left;
+    Index stride;
+    const double* packed;
+    Index depth;
+    bool replaces = false;  ///< what is in the columns does not count
+};
+
+/// How the rows below a diagonal block end up as rows of L.
+struct BlockSolve {
+    double unit[kBlock][kBlock] = {};  ///< L of the block; unit[k][c] for k > c
+    double inverse[kBlock] = {};       ///< of the pivots
+};
+
+template <class Strip>
+FRETWORK_INLINE void subtract_tile(double* target, Index stride, const Product& product, int count,
+                                   const BlockSolve* solve) {
+    Strip sum[kBlock] = {};
+    const double* left = product.left;
+    const double* packed = product.packed;
+    for (Index p = 0; p < product.depth; ++p, left += product.stride, packed += kBlock) {
+        const Strip a = *reinterpret_cast<const Strip*>(left);
+#pragma GCC unroll 6
+        for (int c = 0; c < kBlock; ++c) sum[c] += a * packed[c];
+    }
+#pragma GCC unroll 6
+    for (int c = 0; c < kBlock; ++c) {
+        if (product.replaces) {
+            sum[c] = -sum[c];
+        } else if (c < count) {
+            sum[c] = *reinterpret_cast<const Strip*>(target + c * stride) - sum[c];
+        }
+    }
+    if (solve != nullptr) {
+#pragma GCC unroll 6
+        for (int c = 0; c < kBlock; ++c) {
+#pragma GCC unroll 6
+            for (int k = c + 1; k < kBlock; ++k) sum[k] -= sum[c] * solve->unit[k][c];
+            sum[c] = sum[c] * solve->inverse[c];
+        }
+    }
+#pragma GCC unroll 6
+    for (int c = 0; c < kBlock; ++c) {
+        if (c < count) *reinterpret_cast<Strip*>(target + c * stride) = sum[c];
+    }
+}
+
+/// Subtract from rows [first, columns.rows) of at most kBlock columns and, if wished, make them rows of L.
+FRETWORK_INLINE void subtract_rows(const Columns& columns, Index first, Product product,
+                                   const BlockSolve* solve = nullptr) {
+    const double* left = product.left;
+    Index i = first;
+    const auto tile = [&]<class Strip>(Strip*) __attribute__((always_inline)) {
+        product.left = left + i;
+        subtract_tile<Strip>(columns.values + i, columns.stride, product, columns.count, solve);
+        i += static_cast<Index>(sizeof(Strip) / sizeof(double));
+    };
+    while (i + 8 <= columns.rows) tile(static_cast<Strip8*>(nullptr));
+    if (i + 4 <= columns.rows) tile(static_cast<Strip4*>(nullptr));
+    if (i + 2 <= columns.rows) tile(static_cast<Strip2*>(nullptr));
+    if (i < columns.rows) tile(static_cast<double*>(nullptr));
+}
+
+/// Rows [row, row + kBlock) of the panel's columns [from, to), each times its pivot.
+FRETWORK_INLINE void pack(const Front& front, Index row, Index from, Index to, double* packed) {
+    const Index stride = front.width + front.rows;
+    const Index count = std::min<Index>(kBlock, stride - row);
+    for (Index p = from; p < to; ++p, packed += kBlock) {
+        const double pivot = front.panel[p + p * stride];
+        const double* entries = front.panel + row + p * stride;
+        for (Index c = 0; c < kBlock; ++c) packed[c] = c < count ? pivot * entries[c] : 0.0;
+    }
+}
+
+/// The diagonal block of columns [first, first + count), entry by entry.
+FRETWORK_INLINE Pivots eliminate_diagonal(const Front& front, int first, int count, const double* least_pivot,
+                                          BlockSolve& solve) {
+    const Index stride = front.width + front.rows;
+    double* block = front.panel + first + first * stride;
+    Pivots pivots;
+    for (int j = 0; j < count; ++j) {
+        const double pivot = block[j + j * stride];
+        if (!(std::abs(pivot) > least_pivot[first + j])) {
+            pivots.zero = first + j;
+            return pivots;
+        }
+        if (pivot < 0.0) ++pivots.negative;
+        if (std::abs(pivot) < kWeakPivot * least_pivot[first + j]) pivots.weak = true;
+        solve.inverse[j] = 1.0 / pivot;
+        for (int k = j + 1; k < count; ++k) {
+            solve.unit[k][j] = block[k + j * stride] / pivot;
+            for (int i = k; i < count; ++i) block[i + k * stride] -= solve.unit[k][j] * block[i + j * stride];
+        }
+        for (int k = j + 1; k < count; ++k) block[k + j * stride] = solve.unit[k][j];
+    }
+    return pivots;
+}
+
+/// Bring at most kBlock columns of the panel up to date with all columns before them, and eliminate them.
+FRETWORK_CLONES Pivots eliminate_block(const Front& front, int first, const double* least_pivot,
+                                       double* packed) {
+    const Index stride = front.width + front.rows;
+    const int count = std::min(kBlock, front.width - first);
+    pack(front, first, 0, first, packed);
+    double* columns = front.panel + first * stride;
+    const Product before{front.panel, stride, packed, first};
+    subtract_rows({columns, stride, first + count, count}, first, before);
+    BlockSolve solve;
+    const Pivots pivots = eliminate_diagonal(front, first, count, least_pivot, solve);
+    if (pivots.zero < 0) subtract_rows({columns, stride, stride, count}, first + count, before, &solve);
+    return pivots;
+}
+
+/// rest = -L D L^T over the panel's first columns, rest -= L D L^T over later ones: [from, to).
+FRETWORK_CLONES void update_rest(const Front& front, Index from, Index to, double* packed) {
+    const Index stride = front.width + front.rows;
+    const Index depth = to - from;
+    const double* left = front.panel + front.width + from * stride;
+    for (Index column = 0; column < front.rows; column += kBlock)
+        pack(front, front.width + column, from, to, packed + column * depth);
+    // A strip of rows meets all columns in turn while it is in the nearest cache.
+    constexpr Index kStrip = 16;
+    for (Index row = 0; row < front.rows; row += kStrip) {
+        const Index end = std::min<Index>(row + kStrip, front.rows);
+        for (Index column = 0; column < end; column += kBlock) {
+            const int count = static_cast<int>(std::min<Index>(kBlock, front.rows - column));
+            subtract_rows({front.rest + column * front.rows, front.rows, end, count}, row,
+                          {left, stride, packed + column * depth, depth, from == 0});
+        }
+    }
+}
+
+/// y += A x for a dense matrix by columns.
+FRETWORK_INLINE void add_products(const double* matrix, Index stride, Index rows, const double* x, int count,
+                                  double* __restrict y) {
+    int j = 0;
+    for (; j + 4 <= count; j += 4) {
+        const double* __restrict a = matrix + j * stride;
+        for (Index i = 0; i < rows; ++i)
+            y[i] += (a[i] * x[j] + a[i + stride] * x[j + 1]) +
+                    (a[i + 2 * stride] * x[j + 2] + a[i + 3 * stride] * x[j + 3]);
+    }
+    for (; j < count; ++j) {
+        const double* __restrict a = matrix + j * stride;
+        for (Index i = 0; i < rows; ++i) y[i] += a[i] * x[j];
+    }
+}
+
+/// The products of `Count` neighbouring columns with y, at once: one alone would wait for each of its sums.
+template <int Count>
+FRETWORK_INLINE void subtract_dots_of(const double* matrix, Index stride, Index rows, const double* y,
+                                      double* x) {
+    Strip4 sum[Count] = {};
+    double rest[Count] = {};
+    Index i = 0;
+    for (; i + 4 <= rows; i += 4) {
+        const Strip4 strip = *reinterpret_cast<const Strip4*>(y + i);
+        for (int c = 0; c < Count; ++c)
+            sum[c] += *reinterpret_cast<const Strip4*>(matrix + i + c * stride) * strip;
+    }
+    for (; i < rows; ++i) {
+        for (int c = 0; c < Count; ++c) rest[c] += matrix[i + c * stride] * y[i];
+    }
+    for (int c = 0; c < Count; ++c) x[c] -= (sum[c][0] + sum[c][1]) + (sum[c][2] + sum[c][3]) + rest[c];
+}
+
+/// x -= A^T y.
+FRETWORK_INLINE void subtract_dots(const double* matrix, Index stride, Index rows, const double* y, int count,
+                                   double* x) {
+    int j = 0;
+    for (; j + 4 <= count; j += 4) subtract_dots_of<4>(matrix + j * stride, stride, rows, y, x + j);
+    for (; j < count; ++j) subtract_dots_of<1>(matrix + j * stride, stride, rows, y, x + j);
+}
+
+FRETWORK_CLONES void forward(const Front& front, double* __restrict x, double* __restrict below) {
+    const Index stride = front.width + front.rows;
+    for (int j = 0; j < front.width; ++j) {
+        const double* __restrict column = front.panel + j * stride;
+        for (int i = j + 1; i < front.width; ++i) x[i] -= column[i] * x[j];
+    }
+    add_products(front.panel + front.width, stride, front.rows, x, front.width, below);
+}
+
+FRETWORK_CLONES void back(const Front& front, double* x, const double* below) {
+    const Index stride = front.width + front.rows;
+    for (int j = 0; j < front.width; ++j) x[j] /= front.panel[j + j * stride];
+    subtract_dots(front.panel + front.width, stride, front.rows, below, front.width, x);
+    for (int j = front.width - 1; j >= 0; --j)
+        subtract_dots_of<1>(front.panel + j * stride + j + 1, stride, front.width - j - 1, x + j + 1, x + j);
+}
+
+}  // namespace
+
+Pivots eliminate(const Front& front, std::span<const double> diagonal, double zero_share,
+                 std::vector<double>& scratch) {
+    const Index blocks = (front.rows + kBlock - 1) / kBlock;
+    const Index depth = std::min(front.width, kDepth);
+    const Index packed_size = std::max<Index>(front.width, depth * blocks) * kBlock;
+    if (static_cast<Index>(scratch.size()) < packed_size + front.width)
+        scratch.resize(static_cast<std::size_t>(packed_size + front.width));
+    double* least_pivot = scratch.data() + packed_size;
+    for (int j = 0; j < front.width; ++j)
+        least_pivot[j] = zero_share * std::abs(diagonal[static_cast<std::size_t>(j)]);
+    Pivots pivots;
+    for (int first = 0; first < front.width; first += kBlock) {
+        const Pivots found = eliminate_block(front, first, least_pivot, scratch.data());
+        pivots.negative += found.negative;
+        pivots.weak = pivots.weak || found.weak;
+        pivots.zero = found.zero;
+        if (found.zero >= 0) return pivots;
+    }
+    for (Index from = 0; from < front.width; from += kDepth)
+        update_rest(front, from, std::min<Index>(from + kDepth, front.width), scratch.data());
+    return pivots;
+}
+
+void substitute_forward(const Front& front, double* x, double* below) {
+    forward(front, x, below);
+}
+
+void substitute_back(const Front& front, double* x, const double* below) {
+    back(front, x, below);
+}
+
+}  // namespace fretwork::mechanics::sparse

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <vector>
+
+namespace fretwork::mechanics::sparse {
+
+/// The dense matrix in which the columns of one supernode are eliminated, lower triangle by columns:
+/// `width` columns of width + rows entries, and the square that they leave to the columns after them.
+struct Front {
+    int width = 0;
+    int rows = 0;
+    double* panel = nullptr;  ///< (width + rows) x width; afterwards D on the diagonal, unit L below it
+    double* rest = nullptr;   ///< rows x rows, written in the lower triangle; the upper one may hold anything
+};
+
+constexpr double kWeakPivot = 1e4;
+
+/// What was met on the way.
+struct Pivots {
+    int negative = 0;
+    int zero = -1;      ///< the column that stopped the elimination; -1: none
+    bool weak = false;  ///< a pivot was less than kWeakPivot times what would have stopped it
+};
+
+/// Eliminate the front's columns: F = L D L^T in the panel, and rest = -L D L^T of the rows below. There is
+/// no exchange of pivots: a column whose pivot is not above `zero_share` times its entry in `diagonal` ends
+/// it. `scratch` is grown as needed. The kernels are compiled for several instruction sets; the machine picks
+/// one.
+Pivots eliminate(const Front& front, std::span<const double> diagonal, double zero_share,
+                 std::vector<double>& scratch);
+
+/// x = L^-1 x for the panel's own columns, and below += L x for the rows below them.
+void substitute_forward(const Front& front, double* x, double* below);
+/// x = D^-1 x, then x = L^-T (x - L^T below) with the solution at the rows below.
+void substitute_back(const Front& front, double* x, const double* below);
+
+}  // namespace fretwork::mechanics::sparse

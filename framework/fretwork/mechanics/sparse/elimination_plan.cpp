@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/mechanics/sparse/elimination_plan.hpp>
+
+#include <algorithm>
+#include <map>
+
+namespace fretwork::mechanics::sparse {
+namespace {
+
+/// Multiplications that a thread does in the time that it takes to start some.
+constexpr double kLittleWork = 5e6;
+
+/// Subtrees have at most this share of one thread's work, so that threads end at about the same time.
+constexpr double kPiece = 0.25;
+
+std::size_t at(int index) {
+    return static_cast<std::size_t>(index);
+}
+
+/// Hands out places in one piece of storage, and takes them back.
+class Storage {
+  public:
+    std::size_t take(std::size_t size) {
+        for (auto gap = gaps_.begin(); gap != gaps_.end(); ++gap) {
+            if (gap->second < size) continue;
+            const auto [start, length] = *gap;
+            gaps_.erase(gap);
+            if (length > size) gaps_.emplace(start + size, length - size);
+            return start;
+        }
+        const std::size_t start = size_;
+        size_ += size;
+        return start;
+    }
+
+    void give_back(std::size_t start, std::size_t size) {
+        if (size == 0) return;
+        auto place = gaps_.emplace(start, size).first;
+        const auto next = std::next(place);
+        if (next != gaps_.end() && place->first + place->second == next->first) {
+            place->second += next->second;
+            gaps_.erase(next);
+        }
+        if (place == gaps_.begin()) return;
+        const auto before = std::prev(place);
+        if (before->first + before->second != place->first) return;
+        before->second += place->second;
+        gaps_.erase(place);
+    }
+
+    [[nodiscard]] std::size_t size() const { return size_; }
+
+  private:
+    std::map<std::size_t, std::size_t> gaps_;
+    std::size_t size_ = 0;
+};
+
+std::size_t square(int size) {
+    return at(size) * at(size);
+}
+
+/// The multiplications of each supernode and all below it.
+std::vector<double> subtree_work(const SupernodeTree& tree) {
+    std::vector<double> work(tree.supernodes.size(), 0.0);
+    for (std::size_t s = 0; s < work.size(); ++s) {
+        const Supernode& own = tree.supernodes[s];
+        work[s] += 0.5 * own.width * static_cast<double>(own.height()) * own.height();
+        if (own.parent >= 0) work[at(own.parent)] += work[s];
+    }
+    return work;
+}
+
+/// Cuts the tree below every supernode whose subtree is more than a piece.
+class Cut {
+  public:
+    Cut(const SupernodeTree& tree, int threads) : tree_(tree), task_(tree.supernodes.size(), 0) {
+        const std::vector<double> work = subtree_work(tree);
+        double total = 0.0;
+        for (std::size_t s = 0; s < work.size(); ++s) total += tree.supernodes[s].parent < 0 ? work[s] : 0.0;
+        const double useful_threads = std::min<double>(threads, total / kLittleWork);
+        if (useful_threads > 1.0) {
+            cut(work, kPiece * total / useful_threads);
+        } else {
+            parent_.assign(1, -1);
+        }
+    }
+
+    [[nodiscard]] const std::vector<int>& parents() const { return parent_; }
+    [[nodiscard]] int task_of(std::size_t supernode) const { return task_[supernode]; }
+
+  private:
+    void cut(const std::vector<double>& work, double piece) {
+        for (std::size_t s = work.size(); s-- > 0;) {
+            const int parent = tree_.supernodes[s].parent;
+            if (parent >= 0 && work[at(parent)] <= piece) {
+                task_[s] = task_[at(parent)];
+                continue;
+            }
+            task_[s] = static_cast<int>(parent_.size());
+            parent_.push_back(parent < 0 ? -1 : task_[at(parent)]);
+        }
+        // Numbered from the roots; children come first.
+        const int last = static_cast<int>(parent_.size()) - 1;
+        for (int& task : task_) task = last - task;
+        std::vector<int> turned(parent_.size());
+        for (std::size_t t = 0; t < parent_.size(); ++t)
+            turned[at(last) - t] = parent_[t] < 0 ? -1 : last - parent_[t];
+        parent_ = std::move(turned);
+    }
+
+    const SupernodeTree& tree_;
+    std::vector<int> task_;
+    std::vector<int> parent_;
+};
+
+void list_supernodes(const Cut& cut, std::size_t supernodes, EliminationPlan& plan) {
+    plan.task_start.assign(plan.parent.size() + 1, 0);
+    for (std::size_t s = 0; s < supernodes; ++s) ++plan.task_start[at(cut.task_of(s)) + 1];
+    for (std::size_t t = 0; t < plan.parent.size(); ++t) plan.task_start[t + 1] += plan.task_start[t];
+    std::vector<int> next(plan.task_start.begin(), plan.task_start.end() - 1);
+    plan.supernode.resize(supernodes);
+    for (std::size_t s = 0; s < supernodes; ++s)
+        plan.supernode[at(next[at(cut.task_of(s))]++)] = static_cast<int>(s);
+}
+
+/// Each task has storage of its own, so that it matters to none when another one runs.
+void plan_storage(const SupernodeTree& tree, const Cut& cut, EliminationPlan& plan) {
+    constexpr std::size_t kCacheLine = 8;
+    plan.rest_start.resize(tree.supernodes.size());
+    for (std::size_t task = 0; task < plan.parent.size(); ++task) {
+        Storage storage;
+        for (const int s : plan.supernodes_of(task)) {
+            plan.rest_start[at(s)] = plan.storage_size + storage.take(square(tree.supernodes[at(s)].rows));
+            for (int k = tree.child_start[at(s)]; k < tree.child_start[at(s) + 1]; ++k) {
+                const auto child = at(tree.child[at(k)]);
+                if (cut.task_of(child) == static_cast<int>(task))
+                    storage.give_back(plan.rest_start[child] - plan.storage_size,
+                                      square(tree.supernodes[child].rows));
+            }
+        }
+        plan.storage_size += (storage.size() + kCacheLine - 1) / kCacheLine * kCacheLine;
+    }
+}
+
+}  // namespace
+
+EliminationPlan plan_elimination(const SupernodeTree& tree, int threads) {
+    const Cut cut(tree, threads);
+    EliminationPlan plan;
+    plan.parent = cut.parents();
+    list_supernodes(cut, tree.supernodes.size(), plan);
+    plan_storage(tree, cut, plan);
+    return plan;
+}
+
+}  // namespace fretwork::mechanics::sparse

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/mechanics/sparse/node_graph.hpp>
+
+#include <cholmod.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace fretwork::mechanics::sparse {
+namespace {
+
+struct Session {
+    Session() { cholmod_start(&common); }
+    Session(const Session&) = delete;
+    Session& operator=(const Session&) = delete;
+    ~Session() { cholmod_finish(&common); }
+    cholmod_common common;
+};
+
+/// Beyond this many nodes nested dissection is worth its time beside minimum degree.
+constexpr std::size_t kManyNodes = 20000;
+
+struct Pattern {
+    std::vector<int> start;
+    std::vector<int> row;
+};
+
+/// The upper triangle among the nodes that take part, by their new numbers. It includes the diagonal: a node
+/// without one would be taken for a dense row.
+Pattern upper_pattern(const NodeGraph& graph, const std::vector<int>& nodes, const std::vector<int>& number) {
+    Pattern pattern{{0}, {}};
+    pattern.row.reserve(graph.neighbour.size() / 2 + nodes.size());
+    for (std::size_t column = 0; column < nodes.size(); ++column) {
+        const auto node = static_cast<std::size_t>(nodes[column]);
+        for (int k = graph.start[node]; k < graph.start[node + 1]; ++k) {
+            const int other = number[static_cast<std::size_t>(graph.neighbour[static_cast<std::size_t>(k)])];
+            if (other >= 0 && other < static_cast<int>(column)) pattern.row.push_back(other);
+        }
+        pattern.row.push_back(static_cast<int>(column));
+        pattern.start.push_back(static_cast<int>(pattern.row.size()));
+    }
+    return pattern;
+}
+
+void choose_methods(cholmod_common& common, std::size_t nodes) {
+    common.nmethods = nodes > kManyNodes ? 2 : 1;
+    common.method[0].ordering = CHOLMOD_AMD;
+    common.method[1].ordering = CHOLMOD_METIS;
+    common.postorder = 1;
+    common.supernodal = CHOLMOD_SIMPLICIAL;
+}
+
+std::vector<int> permutation_of(Pattern& pattern) {
+    const std::size_t size = pattern.start.size() - 1;
+    Session session;
+    choose_methods(session.common, size);
+    cholmod_sparse matrix{};
+    matrix.nrow = matrix.ncol = size;
+    matrix.nzmax = pattern.row.size();
+    matrix.p = pattern.start.data();
+    matrix.i = pattern.row.data();
+    matrix.stype = 1;
+    matrix.itype = CHOLMOD_INT;
+    matrix.xtype = CHOLMOD_PATTERN;
+    matrix.dtype = CHOLMOD_DOUBLE;
+    matrix.sorted = matrix.packed = 1;
+    cholmod_factor* factor = cholmod_analyze(&matrix, &session.common);
+    if (factor == nullptr) throw base::NumericalError("the nodes could not be ordered: out of memory");
+    const int* permutation = static_cast<const int*>(factor->Perm);
+    std::vector<int> order(permutation, permutation + size);
+    cholmod_free_factor(&factor, &session.common);
+    return order;
+}
+
+}  // namespace
+
+NodeGraph node_graph(int nodes, Cliques cliques) {
+    std::vector<std::pair<int, int>> pairs;
+    for (std::size_t clique = 0; clique < cliques.size(); ++clique) {
+        for (const int a : cliques[clique]) {
+            for (const int b : cliques[clique]) {
+                if (a != b) pairs.emplace_back(a, b);
+            }
+        }
+    }
+    std::sort(pairs.begin(), pairs.end());
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+    NodeGraph graph;
+    graph.nodes = nodes;
+    graph.cliques = std::move(cliques);
+    graph.start.assign(static_cast<std::size_t>(nodes) + 1, 0);
+    for (const auto& pair : pairs) ++graph.start[static_cast<std::size_t>(pair.first) + 1];
+    for (std::size_t i = 1; i < graph.start.size(); ++i) graph.start[i] += graph.start[i - 1];
+    graph.neighbour.reserve(pairs.size());
+    for (const auto& pair : pairs) graph.neighbour.push_back(pair.second);
+    return graph;
+}
+
+std::vector<int> elimination_order(const NodeGraph& graph, std::span<const Components> free) {
+    std::vector<int> nodes;
+    std::vector<int> number(static_cast<std::size_t>(graph.nodes), -1);
+    for (int i = 0; i < graph.nodes; ++i) {
+        if (free[static_cast<std::size_t>(i)] == Components{}) continue;
+        number[static_cast<std::size_t>(i)] = static_cast<int>(nodes.size());
+        nodes.push_back(i);
+    }
+    if (nodes.empty()) return {};
+    Pattern pattern = upper_pattern(graph, nodes, number);
+    std::vector<int> order = permutation_of(pattern);
+    for (int& place : order) place = nodes[static_cast<std::size_t>(place)];
+    return order;
+}
+
+}  // namespace fretwork::mechanics::sparse

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/mechanics/sparse/blocks.hpp>
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace fretwork::mechanics::sparse {
+
+/// Sets of nodes, each of which couples all of its nodes with one another: those of an element, for instance.
+class Cliques {
+  public:
+    void add(std::span<const int> nodes) {
+        node_.insert(node_.end(), nodes.begin(), nodes.end());
+        start_.push_back(node_.size());
+    }
+    [[nodiscard]] std::size_t size() const { return start_.size() - 1; }
+    [[nodiscard]] std::span<const int> operator[](std::size_t clique) const {
+        return std::span(node_).subspan(start_[clique], start_[clique + 1] - start_[clique]);
+    }
+
+  private:
+    std::vector<std::size_t> start_{0};
+    std::vector<int> node_;
+};
+
+/// Which nodes are coupled.
+struct NodeGraph {
+    int nodes = 0;
+    Cliques cliques;
+    std::vector<int> start;      ///< nodes + 1
+    std::vector<int> neighbour;  ///< of node i: [start[i], start[i + 1]), ascending, both ways, i itself not
+};
+
+/// @param nodes  their number; a node of the cliques is below it
+NodeGraph node_graph(int nodes, Cliques cliques);
+
+/// An order of elimination with little fill of the nodes that have unknowns; the others do not appear. The
+/// graph of nodes is ordered, not that of unknowns: it is up to six times smaller and gives better orders.
+std::vector<int> elimination_order(const NodeGraph& graph, std::span<const Components> free);
+
+}  // namespace fretwork::mechanics::sparse

@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/mechanics/sparse/supernodes.hpp>
+
+#include <algorithm>
+#include <utility>
+
+namespace fretwork::mechanics::sparse {
+namespace {
+
+std::size_t at(int index) {
+    return static_cast<std::size_t>(index);
+}
+
+/// The equations of one node are a block: they have the same neighbours.
+struct Blocks {
+    std::vector<int> first;     ///< equation of each block, and the number of equations
+    std::vector<int> block_of;  ///< each equation
+    [[nodiscard]] int count() const { return static_cast<int>(first.size()) - 1; }
+    [[nodiscard]] int size(int block) const { return first[at(block) + 1] - first[at(block)]; }
+};
+
+Blocks blocks_of(const SystemLayout& layout) {
+    Blocks blocks;
+    blocks.block_of.resize(at(layout.equations()));
+    for (int i = 0; i < layout.equations(); ++i) {
+        if (i == 0 || layout.node_of(i) != layout.node_of(i - 1)) blocks.first.push_back(i);
+        blocks.block_of[at(i)] = static_cast<int>(blocks.first.size()) - 1;
+    }
+    blocks.first.push_back(layout.equations());
+    return blocks;
+}
+
+/// The blocks below each block's diagonal in the factor.
+struct BlockFactor {
+    std::vector<std::size_t> start;  ///< blocks + 1
+    std::vector<int> row;            ///< in no order
+    std::vector<int> parent;         ///< the first block below, or -1
+    [[nodiscard]] std::size_t count(int block) const { return start[at(block) + 1] - start[at(block)]; }
+};
+
+/// A column of the factor holds the rows of the matrix and those of its children in the elimination tree.
+class BlockElimination {
+  public:
+    BlockElimination(const SystemLayout& layout, const Blocks& blocks)
+        : layout_(layout),
+          blocks_(blocks),
+          marked_(at(blocks.count()), -1),
+          first_child_(marked_),
+          sibling_(marked_) {}
+
+    BlockFactor run() {
+        factor_.start.push_back(0);
+        for (int block = 0; block < blocks_.count(); ++block) {
+            marked_[at(block)] = block;
+            add_matrix_rows(block);
+            for (int child = first_child_[at(block)]; child >= 0; child = sibling_[at(child)])
+                add_child_rows(block, child);
+            const auto begin = factor_.row.begin() + static_cast<std::ptrdiff_t>(factor_.start.back());
+            const int parent = begin == factor_.row.end() ? -1 : *std::min_element(begin, factor_.row.end());
+            factor_.parent.push_back(parent);
+            if (parent >= 0) sibling_[at(block)] = std::exchange(first_child_[at(parent)], block);
+            factor_.start.push_back(factor_.row.size());
+        }
+        return std::move(factor_);
+    }
+
+  private:
+    void add(int block, int row) {
+        if (std::exchange(marked_[at(row)], block) != block) factor_.row.push_back(row);
+    }
+
+    void add_matrix_rows(int block) {
+        const int column = blocks_.first[at(block)];
+        const int begin = layout_.column_start()[at(column)];
+        const int end = layout_.column_start()[at(column) + 1];
+        for (int k = begin; k < end; ++k) add(block, blocks_.block_of[at(layout_.row()[at(k)])]);
+    }
+
+    void add_child_rows(int block, int child) {
+        for (std::size_t k = factor_.start[at(child)]; k < factor_.start[at(child) + 1]; ++k)
+            add(block, factor_.row[k]);
+    }
+
+    const SystemLayout& layout_;
+    const Blocks& blocks_;
+    BlockFactor factor_;
+    std::vector<int> marked_;
+    std::vector<int> first_child_, sibling_;
+};
+
+/// Blocks [first, last], with the rows of the last.
+struct Group {
+    int first, last;
+    long width, rows;  ///< equations
+    long zeros;        ///< entries of the panel that only merging brought in
+};
+
+/// Whether the columns of a child may join its parent's: the fewer they are, the more zeros it may cost.
+bool worth_merging(const Group& merged) {
+    constexpr long kNarrow = 24;
+    constexpr long kMiddling = 48;
+    const auto entries =
+        static_cast<double>(merged.width * (merged.width + 1) / 2 + merged.width * merged.rows);
+    const double share = static_cast<double>(merged.zeros) / entries;
+    if (merged.width <= kNarrow) return share < 0.2;
+    return share < (merged.width <= kMiddling ? 0.10 : 0.05);
+}
+
+class Grouping {
+  public:
+    Grouping(const Blocks& blocks, const BlockFactor& factor) : blocks_(blocks), factor_(factor) {}
+
+    std::vector<Group> run() {
+        for (int block = 0; block < blocks_.count(); ++block) {
+            if (continues_last(block)) {
+                Group& group = groups_.back();
+                group.last = block;
+                group.width += blocks_.size(block);
+                group.rows -= blocks_.size(block);
+                continue;
+            }
+            merge_finished();
+            groups_.push_back({block, block, blocks_.size(block), rows_below(block), 0});
+        }
+        merge_finished();
+        return std::move(groups_);
+    }
+
+  private:
+    [[nodiscard]] long rows_below(int block) const {
+        long rows = 0;
+        for (std::size_t k = factor_.start[at(block)]; k < factor_.start[at(block) + 1]; ++k)
+            rows += blocks_.size(factor_.row[k]);
+        return rows;
+    }
+
+    [[nodiscard]] bool continues_last(int block) const {
+        return block > 0 && factor_.parent[at(block) - 1] == block &&
+               factor_.count(block - 1) == factor_.count(block) + 1;
+    }
+
+    /// Merge the last group, whose columns are all there, with the children right before it.
+    void merge_finished() {
+        while (groups_.size() > 1) {
+            const Group& child = groups_[groups_.size() - 2];
+            const Group& parent = groups_.back();
+            const int above = factor_.parent[at(child.last)];
+            if (above < parent.first || above > parent.last) return;
+            const long more = child.width * (parent.width + parent.rows - child.rows);
+            const Group merged{child.first, parent.last, child.width + parent.width, parent.rows,
+                               child.zeros + parent.zeros + more};
+            if (!worth_merging(merged)) return;
+            groups_.pop_back();
+            groups_.back() = merged;
+        }
+    }
+
+    const Blocks& blocks_;
+    const BlockFactor& factor_;
+    std::vector<Group> groups_;
+};
+
+void add_rows(const Blocks& blocks, const BlockFactor& factor, int block, SupernodeTree& tree) {
+    std::vector<int> below(factor.row.begin() + static_cast<std::ptrdiff_t>(factor.start[at(block)]),
+                           factor.row.begin() + static_cast<std::ptrdiff_t>(factor.start[at(block) + 1]));
+    std::sort(below.begin(), below.end());
+    for (const int row : below) {
+        for (int equation = blocks.first[at(row)]; equation < blocks.first[at(row) + 1]; ++equation)
+            tree.row.push_back(equation);
+    }
+}
+
+void link(SupernodeTree& tree, int equations) {
+    std::vector<int> supernode_of(at(equations));
+    for (std::size_t s = 0; s < tree.supernodes.size(); ++s) {
+        for (int i = 0; i < tree.supernodes[s].width; ++i)
+            supernode_of[at(tree.supernodes[s].first + i)] = static_cast<int>(s);
+    }
+    tree.child_start.assign(tree.supernodes.size() + 1, 0);
+    for (Supernode& supernode : tree.supernodes) {
+        if (supernode.rows == 0) continue;
+        supernode.parent = supernode_of[at(tree.row[supernode.row_start])];
+        ++tree.child_start[at(supernode.parent) + 1];
+    }
+    for (std::size_t s = 0; s < tree.supernodes.size(); ++s) tree.child_start[s + 1] += tree.child_start[s];
+    tree.child.resize(at(tree.child_start.back()));
+    std::vector<int> next(tree.child_start.begin(), tree.child_start.end() - 1);
+    for (std::size_t s = 0; s < tree.supernodes.size(); ++s) {
+        const int parent = tree.supernodes[s].parent;
+        if (parent >= 0) tree.child[at(next[at(parent)]++)] = static_cast<int>(s);
+    }
+}
+
+void place_panels(SupernodeTree& tree) {
+    for (Supernode& supernode : tree.supernodes) {
+        supernode.panel_start = tree.factor_size;
+        tree.factor_size += at(supernode.height()) * at(supernode.width);
+    }
+}
+
+/// Where the rows of each supernode come in its parent's front: both are ascending.
+void place_in_parents(SupernodeTree& tree) {
+    tree.place.resize(tree.row.size());
+    for (const Supernode& child : tree.supernodes) {
+        if (child.parent < 0) continue;
+        const Supernode& parent = tree.supernodes[at(child.parent)];
+        const int* rows = tree.row.data() + parent.row_start;
+        int below = 0;
+        for (std::size_t k = child.row_start; k < child.row_start + at(child.rows); ++k) {
+            const int own = tree.row[k] - parent.first;
+            if (own < parent.width) {
+                tree.place[k] = own;
+                continue;
+            }
+            while (rows[below] != tree.row[k]) ++below;
+            tree.place[k] = parent.width + below;
+        }
+    }
+}
+
+}  // namespace
+
+SupernodeTree supernode_tree(const SystemLayout& layout) {
+    const Blocks blocks = blocks_of(layout);
+    const BlockFactor factor = BlockElimination(layout, blocks).run();
+    SupernodeTree tree;
+    for (const Group& group : Grouping(blocks, factor).run()) {
+        tree.supernodes.push_back({.first = blocks.first[at(group.first)],
+                                   .width = static_cast<int>(group.width),
+                                   .rows = static_cast<int>(group.rows),
+                                   .row_start = tree.row.size()});
+        add_rows(blocks, factor, group.last, tree);
+    }
+    link(tree, layout.equations());
+    place_panels(tree);
+    place_in_parents(tree);
+    return tree;
+}
+
+}  // namespace fretwork::mechanics::sparse

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/mechanics/sparse/node_graph.hpp>
+
+#include <array>
+#include <span>
+#include <vector>
+
+namespace fretwork::mechanics::sparse {
+
+/// The equations of coupled nodes in the order of their elimination, and where the matrix of each clique goes
+/// in the lower triangle of their sparse matrix (compressed columns, rows ascending). It depends only on what
+/// is coupled and unknown; the numbers of a matrix are a plain vector that this class adds to.
+class SystemLayout {
+  public:
+    /// @param free   the components of each node that are unknowns: the equations
+    /// @param order  the nodes that have any, in their order of elimination
+    SystemLayout(const NodeGraph& graph, std::span<const Components> free, std::span<const int> order);
+
+    [[nodiscard]] int equations() const { return static_cast<int>(node_of_.size()); }
+    [[nodiscard]] const std::vector<int>& column_start() const { return column_start_; }
+    [[nodiscard]] const std::vector<int>& row() const { return row_; }
+    /// The equation of a node's component, or -1.
+    [[nodiscard]] int equation(int node, int component) const {
+        return equation_[static_cast<std::size_t>(node)][static_cast<std::size_t>(component)];
+    }
+    [[nodiscard]] int node_of(int equation) const { return node_of_[static_cast<std::size_t>(equation)]; }
+
+    /// Add a clique's symmetric matrix, kBlockSize rows a node, to the values of the system's.
+    void add(std::size_t clique, const Eigen::MatrixXd& matrix, std::span<double> values) const;
+
+    /// Add a symmetric block to one node's diagonal.
+    void add_node(int node, const Eigen::Ref<const Eigen::MatrixXd>& block, std::span<double> values) const {
+        add_diagonal(node, block, values);
+    }
+
+    /// Pick the equations' components from a table, and put them back into it.
+    void gather(const NodeTable& table, Eigen::VectorXd& vector) const;
+    void scatter(const Eigen::VectorXd& vector, NodeTable& table) const;
+
+  private:
+    using NodeEquations = std::array<int, kBlockSize>;
+    struct NodeUnknowns {
+        int count = 0;
+        int first_equation = 0;
+        std::array<int, kBlockSize> component{};
+    };
+    void number_equations(std::span<const Components> free, std::span<const int> order);
+    void lay_out_columns(const NodeGraph& graph, std::span<const int> order);
+    void place_cliques();
+    [[nodiscard]] int block_offset(int column_node, int row_node) const;
+    void add_diagonal(int node, const Eigen::Ref<const Eigen::MatrixXd>& block,
+                      std::span<double> values) const;
+    void add_coupling(int offset, std::array<int, 2> nodes, const Eigen::Ref<const Eigen::MatrixXd>& block,
+                      std::span<double> values) const;
+
+    Cliques cliques_;
+    std::vector<NodeEquations> equation_;
+    std::vector<NodeUnknowns> unknowns_;
+    std::vector<int> node_of_;
+    std::vector<int> column_start_;
+    std::vector<int> row_;
+    std::vector<std::size_t> pair_start_;  ///< of a clique's pairs in pair_offset_
+    std::vector<int> pair_offset_;         ///< rows above a coupling block in its columns; -1: none
+};
+
+}  // namespace fretwork::mechanics::sparse

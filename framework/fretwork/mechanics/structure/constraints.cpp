@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/mechanics/structure/constraints.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace fretwork::mechanics::structure {
+
+Constraints constraints_of(const Assembly& assembly) {
+    Constraints constraints;
+    constraints.held.resize(assembly.nodes.size());
+    constraints.values = NodeValues::Zero(static_cast<Eigen::Index>(assembly.nodes.size()), kDofsPerNode);
+    for (const Support& support : assembly.supports) {
+        auto& held = constraints.held[static_cast<std::size_t>(support.node.value)].contains;
+        for (std::size_t d = 0; d < kDofsPerNode; ++d) held[d] = held[d] || support.fixed.contains[d];
+    }
+    for (const PrescribedDisplacement& given : assembly.prescribed) {
+        constraints.held[static_cast<std::size_t>(given.node.value)]
+            .contains[static_cast<std::size_t>(given.dof)] = true;
+        constraints.values(given.node.value, static_cast<Eigen::Index>(given.dof)) = given.value;
+    }
+    return constraints;
+}
+
+NodeIndex nearest_reported(const Assembly& assembly, NodeIndex node) {
+    NodeIndex nearest;
+    double least = std::numeric_limits<double>::max();
+    for (int i = 0; i < assembly.reported_nodes; ++i) {
+        const double distance = (assembly.nodes[static_cast<std::size_t>(i)] -
+                                 assembly.nodes[static_cast<std::size_t>(node.value)])
+                                    .squaredNorm();
+        if (distance < least) {
+            least = distance;
+            nearest = NodeIndex(i);
+        }
+    }
+    return nearest;
+}
+
+std::string node_text(const Assembly& assembly, NodeIndex node) {
+    const auto name_of = [&](int reported) {
+        const int label =
+            assembly.labels.empty() ? reported : assembly.labels[static_cast<std::size_t>(reported)];
+        return "node " + std::to_string(label);
+    };
+    if (node.value < assembly.reported_nodes) return name_of(node.value);
+    return "the inside or hinge of a beam at " + name_of(nearest_reported(assembly, node).value);
+}
+
+double characteristic_length(const Assembly& assembly) {
+    double sum = 0.0;
+    std::size_t count = 0;
+    for (const auto& element : assembly.elements) {
+        const auto nodes = element->nodes();
+        for (std::size_t i = 1; i < nodes.size(); ++i) {
+            const double distance = (assembly.nodes[static_cast<std::size_t>(nodes[i].value)] -
+                                     assembly.nodes[static_cast<std::size_t>(nodes[0].value)])
+                                        .norm();
+            sum += distance;
+            count += distance > 0 ? 1 : 0;
+        }
+    }
+    return count > 0 ? sum / static_cast<double>(count) : 1.0;
+}
+
+double force_norm(const NodeValues& forces, double length) {
+    return std::sqrt(forces.leftCols<3>().squaredNorm() +
+                     forces.rightCols<3>().squaredNorm() / (length * length));
+}
+
+}  // namespace fretwork::mechanics::structure

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/mechanics/assembly.hpp>
+#include <fretwork/mechanics/sparse/node_graph.hpp>
+
+#include <span>
+#include <vector>
+
+namespace fretwork::mechanics::structure {
+
+// What the sparse solver has to know of a structure.
+
+static_assert(sparse::kBlockSize == kDofsPerNode);
+
+/// The nodes of the assembly and, as cliques in their order, its elements.
+sparse::NodeGraph coupling_graph(const Assembly& assembly);
+
+/// The dofs of each node as the components that are unknowns.
+std::vector<sparse::Components> components(std::span<const DofSet> dofs);
+/// The dofs that are not among these.
+std::vector<sparse::Components> other_components(std::span<const DofSet> dofs);
+
+}  // namespace fretwork::mechanics::structure

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/base/text.hpp>
+#include <fretwork/mechanics/structure/frame_check.hpp>
+#include <fretwork/mechanics/structure/rigid_motion.hpp>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <set>
+
+namespace fretwork::mechanics::structure {
+namespace {
+
+using base::format_number;
+using base::InputError;
+
+std::string text_of(const Eigen::Vector3d& v) {
+    return "(" + format_number(v.x()) + ", " + format_number(v.y()) + ", " + format_number(v.z()) + ")";
+}
+
+class FrameCheck {
+  public:
+    FrameCheck(const Frame& frame, const FrameNames& names) : frame_(frame), names_(names) {}
+
+    void check_parts() const {
+        if (frame_.nodes.empty()) fail("/nodes", "a frame needs at least one node");
+        if (frame_.beams.empty()) fail("/beams", "a frame needs at least one beam");
+        check_nodes();
+        for (std::size_t b = 0; b < frame_.beams.size(); ++b) check_beam(b);
+        check_supports();
+        check_prescribed();
+        check_loads();
+        check_gravity();
+    }
+
+    void check_held() const {
+        const auto held = held_dofs(frame_);
+        for (const FreeMotion& motion : free_rigid_motions(frame_, held)) {
+            const std::string where = node_place(motion.node);
+            if (motion.has_beam) {
+                fail(where, "the part of the structure at " + name_of(motion.node) +
+                                " is not held enough: it can still " + motion.description);
+            }
+            fail(where,
+                 name_of(motion.node) + " has no beam and is not held; remove it or fix its six components");
+        }
+    }
+
+  private:
+    [[noreturn]] void fail(const std::string& place, const std::string& message) const {
+        throw InputError(names_.source, place, message);
+    }
+    static std::string place(const char* list, std::size_t i) {
+        return "/" + std::string(list) + "/" + std::to_string(i);
+    }
+    [[nodiscard]] std::string name_of(NodeIndex node) const {
+        const int label = names_.node_labels.empty()
+                              ? node.value
+                              : names_.node_labels[static_cast<std::size_t>(node.value)];
+        return "node " + std::to_string(label);
+    }
+    [[nodiscard]] std::string node_place(NodeIndex node) const {
+        return names_.node_labels.empty() ? place("nodes", static_cast<std::size_t>(node.value))
+                                          : name_of(node);
+    }
+    [[nodiscard]] std::string beam_place(std::size_t beam) const {
+        return names_.beam_labels.empty() ? place("beams", beam)
+                                          : "element " + std::to_string(names_.beam_labels[beam]);
+    }
+
+    void check_nodes() const {
+        for (std::size_t i = 0; i < frame_.nodes.size(); ++i) {
+            if (!frame_.nodes[i].allFinite()) fail(node_place(NodeIndex(i)), "a coordinate is not finite");
+        }
+    }
+
+    void require_node(NodeIndex node, const std::string& where) const {
+        const auto count = static_cast<std::int32_t>(frame_.nodes.size());
+        if (node.value >= 0 && node.value < count) return;
+        fail(where, "there is no node " + std::to_string(node.value) + "; the frame has nodes 0 to " +
+                        std::to_string(count - 1));
+    }
+
+    void require_positive(double value, const std::string& where) const {
+        if (!(std::isfinite(value) && value > 0))
+            fail(where, "is " + format_number(value) + ", where a number above zero is needed");
+    }
+
+    void check_beam(std::size_t index) const {
+        const Beam& beam = frame_.beams[index];
+        const std::string where = beam_place(index);
+        for (const NodeIndex node : beam.nodes) require_node(node, where + "/nodes");
+        if (beam.nodes[0] == beam.nodes[1]) fail(where + "/nodes", "both ends are " + name_of(beam.nodes[0]));
+        if (beam.normal && !beam.normal->allFinite()) fail(where + "/normal", "is not finite");
+        try {
+            structure::beam_axes(frame_, beam);
+        } catch (const base::GeometryError& error) {
+            throw base::GeometryError(names_.source, where, error.what());
+        }
+        check_section(beam.section, where + "/section");
+        check_material(beam.material, where + "/material");
+        if (beam.divisions < 1 || beam.divisions > kMostDivisions)
+            fail(where + "/divisions", "is " + std::to_string(beam.divisions) +
+                                           ", where a number from 1 to " + std::to_string(kMostDivisions) +
+                                           " is needed");
+        for (const Release& release : beam.releases) {
+            if (release.end != 0 && release.end != 1)
+                fail(where + "/releases",
+                     "there is no end " + std::to_string(release.end) + "; a beam has the ends 0 and 1");
+        }
+    }
+
+    void check_section(const Section& section, const std::string& where) const {
+        require_positive(section.area, where + "/area");
+        require_positive(section.I2, where + "/I2");
+        require_positive(section.I3, where + "/I3");
+        require_positive(section.J, where + "/J");
+        if (section.shear_area2) require_positive(*section.shear_area2, where + "/shear_area2");
+        if (section.shear_area3) require_positive(*section.shear_area3, where + "/shear_area3");
+    }
+
+    void check_material(const Material& material, const std::string& where) const {
+        require_positive(material.young_modulus, where + "/young_modulus");
+        if (!(material.poisson_ratio > -1.0 && material.poisson_ratio <= 0.5))
+            fail(where + "/poisson_ratio", "is " + format_number(material.poisson_ratio) +
+                                               ", where a number above -1 and up to 0.5 is needed");
+        if (material.given_shear_modulus)
+            require_positive(*material.given_shear_modulus, where + "/shear_modulus");
+        if (!(std::isfinite(material.density) && material.density >= 0))
+            fail(where + "/density",
+                 "is " + format_number(material.density) + ", where a number not below zero is needed");
+    }
+
+    void check_supports() const {
+        for (std::size_t i = 0; i < frame_.supports.size(); ++i)
+            require_node(frame_.supports[i].node, place("supports", i) + "/node");
+    }
+
+    void check_prescribed() const {
+        std::set<std::pair<int, Dof>> seen;
+        for (std::size_t i = 0; i < frame_.prescribed.size(); ++i) {
+            const PrescribedDisplacement& given = frame_.prescribed[i];
+            require_node(given.node, place("prescribed", i) + "/node");
+            const char* name = kDofNames[static_cast<std::size_t>(given.dof)];
+            if (!std::isfinite(given.value)) fail(place("prescribed", i) + "/" + name, "is not finite");
+            if (!seen.emplace(given.node.value, given.dof).second)
+                fail(place("prescribed", i),
+                     std::string(name) + " of " + name_of(given.node) + " is prescribed twice");
+        }
+    }
+
+    void check_loads() const {
+        for (std::size_t i = 0; i < frame_.loads.size(); ++i) {
+            require_node(frame_.loads[i].node, place("loads", i) + "/node");
+            if (!frame_.loads[i].force.allFinite()) fail(place("loads", i) + "/force", "is not finite");
+            if (!frame_.loads[i].moment.allFinite()) fail(place("loads", i) + "/moment", "is not finite");
+        }
+    }
+
+    /// Beams without a mass among others are somebody's wish; nothing but such beams is a slip.
+    void check_gravity() const {
+        if (!frame_.gravity.allFinite()) fail("/gravity", "is not finite");
+        const bool has_mass =
+            std::ranges::any_of(frame_.beams, [](const Beam& beam) { return beam.material.density > 0.0; });
+        if (!has_mass && !frame_.gravity.isZero(0.0))
+            fail("/gravity", "there is no mass for it to act on: give the materials a density");
+    }
+
+    const Frame& frame_;
+    const FrameNames& names_;
+};
+
+}  // namespace
+
+void check_parts(const Frame& frame) {
+    const FrameNames names{"frame"};
+    FrameCheck(frame, names).check_parts();
+}
+
+void check_frame(const Frame& frame, const FrameNames& names) {
+    const FrameCheck check(frame, names);
+    check.check_parts();
+    check.check_held();
+}
+
+Eigen::Matrix3d beam_axes(const Frame& frame, const Beam& beam) {
+    const Eigen::Vector3d& start = frame.nodes[static_cast<std::size_t>(beam.nodes[0].value)];
+    const Eigen::Vector3d& end = frame.nodes[static_cast<std::size_t>(beam.nodes[1].value)];
+    constexpr double kParallel = 1e-6;
+    const double size = std::max(start.lpNorm<Eigen::Infinity>(), end.lpNorm<Eigen::Infinity>());
+    const double length = (end - start).norm();
+    if (!(length > 1e-12 * size)) {
+        throw base::GeometryError("the beam has no length");
+    }
+    const Eigen::Vector3d axis1 = (end - start) / length;
+    Eigen::Vector3d normal = beam.normal.value_or(Eigen::Vector3d::UnitZ());
+    if (!beam.normal && axis1.cross(normal).norm() < kParallel) normal = Eigen::Vector3d::UnitY();
+    const Eigen::Vector3d across = normal.cross(axis1);
+    if (!(across.norm() > kParallel * normal.norm())) {
+        throw base::GeometryError("the normal " + text_of(normal) +
+                                  " of the beam has no part at right angles to it");
+    }
+    Eigen::Matrix3d axes;
+    axes.col(0) = axis1;
+    axes.col(1) = across.normalized();
+    axes.col(2) = axes.col(0).cross(axes.col(1));
+    return axes;
+}
+
+}  // namespace fretwork::mechanics::structure

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/base/text.hpp>
+#include <fretwork/mechanics/sparse/arbitrary.hpp>
+#include <fretwork/mechanics/structure/subspace_iteration.hpp>
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+namespace fretwork::mechanics::structure {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr int kMostIterations = 500;
+
+/// Vectors beyond those that are wanted: what lies near them in size settles last.
+constexpr int kSpareVectors = 8;
+
+/// Factors this many times the least one are not looked for: they are rounding.
+constexpr double kReach = 1e8;
+
+/// The first slice begins at this share of the least factor. Not a round number: factors of symmetric
+/// structures are often in simple ratios, and should not lie between two slices.
+constexpr double kStart = 0.73;
+
+/// Vectors of unit energy of which a combination of unit size has less energy than this are dependent.
+constexpr double kDependent = 1e-13;
+
+/// What vectors that vanish are scaled by, so that they stay what they are.
+constexpr double kNothing = 1e-300;
+
+/// Whether values have come as near to their limits as they will: within the tolerance, or, where rounding
+/// keeps them from that, within what it leaves them to wander in.
+class Settling {
+  public:
+    Settling() = default;
+    explicit Settling(VectorXd last) : last_(std::move(last)) {}
+    bool is_settled(const VectorXd& values, const VectorXd& scale) {
+        const VectorXd last = std::exchange(last_, values);
+        if (values.size() != last.size()) {
+            *this = Settling(values);
+            return false;
+        }
+        if (values.size() == 0) return true;
+        const double change = (values - last).cwiseAbs().cwiseQuotient(scale).maxCoeff();
+        const bool nears = change < 0.5 * least_;
+        idle_ = nears ? 0 : idle_ + 1;
+        if (nears) least_ = change;
+        return change <= kTolerance || (idle_ >= kIdle && change <= kWandering);
+    }
+
+  private:
+    static constexpr double kTolerance = 1e-11;
+    static constexpr double kWandering = 1e-5;
+    static constexpr int kIdle = 60;  ///< iterations in which the changes have not become half as small
+    VectorXd last_;
+    double least_ = std::numeric_limits<double>::max();
+    int idle_ = 0;
+};
+
+}  // namespace
+
+SubspaceIteration::SubspaceIteration(const sparse::SystemLayout& layout, std::span<const double> stiffness,
+                                     sparse::Ldlt factors, std::vector<double> operand)
+    : layout_(layout),
+      stiffness_(stiffness.begin(), stiffness.end()),
+      operand_(std::move(operand)),
+      factors_(std::move(factors)) {}
+
+SubspaceIteration::Pairs SubspaceIteration::largest(int count) {
+    factorize_shifted(0.0);
+    const int size = std::min(layout_.equations(), std::max(2 * count, count + kSpareVectors));
+    Pairs pairs{VectorXd(0), sparse::arbitrary_numbers(layout_.equations(), size)};
+    Settling settling;
+    for (int iteration = 0; pairs.vectors.cols() > 0; ++iteration) {
+        pairs = step(pairs.vectors, 0.0);
+        const VectorXd values = pairs.values.head(std::min<Eigen::Index>(count, pairs.values.size()));
+        const double scale = values.size() > 0 ? values.cwiseAbs().maxCoeff() : 0.0;
+        if (settling.is_settled(values, VectorXd::Constant(values.size(), scale))) break;
+        if (iteration >= kMostIterations)
+            throw base::NumericalError("the " + std::to_string(count) + " lowest modes do not settle");
+    }
+    const Eigen::Index kept = std::min<Eigen::Index>(count, pairs.values.size());
+    return {pairs.values.head(kept), pairs.vectors.leftCols(kept)};
+}
+
+/// Factors lambda = 1 / mu in (lower, upper], all that there are.
+struct SubspaceIteration::Slice {
+    double lower;
+    double upper;
+    int count;
+    int size;  ///< of the subspace: with all factors in (lower / 2, lower + upper / 2] and some more
+
+    [[nodiscard]] bool contains(double mu) const { return mu * lower < 1.0 && mu * upper >= 1.0; }
+};
+
+SubspaceIteration::Pairs SubspaceIteration::largest_positive(int count) {
+    Pairs found{VectorXd(0), MatrixXd(layout_.equations(), 0)};
+    double lower = find_start();
+    if (lower == 0.0) return found;
+    const double end = kReach * lower;
+    int below = 0;
+    while (found.values.size() < count && lower < end) {
+        double upper = 2.0 * lower;
+        const int below_upper = count_below(upper);
+        if (below_upper > below) {
+            // What is farther from the slice's middle than the slice's whole width dies out by half or more
+            // in each iteration, and everything nearer is in the subspace.
+            double near = 0.5 * lower;
+            double far = upper + 0.5 * lower;
+            const int size = count_below(far) - count_below(near) + kSpareVectors;
+            append_slice({lower, upper, below_upper - below, std::min(layout_.equations(), size)}, found);
+        }
+        lower = upper;
+        below = below_upper;
+    }
+    const Eigen::Index kept = std::min<Eigen::Index>(count, found.values.size());
+    return {found.values.head(kept), found.vectors.leftCols(kept)};
+}
+
+/// A factor below all positive ones, but not far; 0 if nothing has a factor.
+double SubspaceIteration::find_start() {
+    const Pairs extreme = largest(1);
+    const double size = extreme.values.size() > 0 ? std::abs(extreme.values[0]) : 0.0;
+    if (!(size > 1.0 / kReach / kReach)) return 0.0;
+    double start = kStart / size;
+    while (count_below(start) > 0) start *= 0.5;
+    return start;
+}
+
+/// The number of positive factors below this one, which moves a little if it is one itself.
+int SubspaceIteration::count_below(double& factor) {
+    constexpr double kStepAside = 1.0 + 1e-6;
+    constexpr int kMostSteps = 20;
+    for (int i = 0; i < kMostSteps; ++i, factor *= kStepAside) {
+        factorize_shifted(factor);
+        if (outcome_.zero_pivot < 0) return outcome_.negative_pivots;
+    }
+    throw base::NumericalError("the stiffness under " + base::format_number(factor) +
+                               " times the load is singular in every digit");
+}
+
+void SubspaceIteration::append_slice(const Slice& slice, Pairs& found) {
+    double shift = 0.5 * (slice.lower + slice.upper);
+    (void)count_below(shift);
+    Pairs pairs{VectorXd(0), sparse::arbitrary_numbers(layout_.equations(), slice.size)};
+    Settling settling;
+    for (int iteration = 0; iteration < kMostIterations && pairs.vectors.cols() > 0; ++iteration) {
+        pairs = step(pairs.vectors, shift);
+        std::vector<Eigen::Index> inside;
+        for (Eigen::Index i = 0; i < pairs.values.size(); ++i)
+            if (slice.contains(pairs.values[i])) inside.push_back(i);
+        std::ranges::sort(inside, [&](auto a, auto b) { return pairs.values[a] > pairs.values[b]; });
+        const VectorXd values = pairs.values(inside);
+        if (!settling.is_settled(values, values) || values.size() != slice.count) continue;
+        const Eigen::Index before = found.values.size();
+        found.values.conservativeResize(before + slice.count);
+        found.vectors.conservativeResize(Eigen::NoChange, before + slice.count);
+        found.values.tail(slice.count) = values;
+        found.vectors.rightCols(slice.count) = pairs.vectors(Eigen::all, inside);
+        return;
+    }
+    throw base::NumericalError("the " + std::to_string(slice.count) + " factors between " +
+                               base::format_number(slice.lower) + " and " + base::format_number(slice.upper) +
+                               " times the load do not settle");
+}
+
+void SubspaceIteration::factorize_shifted(double shift) {
+    std::vector<double> values(stiffness_.size());
+    std::ranges::transform(stiffness_, operand_, values.begin(),
+                           [shift](double k, double a) { return k - shift * a; });
+    outcome_ = factors_.factorize(values);
+}
+
+MatrixXd SubspaceIteration::times(const std::vector<double>& matrix, const MatrixXd& vectors) const {
+    MatrixXd result(vectors.rows(), vectors.cols());
+    for (Eigen::Index i = 0; i < vectors.cols(); ++i) {
+        VectorXd product = VectorXd::Zero(vectors.rows());
+        sparse::add_product(layout_, matrix, vectors.col(i), product);
+        result.col(i) = product;
+    }
+    return result;
+}
+
+SubspaceIteration::Pairs SubspaceIteration::step(const MatrixXd& basis, double shift) {
+    MatrixXd image = times(operand_, basis);
+    factors_.solve(image);
+    return project(std::move(image), shift);
+}
+
+/// Rayleigh and Ritz: the best approximations in the span of `vectors`, first those that grow most. Where the
+/// operand has a low rank, so has the span, and there are fewer.
+SubspaceIteration::Pairs SubspaceIteration::project(MatrixXd vectors, double shift) const {
+    const VectorXd sizes = vectors.cwiseAbs().colwise().maxCoeff().cwiseMax(kNothing);
+    vectors *= sizes.cwiseInverse().asDiagonal();
+    MatrixXd images = times(stiffness_, vectors);
+    const VectorXd energies = vectors.cwiseProduct(images).colwise().sum();
+    if (!(energies.array() >= 0.0).all())
+        throw base::NumericalError(
+            "the structure, as held, can move almost without strain: hold it more, or release less of its "
+            "beams");
+    const VectorXd scale = energies.cwiseMax(kNothing).cwiseSqrt().cwiseInverse();
+    vectors *= scale.asDiagonal();
+    images *= scale.asDiagonal();
+    const Eigen::SelfAdjointEigenSolver<MatrixXd> span(vectors.transpose() * images);
+    const Eigen::Index rank = (span.eigenvalues().array() > kDependent).count();
+    const MatrixXd basis = vectors * span.eigenvectors().rightCols(rank) *
+                           span.eigenvalues().tail(rank).cwiseSqrt().cwiseInverse().asDiagonal();
+    const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(basis.transpose() * times(operand_, basis));
+    const VectorXd& values = solver.eigenvalues();
+    std::vector<Eigen::Index> order(static_cast<std::size_t>(rank));
+    std::iota(order.begin(), order.end(), Eigen::Index{0});
+    const auto growth = [&](Eigen::Index i) { return std::abs(values[i] / (1.0 - shift * values[i])); };
+    std::ranges::stable_sort(order, [&](auto a, auto b) { return growth(a) > growth(b); });
+    return {values(order), basis * solver.eigenvectors()(Eigen::all, order)};
+}
+
+}  // namespace fretwork::mechanics::structure

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/mechanics/sparse/ldlt.hpp>
+#include <fretwork/mechanics/sparse/system_layout.hpp>
+
+#include <Eigen/Core>
+
+#include <span>
+#include <vector>
+
+namespace fretwork::mechanics::structure {
+
+/// Eigenvalues mu of A x = mu K x, where K is a structure's stiffness at rest and A any symmetric matrix of
+/// the same layout, with their vectors: subspace iteration with a factor of K - shift A.
+class SubspaceIteration {
+  public:
+    struct Pairs {
+        Eigen::VectorXd values;
+        Eigen::MatrixXd vectors;
+    };
+
+    /// @param stiffness  K, positive definite
+    /// @param factors    of K
+    /// @param operand    A
+    SubspaceIteration(const sparse::SystemLayout& layout, std::span<const double> stiffness,
+                      sparse::Ldlt factors, std::vector<double> operand);
+
+    /// The `count` eigenvalues of largest size, largest first; fewer if there are fewer equations.
+    Pairs largest(int count);
+
+    /// The `count` largest of the positive eigenvalues, largest first; fewer if there are fewer that are more
+    /// than 1e-8 of the largest size. They are counted by Sylvester's law of inertia (K - A / lambda has as
+    /// many negative pivots as there are mu > 1 / lambda), so that none is passed over.
+    Pairs largest_positive(int count);
+
+  private:
+    struct Slice;
+    [[nodiscard]] double find_start();
+    [[nodiscard]] int count_below(double& factor);
+    void append_slice(const Slice& slice, Pairs& found);
+    void factorize_shifted(double shift);
+    [[nodiscard]] Eigen::MatrixXd times(const std::vector<double>& matrix,
+                                        const Eigen::MatrixXd& vectors) const;
+    [[nodiscard]] Pairs step(const Eigen::MatrixXd& basis, double shift);
+    [[nodiscard]] Pairs project(Eigen::MatrixXd vectors, double shift) const;
+
+    const sparse::SystemLayout& layout_;
+    std::vector<double> stiffness_;
+    std::vector<double> operand_;
+    sparse::Ldlt factors_;
+    sparse::Ldlt::Outcome outcome_;
+};
+
+}  // namespace fretwork::mechanics::structure
