@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "file_options.hpp"
 #include "interrupt.hpp"
 #include "pattern_choice.hpp"
 #include "verbs.hpp"
@@ -166,6 +167,7 @@ void add_calibrate(CLI::App& app, ExitCode& exit_code) {
     verb->add_option("--shard", wishes->shard, "Only the I-th of N parts, as I/N: for several machines");
     verb->add_flag("--retry", wishes->retry, "Try patterns again whose failure is recorded");
     verb->add_flag("--json", wishes->json, "Print for programs");
+    declare_files(*verb, {update("--library", kLibraryFile), input("--setting")});
     verb->footer(kExample);
     verb->callback([wishes, &exit_code] { exit_code = calibrate(*wishes); });
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fretwork case: the load cases of a project.
+#include "file_options.hpp"
 #include "verbs.hpp"
 
 #include <fretwork/base/detail/json_text.hpp>
@@ -72,12 +73,14 @@ void add_case(CLI::App& app, ExitCode&) {
     add->add_option("project", options->project, "Project file")->required();
     add->add_option("file", options->file, "Load case file (JSON)")->required();
     add->add_flag("--replace", options->replace, "Take the place of a load case of the same name");
+    declare_files(*add, {update("project", kProjectFile), input("file")});
     add->footer("Example: fretwork case add project.json experiments/cases/cantilever.json");
     add->callback([options] { add_to_project(*options); });
 
     CLI::App* show = verb->add_subcommand("list", "List the load cases of a project");
     show->add_option("project", options->project, "Project file")->required();
     show->add_flag("--json", options->json, "Print JSON");
+    declare_files(*show, {input("project")});
     show->footer("Example: fretwork case list project.json");
     show->callback([options] { list(*options); });
     verb->footer("Example: fretwork case add project.json experiments/cases/cantilever.json");

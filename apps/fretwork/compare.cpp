@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fretwork compare: how far a reduced result is from the full one, as a row of the paper's Table 3.
+#include "file_options.hpp"
 #include "verbs.hpp"
 
 #include <fretwork/base/detail/json_text.hpp>
@@ -72,6 +73,7 @@ void add_compare(CLI::App& app, ExitCode& exit_code) {
                      "Exit with 1 if the relative L2 error of the translations is above it")
         ->check(CLI::NonNegativeNumber);
     verb->add_flag("--json", options->json, "Print JSON");
+    declare_files(*verb, {input("full"), input("reduced")});
     verb->footer("Example: fretwork compare full.json reduced.json");
     verb->callback([options, &exit_code] { exit_code = run(*options); });
 }

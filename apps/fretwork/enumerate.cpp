@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "enumerate_output.hpp"
-#include "outputs.hpp"
+#include "file_options.hpp"
 #include "verbs.hpp"
 
 #include <fretwork/base/error.hpp>
@@ -154,8 +154,6 @@ void write_files(const NodeLayout& layout, const pattern::EnumerationOptions& op
 }
 
 void enumerate(const Wishes& wishes) {
-    check_outputs({wishes.layout}, {wishes.census_path, wishes.list_path, wishes.library_path,
-                                    wishes.svg_path, wishes.classes_path});
     const NodeLayout layout = pattern::find_node_layout(wishes.layout);
     const pattern::EnumerationOptions options = make_options(wishes, layout);
     if (wishes.count) {
@@ -234,6 +232,9 @@ void add_enumerate(CLI::App& app, ExitCode&) {
         ->check(seed_check())
         ->capture_default_str();
     verb->add_flag("--json", wishes->json, "Print for programs");
+    declare_files(*verb, {input("--layout"), output("--census", kTableFile), output("--list", kListFile),
+                          update("--library", kLibraryFile), output("--svg", kSvgFile),
+                          output("--classes", kTableFile)});
     verb->footer(kExample);
     verb->callback([wishes] { enumerate(*wishes); });
 }

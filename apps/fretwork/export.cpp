@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fretwork export: a project, and what was computed of it, as a drawing or a file for other programs.
-#include "outputs.hpp"
+#include "file_options.hpp"
 #include "project_library.hpp"
 #include "verbs.hpp"
 
@@ -41,9 +41,6 @@ exports::Scene make_scene(const Options& options) {
 
 void run(const Options& options) {
     for (const std::string& path : options.to) (void)exports::find_writer(path);
-    std::vector<std::string> inputs = options.results;
-    inputs.insert(inputs.end(), {options.project, options.library});
-    check_outputs(inputs, options.to);
     if (!std::isfinite(options.scale)) throw base::InputError("--scale", "", "is not a finite number");
     const exports::Scene scene = make_scene(options);
     base::FileBatch files;
@@ -74,6 +71,8 @@ void add_export(CLI::App& app, ExitCode&) {
     verb->add_option("--library", options->library, "Library with the setting (default: the project's)");
     verb->add_option("--scale", options->scale, "Factor on the displacements in drawings")
         ->capture_default_str();
+    declare_files(*verb,
+                  {input("project"), output("--to", kExportFile), input("--result"), input("--library")});
     verb->footer(
         "Example: fretwork export project.json --result full.json --result condensed.json --to deformed.svg");
     verb->callback([options] { run(*options); });

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fretwork library: look into a pattern library, merge shards, write its tables and meshes.
+#include "file_options.hpp"
 #include "library_show.hpp"
 #include "verbs.hpp"
 
@@ -217,6 +218,12 @@ void add_library(CLI::App& app, ExitCode&) {
         "--chart", options->chart,
         "Property chart as SVG: stiffness against mass, bending against in-plane stiffness");
     exporting->add_flag("--ply", options->ply, "Write meshes as PLY rather than OBJ");
+    declare_files(*verb, {input("--library")});
+    declare_files(*showing, {output("--svg", kSvgFile)});
+    declare_files(*merging, {output("output", kLibraryFile), input("inputs")});
+    declare_files(*exporting, {output_folder("--csv", ".csv layout.json setting.json"),
+                               output_folder("--meshes", ".obj .ply"), output("--svg", kSvgFile),
+                               output("--chart", kSvgFile)});
 }
 
 }  // namespace fretwork::app

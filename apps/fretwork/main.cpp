@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verbs.hpp"
+#include "program.hpp"
 
 #include <fretwork/base/control.hpp>
 #include <fretwork/base/error.hpp>
-#include <fretwork/base/provenance.hpp>
 #include <fretwork/base/text.hpp>
 
 #include <algorithm>
@@ -17,11 +16,6 @@
 namespace fretwork::app {
 namespace {
 
-/// The verbs, in the order in which data flows.
-constexpr void (*kVerbs[])(CLI::App&, ExitCode&) = {add_enumerate,  add_calibrate, add_library, add_tile,
-                                                    add_case,       add_simulate,  add_compare, add_solve,
-                                                    add_optimizers, add_export};
-
 /// One line, whatever a message may hold: it may quote a file, which must not drive the terminal.
 void complain(const std::string& message) {
     std::string line;
@@ -34,33 +28,29 @@ void complain(const std::string& message) {
     std::fprintf(stderr, "fretwork: %s\n", line.c_str());
 }
 
-/// fflush is where a full disk is reported.
+/// `fflush` is where a full disk is reported.
 void flush_output() {
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
         throw base::IoError(std::string("the standard output cannot be written: ") + std::strerror(errno));
 }
 
 /// CLI11 would only say that a subcommand is required.
-void check_verb(const CLI::App& app, int argc, char** argv) {
+void check_verb(const Program& program, int argc, char** argv) {
     if (argc < 2 || argv[1][0] == '-') return;
     std::vector<std::string> names;
-    for (const CLI::App* verb : app.get_subcommands({})) names.push_back(verb->get_name());
+    for (const CLI::App* verb : program.get_subcommands({})) names.push_back(verb->get_name());
     if (std::ranges::find(names, argv[1]) != names.end()) return;
     throw base::InputError(base::unknown_name_message("verb", argv[1], names));
 }
 
 ExitCode run(int argc, char** argv) {
-    CLI::App app("Flat, tileable beam patterns that bend: enumerate, calibrate, tile, simulate.", "fretwork");
-    app.set_version_flag("--version", base::version());
-    app.require_subcommand(1);
-    app.footer("fretwork VERB --help tells more, with an example.");
     ExitCode exit_code = ExitCode::Done;
-    for (const auto add_verb : kVerbs) add_verb(app, exit_code);
-    check_verb(app, argc, argv);
+    Program program(exit_code);
+    check_verb(program, argc, argv);
     try {
-        app.parse(argc, argv);
+        program.parse(argc, argv);
     } catch (const CLI::Success& success) {
-        app.exit(success);
+        program.exit(success);
     } catch (const CLI::ParseError& error) {
         complain(error.what());
         return ExitCode::BadInput;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fretwork optimizers: the methods there are, and how they compare.
+#include "file_options.hpp"
 #include "interrupt.hpp"
 #include "verbs.hpp"
 
@@ -198,6 +199,7 @@ void add_known(CLI::App& verb, const std::shared_ptr<Options>& options, ExitCode
     action->add_option("--results", options->results, "Take over what these runs found lower");
     add_threads(*action, *options);
     action->add_flag("--json", options->json, "Print JSON");
+    declare_files(*action, {output("--out", kTableFile), input("--from"), input("--results")});
     action->callback([options, &exit_code] { exit_code = known(*options); });
 }
 
@@ -223,6 +225,7 @@ void add_run(CLI::App& verb, const std::shared_ptr<Options>& options, ExitCode& 
         ->capture_default_str();
     add_threads(*action, *options);
     action->add_flag("--json", options->json, "Print JSON");
+    declare_files(*action, {input("--known"), output_folder("--out", "results.csv")});
     action->callback([options, &exit_code] { exit_code = run(*options); });
 }
 
@@ -237,6 +240,7 @@ void add_landscape(CLI::App& verb, const std::shared_ptr<Options>& options, Exit
         ->capture_default_str();
     add_threads(*action, *options);
     action->add_flag("--json", options->json, "Print JSON");
+    declare_files(*action, {input("--known"), output_folder("--out", "descents.csv sections.csv")});
     action->callback([options, &exit_code] { exit_code = landscape(*options); });
 }
 

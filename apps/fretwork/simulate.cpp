@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fretwork simulate: a project under one of its load cases, with the full or a reduced model.
-#include "outputs.hpp"
+#include "file_options.hpp"
 #include "project_library.hpp"
 #include "solve_output.hpp"
 #include "verbs.hpp"
@@ -87,11 +87,6 @@ ExitCode run(Options options) {
         throw base::InputError("--steps: a linear solution has no path to divide");
     options.simulation.validate();
     const Project project = simulation::read_project(options.project);
-    std::vector<std::string> outputs = options.drawings;
-    outputs.insert(outputs.end(), {options.out, options.frame_out});
-    check_outputs(
-        {options.project, options.load_case, options.library, library_path_of(options.project, project)},
-        outputs);
     const auto library = open_project_library(options.project, project, options.library);
     const Surface surface = simulation::make_surface(project, library ? &*library : nullptr);
     const LoadCase load_case = chosen_load_case(project, options.load_case);
@@ -147,13 +142,13 @@ void add_simulate(CLI::App& app, ExitCode& exit_code) {
     verb->add_option("--frame-out", options->frame_out, "Write the full model as a frame file, too");
     for (const std::string ending : {"vtu", "svg"}) {
         verb->add_option_function<std::string>(
-                "--" + ending, [options](const std::string& path) { options->drawings.push_back(path); },
-                "Write the displaced beams as ." + ending + ", too")
-            ->check([ending](const std::string& path) {
-                return path.ends_with("." + ending) ? "" : path + " does not end in ." + ending;
-            });
+            "--" + ending, [options](const std::string& path) { options->drawings.push_back(path); },
+            "Write the displaced beams as ." + ending + ", too");
     }
     verb->add_flag("--json", options->json, "Print JSON");
+    declare_files(*verb,
+                  {input("project"), input("--case"), input("--library"), output("--out", kResultFile),
+                   output("--frame-out", kFrameFile), output("--vtu", kVtuFile), output("--svg", kSvgFile)});
     verb->footer(
         "Example: fretwork simulate project.json --case cantilever --model condensed --out reduced.json");
     verb->callback([options, &exit_code] { exit_code = run(*options); });

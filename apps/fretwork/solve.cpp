@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fretwork solve: any beam structure, from a frame file.
-#include "outputs.hpp"
+#include "file_options.hpp"
 #include "solve_output.hpp"
 #include "verbs.hpp"
 
@@ -149,7 +149,6 @@ void refuse_ignored_options(const CLI::App& verb, const std::string& solver) {
 }
 
 ExitCode run(const Wishes& wishes) {
-    check_outputs({wishes.frame}, {wishes.out, wishes.vtu, wishes.deck});
     const mechanics::LabelledFrame input = read(wishes.frame);
     const auto [assembly, result] = solve_file(input, wishes);
     base::FileBatch files;
@@ -218,6 +217,8 @@ void add_solve(CLI::App& app, ExitCode& exit_code) {
     verb->add_option("--deck", wishes->deck, "write the frame as an input deck for Abaqus (.inp)");
     verb->add_option("--out", wishes->out, "result file")->required();
     verb->add_flag("--json", wishes->json, "print a summary for programs");
+    declare_files(*verb, {input("frame"), output("--out", kResultFile), output("--vtu", kVtuFile),
+                          output("--deck", kDeckFile)});
     verb->callback([wishes, verb, &exit_code] {
         refuse_ignored_options(*verb, wishes->solver);
         exit_code = run(*wishes);

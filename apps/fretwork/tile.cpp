@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fretwork tile: an outline becomes a project, tiled and painted.
+#include "file_options.hpp"
 #include "verbs.hpp"
 
 #include <fretwork/base/detail/json_text.hpp>
@@ -176,6 +177,8 @@ void add_tile(CLI::App& app, ExitCode&) {
                      "Node layout: a name or a file (default: the library's, or paper7)");
     verb->add_option("--out", wishes->out, "Project file to write")->required();
     verb->add_flag("--json", wishes->json, "Print JSON");
+    declare_files(*verb, {input("outline"), input("--patterns"), input("--palette"), input("--library"),
+                          input("--layout"), output("--out", kProjectFile)});
     verb->footer(
         "Example: fretwork tile experiments/outlines/example_a.svg --patterns random:1 --palette "
         "0-1+1-6,0-5+5-6 "

@@ -103,6 +103,17 @@ std::string read_text_file(const std::filesystem::path& path) {
     return std::move(content).str();
 }
 
+std::filesystem::path link_target(std::filesystem::path path) {
+    constexpr int kMostLinks = 40;  // as in the kernel: beyond it they are taken to run in a circle
+    std::error_code fault;
+    for (int i = 0; i < kMostLinks && std::filesystem::is_symlink(path, fault); ++i) {
+        const std::filesystem::path target = std::filesystem::read_symlink(path, fault);
+        if (fault) return path;
+        path = path.parent_path() / target;
+    }
+    return path;
+}
+
 struct AtomicFile::Impl {
     explicit Impl(const std::filesystem::path& target) : file(target) { buffer.reserve(kBufferSize); }
     void flush() {

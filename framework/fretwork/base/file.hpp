@@ -12,6 +12,10 @@ namespace fretwork::base {
 /// Read a whole file. Throws InputError if it is missing, a folder, or unreadable.
 std::string read_text_file(const std::filesystem::path& path);
 
+/// The file that is read or written under this name: where a chain of symbolic links ends, which may be a
+/// file that is not there yet.
+std::filesystem::path link_target(std::filesystem::path path);
+
 /// Put `content` in the place of `path`, all of it or nothing: a temporary file beside it is written, flushed
 /// to the disk and renamed. Throws IoError (folder missing, no permission, disk full), and then `path` is as
 /// it was.

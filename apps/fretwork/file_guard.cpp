@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "file_guard.hpp"
+#include "file_identity.hpp"
+
+#include <fretwork/base/error.hpp>
+#include <fretwork/base/file.hpp>
+#include <fretwork/base/text.hpp>
+
+#include <cerrno>
+#include <cstring>
+#include <unistd.h>
+
+namespace fretwork::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A file that the command line names.
+struct NamedFile {
+    fs::path path;
+    FileRole role;
+    FileKind kind;
+};
+
+bool is_there(const fs::path& path) {
+    std::error_code ignored;
+    return fs::exists(path, ignored);
+}
+
+bool is_folder(const fs::path& path) {
+    std::error_code ignored;
+    return fs::is_directory(path, ignored);
+}
+
+/// Of the file that is written, whatever links lead to it.
+fs::path folder_of(const fs::path& path) {
+    std::error_code ignored;
+    return fs::absolute(base::link_target(path), ignored).parent_path();
+}
+
+std::vector<std::string> words(std::string_view text) {
+    return text.empty() ? std::vector<std::string>{} : base::split(text, ' ');
+}
+
+std::vector<NamedFile> named_files(const Program& program) {
+    std::vector<NamedFile> files;
+    for (const FileOption& declared : program.file_options()) {
+        for (const std::string& path : declared.option->results()) {
+            if (path.empty())
+                throw base::InputError(declared.option->get_name(), "",
+                                       "is empty, where the name of a file is needed");
+            files.push_back({path, declared.role, declared.kind});
+        }
+    }
+    return files;
+}
+
+/// A file that is there keeps its name, whatever it is.
+void check_ending(const NamedFile& file) {
+    if (file.kind.endings.empty() || (file.role == FileRole::Update && is_there(file.path))) return;
+    for (const std::string& ending : words(file.kind.endings)) {
+        if (file.path.string().ends_with(ending)) return;
+    }
+    throw base::InputError(file.path.string(), "",
+                           "is to be " + std::string(file.kind.name) + ", whose name ends in " +
+                               base::join(words(file.kind.endings), " or "));
+}
+
+void check_place(const NamedFile& file) {
+    if (is_folder(file.path))
+        throw base::InputError(file.path.string(), "", "is a folder, where a file is to be written");
+    const fs::path folder = folder_of(file.path);
+    if (!is_folder(folder))
+        throw base::InputError(file.path.string(), "",
+                               "cannot be written: there is no folder " + folder.string());
+    if (::access(folder.c_str(), W_OK) != 0)
+        throw base::InputError(file.path.string(), "",
+                               "cannot be written: folder " + folder.string() + ": " + std::strerror(errno));
+}
+
+/// What is there now, in words; nothing if it is none of ours, or of the kind that it should be.
+std::string other_kind(const fs::path& path, const FileKind& kind) {
+    const FileContent present = content_of(path);
+    if (present.is_database)
+        return kind.name == kLibraryFile.name ? "" : "a pattern library or another database";
+    if (present.format.empty() || present.format == kind.format) return "";
+    return (present.format == "outline" ? "an " : "a ") + present.format;
+}
+
+void check_replaced(const fs::path& path, const FileKind& kind) {
+    const std::string present = other_kind(path, kind);
+    if (present.empty()) return;
+    throw base::InputError(
+        path.string(), "",
+        "is " + present + ", and would be replaced by " + std::string(kind.name) + "; name another file");
+}
+
+void check_updated(const fs::path& path, const FileKind& kind) {
+    const std::string present = other_kind(path, kind);
+    if (present.empty()) return;
+    throw base::InputError(path.string(), "",
+                           "is " + present + ", where " + std::string(kind.name) + " is needed");
+}
+
+void check_output(const NamedFile& file) {
+    if (is_device(file.path)) return;
+    check_place(file);
+    check_ending(file);
+    file.role == FileRole::Update ? check_updated(file.path, file.kind)
+                                  : check_replaced(file.path, file.kind);
+}
+
+bool is_made_in_folder(const fs::path& path, const FileKind& folder) {
+    const std::string name = path.filename().string();
+    for (const std::string& made : words(folder.endings)) {
+        if (name == made || (made.front() == '.' && name.ends_with(made))) return true;
+    }
+    return false;
+}
+
+void check_folder(const NamedFile& folder) {
+    if (!is_there(folder.path)) return;
+    if (!is_folder(folder.path))
+        throw base::InputError(folder.path.string(), "", "is a file, where a folder is needed");
+    std::error_code ignored;
+    for (const auto& entry : fs::directory_iterator(folder.path, ignored)) {
+        if (is_made_in_folder(entry.path(), folder.kind))
+            check_replaced(entry.path(), {"a file of this command", "", entry.path().stem().native()});
+    }
+}
+
+bool lies_in(const NamedFile& file, const NamedFile& folder) {
+    return is_same_file(folder_of(file.path), folder.path) && is_made_in_folder(file.path, folder.kind);
+}
+
+bool is_only_read(const NamedFile& file) {
+    return file.role == FileRole::Input;
+}
+
+/// Whether two names of one command mean one file, or a file that is made in a folder.
+bool collide(const NamedFile& first, const NamedFile& second) {
+    if (is_device(first.path) || is_device(second.path)) return false;
+    const bool is_folder_first = first.role == FileRole::OutputFolder;
+    const bool is_folder_second = second.role == FileRole::OutputFolder;
+    if (is_folder_first && is_folder_second) return false;  // one folder may take files of both kinds
+    if (is_folder_first) return lies_in(second, first);
+    if (is_folder_second) return lies_in(first, second);
+    return is_same_file(first.path, second.path);
+}
+
+void check_pair(const NamedFile& first, const NamedFile& second) {
+    if ((is_only_read(first) && is_only_read(second)) || !collide(first, second)) return;
+    const std::string written = (is_only_read(second) ? first : second).path.string();
+    const auto is_read = [](const NamedFile& file) {
+        return file.role == FileRole::Input || file.role == FileRole::Update;
+    };
+    if (is_read(first) || is_read(second))
+        throw base::InputError(written, "", "is read by this command, and would be overwritten by it");
+    throw base::InputError(written, "", "is named for two outputs of this command");
+}
+
+}  // namespace
+
+void check_files(const Program& program) {
+    const std::vector<NamedFile> files = named_files(program);
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        for (std::size_t j = 0; j < i; ++j) check_pair(files[j], files[i]);
+    }
+    for (const NamedFile& file : files) {
+        if (file.role == FileRole::OutputFolder) check_folder(file);
+        if (file.role == FileRole::Output || file.role == FileRole::Update) check_output(file);
+    }
+}
+
+}  // namespace fretwork::app

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include <initializer_list>
+#include <string_view>
+
+namespace fretwork::app {
+
+/// What a file is.
+struct FileKind {
+    std::string_view name;     ///< for people: "a project"
+    std::string_view endings;  ///< those that a new file may have, with spaces between; empty: any
+    std::string_view format;   ///< JSON files of this kind say "fretwork/<format>/N"; empty: it is not JSON
+};
+
+inline constexpr FileKind kProjectFile{"a project", ".json", "project"};
+inline constexpr FileKind kResultFile{"a result", ".json", "result"};
+inline constexpr FileKind kFrameFile{"a frame", ".json", "frame"};
+inline constexpr FileKind kLibraryFile{"a pattern library", ".db .sqlite .sqlite3", ""};
+inline constexpr FileKind kTableFile{"a table", ".csv", ""};
+inline constexpr FileKind kListFile{"a list", ".txt .csv", ""};
+inline constexpr FileKind kSvgFile{"a drawing", ".svg", ""};
+inline constexpr FileKind kVtuFile{"a file for ParaView", ".vtu", ""};
+inline constexpr FileKind kDeckFile{"an input deck", ".inp", ""};
+inline constexpr FileKind kExportFile{"a drawing or a mesh", "", ""};
+
+/// What a command does to a file that an option names.
+enum class FileRole {
+    Input,         ///< reads it; an option may also take another text, such as the name of a layout
+    Output,        ///< makes it, or puts a new one in its place
+    Update,        ///< reads and changes it, or makes it
+    OutputFolder,  ///< makes files in it: those whose ending, or whole name, is among the kind's endings
+};
+
+struct FileOption {
+    const CLI::Option* option;
+    FileRole role;
+    FileKind kind;
+};
+
+/// One row of a verb's declaration.
+struct DeclaredFile {
+    const char* option;  ///< "--out", or the name of a positional
+    FileRole role;
+    FileKind kind;
+};
+
+inline DeclaredFile input(const char* option) {
+    return {option, FileRole::Input, {}};
+}
+inline DeclaredFile output(const char* option, FileKind kind) {
+    return {option, FileRole::Output, kind};
+}
+inline DeclaredFile update(const char* option, FileKind kind) {
+    return {option, FileRole::Update, kind};
+}
+/// @param files  the endings or names of the files that are made, with spaces between
+inline DeclaredFile output_folder(const char* option, std::string_view files) {
+    return {option, FileRole::OutputFolder, {"a folder", files, ""}};
+}
+
+/// Say which options of a verb name files, all of them in one place: what is declared is checked before any
+/// verb runs (file_guard.hpp). Call it when the verb has its options. The verb belongs to a Program.
+void declare_files(CLI::App& verb, std::initializer_list<DeclaredFile> files);
+
+}  // namespace fretwork::app
