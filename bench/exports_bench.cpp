@@ -26,7 +26,7 @@ const Scene& scene_of(int tiles) {
     tiling::paint_randomly(project.tessellation, patterns, 1);
     Scene scene{simulation::make_surface(project, nullptr)};
     mechanics::Result result;
-    const auto& nodes = scene.surface.fan.nodes;
+    const auto nodes = simulation::surface_fan(scene.surface).nodes;
     result.solution.displacements =
         mechanics::NodeValues::Random(static_cast<Eigen::Index>(nodes.size()), 6) * 1e-3;
     for (std::size_t i = 0; i < nodes.size(); ++i) {

@@ -97,7 +97,6 @@ BENCHMARK(store_paper_library)->Arg(16)->Arg(64)->Unit(benchmark::kMillisecond);
 
 /// Responses, properties and calibrations of the nine patterns of two edges, and storing them, on one thread.
 void fill_two_edge_patterns(benchmark::State& state) {
-    base::SilentProgress silent;
     FillOptions options;
     options.threads = 1;
     for (auto _ : state) {
@@ -106,7 +105,7 @@ void fill_two_edge_patterns(benchmark::State& state) {
         std::vector<PatternEntry> patterns = (*library).patterns();
         std::erase_if(patterns, [](const PatternEntry& entry) { return entry.pattern.edge_count() > 2; });
         state.ResumeTiming();
-        benchmark::DoNotOptimize(fill(*library, patterns, options, silent));
+        benchmark::DoNotOptimize(fill(*library, patterns, options));
     }
 }
 BENCHMARK(fill_two_edge_patterns)->Unit(benchmark::kMillisecond);

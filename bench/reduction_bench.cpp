@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/reduction/calibration.hpp>
+#include <fretwork/reduction/condensed_tile.hpp>
 #include <fretwork/reduction/effective_properties.hpp>
-#include <fretwork/reduction/model_catalogue.hpp>
 #include <fretwork/reduction/paper6_problem.hpp>
 
 #include <benchmark/benchmark.h>
@@ -92,7 +93,8 @@ void calibration(benchmark::State& state, const char* optimizer, int starts) {
     double objective = 0.0;
     for (auto _ : state) {
         const Calibration found =
-            calibrate_paper6(c.responses, c.setting, {.optimizer = optimizer, .starts = starts});
+            calibrate(find_tile_model("paper6"), {c.layout, c.pattern, c.setting, c.responses},
+                      {.optimizer = optimizer, .starts = starts});
         objective = found.objective;
     }
     state.counters["E"] = objective;

@@ -1,80 +1,188 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Simulating a held and loaded square of tiles: building each model, solving it, and all of it together, at
-// the sizes of the paper's examples (some 240 tiles) and below.
-#include <fretwork/mechanics/equilibrium.hpp>
-#include <fretwork/simulation/conditions.hpp>
-#include <fretwork/simulation/model_catalogue.hpp>
+// What edits of a surface cost beside solving it from nothing. The surfaces are lattices of hexagons of the
+// paper's size, painted with 24 patterns by chance: `equal` ones, whose tiles are congruent, and `irregular`
+// ones, whose vertices are shifted by chance, so that no two tiles are. The argument is the number of tiles.
+#include <fretwork/optimization/random.hpp>
+#include <fretwork/pattern/enumerate.hpp>
+#include <fretwork/simulation/session.hpp>
 #include <fretwork/simulation/simulate.hpp>
-#include <fretwork/tiling/painting.hpp>
-#include <fretwork/tiling/tessellate.hpp>
 
 #include <benchmark/benchmark.h>
 
 #include <cmath>
 #include <map>
+#include <utility>
 
 namespace fretwork::simulation {
 namespace {
 
-/// A square that about so many tiles of the paper's size cover. The calibration is made up: what a solution
-/// costs does not depend on it.
-const Surface& square_of(int tiles) {
-    static std::map<int, Surface> surfaces;
-    const auto found = surfaces.find(tiles);
-    if (found != surfaces.end()) return found->second;
-    const reduction::Setting setting = reduction::paper_setting();
-    const double side = setting.tile_side * std::sqrt(1.5 * std::sqrt(3.0) * tiles);
-    Project project;
-    project.outline = tiling::make_outline({{0, 0}, {side, 0}, {side, side}, {0, side}}, {});
-    tiling::TessellationOptions options;
-    options.edge_length = setting.tile_side;
-    project.tessellation = tiling::tessellate(project.outline, project.layout, options).tessellation;
-    tiling::paint_uniformly(project.tessellation, "0-1+1-5+1-6+5-6");
-    Surface surface = make_surface(project, nullptr);
-    surface.calibrations.assign(1, reduction::Calibration{});
-    return surfaces.emplace(tiles, std::move(surface)).first->second;
+enum class Lattice { Equal, Irregular };
+
+/// Numbers points; those within a micrometre are one.
+class Points {
+  public:
+    int number(const pattern::Point2& point) {
+        const auto key = std::pair(std::lround(point.x * 1e6), std::lround(point.y * 1e6));
+        const auto [entry, is_new] = numbers_.emplace(key, static_cast<int>(points.size()));
+        if (is_new) points.push_back(point);
+        return entry->second;
+    }
+    std::vector<pattern::Point2> points;
+
+  private:
+    std::map<std::pair<long, long>, int> numbers_;
+};
+
+const std::vector<std::string>& patterns() {
+    static const std::vector<std::string> ids = [] {
+        const auto layout = pattern::find_node_layout("paper7");
+        const auto all = pattern::enumerate_patterns(layout, {.edges = {2, 5}, .filters = {}});
+        std::vector<std::string> chosen;
+        for (std::size_t i = 0; i < 24; ++i) chosen.push_back(pattern_id(layout, all[i * all.size() / 24]));
+        return chosen;
+    }();
+    return ids;
 }
 
-LoadCase cantilever() {
+tiling::Tessellation hexagons(int count, double side) {
+    const int rows = static_cast<int>(std::lround(std::sqrt(count)));
+    const pattern::Polygon hexagon = pattern::regular_polygon(6, side);
+    tiling::Tessellation tessellation;
+    tessellation.layout = "paper7";
+    tessellation.patterns = patterns();
+    optimization::RandomStream random(1, 0);
+    Points vertices;
+    for (int i = 0; i < count; ++i) {
+        const int column = i / rows;
+        const double x = 1.5 * side * column;
+        const double y = std::sqrt(3.0) * side * (i % rows + 0.5 * (column % 2));
+        tiling::Tile tile;
+        tile.pattern = static_cast<int>(random.uniform() * 24.0);
+        for (const pattern::Point2& vertex : hexagon)
+            tile.vertices.emplace_back(vertices.number({x + vertex.x, y + vertex.y}));
+        tessellation.tiles.push_back(std::move(tile));
+    }
+    tessellation.vertices = std::move(vertices.points);
+    return tessellation;
+}
+
+void place_interface_nodes(tiling::Tessellation& tessellation) {
+    Points nodes;
+    for (tiling::Tile& tile : tessellation.tiles) {
+        for (std::size_t k = 0; k < 6; ++k) {
+            const auto& a = tessellation.vertices[static_cast<std::size_t>(tile.vertices[k])];
+            const auto& b = tessellation.vertices[static_cast<std::size_t>(tile.vertices[(k + 1) % 6])];
+            tile.interface_nodes.emplace_back(nodes.number({(a.x + b.x) / 2, (a.y + b.y) / 2}));
+        }
+    }
+    tessellation.interface_nodes = std::move(nodes.points);
+}
+
+const Surface& surface_of(Lattice lattice, int tiles) {
+    static std::map<std::pair<Lattice, int>, Surface> surfaces;
+    const auto found = surfaces.find({lattice, tiles});
+    if (found != surfaces.end()) return found->second;
+    const double side = reduction::paper_setting().tile_side;
+    Project project;
+    project.tessellation = hexagons(tiles, side);
+    optimization::RandomStream random(2, 0);
+    for (pattern::Point2& vertex : project.tessellation.vertices) {
+        const double reach = lattice == Lattice::Equal ? 0.0 : 0.1 * side;
+        vertex.x += reach * (random.uniform() - 0.5);
+        vertex.y += reach * (random.uniform() - 0.5);
+    }
+    place_interface_nodes(project.tessellation);
+    return surfaces.emplace(std::pair(lattice, tiles), make_surface(project, nullptr)).first->second;
+}
+
+LoadCase cantilever(double force = 0.01) {
     LoadCase load_case;
     load_case.name = "cantilever";
     load_case.supports.push_back({NodesAtSide{Side::Left}, mechanics::DofSet::all()});
-    load_case.loads.push_back({NodesAtSide{Side::Right}, {0, 0, -0.01}, {0, 0, 0}, LoadCase::Amount::Total});
+    load_case.loads.push_back({NodesAtSide{Side::Right}, {0, 0, -force}, {0, 0, 0}, LoadCase::Amount::Total});
     return load_case;
 }
 
-void build(benchmark::State& state, const ModelRow& model) {
-    const Surface& surface = square_of(static_cast<int>(state.range(0)));
-    const LoadCase load_case = cantilever();
-    const Conditions conditions = resolve(load_case, surface);
-    for (auto _ : state) benchmark::DoNotOptimize(model.build(surface, conditions));
-    state.counters["tiles"] = static_cast<double>(surface.tessellation.tiles.size());
+Session session_of(benchmark::State& state, Lattice lattice) {
+    const Surface& surface = surface_of(lattice, static_cast<int>(state.range(0)));
+    state.counters["nodes"] = static_cast<double>(surface.tessellation.interface_nodes.size());
+    return {surface, cantilever(), {.model = "condensed"}};
 }
 
-void run(benchmark::State& state, const ModelRow& model) {
-    const Surface& surface = square_of(static_cast<int>(state.range(0)));
-    const LoadCase load_case = cantilever();
-    SimulationOptions options;
-    options.model = model.name;
-    for (auto _ : state) benchmark::DoNotOptimize(simulate(surface, load_case, options));
-    state.counters["nodes"] = static_cast<double>(surface.fan.nodes.size());
-}
-
-[[maybe_unused]] const bool registered = [] {
-    for (const ModelRow& model : model_catalogue()) {
-        benchmark::RegisterBenchmark(("build_" + std::string(model.name)).c_str(),
-                                     [&model](benchmark::State& state) { build(state, model); })
-            ->Arg(60)
-            ->Arg(240)
-            ->Unit(benchmark::kMillisecond);
-        benchmark::RegisterBenchmark(("simulate_" + std::string(model.name)).c_str(),
-                                     [&model](benchmark::State& state) { run(state, model); })
-            ->Arg(60)
-            ->Arg(240)
-            ->Unit(benchmark::kMillisecond);
+/// Solve, edit and solve again, and so on: what the second and later solutions cost, with the edit.
+template <class Edit>
+void time_edits(benchmark::State& state, Lattice lattice, const Edit& edit) {
+    Session session = session_of(state, lattice);
+    benchmark::DoNotOptimize(session.solve());
+    int round = 0;
+    for (auto _ : state) {
+        edit(session, ++round);
+        benchmark::DoNotOptimize(session.solve());
     }
-    return true;
-}();
+    state.counters["tiles_built"] = static_cast<double>(session.last_work().tiles_built);
+    state.counters["factors_updated"] = session.last_work().factors == Session::Work::Factors::Updated;
+}
+
+void from_nothing(benchmark::State& state, Lattice lattice) {
+    const Surface& surface = surface_of(lattice, static_cast<int>(state.range(0)));
+    const LoadCase load_case = cantilever();
+    for (auto _ : state) {
+        Session session(surface, load_case, {.model = "condensed"});
+        benchmark::DoNotOptimize(session.solve());
+        state.counters["tiles_built"] = static_cast<double>(session.last_work().tiles_built);
+    }
+}
+
+void new_load(benchmark::State& state, Lattice lattice) {
+    time_edits(state, lattice, [](Session& session, int round) {
+        session.set_load_case(cantilever(0.01 * (round % 7 + 1)));
+    });
+}
+
+void moved_support(benchmark::State& state, Lattice lattice) {
+    const auto nodes = static_cast<int>(
+        surface_of(lattice, static_cast<int>(state.range(0))).tessellation.interface_nodes.size());
+    time_edits(state, lattice, [nodes](Session& session, int round) {
+        const int node = nodes / 2 + round % 50;
+        session.set_support(1, {NodesById{{node}}, mechanics::DofSet::translations()});
+    });
+}
+
+void repainted_tile(benchmark::State& state, Lattice lattice) {
+    const auto middle = static_cast<int>(state.range(0) / 2);
+    time_edits(state, lattice, [middle](Session& session, int round) {
+        const tiling::TileIndex tile(middle);
+        session.paint({&tile, 1}, patterns()[static_cast<std::size_t>(round % 24)]);
+    });
+}
+
+void new_material(benchmark::State& state, Lattice lattice) {
+    time_edits(state, lattice, [](Session& session, int round) {
+        reduction::Setting setting = session.surface().setting;
+        setting.material.young_modulus = 1e9 * (1.0 + 0.1 * (round % 7));
+        session.set_setting(setting);
+    });
+}
+
+void sizes(benchmark::internal::Benchmark* bench) {
+    for (const int tiles : {100, 500, 2000, 10000}) bench->Arg(tiles);
+    bench->Unit(benchmark::kMillisecond)->UseRealTime();
+}
+#define FRETWORK_EDIT(name)                                               \
+    BENCHMARK_CAPTURE(name, irregular, Lattice::Irregular)->Apply(sizes); \
+    BENCHMARK_CAPTURE(name, equal, Lattice::Equal)->Apply(sizes)
+FRETWORK_EDIT(from_nothing);
+FRETWORK_EDIT(new_load);
+FRETWORK_EDIT(moved_support);
+FRETWORK_EDIT(repainted_tile);
+FRETWORK_EDIT(new_material);
+
+void full_model(benchmark::State& state) {
+    const Surface& surface = surface_of(Lattice::Irregular, static_cast<int>(state.range(0)));
+    const LoadCase load_case = cantilever();
+    for (auto _ : state) benchmark::DoNotOptimize(simulate(surface, load_case, {.model = "full"}));
+}
+BENCHMARK(full_model)->Arg(100)->Arg(500)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 }  // namespace
 }  // namespace fretwork::simulation

@@ -9,7 +9,8 @@
 #include <fretwork/library/fill.hpp>
 #include <fretwork/library/statistics.hpp>
 #include <fretwork/optimization/optimizer_catalogue.hpp>
-#include <fretwork/reduction/model_catalogue.hpp>
+#include <fretwork/reduction/setting_file.hpp>
+#include <fretwork/reduction/tile_model.hpp>
 
 #include <chrono>
 #include <cstdio>
@@ -32,7 +33,7 @@ Examples:
   fretwork calibrate --library part2.db --shard 2/4)";
 
 /// What a person asks for.
-struct Wishes {
+struct Options {
     std::string library_path;
     std::string setting_path;
     std::string policy;
@@ -53,12 +54,13 @@ struct Result {
     bool is_stopped = false;
 };
 
-void adopt_wished_setting(Library& library, const Wishes& wishes) {
-    if (wishes.setting_path.empty() && wishes.policy.empty()) return;
+void adopt_setting(Library& library, const Options& options) {
+    if (options.setting_path.empty() && options.policy.empty()) return;
     reduction::Setting setting =
-        wishes.setting_path.empty() ? library.setting() : reduction::read_setting(wishes.setting_path);
-    if (!wishes.policy.empty())
-        setting.branch = wishes.policy == "paper" ? reduction::Branch::Paper : reduction::Branch::Stable;
+        options.setting_path.empty() ? library.setting() : reduction::read_setting(options.setting_path);
+    if (!options.policy.empty())
+        setting.sample_policy =
+            options.policy == "paper" ? reduction::SamplePolicy::Paper : reduction::SamplePolicy::Stable;
     library.adopt_setting(setting);
 }
 
@@ -103,21 +105,21 @@ void print_json(const Result& result) {
     std::fputs(base::detail::json_text(document).c_str(), stdout);
 }
 
-ExitCode calibrate(Wishes wishes) {
+ExitCode calibrate(Options options) {
     LongWork work;
-    wishes.fill.should_stop = [&work] { return work.is_stopped(); };
-    wishes.fill.validate();
-    auto library = Library::open(wishes.library_path, library::Access::ReadWrite);
-    adopt_wished_setting(library, wishes);
-    const auto patterns = in_shard(wanted_patterns(library, wishes.patterns), wishes.shard);
-    if (wishes.retry) library.forget_failures();
-    Result result{.key = wishes.fill.key(), .policy = branch_name(library.setting().branch)};
+    options.fill.control = work.control();
+    options.fill.validate();
+    auto library = Library::open(options.library_path, library::Access::ReadWrite);
+    adopt_setting(library, options);
+    const auto patterns = in_shard(wanted_patterns(library, options.patterns), options.shard);
+    if (options.retry) library.forget_failures();
+    Result result{.key = options.fill.key(), .policy = sample_policy_name(library.setting().sample_policy)};
     const auto start = std::chrono::steady_clock::now();
-    result.report = library::fill(library, patterns, wishes.fill, *work.control().progress);
+    result.report = library::fill(library, patterns, options.fill);
     result.is_stopped = work.is_stopped();
     result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     result.statistics = library::calibration_statistics(library, patterns, result.key);
-    wishes.json ? print_json(result) : print_text(result);
+    options.json ? print_json(result) : print_text(result);
     if (result.is_stopped)
         std::fputs("fretwork: interrupted; what is done is stored, run again to go on\n", stderr);
     return result.report.done == result.report.open ? ExitCode::Done : ExitCode::DidNotSucceed;
@@ -130,8 +132,7 @@ std::string catalogue_help(std::string text, const Rows& rows) {
 }
 
 void add_method_options(CLI::App& verb, library::FillOptions& fill) {
-    verb.add_option("--model", fill.model,
-                    catalogue_help("The reduced model:", reduction::reduced_model_catalogue()))
+    verb.add_option("--model", fill.model, catalogue_help("The tile model:", reduction::tile_models()))
         ->capture_default_str();
     verb.add_option("--optimizer", fill.calibration.optimizer,
                     catalogue_help("The method that fits the model:", optimization::optimizer_catalogue()))
@@ -149,27 +150,27 @@ void add_method_options(CLI::App& verb, library::FillOptions& fill) {
 }  // namespace
 
 void add_calibrate(CLI::App& app, ExitCode& exit_code) {
-    const auto wishes = std::make_shared<Wishes>();
+    const auto options = std::make_shared<Options>();
     CLI::App* verb = app.add_subcommand(
         "calibrate", "Compute the responses of a library's patterns, and fit a reduced model to each.");
-    verb->add_option("--library", wishes->library_path, "The library: patterns in, results out")->required();
-    verb->add_option("--setting", wishes->setting_path,
+    verb->add_option("--library", options->library_path, "The library: patterns in, results out")->required();
+    verb->add_option("--setting", options->setting_path,
                      "Material, section, tile side and scenarios, for a library that has no results yet");
-    verb->add_option("--policy", wishes->policy,
+    verb->add_option("--policy", options->policy,
                      "What becomes of samples past the first loss of stability, for a library that has no "
                      "results yet:\npaper: they are fitted, too\nstable: they are left out\n(default: as the "
                      "setting says, which is paper where it says nothing)")
         ->check(CLI::IsMember({"paper", "stable"}));
-    verb->add_option("--patterns", wishes->patterns,
+    verb->add_option("--patterns", options->patterns,
                      "all, ids joined by commas, or sample:N for N spread over the numbers of edges")
         ->capture_default_str();
-    add_method_options(*verb, wishes->fill);
-    verb->add_option("--shard", wishes->shard, "Only the I-th of N parts, as I/N: for several machines");
-    verb->add_flag("--retry", wishes->retry, "Try patterns again whose failure is recorded");
-    verb->add_flag("--json", wishes->json, "Print for programs");
+    add_method_options(*verb, options->fill);
+    verb->add_option("--shard", options->shard, "Only the I-th of N parts, as I/N: for several machines");
+    verb->add_flag("--retry", options->retry, "Try patterns again whose failure is recorded");
+    verb->add_flag("--json", options->json, "Print for programs");
     declare_files(*verb, {update("--library", kLibraryFile), input("--setting")});
     verb->footer(kExample);
-    verb->callback([wishes, &exit_code] { exit_code = calibrate(*wishes); });
+    verb->callback([options, &exit_code] { exit_code = calibrate(*options); });
 }
 
 }  // namespace fretwork::app

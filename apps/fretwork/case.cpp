@@ -7,7 +7,9 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/file_lock.hpp>
 #include <fretwork/simulation/conditions.hpp>
+#include <fretwork/simulation/load_case_file.hpp>
 #include <fretwork/simulation/project.hpp>
+#include <fretwork/simulation/project_file.hpp>
 #include <fretwork/simulation/surface.hpp>
 
 #include <algorithm>

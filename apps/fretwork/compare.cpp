@@ -39,9 +39,17 @@ base::detail::Json to_json(const std::string& name, const simulation::Comparison
             {"reduced_model_seconds", comparison.reduced_seconds}};
 }
 
+void tell_without_subject(const std::string& file, const mechanics::Result& result) {
+    if (result.subject) return;
+    std::fprintf(stderr, "fretwork: %s does not say what it is a result of (an older program made it)\n",
+                 file.c_str());
+}
+
 ExitCode run(const Options& options) {
     const auto full = mechanics::read_result(options.full);
     const auto reduced = mechanics::read_result(options.reduced);
+    tell_without_subject(options.full, full);
+    tell_without_subject(options.reduced, reduced);
     const simulation::Comparison comparison = simulation::compare(full, reduced);
     const std::string name =
         options.name.empty() ? std::filesystem::path(options.full).stem().string() : options.name;

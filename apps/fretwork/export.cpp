@@ -7,8 +7,11 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/file.hpp>
 #include <fretwork/exports/writer_catalogue.hpp>
+#include <fretwork/simulation/project_file.hpp>
+#include <fretwork/simulation/result_subject.hpp>
 
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
 #include <memory>
 
@@ -24,6 +27,20 @@ struct Options {
     double scale = 1.0;
 };
 
+/// A result of this surface. One of an older program is taken at its word, and that is told.
+mechanics::Result read_own_result(const std::string& file, const simulation::Surface& surface) {
+    mechanics::Result result = mechanics::read_result(file);
+    if (!result.subject) {
+        std::fprintf(stderr, "fretwork: %s does not say what it is a result of (an older program made it)\n",
+                     file.c_str());
+        return result;
+    }
+    const std::string difference = simulation::subject_difference(*result.subject, surface);
+    if (!difference.empty())
+        throw base::InputError(file, "", "is no result of this project: they differ in " + difference);
+    return result;
+}
+
 exports::Scene make_scene(const Options& options) {
     const simulation::Project project = simulation::read_project(options.project);
     const auto library = open_project_library(options.project, project, options.library);
@@ -33,7 +50,8 @@ exports::Scene make_scene(const Options& options) {
             simulation::resolve(simulation::find_load_case(project, options.load_case), scene.surface);
     }
     for (const std::string& file : options.results) {
-        scene.results.push_back({std::filesystem::path(file).stem().string(), mechanics::read_result(file)});
+        scene.results.push_back(
+            {std::filesystem::path(file).stem().string(), read_own_result(file, scene.surface)});
     }
     scene.displacement_scale = options.scale;
     return scene;

@@ -12,6 +12,7 @@
 #include <fretwork/exports/property_chart.hpp>
 #include <fretwork/exports/reduced_drawing.hpp>
 #include <fretwork/library/library.hpp>
+#include <fretwork/library/merge.hpp>
 
 #include <algorithm>
 #include <cstdio>
@@ -114,8 +115,7 @@ void list(const Options& options) {
 // ---- show ----
 
 exports::ReducedPattern reduced_pattern(const Library& library, const library::PatternEntry& entry) {
-    const auto best = library.best_calibration(entry.id);
-    return {entry.pattern, best ? std::optional(best->calibration) : std::nullopt};
+    return {entry.pattern, library.best_fit(entry.id)};
 }
 
 void write_drawing(const Library& library, const std::vector<exports::ReducedPattern>& patterns,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "library_show.hpp"
+#include "solve_output.hpp"
 
 #include <fretwork/base/detail/json_text.hpp>
 #include <fretwork/base/text.hpp>
@@ -45,24 +46,19 @@ ScenarioSummary summarize(const reduction::Response& response) {
 
 Json calibration_json(const CalibrationRecord& record) {
     const reduction::Calibration& calibration = record.calibration;
-    const reduction::Paper6Parameters& p = calibration.parameters;
-    return {{"model", calibration.model},
-            {"optimizer", calibration.optimizer},
-            {"seed", calibration.seed},
-            {"starts", calibration.starts},
-            {"budget", record.budget},
-            {"objective", calibration.objective},
-            {"scenario_errors", calibration.scenario_errors},
-            {"evaluations", calibration.evaluations},
-            {"converged", calibration.converged},
-            {"A", p.A},
-            {"I2", p.I2},
-            {"I3", p.I3},
-            {"J", p.J},
-            {"theta", p.theta},
-            {"R", p.R},
-            {"at_bound", calibration.at_bound},
-            {"seconds", record.seconds}};
+    Json document = {{"model", calibration.model},
+                     {"optimizer", calibration.optimizer},
+                     {"seed", calibration.seed},
+                     {"starts", calibration.starts},
+                     {"budget", record.budget},
+                     {"objective", calibration.objective},
+                     {"scenario_errors", calibration.scenario_errors},
+                     {"evaluations", calibration.evaluations},
+                     {"converged", calibration.converged},
+                     {"at_bound", calibration.at_bound},
+                     {"seconds", record.seconds}};
+    for (const auto& [name, value] : calibration.parameters) document[name] = value;
+    return document;
 }
 
 std::vector<library::Failure> failures_of(const Library& library, const library::PatternEntry& entry) {
@@ -111,15 +107,30 @@ void print_response(const reduction::Response& response) {
     std::printf("\n");
 }
 
+/// "A 4.1e-06 m^2, theta 5.73 deg, .."
+std::string parameters_text(const reduction::Calibration& calibration) {
+    const reduction::TileModel& model = reduction::find_tile_model(calibration.model);
+    const std::vector<double> values = reduction::parameter_values(calibration, model);
+    std::vector<std::string> texts;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const reduction::TileParameter& parameter = model.parameters[i];
+        const bool is_angle = parameter.unit == "rad";
+        char text[64];
+        std::snprintf(text, sizeof text, "%.4g %s", is_angle ? values[i] * kDegreesPerRadian : values[i],
+                      is_angle ? "deg" : parameter.unit.c_str());
+        texts.push_back(parameter.name + " " + text);
+    }
+    return base::join(texts, ", ");
+}
+
 void print_calibration(const CalibrationRecord& record) {
     const reduction::Calibration& calibration = record.calibration;
-    const reduction::Paper6Parameters& p = calibration.parameters;
     std::printf("  %s by %s, seed %llu, %d starts: E = %.4f after %ld evaluations%s\n",
                 calibration.model.c_str(), calibration.optimizer.c_str(),
                 static_cast<unsigned long long>(calibration.seed), calibration.starts, calibration.objective,
                 calibration.evaluations, calibration.converged ? "" : ", not converged");
-    std::printf("    A %.4g m^2, I2 %.4g m^4, I3 %.4g m^4, J %.4g m^4, theta %.3f deg, R %.4g mm", p.A, p.I2,
-                p.I3, p.J, p.theta * 57.29577951308232, 1e3 * p.R);
+    if (calibration.parameters.empty()) return;
+    std::printf("    %s", parameters_text(calibration).c_str());
     if (!calibration.at_bound.empty())
         std::printf("; at a bound: %s", base::join(calibration.at_bound, ", ").c_str());
     std::printf("\n");

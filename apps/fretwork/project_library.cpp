@@ -19,7 +19,7 @@ std::optional<library::Library> open_project_library(const std::string& project_
     if (project.library_path.empty()) return std::nullopt;
     const std::string path = library_path_of(project_file, project);
     library::Library library = library::Library::open(path);
-    if (library.content_hash() != project.library_hash) {
+    if (!library.has_content(project.library_hash)) {
         throw base::InputError(
             project_file, "/library/hash",
             "the library " + path +

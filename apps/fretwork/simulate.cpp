@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fretwork simulate: a project under one of its load cases, with the full or a reduced model.
 #include "file_options.hpp"
+#include "interrupt.hpp"
 #include "project_library.hpp"
 #include "solve_output.hpp"
 #include "verbs.hpp"
@@ -9,7 +10,8 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/file.hpp>
 #include <fretwork/exports/writer_catalogue.hpp>
-#include <fretwork/simulation/model_catalogue.hpp>
+#include <fretwork/simulation/load_case_file.hpp>
+#include <fretwork/simulation/project_file.hpp>
 #include <fretwork/simulation/simulate.hpp>
 
 #include <cstdio>
@@ -83,20 +85,20 @@ void add_drawings(const Options& options, const Surface& surface, const mechanic
 
 ExitCode run(Options options) {
     if (options.linear) options.simulation.analysis = simulation::Analysis::Linear;
-    if (options.simulation.load_steps != 1 && !options.simulation.is_nonlinear())
-        throw base::InputError("--steps: a linear solution has no path to divide");
-    options.simulation.validate();
     const Project project = simulation::read_project(options.project);
     const auto library = open_project_library(options.project, project, options.library);
     const Surface surface = simulation::make_surface(project, library ? &*library : nullptr);
+    simulation::check(surface, options.simulation);
     const LoadCase load_case = chosen_load_case(project, options.load_case);
-    const mechanics::Result result = simulation::simulate(surface, load_case, options.simulation);
+    LongWork work;
+    const mechanics::Result result =
+        simulation::simulate(surface, load_case, options.simulation, work.control());
     base::FileBatch files;
     files.add(options.out, mechanics::result_text(result));
     if (!options.frame_out.empty()) {
         const auto conditions = simulation::resolve(load_case, surface);
         files.add(options.frame_out,
-                  mechanics::frame_text(simulation::full_model_frame(surface, conditions)));
+                  mechanics::frame_text(simulation::surface_frame(surface, {}, conditions)));
     }
     add_drawings(options, surface, result, files);
     files.commit();
@@ -113,9 +115,8 @@ ExitCode run(Options options) {
 
 std::string models_help() {
     std::string text = "Model:";
-    for (const simulation::ModelRow& model : simulation::model_catalogue()) {
-        text += "\n  " + std::string(model.name) + ": " + std::string(model.description);
-    }
+    for (const reduction::TileModel& model : reduction::tile_models())
+        text += "\n  " + model.name + ": " + model.summary;
     return text;
 }
 

@@ -10,6 +10,7 @@
 #include <fretwork/library/library.hpp>
 #include <fretwork/reduction/setting.hpp>
 #include <fretwork/simulation/project.hpp>
+#include <fretwork/simulation/project_file.hpp>
 #include <fretwork/tiling/painting.hpp>
 #include <fretwork/tiling/tessellate.hpp>
 
@@ -76,7 +77,7 @@ std::vector<std::string> chosen_palette(const Wishes& wishes, const pattern::Nod
             "--patterns", wishes.patterns,
             "a painting by chance needs patterns to choose from: give --palette or --library");
     for (const library::PatternEntry& entry : library->patterns()) {
-        if (library->best_calibration(entry.id)) palette.push_back(entry.id);
+        if (library->best_fit(entry.id)) palette.push_back(entry.id);
     }
     if (palette.empty())
         throw base::InputError(wishes.library, "", "has no calibrated pattern; name patterns with --palette");

@@ -22,7 +22,7 @@ namespace {
 
 using namespace fretwork;
 
-struct Wishes {
+struct Options {
     std::size_t patterns = 120;
     int reference_starts = 500;
     int threads = 0;
@@ -68,39 +68,38 @@ double thread_cpu_seconds() {
     return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-Measurement measure(const std::vector<reduction::Response>& responses, const reduction::Setting& setting,
-                    const reduction::CalibrationOptions& options) {
+Measurement measure(const reduction::PatternCase& input, const reduction::CalibrationOptions& options) {
     const double start = thread_cpu_seconds();
-    const auto found = reduction::calibrate_paper6(responses, setting, options);
+    const auto found = reduction::calibrate(reduction::find_tile_model("paper6"), input, options);
     return {found.objective, found.evaluations, thread_cpu_seconds() - start};
 }
 
 PatternResult examine(const pattern::NodeLayout& layout, const pattern::Pattern& pattern,
-                      const Wishes& wishes) {
+                      const Options& options) {
     const reduction::Setting setting = reduction::paper_setting();
     const auto responses = reduction::compute_responses(layout, pattern, setting);
     PatternResult result{pattern::pattern_id(layout, pattern), pattern.edge_count(), 0.0, {}};
-    result.reference = measure(responses, setting,
-                               {.optimizer = "gauss-newton-multistart",
-                                .starts = wishes.reference_starts,
-                                .seed = kReferenceSeed,
-                                .budget = kBudget})
+    const reduction::PatternCase input{layout, pattern, setting, responses};
+    result.reference = measure(input, {.optimizer = "gauss-newton-multistart",
+                                       .starts = options.reference_starts,
+                                       .seed = kReferenceSeed,
+                                       .budget = kBudget})
                            .objective;
     for (const Contender& contender : kContenders) {
         result.contenders.push_back(measure(
-            responses, setting,
+            input,
             {.optimizer = contender.optimizer, .starts = contender.starts, .seed = 1, .budget = kBudget}));
     }
     return result;
 }
 
-std::vector<PatternResult> examine_sample(const Wishes& wishes) {
+std::vector<PatternResult> examine_sample(const Options& options) {
     const auto layout = pattern::find_node_layout("paper7");
     const auto all =
         pattern::enumerate_patterns(layout, {.edges = pattern::default_edge_range(layout), .filters = {}});
     std::vector<int> edges;
     for (const auto& pattern : all) edges.push_back(pattern.edge_count());
-    const auto chosen = reduction::stratified_sample(edges, wishes.patterns);
+    const auto chosen = reduction::stratified_sample(edges, options.patterns);
     base::TerminalProgress progress;
     progress.start("calibration quality", chosen.size());
     std::vector<PatternResult> results;
@@ -108,8 +107,8 @@ std::vector<PatternResult> examine_sample(const Wishes& wishes) {
     for (std::size_t begin = 0; begin < chosen.size(); begin += kBatch) {
         const std::size_t count = std::min(kBatch, chosen.size() - begin);
         std::vector<PatternResult> batch(count);
-        base::parallel_for(count, wishes.threads, [&](std::size_t i) {
-            batch[i] = examine(layout, all[chosen[begin + i]], wishes);
+        base::parallel_for(count, options.threads, [&](std::size_t i) {
+            batch[i] = examine(layout, all[chosen[begin + i]], options);
         });
         std::ranges::move(batch, std::back_inserter(results));
         progress.update(results.size());
@@ -165,18 +164,18 @@ void print_table(const std::vector<PatternResult>& results) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    Wishes wishes;
+    Options options;
     CLI::App app("Compare calibrations with the best known ones.");
-    app.add_option("--patterns", wishes.patterns, "How many, spread over the numbers of edges")
+    app.add_option("--patterns", options.patterns, "How many, spread over the numbers of edges")
         ->capture_default_str();
-    app.add_option("--reference-starts", wishes.reference_starts, "Starts of the reference")
+    app.add_option("--reference-starts", options.reference_starts, "Starts of the reference")
         ->capture_default_str();
-    app.add_option("--threads", wishes.threads, "Threads; 0: all there are")->capture_default_str();
-    app.add_option("--out", wishes.out, "The CSV file to write")->capture_default_str();
+    app.add_option("--threads", options.threads, "Threads; 0: all there are")->capture_default_str();
+    app.add_option("--out", options.out, "The CSV file to write")->capture_default_str();
     CLI11_PARSE(app, argc, argv);
     try {
-        const auto results = examine_sample(wishes);
-        base::write_file_atomically(wishes.out, csv(results));
+        const auto results = examine_sample(options);
+        base::write_file_atomically(options.out, csv(results));
         print_table(results);
     } catch (const base::Error& error) {
         std::fprintf(stderr, "calibration_quality: %s\n", error.what());

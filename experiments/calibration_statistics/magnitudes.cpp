@@ -26,7 +26,10 @@ Found examine(const Study& study, const pattern::Pattern& pattern, const reducti
     for (const auto& response : responses) {
         for (const auto& sample : response.samples) found.not_converged += sample.converged ? 0 : 1;
     }
-    found.objective = reduction::calibrate_paper6(responses, setting, study.options).objective;
+    found.objective =
+        reduction::calibrate(reduction::find_tile_model("paper6"),
+                             {study.library.layout(), pattern, setting, responses}, study.options)
+            .objective;
     return found;
 }
 

@@ -13,7 +13,8 @@ namespace {
 using namespace fretwork;
 
 void print_objectives(const experiments::Study& study) {
-    const library::CalibrationKey key = library::calibration_key(study.options);
+    const library::CalibrationKey key =
+        library::calibration_key(study.options, reduction::find_tile_model("paper6"));
     std::vector<double> objectives;
     std::size_t at_bound = 0;
     for (const auto& entry : study.patterns) {

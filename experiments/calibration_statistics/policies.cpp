@@ -2,7 +2,9 @@
 #include "study.hpp"
 
 #include <fretwork/base/parallel.hpp>
+#include <fretwork/reduction/calibration.hpp>
 #include <fretwork/reduction/objective.hpp>
+#include <fretwork/reduction/paper6_hexagon.hpp>
 
 #include <cstdio>
 #include <optional>
@@ -10,9 +12,9 @@
 namespace fretwork::experiments {
 namespace {
 
-using reduction::Branch;
 using reduction::Calibration;
 using reduction::Objective;
+using reduction::SamplePolicy;
 using reduction::Setting;
 
 /// One pattern, calibrated under both policies.
@@ -24,23 +26,31 @@ struct Pair {
     double stable_on_paper = 0.0;  ///< and the other way round
 };
 
-Setting under(Setting setting, Branch branch) {
-    setting.branch = branch;
+Setting under(Setting setting, SamplePolicy policy) {
+    setting.sample_policy = policy;
     return setting;
 }
 
-std::optional<Pair> compare(const std::vector<reduction::Response>& responses, const Study& study) {
-    const Setting paper = under(study.library.setting(), Branch::Paper);
-    const Setting stable = under(study.library.setting(), Branch::Stable);
+std::optional<Pair> compare(const library::PatternEntry& entry, const Study& study,
+                            const std::vector<reduction::Response>& responses) {
+    const Setting paper = under(study.library.setting(), SamplePolicy::Paper);
+    const Setting stable = under(study.library.setting(), SamplePolicy::Stable);
     const Objective on_paper(responses, paper);
     const Objective on_stable(responses, stable);
     if (on_stable.sample_count() == 0) return std::nullopt;
-    const Calibration a = reduction::calibrate_paper6(responses, paper, study.options);
-    const Calibration b = reduction::calibrate_paper6(responses, stable, study.options);
+    const reduction::TileModel& paper6 = reduction::find_tile_model("paper6");
+    const auto fit = [&](const Setting& setting) {
+        return calibrate(paper6, {study.library.layout(), entry.pattern, setting, responses}, study.options);
+    };
+    const Calibration a = fit(paper);
+    const Calibration b = fit(stable);
+    const auto parameters_of = [&](const Calibration& calibration) {
+        return reduction::Paper6Parameters::from_values(parameter_values(calibration, paper6));
+    };
     const reduction::Paper6Hexagon model(paper);
     return Pair{on_paper.sample_count() - on_stable.sample_count(), a.objective, b.objective,
-                on_stable.value(model.displacements(a.parameters)),
-                on_paper.value(model.displacements(b.parameters))};
+                on_stable.value(model.displacements(parameters_of(a))),
+                on_paper.value(model.displacements(parameters_of(b)))};
 }
 
 void print_rows(const char* who, const std::vector<Pair>& pairs) {
@@ -65,7 +75,7 @@ void print_policies(const Study& study) {
     std::vector<std::optional<Pair>> found(study.patterns.size());
     for (const auto& entry : study.patterns) responses.push_back(study.library.responses(entry.id));
     base::parallel_for(found.size(), study.threads,
-                       [&](std::size_t i) { found[i] = compare(responses[i], study); });
+                       [&](std::size_t i) { found[i] = compare(study.patterns[i], study, responses[i]); });
     std::vector<Pair> all;
     std::vector<Pair> changed;
     std::size_t left_out = 0;

@@ -18,7 +18,7 @@ namespace {
 
 using namespace fretwork;
 
-struct Wishes {
+struct Options {
     std::size_t patterns = 0;  ///< of the tally; 0: all
     std::size_t sample = 30;   ///< of the divisions
     bool stable_branch = false;
@@ -32,12 +32,12 @@ struct Ending {
     bool refused = false;  ///< the structure, as held, is a mechanism
 };
 
-Ending follow(const mechanics::Frame& frame, const std::vector<double>& factors, const Wishes& wishes) {
+Ending follow(const mechanics::Frame& frame, const std::vector<double>& factors, const Options& options) {
     Ending ending;
-    mechanics::EquilibriumOptions options;
-    if (wishes.stable_branch) options.branch = mechanics::Branch::Stable;
+    mechanics::EquilibriumOptions path_options;
+    if (options.stable_branch) path_options.branch = mechanics::Branch::Stable;
     try {
-        const auto path = follow_load_path(mechanics::assemble(frame), factors, options);
+        const auto path = follow_load_path(mechanics::assemble(frame), factors, path_options);
         ending.termination = path.back().termination;
         ending.load_factor = path.back().load_factor;
         ending.stable = path.back().stable;
@@ -83,17 +83,17 @@ void print_tally(const reduction::Setting& setting, const std::vector<std::vecto
     }
 }
 
-void tally(const pattern::NodeLayout& layout, const reduction::Setting& setting, const Wishes& wishes) {
+void tally(const pattern::NodeLayout& layout, const reduction::Setting& setting, const Options& options) {
     const auto all = all_patterns(layout);
-    const auto chosen = wishes.patterns == 0 ? all : stratified(all, wishes.patterns);
+    const auto chosen = options.patterns == 0 ? all : stratified(all, options.patterns);
     const auto factors = mechanics::even_load_factors(setting.magnitudes);
     std::vector<std::vector<Ending>> endings(chosen.size());
     const auto start = std::chrono::steady_clock::now();
-    base::parallel_for(chosen.size(), wishes.threads, [&](std::size_t i) {
+    base::parallel_for(chosen.size(), options.threads, [&](std::size_t i) {
         const auto tile =
             mechanics::refined(reduction::pattern_frame(layout, chosen[i], setting), setting.divisions);
         for (const auto& scenario : setting.scenarios)
-            endings[i].push_back(follow(reduction::scenario_frame(tile, scenario), factors, wishes));
+            endings[i].push_back(follow(reduction::scenario_frame(tile, scenario), factors, options));
     });
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     print_tally(setting, endings);
@@ -101,9 +101,9 @@ void tally(const pattern::NodeLayout& layout, const reduction::Setting& setting,
                 setting.scenarios.size(), setting.magnitudes, seconds.count());
 }
 
-void divisions(const pattern::NodeLayout& layout, const reduction::Setting& setting, const Wishes& wishes) {
+void divisions(const pattern::NodeLayout& layout, const reduction::Setting& setting, const Options& options) {
     const auto factors = mechanics::even_load_factors(setting.magnitudes);
-    const auto chosen = stratified(all_patterns(layout), wishes.sample);
+    const auto chosen = stratified(all_patterns(layout), options.sample);
     constexpr int kDivisions[] = {1, 2, 4};
     std::printf(
         "| scenario | elements a beam | median error | 90 %% | largest | median of the estimates | largest "
@@ -147,17 +147,17 @@ void divisions(const pattern::NodeLayout& layout, const reduction::Setting& sett
 }  // namespace
 
 int main(int argc, char** argv) {
-    Wishes wishes;
+    Options options;
     CLI::App app{"How the load paths of a library's responses end, and what coarse divisions cost."};
-    app.add_option("--patterns", wishes.patterns, "so many patterns for the tally; 0: all")
+    app.add_option("--patterns", options.patterns, "so many patterns for the tally; 0: all")
         ->capture_default_str();
-    app.add_option("--sample", wishes.sample, "so many patterns for the study of divisions")
+    app.add_option("--sample", options.sample, "so many patterns for the study of divisions")
         ->capture_default_str();
-    app.add_flag("--stable-branch", wishes.stable_branch, "leave unstable paths for stable ones");
-    app.add_option("--threads", wishes.threads)->capture_default_str();
+    app.add_flag("--stable-branch", options.stable_branch, "leave unstable paths for stable ones");
+    app.add_option("--threads", options.threads)->capture_default_str();
     CLI11_PARSE(app, argc, argv);
     const auto layout = pattern::find_node_layout("paper7");
     const auto setting = reduction::paper_setting();
-    tally(layout, setting, wishes);
-    if (wishes.sample > 0) divisions(layout, setting, wishes);
+    tally(layout, setting, options);
+    if (options.sample > 0) divisions(layout, setting, options);
 }

@@ -12,7 +12,7 @@ using testing::HasSubstr;
 TEST(SurfaceLines, AreTheBeamsOfAllFans) {
     const simulation::Surface surface = sample_surface();
     const LineSet lines = surface_lines(surface);
-    EXPECT_EQ(lines.nodes.size(), surface.fan.nodes.size());
+    EXPECT_EQ(lines.nodes.size(), simulation::surface_fan(surface).nodes.size());
     // Per hexagon: 6 sectors of 2, 2 and 3 edges, each pattern on 2 of the 6 tiles.
     EXPECT_EQ(lines.lines.size(), 2U * 6U * (2U + 2U + 3U));
     EXPECT_EQ(lines.tiles.size(), lines.lines.size());

@@ -13,7 +13,9 @@ using testing::HasSubstr;
 TEST(ReducedSheet, HasEachPatternAndItsReducedModelWithItsFacts) {
     const auto layout = pattern::find_node_layout("paper7");
     reduction::Calibration calibration;
-    calibration.parameters = {4e-6, 1e-12, 1e-12, 1e-12, 0.1, 0.01};
+    calibration.model = "paper6";
+    calibration.parameters = {{"A", 4e-6},  {"I2", 1e-12}, {"I3", 1e-12},
+                              {"J", 1e-12}, {"R", 0.01},   {"theta", 0.1}};
     calibration.objective = 3.25;
     const std::vector<ReducedPattern> patterns = {{pattern::parse_pattern_id(layout, "0-1+1-6"), calibration},
                                                   {pattern::parse_pattern_id(layout, "1-6+3-6")}};
@@ -21,7 +23,7 @@ TEST(ReducedSheet, HasEachPatternAndItsReducedModelWithItsFacts) {
     EXPECT_EQ(svg.count("polygon"), 3U) << "two patterns and one reduced model";
     EXPECT_EQ(svg.count("circle"), 6U) << "the reduced model's interface nodes";
     EXPECT_THAT(svg.words(), HasSubstr("0-1+1-6\n"));
-    EXPECT_THAT(svg.words(), HasSubstr("= 5.73\xc2\xb0, E = 3.25\n"));
+    EXPECT_THAT(svg.words(), HasSubstr("theta = 5.73\xc2\xb0, E = 3.25\n"));
     EXPECT_THAT(svg.words(), HasSubstr("not calibrated\n"));
 }
 

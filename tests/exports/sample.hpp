@@ -73,14 +73,15 @@ inline simulation::Surface sample_surface(int columns = 3, int rows = 2) {
 enum class Rows { EveryNode, InterfaceNodes };
 inline mechanics::Result bent(const simulation::Surface& surface, Rows rows, double share = 1.0) {
     const std::size_t interfaces = surface.tessellation.interface_nodes.size();
-    const std::size_t count = rows == Rows::EveryNode ? surface.fan.nodes.size() : interfaces;
+    const tiling::TessellationFan fan = simulation::surface_fan(surface);
+    const std::size_t count = rows == Rows::EveryNode ? fan.nodes.size() : interfaces;
     double xmax = 0.0;
-    for (const auto& node : surface.fan.nodes) xmax = std::max(xmax, node.x);
+    for (const auto& node : fan.nodes) xmax = std::max(xmax, node.x);
     mechanics::Result result;
     result.solver = "made up";
     result.solution.displacements = mechanics::NodeValues::Zero(static_cast<Eigen::Index>(count), 6);
     for (std::size_t i = 0; i < count; ++i) {
-        const auto& node = surface.fan.nodes[i];
+        const auto& node = fan.nodes[i];
         result.nodes.push_back({static_cast<int>(i), {node.x, node.y, 0.0}, i < interfaces});
         const double angle = 0.9 * share * node.x / xmax;
         const double radius = xmax / (0.9 * share);

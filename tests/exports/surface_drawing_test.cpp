@@ -33,7 +33,7 @@ TEST_F(SurfaceDrawing, HasATileInItsPatternsColourAndALineForEveryBeam) {
         EXPECT_EQ(polygon.attribute("fill").value(),
                   pattern_colour(surface_.tessellation.tiles[tile++].pattern));
     }
-    EXPECT_EQ(lines_of_layer(svg.layer("beams")), surface_.fan.edges.size());
+    EXPECT_EQ(lines_of_layer(svg.layer("beams")), simulation::surface_fan(surface_).edges.size());
     for (const std::string& id : surface_.tessellation.patterns)
         EXPECT_THAT(svg.words(), HasSubstr(id + "\n"));
 }

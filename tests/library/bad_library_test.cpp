@@ -49,7 +49,14 @@ TEST_F(BadLibrary, AnotherSqliteFileIsNoLibraryAndIsNotOverwritten) {
 TEST_F(BadLibrary, ANewerVersionIsRefusedWithBothNumbers) {
     make_library(path());
     sql("PRAGMA user_version = 7");
-    EXPECT_THAT(complaint(), AllOf(HasSubstr("version 7"), HasSubstr("reads version 3")));
+    EXPECT_THAT(complaint(), AllOf(HasSubstr("version 7"), HasSubstr("up to 4"), HasSubstr("newer program")));
+}
+
+TEST_F(BadLibrary, AnOlderVersionThanTheThirdIsRefusedWithWhatToDo) {
+    make_library(path());
+    sql("PRAGMA user_version = 2");
+    EXPECT_THAT(complaint(),
+                AllOf(HasSubstr("version 2"), HasSubstr("from 3 on"), HasSubstr("make it anew")));
 }
 
 TEST_F(BadLibrary, ALibraryThatExistsIsNotMadeAgain) {

@@ -56,8 +56,7 @@ TEST_F(LibraryTest, GivesBackWhatWasStoredToTheLastBit) {
     EXPECT_EQ(got.calibration.scenario_errors, wanted.calibration.scenario_errors);
     EXPECT_EQ(got.calibration.evaluations, wanted.calibration.evaluations);
     EXPECT_EQ(got.calibration.at_bound, wanted.calibration.at_bound);
-    EXPECT_EQ(got.calibration.parameters.I2, wanted.calibration.parameters.I2);
-    EXPECT_EQ(got.calibration.parameters.R, wanted.calibration.parameters.R);
+    EXPECT_EQ(got.calibration.parameters, wanted.calibration.parameters);
     EXPECT_EQ(library.properties("0-1+1-6"), data.properties);
 }
 
@@ -241,9 +240,9 @@ TEST_F(LibraryTest, TheBestCalibrationHasTheSmallestObjectiveOfItsModel) {
     data.calibrations.push_back(sample_calibration(1.0, 3));
     data.calibrations.back().calibration.model = "ring10";
     library.store(std::vector{data});
-    EXPECT_EQ(library.best_calibration("0-1+1-6")->calibration.seed, 2U);
+    EXPECT_EQ(library.best_calibration("0-1+1-6", "paper6")->calibration.seed, 2U);
     EXPECT_EQ(library.best_calibration("0-1+1-6", "ring10")->calibration.seed, 3U);
-    EXPECT_FALSE(library.best_calibration("1-6+3-6").has_value());
+    EXPECT_FALSE(library.best_calibration("1-6+3-6", "paper6").has_value());
     EXPECT_FALSE(library.best_calibration("0-1+1-6", "other").has_value());
 }
 

@@ -4,6 +4,7 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/file.hpp>
 #include <fretwork/library/detail/draft.hpp>
+#include <fretwork/library/merge.hpp>
 
 namespace fretwork::library {
 namespace {

@@ -46,8 +46,7 @@ class LibraryReadme : public testing::Test {
                                   "0-1+1-2+1-3+1-4+2-5+2-6+4-5", "0-1+1-2+1-3+2-3+2-5+4-5+4-6"});
         FillOptions options;
         options.calibration.starts = 1;
-        base::SilentProgress silent;
-        ASSERT_EQ(fill(library, library.patterns(), options, silent).done, 7U);
+        ASSERT_EQ(fill(library, library.patterns(), options).done, 7U);
     }
     static void TearDownTestSuite() { folder_.reset(); }
 
@@ -118,7 +117,7 @@ TEST_F(LibraryReadme, BestCalibratedNamesTheWorstScenario) {
     const auto rows = rows_of("Best calibrated");
     ASSERT_EQ(rows.size(), 7U);
     const Library library = Library::open(path());
-    const auto best = library.best_calibration(rows[0].at("pattern_id"));
+    const auto best = library.best_calibration(rows[0].at("pattern_id"), "paper6");
     EXPECT_DOUBLE_EQ(std::stod(rows[0].at("objective")), best->calibration.objective);
     const auto& errors = best->calibration.scenario_errors;
     const auto worst = std::ranges::max_element(errors) - errors.begin();

@@ -63,7 +63,9 @@ inline CalibrationRecord sample_calibration(double objective, std::uint64_t seed
     record.calibration.objective = objective;
     record.calibration.scenario_errors = {0.1, 0.2, 1.0 / 3.0, 0.4, 0.5};
     record.calibration.evaluations = 1234;
-    record.calibration.parameters = {4e-6, 1.0 / 3e12, 1.3e-12, 2.25e-12, -0.1, 0.012};
+    record.calibration.model = "paper6";
+    record.calibration.parameters = {{"A", 4e-6},     {"I2", 1.0 / 3e12}, {"I3", 1.3e-12},
+                                     {"J", 2.25e-12}, {"R", 0.012},       {"theta", -0.1}};
     record.calibration.at_bound = {"A", "theta"};
     record.budget = 20000;
     record.seconds = 0.25;

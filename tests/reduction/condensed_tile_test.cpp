@@ -3,7 +3,7 @@
 
 #include <fretwork/base/error.hpp>
 #include <fretwork/mechanics/linear_solver.hpp>
-#include <fretwork/reduction/model_catalogue.hpp>
+#include <fretwork/reduction/condensed_tile.hpp>
 #include <fretwork/reduction/objective.hpp>
 
 #include <Eigen/Eigenvalues>
@@ -42,7 +42,7 @@ TEST(CondensedTile, AnswersEveryScenarioAsTheWholeFrameDoes) {
         const auto pattern = paper_pattern(id);
         const auto K = condensed_tile(paper_layout(), pattern, pattern::regular_polygon(6, setting.tile_side),
                                       paper_bars());
-        const auto model = stiffness_displacements(K, setting);
+        const auto model = unit_displacements(K, setting);
         const auto tile = pattern_frame(paper_layout(), pattern, setting);
         for (std::size_t s = 0; s < 5; ++s) {
             Scenario unit = setting.scenarios[s];
@@ -61,8 +61,7 @@ TEST(CondensedTile, ErrorVanishesWithTheLoads) {
         Setting scaled = setting;
         for (Scenario& scenario : scaled.scenarios) scenario.max_magnitude *= factor;
         const auto responses = compute_responses(paper_layout(), pattern, scaled);
-        return find_reduced_model("condensed")
-            .prepare({paper_layout(), pattern, scaled, responses}, {})
+        return calibrate(find_tile_model("condensed"), {paper_layout(), pattern, scaled, responses})
             .objective;
     };
     EXPECT_LT(error_at(1e-3), 1e-4 * error_at(1.0));
@@ -78,33 +77,12 @@ TEST(CondensedTile, RefusesAPatternThatLeavesInterfaceNodesFree) {
     }
 }
 
-TEST(ReducedModels, SolveOnlyWhatIsHeld) {
+TEST(UnitDisplacements, RefuseATileThatCanMoveFreely) {
     Setting setting = paper_setting();
     setting.scenarios[4].held.clear();
     const auto K = condensed_tile(paper_layout(), paper_pattern("0-1+1-6"),
                                   pattern::regular_polygon(6, setting.tile_side), paper_bars());
-    EXPECT_THROW((void)stiffness_displacements(K, setting), base::NumericalError);
-}
-
-TEST(ReducedModels, AreFoundByName) {
-    EXPECT_EQ(find_reduced_model("paper6").preparation, Preparation::Calibration);
-    EXPECT_EQ(find_reduced_model("condensed").preparation, Preparation::None);
-    EXPECT_THROW((void)find_reduced_model("papr6"), base::InputError);
-}
-
-/// Every row answers for a real pattern, with an objective that is the sum of its parts.
-TEST(ReducedModels, AllGiveAnObjectiveThatAddsUp) {
-    const Setting setting = paper_setting();
-    const auto pattern = paper_pattern("0-1+1-6");
-    const auto responses = compute_responses(paper_layout(), pattern, setting);
-    for (const auto& row : reduced_model_catalogue()) {
-        const Calibration result = row.prepare({paper_layout(), pattern, setting, responses}, {});
-        EXPECT_EQ(result.model, row.name);
-        double sum = 0.0;
-        for (const double part : result.scenario_errors) sum += part;
-        EXPECT_NEAR(sum, result.objective, 1e-12 * sum);
-        EXPECT_GT(result.objective, 0.0);
-    }
+    EXPECT_THROW((void)unit_displacements(K, setting), base::NumericalError);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <fretwork/optimization/random.hpp>
 #include <fretwork/pattern/node_layout.hpp>
 #include <fretwork/pattern/pattern.hpp>
+#include <fretwork/reduction/calibration.hpp>
 #include <fretwork/reduction/linear_response.hpp>
 #include <fretwork/reduction/paper6_problem.hpp>
 #include <fretwork/reduction/response.hpp>
@@ -31,6 +32,16 @@ inline Paper6Parameters random_parameters(const Setting& setting, optimization::
     const auto linear = [&](double a, double b) { return a + (b - a) * share(); };
     return {logarithmic(low.A, high.A), logarithmic(low.I2, high.I2),  logarithmic(low.I3, high.I3),
             logarithmic(low.J, high.J), linear(low.theta, high.theta), linear(low.R, high.R)};
+}
+
+/// The paper's model fitted to responses. The pattern plays no part in it.
+inline Calibration calibrate_paper6(const std::vector<Response>& responses, const Setting& setting,
+                                    const CalibrationOptions& options = {}) {
+    const pattern::Pattern any = paper_pattern("0-1+1-6");
+    return calibrate(find_tile_model("paper6"), {paper_layout(), any, setting, responses}, options);
+}
+inline Paper6Parameters paper6_parameters(const Calibration& calibration) {
+    return Paper6Parameters::from_values(parameter_values(calibration, find_tile_model("paper6")));
 }
 
 /// The largest entry of a difference, relative to the largest entry.

@@ -198,7 +198,7 @@ TEST(Objective, TheStablePolicyLeavesOutAllThatFollowsTheFirstLossOfStability) {
     responses[3].samples[9].converged = false;
     responses[3].samples[9].stable = false;
     Setting stable = example().setting;
-    stable.branch = Branch::Stable;
+    stable.sample_policy = SamplePolicy::Stable;
     EXPECT_EQ(Objective(responses, stable).left_out(), 5U);
     EXPECT_EQ(Objective(responses, example().setting).left_out(), 1U);
     // What is left out does not count.

@@ -4,7 +4,6 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/mechanics/linear_solver.hpp>
 #include <fretwork/reduction/condensed_tile.hpp>
-#include <fretwork/reduction/model_catalogue.hpp>
 #include <fretwork/reduction/paper6_tile.hpp>
 
 #include <gmock/gmock.h>

@@ -31,6 +31,8 @@ TEST(PaperScenarios, AreTheFilesOfTheExperiments) {
         const std::string path =
             std::string(FRETWORK_SOURCE_DIR) + "/experiments/scenarios/" + scenario.name + ".json";
         EXPECT_EQ(parse_scenario(base::read_text_file(path), path), scenario);
+        EXPECT_EQ(parse_scenario(scenario_text(scenario), "its own text"), scenario);
+        EXPECT_EQ(read_scenario(path), scenario);
     }
 }
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "support.hpp"
+
 #include <fretwork/base/error.hpp>
 #include <fretwork/reduction/setting.hpp>
+#include <fretwork/reduction/setting_file.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -23,7 +26,7 @@ TEST(PaperSetting, IsThatOfSection71) {
     // Saint-Venant's constant of a square, 0.140577 a^4 (Timoshenko and Goodier, table in 109).
     EXPECT_NEAR(setting.section.J, 0.140577 * 16e-12, 1e-6 * 16e-12);
     EXPECT_EQ(setting.magnitudes, 10);
-    EXPECT_EQ(setting.branch, Branch::Paper);
+    EXPECT_EQ(setting.sample_policy, SamplePolicy::Paper);
 }
 
 TEST(PaperSetting, IsTheFileOfTheExperiments) {
@@ -35,7 +38,7 @@ TEST(PaperSetting, IsTheFileOfTheExperiments) {
 
 TEST(SettingText, ReadsBackAsTheSameSetting) {
     Setting setting = paper_setting();
-    setting.branch = Branch::Stable;
+    setting.sample_policy = SamplePolicy::Stable;
     setting.divisions = 3;
     setting.tile_side = 0.1 / 3.0;
     setting.material.given_shear_modulus = 3.7e8;
@@ -101,6 +104,17 @@ TEST(SettingFile, BadInputIsRefusedByItsPlace) {
     EXPECT_THAT(complaint(R"("material": {"young_modulus": 0, "poisson_ratio": 0.3})"),
                 HasSubstr("/material/young_modulus"));
     EXPECT_THROW((void)read_setting("/nowhere/setting.json"), base::InputError);
+}
+
+TEST(SettingFile, WritingWhatWasReadGivesAnEqualSetting) {
+    const test::TemporaryFolder folder;
+    Setting setting = paper_setting();
+    setting.material.young_modulus = 2.3465e9;
+    setting.sample_policy = SamplePolicy::Stable;
+    write_setting(setting, folder.path() / "setting.json");
+    EXPECT_EQ(read_setting(folder.path() / "setting.json"), setting);
+    write_scenario(setting.scenarios[2], folder.path() / "scenario.json");
+    EXPECT_EQ(read_scenario(folder.path() / "scenario.json"), setting.scenarios[2]);
 }
 
 }  // namespace

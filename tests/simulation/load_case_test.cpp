@@ -3,6 +3,7 @@
 #include "support.hpp"
 
 #include <fretwork/simulation/conditions.hpp>
+#include <fretwork/simulation/load_case_file.hpp>
 
 namespace fretwork::simulation {
 namespace {
@@ -89,9 +90,10 @@ TEST(Conditions, GravityIsTheWeightOfAllBeams) {
     LoadCase load_case;
     load_case.gravity = {0, 0, -9.81};
     double length = 0.0;
-    for (const auto& edge : surface.fan.edges) {
-        const auto& a = surface.fan.nodes[static_cast<std::size_t>(edge.nodes[0])];
-        const auto& b = surface.fan.nodes[static_cast<std::size_t>(edge.nodes[1])];
+    const tiling::TessellationFan fan = surface_fan(surface);
+    for (const auto& edge : fan.edges) {
+        const auto& a = fan.nodes[static_cast<std::size_t>(edge.nodes[0])];
+        const auto& b = fan.nodes[static_cast<std::size_t>(edge.nodes[1])];
         length += std::hypot(a.x - b.x, a.y - b.y);
     }
     double weight = 0.0;

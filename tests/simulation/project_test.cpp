@@ -3,6 +3,8 @@
 #include "support.hpp"
 
 #include <fretwork/base/text.hpp>
+#include <fretwork/simulation/load_case_file.hpp>
+#include <fretwork/simulation/project_file.hpp>
 
 #include <regex>
 
@@ -48,6 +50,47 @@ TEST(ProjectFile, KeepsItsLibrary) {
     EXPECT_EQ(read_project(folder.path() / "a.json").library_hash, "abc");
 }
 
+TEST(ProjectFile, KeepsItsSettingAndTheModelsOfItsTiles) {
+    Project project = example();
+    project.setting = reduction::paper_setting();
+    project.setting->material.young_modulus = 2.3465e9;
+    project.tile_models = {{"full", {tiling::TileIndex(2), tiling::TileIndex(5)}}};
+    const Project read = parse_project(project_text(project), "its own text");
+    EXPECT_EQ(read.setting, project.setting);
+    ASSERT_EQ(read.tile_models.size(), 1U);
+    EXPECT_EQ(read.tile_models[0].tiles, project.tile_models[0].tiles);
+    EXPECT_EQ(make_surface(read, nullptr).setting, *project.setting);
+    EXPECT_EQ(make_surface(read, nullptr).tile_models[5], "full");
+}
+
+/// A project that a program of the first format made, with a library.
+TEST(ProjectFile, ReadsTheFirstFormat) {
+    const Project read =
+        read_project(std::filesystem::path(FRETWORK_SOURCE_DIR) / "tests/simulation/data/project1.json");
+    EXPECT_EQ(read.tessellation.tiles.size(), 29U);
+    EXPECT_EQ(read.library_path, "s.db");
+    EXPECT_FALSE(read.setting.has_value());
+    EXPECT_EQ(make_surface(read, nullptr).setting, reduction::paper_setting());
+}
+
+TEST(ProjectFile, RefusesModelsOfTilesThatAreNotThereOrAreChosenTwice) {
+    const auto complaint = [](std::vector<tiling::TileIndex> tiles) {
+        Project project = example();
+        project.tile_models = {{"full", std::move(tiles)}};
+        return complaint_of([&] { (void)parse_project(project_text(project), "p.json"); });
+    };
+    EXPECT_THAT(complaint({tiling::TileIndex(6)}), HasSubstr("/tile_models/0/tiles/0"));
+    EXPECT_THAT(complaint({tiling::TileIndex(1), tiling::TileIndex(1)}), HasSubstr("chosen twice"));
+}
+
+TEST(LoadCaseFile, WritingWhatWasReadGivesTheSameFile) {
+    const TemporaryFolder folder;
+    const LoadCase load_case = example().load_cases[1];
+    write_load_case(load_case, folder.path() / "case.json");
+    EXPECT_EQ(load_case_text(read_load_case(folder.path() / "case.json")), load_case_text(load_case));
+    EXPECT_EQ(load_case_text(parse_load_case(load_case_text(load_case), "text")), load_case_text(load_case));
+}
+
 /// The complaint about a project file in which the first match of `what` is replaced.
 std::string complaint_after(const std::string& what, const std::string& replacement) {
     const TemporaryFolder folder;
@@ -68,8 +111,7 @@ TEST(ProjectFile, RefusesWhatDoesNotFitTogether) {
     EXPECT_THAT(complaint_after("\"interface_nodes\": \\[0", "\"interface_nodes\": [3"),
                 HasSubstr("/tessellation"));
     EXPECT_THAT(complaint_after("\"other\"", "\"cantilever\""), HasSubstr("the name of two load cases"));
-    EXPECT_THAT(complaint_after("fretwork/project/1", "fretwork/project/9"),
-                HasSubstr("\"fretwork/project/1\" is needed"));
+    EXPECT_THAT(complaint_after("fretwork/project/2", "fretwork/project/9"), HasSubstr("unknown choice 'fretwork/project/9'"));
     EXPECT_THAT(complaint_after("\"1/3\"", "\"1/0\""), HasSubstr("/layout"));
 }
 

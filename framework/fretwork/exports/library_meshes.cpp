@@ -35,9 +35,10 @@ std::size_t export_meshes(const library::Library& library, const std::filesystem
     };
     for (const library::PatternEntry& entry : library.patterns()) {
         write(entry.id, pattern_lines(library.layout(), entry.pattern, library.setting()));
-        if (const auto best = library.best_calibration(entry.id)) {
-            write(entry.id + ".paper6",
-                  frame_lines(reduction::paper6_tile(best->calibration.parameters, library.setting())));
+        for (const reduction::Calibration& best : library.best_calibrations(entry.id)) {
+            if (best.parameters.empty()) continue;  // its beams, if it has any, are the pattern's
+            write(entry.id + "." + best.model,
+                  model_lines(library.layout(), entry.pattern, best, library.setting()));
         }
     }
     return files;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
 #include <fretwork/exports/line_set.hpp>
+#include <fretwork/reduction/model_response.hpp>
 
 #include <cstdio>
 
@@ -73,8 +74,9 @@ struct DrawnNodes {
 
 LineSet surface_lines(const Surface& surface) {
     LineSet set;
-    for (const pattern::Point2& node : surface.fan.nodes) set.nodes.emplace_back(node.x, node.y, 0.0);
-    for (const tiling::TessellationFan::Edge& edge : surface.fan.edges) {
+    const tiling::TessellationFan fan = simulation::surface_fan(surface);
+    for (const pattern::Point2& node : fan.nodes) set.nodes.emplace_back(node.x, node.y, 0.0);
+    for (const tiling::TessellationFan::Edge& edge : fan.edges) {
         set.lines.push_back({edge.nodes[0].value, edge.nodes[1].value});
         set.tiles.push_back(edge.tile.value);
         set.patterns.push_back(surface.tessellation.tiles[static_cast<std::size_t>(edge.tile)].pattern);
@@ -84,8 +86,9 @@ LineSet surface_lines(const Surface& surface) {
 
 LineSet result_lines(const Surface& surface, const mechanics::Result& result) {
     require_same_surface(surface, result);
-    const bool has_every_beam = result.nodes.size() == surface.fan.nodes.size();
-    LineSet set = has_every_beam ? surface_lines(surface) : tile_loops(surface);
+    LineSet set = surface_lines(surface);
+    const bool has_every_beam = result.nodes.size() == set.nodes.size();
+    if (!has_every_beam) set = tile_loops(surface);
     set.displacements = result.solution.displacements.topRows(static_cast<Eigen::Index>(set.nodes.size()));
     return set;
 }
@@ -127,6 +130,13 @@ std::vector<Eigen::Vector3d> displaced_nodes(const LineSet& lines, double scale)
         places[i] += scale * lines.displacements->row(static_cast<Eigen::Index>(i)).head<3>().transpose();
     }
     return places;
+}
+
+LineSet model_lines(const pattern::NodeLayout& layout, const pattern::Pattern& pattern,
+                    const reduction::Calibration& calibration, const reduction::Setting& setting) {
+    const reduction::TileModel& model = reduction::find_tile_model(calibration.model);
+    const reduction::ModelTile tile(model, layout, pattern, setting);
+    return frame_lines(tile.parts(reduction::parameter_values(calibration, model)).beams);
 }
 
 }  // namespace fretwork::exports

@@ -48,4 +48,8 @@ LineSet solution_lines(const mechanics::Assembly& assembly, const mechanics::Res
 /// The positions of the nodes with `scale` times their displacements.
 std::vector<Eigen::Vector3d> displaced_nodes(const LineSet& lines, double scale = 1.0);
 
+/// The beams of a calibrated tile model of a pattern, in the setting's regular polygon.
+LineSet model_lines(const pattern::NodeLayout& layout, const pattern::Pattern& pattern,
+                    const reduction::Calibration& calibration, const reduction::Setting& setting);
+
 }  // namespace fretwork::exports

@@ -4,7 +4,6 @@
 #include <fretwork/exports/detail/furniture.hpp>
 #include <fretwork/exports/line_set.hpp>
 #include <fretwork/exports/reduced_drawing.hpp>
-#include <fretwork/reduction/paper6_tile.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -26,9 +25,7 @@ std::vector<Point2> moved(std::vector<Point2> points, const Point2& by) {
     return points;
 }
 
-void draw_reduced(SvgCanvas& canvas, const Calibration& calibration, const Setting& setting,
-                  const Point2& center) {
-    const LineSet lines = frame_lines(reduction::paper6_tile(calibration.parameters, setting));
+void draw_reduced(SvgCanvas& canvas, const LineSet& lines, const Setting& setting, const Point2& center) {
     std::vector<Point2> nodes;
     for (const Eigen::Vector3d& node : lines.nodes)
         nodes.push_back({node.x() + center.x, node.y() + center.y});
@@ -46,8 +43,15 @@ void draw_reduced(SvgCanvas& canvas, const Calibration& calibration, const Setti
 
 std::string facts(const std::optional<Calibration>& calibration) {
     if (!calibration) return "not calibrated";
-    return "\xce\xb8 = " + detail::short_number(calibration->parameters.theta * 180.0 / std::acos(-1.0)) +
-           "\xc2\xb0, E = " + detail::short_number(calibration->objective);
+    const reduction::TileModel& model = reduction::find_tile_model(calibration->model);
+    std::string text;
+    for (const reduction::TileParameter& parameter : model.parameters) {
+        if (parameter.unit != "rad") continue;
+        const double value =
+            reduction::parameter_values(*calibration, model)[parameter_index(model, parameter.name)];
+        text += parameter.name + " = " + detail::short_number(value * 180.0 / std::acos(-1.0)) + "\xc2\xb0, ";
+    }
+    return text + "E = " + detail::short_number(calibration->objective);
 }
 
 }  // namespace
@@ -67,7 +71,9 @@ std::string reduced_sheet_svg(const pattern::NodeLayout& layout, std::span<const
         const Point2 left{(i % columns) * step_x, -(i / columns) * step_y};
         const Point2 right{left.x + 2.1 * side, left.y};
         detail::draw_fan(canvas, layout, entry.pattern, {left, pattern_colour(i)}, options);
-        if (entry.calibration) draw_reduced(canvas, *entry.calibration, setting, right);
+        if (entry.calibration)
+            draw_reduced(canvas, model_lines(layout, entry.pattern, *entry.calibration, setting), setting,
+                         right);
         const std::string id = pattern_id(layout, entry.pattern);
         const double height = std::min(0.13 * side, 3.2 * side / static_cast<double>(id.size() + 1));
         canvas.text({left.x, left.y - 1.12 * side}, id, height, Anchor::Middle);

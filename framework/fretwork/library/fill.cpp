@@ -3,7 +3,6 @@
 #include <fretwork/base/parallel.hpp>
 #include <fretwork/library/fill.hpp>
 #include <fretwork/reduction/effective_properties.hpp>
-#include <fretwork/reduction/model_catalogue.hpp>
 
 #include <atomic>
 #include <chrono>
@@ -55,11 +54,16 @@ class Filling {
     Filling(Library& library, std::span<const PatternEntry> patterns, const FillOptions& options)
         : library_(library),
           options_(options),
-          model_(reduction::find_reduced_model(options.model)),
+          calibration_options_(options.calibration),
+          model_(options.tile_model()),
           key_(options.key()),
-          tasks_(open_tasks(library, patterns, key_)) {}
+          tasks_(open_tasks(library, patterns, key_)) {
+        calibration_options_.control = {options.control.stop, nullptr};
+    }
 
-    FillReport run(base::Progress& progress) {
+    FillReport run() {
+        base::SilentProgress silent;
+        base::Progress& progress = options_.control.progress != nullptr ? *options_.control.progress : silent;
         report_.open = tasks_.size();
         progress.start("calibrate", tasks_.size());
         auto computing = std::async(std::launch::async, [&] {
@@ -87,11 +91,12 @@ class Filling {
     };
 
     void work(const Task& task) {
-        if (is_abandoned_ || (options_.should_stop && options_.should_stop())) return;
-        Outcome outcome = compute(task);
+        if (is_abandoned_ || options_.control.stop.stop_requested()) return;
+        std::optional<Outcome> outcome = compute(task);
+        if (!outcome) return;
         {
             const std::lock_guard lock(finished_mutex_);
-            finished_.push_back(std::move(outcome));
+            finished_.push_back(std::move(*outcome));
         }
         more_.notify_one();
     }
@@ -124,7 +129,8 @@ class Filling {
         last_store_ = Clock::now();
     }
 
-    [[nodiscard]] Outcome compute(const Task& task) {
+    /// Nothing if the work was asked to stop meanwhile.
+    [[nodiscard]] std::optional<Outcome> compute(const Task& task) {
         Outcome outcome{{task.entry.id, {}, {}, {}}};
         std::vector<reduction::Response> stored;
         if (!task.needs_responses) {
@@ -137,6 +143,8 @@ class Filling {
             stage = calibration_stage(key_);
             outcome.data.calibrations.push_back(
                 calibrate(task.entry.pattern, task.needs_responses ? outcome.data.responses : stored));
+        } catch (const base::Stopped&) {
+            return std::nullopt;
         } catch (const base::Error& error) {
             outcome.failure = Failure{task.entry.id, stage, one_line(error.what())};
         }
@@ -157,8 +165,8 @@ class Filling {
                                               const std::vector<reduction::Response>& responses) const {
         const auto start = Clock::now();
         CalibrationRecord record;
-        record.calibration =
-            model_.prepare({library_.layout(), pattern, library_.setting(), responses}, options_.calibration);
+        record.calibration = reduction::calibrate(
+            model_, {library_.layout(), pattern, library_.setting(), responses}, calibration_options_);
         record.budget = key_.budget;
         record.seconds = seconds_since(start);
         return record;
@@ -171,7 +179,8 @@ class Filling {
 
     Library& library_;
     const FillOptions& options_;
-    const reduction::ReducedModelRow& model_;
+    reduction::CalibrationOptions calibration_options_;  ///< of one pattern: stopped with all of them
+    const reduction::TileModel& model_;
     CalibrationKey key_;
     std::vector<Task> tasks_;
     FillReport report_;
@@ -186,23 +195,24 @@ class Filling {
 }  // namespace
 
 void FillOptions::validate() const {
-    (void)reduction::find_reduced_model(model);
+    (void)tile_model();
     calibration.validate();
     if (!(seconds_between_stores >= 0.0))
         throw base::InputError("seconds_between_stores: must not be negative");
     if (threads < 0) throw base::InputError("threads: " + std::to_string(threads) + " must not be negative");
 }
 
-CalibrationKey FillOptions::key() const {
-    if (reduction::find_reduced_model(model).preparation == reduction::Preparation::Calibration)
-        return calibration_key(calibration, model);
-    return {.model = model, .optimizer = "none"};
+const reduction::TileModel& FillOptions::tile_model() const {
+    return reduction::find_tile_model(model, models);
 }
 
-FillReport fill(Library& library, std::span<const PatternEntry> patterns, const FillOptions& options,
-                base::Progress& progress) {
+CalibrationKey FillOptions::key() const {
+    return calibration_key(calibration, tile_model());
+}
+
+FillReport fill(Library& library, std::span<const PatternEntry> patterns, const FillOptions& options) {
     options.validate();
-    return Filling(library, patterns, options).run(progress);
+    return Filling(library, patterns, options).run();
 }
 
 }  // namespace fretwork::library

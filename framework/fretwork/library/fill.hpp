@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <fretwork/base/progress.hpp>
+#include <fretwork/base/control.hpp>
 #include <fretwork/library/library.hpp>
 
-#include <functional>
 #include <span>
 #include <string>
 
@@ -12,13 +11,16 @@ namespace fretwork::library {
 
 /// What a library is to hold of each of its patterns, besides responses and properties.
 struct FillOptions {
-    std::string model = "paper6";  ///< a row of the catalogue of reduced models
+    std::string model = "paper6";  ///< a row of `models`
+    std::span<const reduction::TileModel> models = reduction::tile_models();
     reduction::CalibrationOptions calibration{};
     int threads = 0;                      ///< 0: all there are
     double seconds_between_stores = 1.0;  ///< 0: what is finished is stored at once
-    std::function<bool()> should_stop{};  ///< asked between patterns, by any thread; none: never
+    /// Asked to stop, fill ends soon and throws nothing: what is done is stored and reported.
+    base::Control control{};
     /// Throws InputError if a value makes no sense.
     void validate() const;
+    [[nodiscard]] const reduction::TileModel& tile_model() const;
     /// The key of the calibrations that these options give.
     [[nodiscard]] CalibrationKey key() const;
 };
@@ -36,7 +38,6 @@ struct FillReport {
 /// again, it goes on there. The result does not depend on threads, interruptions and shards. A pattern on
 /// which a computation fails is recorded with its reason, and does not stop the rest. Memory does not grow
 /// with the number of patterns. Throws as Library::store; then all that was stored before is there.
-FillReport fill(Library& library, std::span<const PatternEntry> patterns, const FillOptions& options,
-                base::Progress& progress);
+FillReport fill(Library& library, std::span<const PatternEntry> patterns, const FillOptions& options);
 
 }  // namespace fretwork::library

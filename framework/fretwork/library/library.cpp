@@ -5,8 +5,10 @@
 #include <fretwork/library/detail/draft.hpp>
 #include <fretwork/library/detail/library_impl.hpp>
 #include <fretwork/library/detail/schema.hpp>
+#include <fretwork/library/detail/schema3.hpp>
 #include <fretwork/library/library.hpp>
 #include <fretwork/pattern/mirror.hpp>
+#include <fretwork/reduction/setting_file.hpp>
 
 #include <map>
 
@@ -83,8 +85,10 @@ bool make_file(const std::filesystem::path& path, const pattern::NodeLayout& lay
 
 }  // namespace
 
-CalibrationKey calibration_key(const reduction::CalibrationOptions& options, std::string model) {
-    return {std::move(model), options.optimizer, options.seed, options.starts, options.budget};
+CalibrationKey calibration_key(const reduction::CalibrationOptions& options,
+                               const reduction::TileModel& model) {
+    if (model.parameters.empty()) return {.model = model.name, .optimizer = "none"};
+    return {model.name, options.optimizer, options.seed, options.starts, options.budget};
 }
 
 CalibrationKey CalibrationRecord::key() const {
@@ -126,6 +130,13 @@ Library Library::open(const std::filesystem::path& path, Access access) {
         throw base::InputError(path.string(), "", "is a folder, where a pattern library is needed");
     Database database(path, access == Access::ReadOnly ? Database::Mode::Read : Database::Mode::Write);
     detail::check_schema(database);
+    if (detail::schema_version(database) != detail::kSchemaVersion) {
+        if (access == Access::ReadWrite && !database.is_read_only()) {
+            detail::migrate_schema3(database);
+        } else {
+            detail::view_schema3(database);
+        }
+    }
     return Library(std::make_unique<Impl>(std::move(database)));
 }
 
@@ -296,6 +307,28 @@ std::optional<CalibrationRecord> Library::best_calibration(std::string_view patt
     return best;
 }
 
+std::vector<reduction::Calibration> Library::best_calibrations(std::string_view pattern_id) const {
+    std::map<std::string, reduction::Calibration> best;
+    for (CalibrationRecord& record : calibrations(pattern_id)) {
+        const std::string model = record.calibration.model;
+        const auto [entry, is_first] = best.try_emplace(model, record.calibration);
+        if (!is_first && record.calibration.objective < entry->second.objective)
+            entry->second = std::move(record.calibration);
+    }
+    std::vector<reduction::Calibration> list;
+    for (auto& [model, calibration] : best) list.push_back(std::move(calibration));
+    return list;
+}
+
+std::optional<reduction::Calibration> Library::best_fit(std::string_view pattern_id) const {
+    std::optional<reduction::Calibration> best;
+    for (reduction::Calibration& calibration : best_calibrations(pattern_id)) {
+        if (calibration.parameters.empty()) continue;
+        if (!best || calibration.objective < best->objective) best = std::move(calibration);
+    }
+    return best;
+}
+
 std::vector<std::pair<std::string, double>> Library::properties(std::string_view pattern_id) const {
     impl_->require_pattern(pattern_id);
     Statement rows(impl_->database, "SELECT name, value FROM property WHERE pattern_id = ? ORDER BY name");
@@ -307,6 +340,10 @@ std::vector<std::pair<std::string, double>> Library::properties(std::string_view
 
 std::string Library::content_hash() const {
     return detail::content_hash(impl_->database);
+}
+
+bool Library::has_content(std::string_view hash) const {
+    return hash == content_hash() || hash == detail::schema3_content_hash(impl_->database);
 }
 
 void Library::export_csv(const std::filesystem::path& folder) const {

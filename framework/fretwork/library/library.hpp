@@ -29,14 +29,15 @@ struct PatternEntry {
 
 /// What tells the calibrations of one pattern apart.
 struct CalibrationKey {
-    std::string model = "paper6";
+    std::string model;
     std::string optimizer;
     std::uint64_t seed = 0;  ///< below 2^63
     int starts = 0;
     int budget = 0;  ///< evaluations at most
     friend bool operator==(const CalibrationKey&, const CalibrationKey&) = default;
 };
-CalibrationKey calibration_key(const reduction::CalibrationOptions& options, std::string model = "paper6");
+CalibrationKey calibration_key(const reduction::CalibrationOptions& options,
+                               const reduction::TileModel& model);
 
 /// A calibration, and what the library keeps beside it.
 struct CalibrationRecord {
@@ -92,7 +93,8 @@ class Library {
     /// Make a new file. Throws InputError if there is one already; IoError if it cannot be written.
     static Library create(const std::filesystem::path& path, const pattern::NodeLayout& layout,
                           const reduction::Setting& setting);
-    /// Throws InputError if the file is missing, is no library, or is one of a newer version.
+    /// A file of schema 3 is changed to this version's schema when it is opened for writing; else it is read
+    /// as it is. Throws InputError if the file is missing, is no library, or is one of another version.
     static Library open(const std::filesystem::path& path, Access access = Access::ReadOnly);
     /// Open the file for writing if there is one, and check its layout and setting; else create it.
     static Library open_or_create(const std::filesystem::path& path, const pattern::NodeLayout& layout,
@@ -140,9 +142,14 @@ class Library {
     [[nodiscard]] std::vector<reduction::Response> responses(std::string_view pattern_id) const;
     /// All calibrations of a pattern, sorted by key.
     [[nodiscard]] std::vector<CalibrationRecord> calibrations(std::string_view pattern_id) const;
-    /// The calibration of a pattern with the smallest objective.
+    /// Of a pattern's calibrations of a tile model the one with the smallest objective.
     [[nodiscard]] std::optional<CalibrationRecord> best_calibration(std::string_view pattern_id,
-                                                                    std::string_view model = "paper6") const;
+                                                                    std::string_view model) const;
+    /// For each tile model that a pattern has calibrations of, the one with the smallest objective, by name.
+    [[nodiscard]] std::vector<reduction::Calibration> best_calibrations(std::string_view pattern_id) const;
+    /// Of a pattern's calibrations of models to which something is fitted, the one with the smallest
+    /// objective.
+    [[nodiscard]] std::optional<reduction::Calibration> best_fit(std::string_view pattern_id) const;
     /// Properties of a pattern, sorted by name.
     [[nodiscard]] std::vector<std::pair<std::string, double>> properties(std::string_view pattern_id) const;
 
@@ -150,6 +157,8 @@ class Library {
     /// properties, failures. It does not depend on the order in which they came in, on times, hosts and
     /// program versions, or on how SQLite laid out the file.
     [[nodiscard]] std::string content_hash() const;
+    /// Whether a hash is that of the content, as this version or an older one computes it.
+    [[nodiscard]] bool has_content(std::string_view hash) const;
     /// Write each table as one CSV file into a folder (made if missing), and layout.json and setting.json.
     /// Rows are sorted; times and hosts are left out, so equal contents give equal files.
     void export_csv(const std::filesystem::path& folder) const;
@@ -159,10 +168,5 @@ class Library {
     explicit Library(std::unique_ptr<Impl> impl);
     std::unique_ptr<Impl> impl_;
 };
-
-/// Merge libraries of one layout and one setting into a new file. Rows that are in several must be equal. The
-/// order of the inputs does not matter. Throws InputError (an output that exists, settings that differ, a row
-/// that differs, by name), IoError; then there is no output.
-void merge(const std::filesystem::path& output, std::span<const std::filesystem::path> inputs);
 
 }  // namespace fretwork::library

@@ -4,7 +4,9 @@
 #include <fretwork/library/detail/database.hpp>
 #include <fretwork/library/detail/draft.hpp>
 #include <fretwork/library/detail/schema.hpp>
+#include <fretwork/library/detail/schema3.hpp>
 #include <fretwork/library/library.hpp>
+#include <fretwork/library/merge.hpp>
 
 #include <system_error>
 
@@ -24,14 +26,21 @@ std::string columns_agree(const std::vector<std::string_view>& columns) {
     return base::join(terms, " AND ");
 }
 
+/// A table of the input that is attached as `other`.
+std::string other_table(const Database& output, const Table& table) {
+    const bool is_lacking =
+        table.name == "calibration_parameter" && detail::schema_version(output, "other") == 3;
+    return is_lacking ? "(" + detail::schema3_parameters("other") + ")" : "other." + std::string(table.name);
+}
+
 /// Refuse rows of `other` that have a key in common with the output's and differ in a value.
 void check_agreement(const Database& output, const Table& table, const std::filesystem::path& input) {
     std::vector<std::string> keys;
     for (const std::string_view key : table.keys) keys.push_back("a." + std::string(key));
     const std::string name(table.name);
-    Statement rows(output, "SELECT " + base::join(keys, ", ") + " FROM other." + name + " AS a JOIN main." +
-                               name + " AS b ON " + columns_agree(table.keys) + " WHERE NOT (" +
-                               columns_agree(table.values) + ") LIMIT 1");
+    Statement rows(output, "SELECT " + base::join(keys, ", ") + " FROM " + other_table(output, table) +
+                               " AS a JOIN main." + name + " AS b ON " + columns_agree(table.keys) +
+                               " WHERE NOT (" + columns_agree(table.values) + ") LIMIT 1");
     if (!rows.step()) return;
     std::vector<std::string> place;
     for (int column = 0; column < rows.column_count(); ++column)
@@ -46,8 +55,8 @@ void copy_rows(Database& output, const Table& table) {
     columns.insert(columns.end(), table.incidental.begin(), table.incidental.end());
     const std::string list = base::join(columns, ", ");
     const std::string name(table.name);
-    output.execute("INSERT OR IGNORE INTO main." + name + " (" + list + ") SELECT " + list + " FROM other." +
-                   name);
+    output.execute("INSERT OR IGNORE INTO main." + name + " (" + list + ") SELECT " + list + " FROM " +
+                   other_table(output, table));
 }
 
 void copy_provenance(Database& output) {

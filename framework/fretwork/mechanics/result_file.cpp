@@ -2,6 +2,7 @@
 #include <fretwork/base/detail/json_text.hpp>
 #include <fretwork/base/file.hpp>
 #include <fretwork/base/json_reader.hpp>
+#include <fretwork/base/provenance.hpp>
 #include <fretwork/mechanics/result_file.hpp>
 
 #include <limits>
@@ -132,6 +133,26 @@ DiscretizationError read_error(const JsonReader& reader) {
             reader.at("known").boolean()};
 }
 
+Json subject_json(const ResultSubject& subject) {
+    return {{"model", subject.model},
+            {"is_reference", subject.is_reference},
+            {"load_case", Json::parse(subject.load_case_text)},
+            {"tessellation", subject.tessellation_hash},
+            {"painting", subject.painting_hash},
+            {"setting", subject.setting_hash}};
+}
+
+ResultSubject read_subject(const JsonReader& reader) {
+    reader.allow_only({"model", "is_reference", "load_case", "tessellation", "painting", "setting"});
+    return {.model = reader.at("model").string(),
+            .is_reference = reader.at("is_reference").boolean(),
+            .load_case = reader.at("load_case").at("name").string(),
+            .load_case_text = reader.at("load_case").text(),
+            .tessellation_hash = reader.at("tessellation").string(),
+            .painting_hash = reader.at("painting").string(),
+            .setting_hash = reader.at("setting").string()};
+}
+
 Result::Node read_node(const JsonReader& reader) {
     reader.allow_only({"id", "rest_position", "interface"});
     const std::vector<double> position = reader.at("rest_position").numbers(3);
@@ -143,7 +164,8 @@ Result::Node read_node(const JsonReader& reader) {
 }  // namespace
 
 std::string result_text(const Result& result) {
-    Json json = {{"format", "fretwork/result/1"}, {"solver", result.solver}};
+    Json json = {{"format", "fretwork/result/2"}, {"program", base::version()}, {"solver", result.solver}};
+    if (result.subject) json["subject"] = subject_json(*result.subject);
     append_solution(json, result.solution, result.nodes);
     json["seconds"] = result.seconds;
     json["nodes"] = Json::array();
@@ -171,13 +193,18 @@ void write_result(const Result& result, const std::filesystem::path& path) {
 
 Result read_result(const std::filesystem::path& path) {
     const JsonReader document = JsonReader::from_file(path);
-    document.expect_format("result");
-    document.allow_only({"format", "solver", "load_factor", "converged", "stable", "stability", "termination",
-                         "energy", "residual", "iterations", "displacements", "reactions", "seconds", "nodes",
-                         "load_steps", "stability_losses", "vibration_modes", "buckling_modes",
-                         "discretization_error"});
+    (void)document.at("format").choice({"fretwork/result/1", "fretwork/result/2"});
+    document.allow_only({"format",          "program",        "subject",
+                         "solver",          "load_factor",    "converged",
+                         "stable",          "stability",      "termination",
+                         "energy",          "residual",       "iterations",
+                         "displacements",   "reactions",      "seconds",
+                         "nodes",           "load_steps",     "stability_losses",
+                         "vibration_modes", "buckling_modes", "discretization_error"});
     Result result;
     result.solver = document.at("solver").string();
+    if (const auto program = document.find("program")) result.program = program->string();
+    if (const auto subject = document.find("subject")) result.subject = read_subject(*subject);
     for (const JsonReader& node : document.at("nodes").elements()) result.nodes.push_back(read_node(node));
     result.solution = read_solution(document, result.nodes);
     result.seconds = document.at("seconds").number();

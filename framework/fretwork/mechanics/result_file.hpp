@@ -12,15 +12,29 @@
 
 namespace fretwork::mechanics {
 
-/// What `solve` and `simulate` write (design: files, "Result").
+/// What a surface's result is a result of. Two results belong together if the hashes agree.
+struct ResultSubject {
+    std::string model;              ///< the tile model; with the others of a mixed surface
+    bool is_reference = false;      ///< others are compared with it: every tile has all of its beams
+    std::string load_case;          ///< its name
+    std::string load_case_text;     ///< the load case file
+    std::string tessellation_hash;  ///< SHA-256, as the others
+    std::string painting_hash;
+    std::string setting_hash;
+    friend bool operator==(const ResultSubject&, const ResultSubject&) = default;
+};
+
+/// What `solve` and `simulate` write.
 struct Result {
     struct Node {
         int id = 0;
         Eigen::Vector3d rest_position = Eigen::Vector3d::Zero();
         bool is_interface = false;
     };
-    std::string solver;       ///< "linear", "newton", ...
-    std::vector<Node> nodes;  ///< as many as the solution has rows
+    std::string solver;                      ///< "linear", "newton", ...
+    std::string program;                     ///< the version that made it; empty: a file of the first format
+    std::optional<ResultSubject> subject{};  ///< of a surface's result; none in files of the first format
+    std::vector<Node> nodes;                 ///< as many as the solution has rows
     Solution solution;
     std::vector<Solution> load_steps;                           ///< only where asked for
     std::vector<Mode> vibration_modes{};                        ///< only where asked for

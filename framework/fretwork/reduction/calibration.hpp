@@ -1,25 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <fretwork/base/control.hpp>
 #include <fretwork/reduction/response.hpp>
-#include <fretwork/reduction/setting.hpp>
+#include <fretwork/reduction/tile_model.hpp>
 
-#include <array>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace fretwork::reduction {
 
-/// The six parameters of the paper's reduced model, Eq. (4).
-struct Paper6Parameters {
-    double A = 0.0;      ///< m^2
-    double I2 = 0.0;     ///< m^4
-    double I3 = 0.0;     ///< m^4
-    double J = 0.0;      ///< m^4
-    double theta = 0.0;  ///< rad, counterclockwise positive
-    double R = 0.0;      ///< m, circumradius of the inner ring
-    static constexpr std::array<const char*, 6> names = {"A", "I2", "I3", "J", "theta", "R"};
+/// A number with its name, in SI units.
+struct NamedValue {
+    std::string name;
+    double value = 0.0;
+    friend bool operator==(const NamedValue&, const NamedValue&) = default;
 };
 
 struct CalibrationOptions {
@@ -27,28 +24,42 @@ struct CalibrationOptions {
     int starts = 8;
     std::uint64_t seed = 1;
     int budget = 20000;  ///< evaluations of the objective at most
+    base::Control control{};
     /// Throws InputError if a value makes no sense.
     void validate() const;
 };
 
-/// A reduced model fitted to, or only compared with, the responses of one pattern.
+/// A tile model fitted to, or only compared with, the responses of one pattern.
 struct Calibration {
-    std::string model = "paper6";
-    std::string optimizer;
+    std::string model;      ///< a row of the catalogue of tile models
+    std::string optimizer;  ///< "none" where nothing is fitted
     std::uint64_t seed = 0;
     int starts = 0;
     double objective = 0.0;  ///< E of Eq. (8) at the parameters
     std::vector<double>
         scenario_errors;  ///< e_k summed over the magnitudes as in Eq. (8): weighted parts of E, by scenario
     long evaluations = 0;
-    Paper6Parameters parameters;
-    std::vector<std::string> at_bound;  ///< names of the parameters at a bound
+    std::vector<NamedValue> parameters;  ///< in the order of the model's row; none where nothing is fitted
+    std::vector<std::string> at_bound;   ///< names of the parameters at a bound
     bool converged = true;
 };
 
-/// Fit the paper's six-parameter model to a pattern's responses: Eqs. (1) to (11). Deterministic given the
-/// options.
-Calibration calibrate_paper6(const std::vector<Response>& responses, const Setting& setting,
-                             const CalibrationOptions& options = {});
+/// The parameters in the order of a model's row. Throws InputError that names one that is missing or that the
+/// model does not have.
+std::vector<double> parameter_values(const Calibration& calibration, const TileModel& model);
+
+/// One pattern in its setting, with its responses: what a tile model is fitted to or compared with.
+struct PatternCase {
+    const pattern::NodeLayout& layout;
+    const pattern::Pattern& pattern;
+    const Setting& setting;
+    const std::vector<Response>& responses;
+};
+
+/// Fit a tile model to a pattern's responses: Eqs. (1) to (11). A model without parameters is only compared
+/// with them: one for small displacements by its linear answers, one for large by its own responses.
+/// Deterministic given the options. Throws NumericalError if no sample can be fitted; base::Stopped.
+Calibration calibrate(const TileModel& model, const PatternCase& input,
+                      const CalibrationOptions& options = {});
 
 }  // namespace fretwork::reduction

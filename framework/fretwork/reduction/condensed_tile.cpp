@@ -36,4 +36,16 @@ Eigen::MatrixXd condensed_tile(const pattern::NodeLayout& layout, const pattern:
     return condensed_frame(pattern_frame(layout, pattern, polygon, bars), interface_nodes);
 }
 
+TileModel condensed_tile_model() {
+    return {
+        .name = "condensed",
+        .summary = "the beams of each tile, condensed onto its interface nodes; linear",
+        .sharing = Sharing::Congruent,
+        .build = [](const TileInput& input) {
+            return stiffness_tile(condensed_frame(fan_frame(input.layout, input.fan, input.polygon,
+                                                            {input.setting.section, input.setting.material}),
+                                                  input.fan.interface_node_count));
+        }};
+}
+
 }  // namespace fretwork::reduction

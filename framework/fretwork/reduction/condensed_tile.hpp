@@ -2,6 +2,7 @@
 #pragma once
 
 #include <fretwork/reduction/response.hpp>
+#include <fretwork/reduction/tile_model.hpp>
 
 #include <Eigen/Core>
 
@@ -18,5 +19,8 @@ Eigen::MatrixXd condensed_tile(const pattern::NodeLayout& layout, const pattern:
 
 /// Condense any frame of a tile onto its first `interface_nodes` nodes.
 Eigen::MatrixXd condensed_frame(const mechanics::Frame& tile, int interface_nodes);
+
+/// The row of the catalogue: nothing is fitted, and congruent tiles are condensed once.
+TileModel condensed_tile_model();
 
 }  // namespace fretwork::reduction

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <fretwork/reduction/paper6_hexagon.hpp>
 #include <fretwork/reduction/response.hpp>
+#include <fretwork/reduction/unit_displacements.hpp>
 
 namespace fretwork::reduction {
 

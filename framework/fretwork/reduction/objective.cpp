@@ -13,12 +13,12 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/// Which samples of a scenario the branch policy leaves in.
+/// Which samples of a scenario the sample policy leaves in.
 std::vector<const Response::Sample*> used_samples(const Response& response, const Setting& setting) {
     std::vector<const Response::Sample*> used;
     for (const Response::Sample& sample : response.samples) {
         // A path that has lost its stability is not what a specimen follows, even where it is stable again.
-        if (setting.branch == Branch::Stable && sample.converged && !sample.stable) break;
+        if (setting.sample_policy == SamplePolicy::Stable && sample.converged && !sample.stable) break;
         if (sample.converged) used.push_back(&sample);
     }
     return used;
@@ -115,7 +115,8 @@ void Objective::set_steps(std::span<Sample> samples) {
 
 Objective::Sample Objective::make_sample(const Response::Sample& sample, double weight,
                                          const ErrorMetric& metric) {
-    Sample result{.magnitude = sample.magnitude,
+    Sample result{.place = static_cast<std::size_t>(sample.step) - 1,
+                  .magnitude = sample.magnitude,
                   .step = sample.magnitude,
                   .is_other_step = true,
                   .weight = weight,
@@ -173,6 +174,36 @@ double Objective::value(const UnitDisplacements& model) const {
 std::vector<double> Objective::scenario_errors(const UnitDisplacements& model) const {
     std::vector<double> errors;
     for (std::size_t s = 0; s < model.size(); ++s) errors.push_back(scenario_error(s, model));
+    return errors;
+}
+
+double Objective::answer_error(const Sample& sample, const mechanics::NodeValues& answer) {
+    double translations = 0.0;
+    double rotations = 0.0;
+    for (std::size_t node = 0; node < sample.targets.size(); ++node) {
+        const auto row = answer.row(static_cast<Eigen::Index>(node));
+        const Target& target = sample.targets[node];
+        translations += (Vector3d(row.head<3>()) - target.translation).norm();
+        const Eigen::Quaterniond rotation = detail::rotation_of(row.tail<3>());
+        rotations += detail::rotation_vector(target.inverse_rotation * rotation).norm();
+    }
+    return sample.translation_factor * translations + sample.rotation_factor * rotations;
+}
+
+std::vector<double> Objective::scenario_errors(const std::vector<Response>& model) const {
+    std::vector<double> errors;
+    for (std::size_t s = 0; s < model.size(); ++s) {
+        double& sum = errors.emplace_back(0.0);
+        for (const Sample& sample : samples_of(s)) {
+            const Response::Sample& answer = model[s].samples.at(sample.place);
+            if (!answer.converged)
+                throw base::NumericalError("the model does not converge at step " +
+                                           std::to_string(answer.step) + " of scenario '" +
+                                           model[s].scenario + "', where the pattern does");
+            const double error = answer_error(sample, answer.displacements);
+            sum += sample.weight * error * error;
+        }
+    }
     return errors;
 }
 

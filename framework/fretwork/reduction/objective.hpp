@@ -2,8 +2,8 @@
 #pragma once
 
 #include <fretwork/optimization/problem.hpp>
-#include <fretwork/reduction/paper6_hexagon.hpp>
 #include <fretwork/reduction/response.hpp>
+#include <fretwork/reduction/unit_displacements.hpp>
 
 #include <Eigen/Geometry>
 
@@ -26,7 +26,7 @@ struct ErrorMetric {
 /// E = sum over scenarios and magnitudes of w e^2, where e is the weighted sum of two normalized sums over
 /// the interface nodes: of |d_p - d_r|, and of the angle between the rotations R_p and R_r. Linear
 /// displacements grow with the magnitude; linear rotations are taken as rotation vectors. Samples that did
-/// not converge are left out; so are those past the first loss of stability where the setting's branch
+/// not converge are left out; so are those past the first loss of stability where the setting's sample
 /// policy says so.
 ///
 /// E has a kink wherever a norm is zero. With smoothing mu > 0 each norm |a| becomes
@@ -39,6 +39,9 @@ class Objective {
     [[nodiscard]] double value(const UnitDisplacements& model) const;
     /// The parts of E, one for each scenario of the setting.
     [[nodiscard]] std::vector<double> scenario_errors(const UnitDisplacements& model) const;
+    /// The same parts for a model that is not linear, from its own responses to the same setting. Throws
+    /// NumericalError that names the sample if the model did not converge where the pattern did.
+    [[nodiscard]] std::vector<double> scenario_errors(const std::vector<Response>& model) const;
 
     /// Gradient and generalized Gauss-Newton matrix with respect to the model's parameters: the curvature of
     /// the norms is kept, second derivatives of the displacements are not. Not less than 2 J^T J.
@@ -58,6 +61,7 @@ class Objective {
         Eigen::Quaterniond inverse_rotation;
     };
     struct Sample {
+        std::size_t place;  ///< among the samples of its response
         double magnitude;
         double step;         ///< from the sample before, or from 0
         bool is_other_step;  ///< than the one before took
@@ -71,6 +75,7 @@ class Objective {
     class Differentiation;
 
     static Sample make_sample(const Response::Sample& sample, double weight, const ErrorMetric& metric);
+    static double answer_error(const Sample& sample, const mechanics::NodeValues& answer);
     static void set_steps(std::span<Sample> samples);
     static double sample_error(const Sample& sample, std::span<const NodeMotion> motions);
     [[nodiscard]] std::span<const Sample> samples_of(std::size_t scenario) const;

@@ -1,21 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <fretwork/reduction/calibration.hpp>
+#include <fretwork/reduction/paper6_parameters.hpp>
+#include <fretwork/reduction/unit_displacements.hpp>
 
 #include <memory>
-#include <vector>
 
 namespace fretwork::reduction {
-
-/// What a linear model does under each scenario at a magnitude of 1 N: one row for each interface node.
-using UnitDisplacements = std::vector<mechanics::NodeValues>;
-
-/// The same with derivatives: for each scenario 6n rows (node by node) and one column a parameter.
-struct UnitDisplacementsAndDerivatives {
-    UnitDisplacements displacements;
-    std::vector<Eigen::MatrixXd> derivatives;
-};
 
 /// The paper's six-parameter model in the setting's hexagon, made for being solved millions of times: linear
 /// Euler-Bernoulli beams, the two planes apart, the ring eliminated by the hexagon's symmetry. It equals

@@ -37,6 +37,20 @@ Paper6Problem::Paper6Problem(const Paper6Hexagon& model, const Objective& object
     bounds_ = {point(limits.lower), point(limits.upper)};
 }
 
+Paper6Problem::Paper6Problem(std::unique_ptr<const Paper6Hexagon> model, const Objective& objective,
+                             const Setting& setting)
+    : Paper6Problem(*model, objective, setting) {
+    owned_model_ = std::move(model);
+}
+
+std::vector<double> Paper6Problem::parameter_values(const Eigen::VectorXd& x) const {
+    return parameters(x).values();
+}
+
+UnitDisplacements Paper6Problem::displacements(const Eigen::VectorXd& x) const {
+    return model_.displacements(parameters(x));
+}
+
 Paper6Parameters Paper6Problem::parameters(const Eigen::VectorXd& x) const {
     return {unit_.A * std::exp(x[0]), unit_.I2 * std::exp(x[1]), unit_.I3 * std::exp(x[2]),
             unit_.J * std::exp(x[3]), unit_.theta * x[4],        unit_.R * x[5]};
@@ -50,7 +64,7 @@ Eigen::VectorXd Paper6Problem::point(const Paper6Parameters& p) const {
 }
 
 double Paper6Problem::value(const Eigen::VectorXd& x) const {
-    return objective_.value(model_.displacements(parameters(x)));
+    return objective_.value(displacements(x));
 }
 
 UnitDisplacementsAndDerivatives Paper6Problem::model_at(const Eigen::VectorXd& x) const {

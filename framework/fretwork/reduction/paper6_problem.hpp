@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <fretwork/optimization/problem.hpp>
-#include <fretwork/reduction/objective.hpp>
+#include <fretwork/reduction/calibration_problem.hpp>
+#include <fretwork/reduction/paper6_hexagon.hpp>
 
 namespace fretwork::reduction {
 
@@ -18,10 +18,13 @@ Paper6Bounds paper6_bounds(const Setting& setting);
 /// The calibration of the paper's model to one pattern as a problem to be minimized. Variables: the natural
 /// logarithms of A, I2, I3 and J as multiples of the bar's own, theta in radians, and R as a share of the
 /// centroid-to-side distance. An evaluation of any kind costs one factorization of the model's stiffness.
-class Paper6Problem final : public optimization::Problem {
+class Paper6Problem final : public CalibrationProblem {
   public:
-    /// Keeps references to both.
+    /// Keeps references to the model and the objective.
     Paper6Problem(const Paper6Hexagon& model, const Objective& objective, const Setting& setting);
+    /// Keeps a reference to the objective, and the model.
+    Paper6Problem(std::unique_ptr<const Paper6Hexagon> model, const Objective& objective,
+                  const Setting& setting);
 
     [[nodiscard]] std::string name() const override { return "paper6"; }
     [[nodiscard]] const optimization::Bounds& bounds() const override { return bounds_; }
@@ -38,12 +41,16 @@ class Paper6Problem final : public optimization::Problem {
     [[nodiscard]] optimization::CurvatureEvaluation curvature(const Eigen::VectorXd& point,
                                                               double smoothing) const override;
 
+    [[nodiscard]] std::vector<double> parameter_values(const Eigen::VectorXd& point) const override;
+    [[nodiscard]] UnitDisplacements displacements(const Eigen::VectorXd& point) const override;
+
     [[nodiscard]] Paper6Parameters parameters(const Eigen::VectorXd& point) const;
     [[nodiscard]] Eigen::VectorXd point(const Paper6Parameters& parameters) const;
 
   private:
     [[nodiscard]] UnitDisplacementsAndDerivatives model_at(const Eigen::VectorXd& point) const;
 
+    std::unique_ptr<const Paper6Hexagon> owned_model_;  ///< if it is not the caller's
     const Paper6Hexagon& model_;
     const Objective& objective_;
     Paper6Parameters unit_;  ///< what the variables are multiples of

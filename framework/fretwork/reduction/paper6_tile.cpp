@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
+#include <fretwork/reduction/paper6_problem.hpp>
 #include <fretwork/reduction/paper6_tile.hpp>
 
 #include <array>
@@ -28,6 +29,31 @@ Eigen::Vector3d at_place(const Place& place, const std::array<Point2, 3>& sector
     Eigen::Vector3d result = Eigen::Vector3d::Zero();
     for (std::size_t i = 0; i < 3; ++i) result += place[i] * Eigen::Vector3d(sector[i].x, sector[i].y, 0.0);
     return result;
+}
+
+using Range = TileParameter::Range;
+
+/// The bounds of one of the six, which `member` picks.
+std::function<Range(const Setting&)> bounds_of(double Paper6Parameters::*member) {
+    return [member](const Setting& setting) {
+        const Paper6Bounds bounds = paper6_bounds(setting);
+        return Range{bounds.lower.*member, bounds.upper.*member};
+    };
+}
+
+std::vector<TileParameter> parameters() {
+    using enum TileParameter::Scale;
+    using P = Paper6Parameters;
+    return {{"A", "m^2", Logarithmic, bounds_of(&P::A)},    {"I2", "m^4", Logarithmic, bounds_of(&P::I2)},
+            {"I3", "m^4", Logarithmic, bounds_of(&P::I3)},  {"J", "m^4", Logarithmic, bounds_of(&P::J)},
+            {"theta", "rad", Linear, bounds_of(&P::theta)}, {"R", "m", Linear, bounds_of(&P::R)}};
+}
+
+void require_one_interface_node(const TileInput& input) {
+    const std::size_t count = input.layout.interface_nodes().size();
+    if (count == 1) return;
+    throw base::InputError("layout '" + input.layout.name() + "' has " + std::to_string(count) +
+                           " interface nodes on a side; the paper's reduced model is made for one");
 }
 
 }  // namespace
@@ -60,6 +86,24 @@ mechanics::Frame paper6_tile(const Paper6Parameters& parameters, const Setting& 
 
 mechanics::Frame paper6_tile(const Paper6Parameters& parameters, const Setting& setting) {
     return paper6_tile(parameters, setting, pattern::regular_polygon(setting.sides, setting.tile_side));
+}
+
+TileModel paper6_tile_model() {
+    return {.name = "paper6",
+            .summary = "the paper's hexagon with links: six parameters, calibrated; linear",
+            .parameters = parameters(),
+            .build =
+                [](const TileInput& input) {
+                    require_one_interface_node(input);
+                    return beam_tile(paper6_tile(Paper6Parameters::from_values(input.parameters),
+                                                 input.setting, input.polygon),
+                                     input.fan.interface_node_count);
+                },
+            .problem =
+                [](const Objective& objective, const Setting& setting) {
+                    return std::make_unique<Paper6Problem>(std::make_unique<Paper6Hexagon>(setting),
+                                                           objective, setting);
+                }};
 }
 
 }  // namespace fretwork::reduction

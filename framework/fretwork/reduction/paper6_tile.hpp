@@ -2,7 +2,8 @@
 #pragma once
 
 #include <fretwork/pattern/polygon.hpp>
-#include <fretwork/reduction/calibration.hpp>
+#include <fretwork/reduction/paper6_parameters.hpp>
+#include <fretwork/reduction/tile_model.hpp>
 
 namespace fretwork::reduction {
 
@@ -17,5 +18,8 @@ mechanics::Frame paper6_tile(const Paper6Parameters& parameters, const Setting& 
 
 /// The same in the setting's own polygon.
 mechanics::Frame paper6_tile(const Paper6Parameters& parameters, const Setting& setting);
+
+/// The row of the catalogue: links and ring of one section, calibrated.
+TileModel paper6_tile_model();
 
 }  // namespace fretwork::reduction

@@ -23,21 +23,30 @@ Response::Sample to_sample(const mechanics::Solution& solution, const Setting& s
     return sample;
 }
 
-Response follow_scenario(const mechanics::Frame& tile, const Scenario& scenario, const Setting& setting,
-                         const ResponseOptions& options) {
-    const mechanics::Frame frame = scenario_frame(tile, scenario);
+Response to_response(std::span<const mechanics::Solution> solutions, const Scenario& scenario,
+                     const Setting& setting) {
     const std::vector<double> factors = mechanics::even_load_factors(setting.magnitudes);
-    const auto solutions = mechanics::follow_load_path(mechanics::assemble(frame), factors);
-    std::vector<mechanics::DiscretizationError> errors(solutions.size());
-    if (options.estimate_error) errors = mechanics::estimate_discretization_error(frame, factors, solutions);
     Response response;
     response.scenario = scenario.name;
     for (std::size_t i = 0; i < solutions.size(); ++i) {
         Response::Sample sample = to_sample(solutions[i], setting);
         sample.step = static_cast<int>(i) + 1;
         sample.magnitude = factors[i] * scenario.max_magnitude;
-        if (errors[i].known) sample.discretization_error = errors[i].share;
         response.samples.push_back(std::move(sample));
+    }
+    return response;
+}
+
+Response respond(const mechanics::Frame& tile, const Scenario& scenario, const Setting& setting,
+                 const ResponseOptions& options) {
+    const mechanics::Frame frame = scenario_frame(tile, scenario);
+    const std::vector<double> factors = mechanics::even_load_factors(setting.magnitudes);
+    const auto solutions = mechanics::follow_load_path(mechanics::assemble(frame), factors);
+    Response response = to_response(solutions, scenario, setting);
+    if (!options.estimate_error) return response;
+    const auto errors = mechanics::estimate_discretization_error(frame, factors, solutions);
+    for (std::size_t i = 0; i < errors.size(); ++i) {
+        if (errors[i].known) response.samples[i].discretization_error = errors[i].share;
     }
     return response;
 }
@@ -51,9 +60,8 @@ void require_one_interface_node(const pattern::NodeLayout& layout) {
 
 }  // namespace
 
-mechanics::Frame pattern_frame(const pattern::NodeLayout& layout, const pattern::Pattern& pattern,
-                               const pattern::Polygon& polygon, const TileMaterial& bars) {
-    const pattern::Fan fan = pattern::make_fan(layout, pattern, static_cast<int>(polygon.size()));
+mechanics::Frame fan_frame(const pattern::NodeLayout& layout, const pattern::Fan& fan,
+                           const pattern::Polygon& polygon, const TileMaterial& bars) {
     mechanics::Frame frame;
     for (const pattern::Point2& point : pattern::place_fan(layout, fan, polygon)) {
         frame.nodes.emplace_back(point.x, point.y, 0.0);
@@ -65,6 +73,12 @@ mechanics::Frame pattern_frame(const pattern::NodeLayout& layout, const pattern:
              .material = bars.material});
     }
     return frame;
+}
+
+mechanics::Frame pattern_frame(const pattern::NodeLayout& layout, const pattern::Pattern& pattern,
+                               const pattern::Polygon& polygon, const TileMaterial& bars) {
+    return fan_frame(layout, pattern::make_fan(layout, pattern, static_cast<int>(polygon.size())), polygon,
+                     bars);
 }
 
 mechanics::Frame pattern_frame(const pattern::NodeLayout& layout, const pattern::Pattern& pattern,
@@ -85,6 +99,22 @@ mechanics::Frame scenario_frame(mechanics::Frame tile, const Scenario& scenario)
     return tile;
 }
 
+void apply_scenario(const Scenario& scenario, mechanics::Assembly& tile) {
+    for (const Scenario::Hold& hold : scenario.held)
+        tile.supports.push_back({mechanics::NodeIndex(hold.interface_node), hold.fixed});
+    tile.has_moments = false;
+    for (const Scenario::Load& load : scenario.loads) {
+        tile.loads.row(load.interface_node).head<3>() += scenario.max_magnitude * to_vector(load.force);
+        tile.loads.row(load.interface_node).tail<3>() += scenario.max_magnitude * to_vector(load.moment);
+        tile.has_moments = tile.has_moments || !to_vector(load.moment).isZero(0.0);
+    }
+}
+
+Response follow_scenario(const mechanics::Assembly& tile, const Scenario& scenario, const Setting& setting) {
+    return to_response(mechanics::follow_load_path(tile, mechanics::even_load_factors(setting.magnitudes)),
+                       scenario, setting);
+}
+
 std::vector<Response> compute_responses(const pattern::NodeLayout& layout, const pattern::Pattern& pattern,
                                         const Setting& setting, const ResponseOptions& options) {
     require_one_interface_node(layout);
@@ -93,7 +123,7 @@ std::vector<Response> compute_responses(const pattern::NodeLayout& layout, const
     mechanics::validate(scenario_frame(tile, setting.scenarios.front()));
     std::vector<Response> responses;
     for (const Scenario& scenario : setting.scenarios) {
-        responses.push_back(follow_scenario(tile, scenario, setting, options));
+        responses.push_back(respond(tile, scenario, setting, options));
     }
     return responses;
 }

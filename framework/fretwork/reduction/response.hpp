@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <fretwork/mechanics/assembly.hpp>
 #include <fretwork/mechanics/solution.hpp>
+#include <fretwork/pattern/fan.hpp>
 #include <fretwork/pattern/pattern.hpp>
 #include <fretwork/pattern/polygon.hpp>
 #include <fretwork/reduction/setting.hpp>
@@ -35,8 +37,12 @@ struct TileMaterial {
     mechanics::Material material;
 };
 
-/// The pattern's full model in a convex polygon, without supports and loads; interface node i is node i.
-/// Interface nodes that the pattern does not use have no beam.
+/// The beams of a fan in a convex polygon, without supports and loads; interface node i is node i. Interface
+/// nodes that the pattern does not use have no beam.
+mechanics::Frame fan_frame(const pattern::NodeLayout& layout, const pattern::Fan& fan,
+                           const pattern::Polygon& polygon, const TileMaterial& bars);
+
+/// The same from a pattern.
 mechanics::Frame pattern_frame(const pattern::NodeLayout& layout, const pattern::Pattern& pattern,
                                const pattern::Polygon& polygon, const TileMaterial& bars);
 
@@ -46,6 +52,13 @@ mechanics::Frame pattern_frame(const pattern::NodeLayout& layout, const pattern:
 
 /// A frame of one tile, held and loaded as a scenario says, at its largest magnitude.
 mechanics::Frame scenario_frame(mechanics::Frame tile, const Scenario& scenario);
+
+/// The same for one that is assembled already.
+void apply_scenario(const Scenario& scenario, mechanics::Assembly& tile);
+
+/// What the interface nodes of a held and loaded tile, which are its first nodes, do at the setting's
+/// magnitudes of a scenario.
+Response follow_scenario(const mechanics::Assembly& tile, const Scenario& scenario, const Setting& setting);
 
 struct ResponseOptions {
     bool estimate_error = false;  ///< fill Sample::discretization_error, at half as much again of the time

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/file.hpp>
 #include <fretwork/reduction/detail/embedded_scenarios.hpp>
 #include <fretwork/reduction/detail/scenario_json.hpp>
 #include <fretwork/reduction/scenario.hpp>
@@ -113,6 +114,20 @@ const std::vector<Scenario>& paper_scenarios() {
 
 Scenario parse_scenario(std::string_view text, std::string source) {
     return detail::read_scenario(JsonReader::from_text(text, std::move(source)));
+}
+
+std::string scenario_text(const Scenario& scenario) {
+    Json json = detail::scenario_json(scenario);
+    json["format"] = "fretwork/scenario/1";
+    return base::detail::json_text(json);
+}
+
+Scenario read_scenario(const std::filesystem::path& path) {
+    return detail::read_scenario(JsonReader::from_file(path));
+}
+
+void write_scenario(const Scenario& scenario, const std::filesystem::path& path) {
+    base::write_file_atomically(path, scenario_text(scenario));
 }
 
 }  // namespace fretwork::reduction

@@ -3,6 +3,7 @@
 
 #include <fretwork/mechanics/frame.hpp>
 
+#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -38,5 +39,11 @@ const std::vector<Scenario>& paper_scenarios();
 
 /// Read a scenario from JSON text; `source` names it in messages. Throws InputError.
 Scenario parse_scenario(std::string_view text, std::string source);
+/// parse_scenario gives an equal scenario.
+std::string scenario_text(const Scenario& scenario);
+/// Throws InputError with file and JSON pointer.
+Scenario read_scenario(const std::filesystem::path& path);
+/// Throws IoError; then the file is as it was.
+void write_scenario(const Scenario& scenario, const std::filesystem::path& path);
 
 }  // namespace fretwork::reduction

@@ -32,8 +32,8 @@ void check_scenario(const Setting& setting, std::size_t index, const std::string
 
 }  // namespace
 
-std::string_view branch_name(Branch branch) {
-    return branch == Branch::Paper ? "paper" : "stable";
+std::string_view sample_policy_name(SamplePolicy policy) {
+    return policy == SamplePolicy::Paper ? "paper" : "stable";
 }
 
 void Setting::validate(const std::string& source) const {

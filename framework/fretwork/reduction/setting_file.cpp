@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
+#include <fretwork/base/file.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/reduction/detail/scenario_json.hpp>
-#include <fretwork/reduction/setting.hpp>
+#include <fretwork/reduction/setting_file.hpp>
 
 #include <algorithm>
 
@@ -89,7 +90,8 @@ void read_counts(const JsonReader& json, Setting& setting) {
         setting.magnitudes = static_cast<int>(count->integer(1, 1000));
     }
     if (const auto branch = json.find("branch")) {
-        setting.branch = branch->choice({"paper", "stable"}) == "paper" ? Branch::Paper : Branch::Stable;
+        setting.sample_policy =
+            branch->choice({"paper", "stable"}) == "paper" ? SamplePolicy::Paper : SamplePolicy::Stable;
     }
 }
 
@@ -135,7 +137,7 @@ Json setting_json(const Setting& setting) {
                  {"sides", setting.sides},
                  {"divisions", setting.divisions},
                  {"magnitudes", setting.magnitudes},
-                 {"branch", branch_name(setting.branch)},
+                 {"branch", sample_policy_name(setting.sample_policy)},
                  {"scenarios", Json::array()}};
     for (const Scenario& scenario : setting.scenarios) {
         json["scenarios"].push_back(detail::scenario_json(scenario));
@@ -156,6 +158,10 @@ Setting read_setting(const std::filesystem::path& path) {
 
 Setting parse_setting(std::string_view text, std::string source) {
     return read_document(JsonReader::from_text(text, std::move(source)));
+}
+
+void write_setting(const Setting& setting, const std::filesystem::path& path) {
+    base::write_file_atomically(path, setting_text(setting));
 }
 
 std::string setting_text(const Setting& setting) {

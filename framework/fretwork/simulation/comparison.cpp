@@ -2,6 +2,7 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/simulation/comparison.hpp>
+#include <fretwork/simulation/result_subject.hpp>
 
 #include <Eigen/Geometry>
 
@@ -31,6 +32,21 @@ void require_converged(const Result& result, const std::string& which) {
                                std::string(mechanics::termination_name(result.solution.termination)) +
                                "): nothing to compare");
     }
+}
+
+/// Results that do not say what they are of are taken at their word.
+void require_same_subject(const Result& full, const Result& reduced) {
+    if (!full.subject || !reduced.subject) return;
+    const std::string difference = subject_difference(*full.subject, *reduced.subject);
+    if (!difference.empty())
+        throw base::InputError("the two results do not belong together: they differ in " + difference);
+    if (reduced.subject->is_reference && !full.subject->is_reference)
+        throw base::InputError("the first result is of the model " + full.subject->model +
+                               ", the second of the model " + reduced.subject->model +
+                               ": name the full one first");
+    if (full.subject->model == reduced.subject->model && full.solver == reduced.solver)
+        throw base::InputError("both results are of the model " + full.subject->model +
+                               " and the same solver: there is nothing to compare");
 }
 
 void require_same_place(const Result::Node& full, const Result::Node& reduced) {
@@ -111,6 +127,7 @@ Errors collect(const Result& full, const Result& reduced) {
 }  // namespace
 
 Comparison compare(const Result& full, const Result& reduced) {
+    require_same_subject(full, reduced);
     require_converged(full, "full");
     require_converged(reduced, "reduced");
     const Errors errors = collect(full, reduced);

@@ -3,6 +3,7 @@
 #include <fretwork/base/text.hpp>
 #include <fretwork/simulation/conditions.hpp>
 
+#include <algorithm>
 #include <map>
 #include <utility>
 
@@ -13,7 +14,8 @@ using mechanics::NodeIndex;
 
 class Resolver {
   public:
-    Resolver(const LoadCase& load_case, const Surface& surface) : load_case_(load_case), surface_(surface) {}
+    Resolver(const LoadCase& load_case, const Surface& surface, std::span<const double> masses)
+        : load_case_(load_case), surface_(surface), masses_(masses) {}
 
     Conditions resolve() && {
         for (std::size_t i = 0; i < load_case_.supports.size(); ++i) add_support(i);
@@ -66,10 +68,9 @@ class Resolver {
             throw base::InputError("load case '" + load_case_.name + "'", "/gravity",
                                    "there is no mass for it to act on: the library was calibrated with a "
                                    "material of density 0");
-        const std::vector<double> masses = tile_masses(surface_);
-        for (std::size_t t = 0; t < masses.size(); ++t) {
+        for (std::size_t t = 0; t < masses_.size(); ++t) {
             const auto& nodes = surface_.tessellation.tiles[t].interface_nodes;
-            const Eigen::Vector3d share = masses[t] / static_cast<double>(nodes.size()) * load_case_.gravity;
+            const Eigen::Vector3d share = masses_[t] / static_cast<double>(nodes.size()) * load_case_.gravity;
             for (const auto node : nodes)
                 conditions_.loads.push_back({NodeIndex(node.value), share, Eigen::Vector3d::Zero()});
         }
@@ -87,6 +88,7 @@ class Resolver {
 
     const LoadCase& load_case_;
     const Surface& surface_;
+    std::span<const double> masses_;  ///< of the tiles, kg
     Conditions conditions_;
     std::map<std::pair<NodeIndex, mechanics::Dof>, double> prescribed_values_;
 };
@@ -94,7 +96,30 @@ class Resolver {
 }  // namespace
 
 Conditions resolve(const LoadCase& load_case, const Surface& surface) {
-    return Resolver(load_case, surface).resolve();
+    const bool is_weighed = !load_case.gravity.isZero(0) && surface.setting.material.density > 0.0;
+    return resolve(load_case, surface, is_weighed ? tile_masses(surface) : std::vector<double>{});
+}
+
+Conditions resolve(const LoadCase& load_case, const Surface& surface, std::span<const double> tile_masses) {
+    return Resolver(load_case, surface, tile_masses).resolve();
+}
+
+mechanics::NodeValues load_rows(const Conditions& conditions, std::size_t nodes) {
+    mechanics::NodeValues rows =
+        mechanics::NodeValues::Zero(static_cast<Eigen::Index>(nodes), mechanics::kDofsPerNode);
+    for (const mechanics::NodalLoad& load : conditions.loads) {
+        rows.row(load.node).head<3>() += load.force;
+        rows.row(load.node).tail<3>() += load.moment;
+    }
+    return rows;
+}
+
+void apply(const Conditions& conditions, mechanics::Assembly& assembly) {
+    assembly.supports.insert(assembly.supports.end(), conditions.supports.begin(), conditions.supports.end());
+    assembly.prescribed = conditions.prescribed;
+    assembly.loads = load_rows(conditions, assembly.nodes.size());
+    assembly.has_moments = std::ranges::any_of(
+        conditions.loads, [](const mechanics::NodalLoad& load) { return !load.moment.isZero(0.0); });
 }
 
 }  // namespace fretwork::simulation

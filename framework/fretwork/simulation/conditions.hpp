@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <fretwork/mechanics/assembly.hpp>
 #include <fretwork/simulation/load_case.hpp>
 #include <fretwork/simulation/surface.hpp>
 
+#include <span>
 #include <vector>
 
 namespace fretwork::simulation {
@@ -18,5 +20,13 @@ struct Conditions {
 /// Throws InputError that names the entry of the load case which picks no node, or gravity where beams have
 /// no density.
 Conditions resolve(const LoadCase& load_case, const Surface& surface);
+/// The same with the masses of the tiles known already; without gravity they may be left out.
+Conditions resolve(const LoadCase& load_case, const Surface& surface, std::span<const double> tile_masses);
+
+/// The loads as one row for each of `nodes` nodes, of which the first are the interface nodes.
+mechanics::NodeValues load_rows(const Conditions& conditions, std::size_t nodes);
+
+/// Hold and load an assembly whose first nodes are the interface nodes. Its loads were zero.
+void apply(const Conditions& conditions, mechanics::Assembly& assembly);
 
 }  // namespace fretwork::simulation

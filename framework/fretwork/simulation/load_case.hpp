@@ -2,39 +2,14 @@
 #pragma once
 
 #include <fretwork/mechanics/frame.hpp>
-#include <fretwork/tiling/tessellation.hpp>
+#include <fretwork/simulation/selection.hpp>
 
 #include <Eigen/Core>
 
-#include <array>
-#include <filesystem>
 #include <string>
-#include <variant>
 #include <vector>
 
 namespace fretwork::simulation {
-
-/// A side of the bounding box.
-enum class Side { Left, Right, Bottom, Top };
-
-/// Interface nodes by their numbers.
-struct NodesById {
-    std::vector<int> ids;
-};
-/// All interface nodes in a box, its rim included: xmin ymin xmax ymax in metres.
-struct NodesInBox {
-    std::array<double, 4> box{};
-};
-/// The interface node nearest to each of some points.
-struct NodesNearest {
-    std::vector<pattern::Point2> points;
-};
-/// The rim nodes along one side: those in a strip of one mean tile side along that side of the bounding box.
-struct NodesAtSide {
-    Side side = Side::Left;
-};
-/// Which interface nodes a support or a load is on.
-using Selection = std::variant<NodesById, NodesInBox, NodesNearest, NodesAtSide>;
 
 /// What holds a tessellation and what acts on it. All of it is on interface nodes, which every model of it
 /// shares.
@@ -65,13 +40,5 @@ struct LoadCase {
     /// Section 7.3.
     Eigen::Vector3d gravity = Eigen::Vector3d::Zero();
 };
-
-/// Read a load case file. Throws InputError with file and JSON pointer.
-LoadCase read_load_case(const std::filesystem::path& path);
-
-/// The interface nodes of a selection, ascending, each once. Throws InputError if there is none, or an id is
-/// out of range.
-std::vector<tiling::InterfaceIndex> select_nodes(const Selection& selection,
-                                                 const tiling::Tessellation& tessellation);
 
 }  // namespace fretwork::simulation

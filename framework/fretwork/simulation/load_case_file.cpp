@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/file.hpp>
 #include <fretwork/simulation/detail/load_case_json.hpp>
+#include <fretwork/simulation/load_case_file.hpp>
 
 #include <algorithm>
 
@@ -187,6 +189,18 @@ Json load_case_to_json(const LoadCase& load_case) {
 }
 
 }  // namespace detail
+
+LoadCase parse_load_case(std::string_view text, const std::string& source) {
+    return detail::load_case_from_json(JsonReader::from_text(text, source));
+}
+
+std::string load_case_text(const LoadCase& load_case) {
+    return base::detail::json_text(detail::load_case_to_json(load_case));
+}
+
+void write_load_case(const LoadCase& load_case, const std::filesystem::path& path) {
+    base::write_file_atomically(path, load_case_text(load_case));
+}
 
 LoadCase read_load_case(const std::filesystem::path& path) {
     return detail::load_case_from_json(JsonReader::from_file(path));

@@ -2,11 +2,12 @@
 #pragma once
 
 #include <fretwork/pattern/node_layout.hpp>
+#include <fretwork/reduction/setting.hpp>
 #include <fretwork/simulation/load_case.hpp>
 #include <fretwork/tiling/outline.hpp>
 #include <fretwork/tiling/tessellation.hpp>
 
-#include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,14 +19,18 @@ struct Project {
     tiling::Outline outline;
     tiling::Tessellation tessellation;  ///< with its painting
     std::vector<LoadCase> load_cases;
+    /// Of the patterns' library when the project was made: so the project means the same without it. Projects
+    /// of the first format have none.
+    std::optional<reduction::Setting> setting{};
+    /// Some tiles with a tile model of their own.
+    struct TileModelChoice {
+        std::string model;  ///< a row of the catalogue
+        std::vector<tiling::TileIndex> tiles;
+    };
+    std::vector<TileModelChoice> tile_models{};
     std::string library_path;  ///< relative to the project file; empty: none
     std::string library_hash;  ///< content hash of the library when the project was made
 };
-
-/// Throws InputError with file and JSON pointer.
-Project read_project(const std::filesystem::path& path);
-/// Throws IoError; then the file is as it was.
-void write_project(const Project& project, const std::filesystem::path& path);
 
 /// The load case of a name; "" is the only one there is. Throws InputError that lists what there is.
 const LoadCase& find_load_case(const Project& project, const std::string& name);

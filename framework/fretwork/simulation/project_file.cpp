@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/file.hpp>
-#include <fretwork/base/text.hpp>
+#include <fretwork/reduction/setting_file.hpp>
 #include <fretwork/simulation/detail/load_case_json.hpp>
-#include <fretwork/simulation/project.hpp>
+#include <fretwork/simulation/project_file.hpp>
 #include <fretwork/tiling/tessellation_check.hpp>
 
 namespace fretwork::simulation {
@@ -132,14 +132,30 @@ void read_load_cases(const JsonReader& json, Project& project) {
     }
 }
 
-}  // namespace
+void read_tile_models(const JsonReader& json, Project& project) {
+    std::vector<bool> is_chosen(project.tessellation.tiles.size(), false);
+    for (const JsonReader& element : json.elements()) {
+        element.allow_only({"model", "tiles"});
+        Project::TileModelChoice choice{element.at("model").string(), {}};
+        for (const JsonReader& tile : element.at("tiles").elements()) {
+            const long long last = std::ssize(is_chosen) - 1;
+            choice.tiles.emplace_back(tile.integer(0, last));
+            auto chosen = is_chosen[static_cast<std::size_t>(choice.tiles.back())];
+            if (chosen) tile.fail("is a tile for which a model is chosen twice");
+            chosen = true;
+        }
+        project.tile_models.push_back(std::move(choice));
+    }
+}
 
-Project read_project(const std::filesystem::path& path) {
-    const JsonReader json = JsonReader::from_file(path);
-    json.expect_format("project");
-    json.allow_only({"format", "layout", "library", "outline", "tessellation", "load_cases"});
+Project project_from_json(const JsonReader& json) {
+    (void)json.at("format").choice({"fretwork/project/1", "fretwork/project/2"});
+    json.allow_only(
+        {"format", "layout", "setting", "library", "outline", "tessellation", "load_cases", "tile_models"});
     Project project;
-    project.layout = pattern::parse_node_layout(json.at("layout").text(), path.string() + ": /layout");
+    project.layout = pattern::parse_node_layout(json.at("layout").text(), json.source() + ": /layout");
+    if (const auto setting = json.find("setting"))
+        project.setting = reduction::parse_setting(setting->text(), json.source() + ": /setting");
     if (const auto library = json.find("library")) read_library_link(*library, project);
     project.outline = in_place<base::GeometryError>(json.at("outline"), read_outline_json);
     project.tessellation = read_tessellation(json.at("tessellation"));
@@ -149,13 +165,25 @@ Project read_project(const std::filesystem::path& path) {
         tiling::validate(project.tessellation, project.layout);
     });
     read_load_cases(json.at("load_cases"), project);
+    if (const auto models = json.find("tile_models")) read_tile_models(*models, project);
     return project;
 }
 
-void write_project(const Project& project, const std::filesystem::path& path) {
+}  // namespace
+
+Project parse_project(std::string_view text, const std::string& source) {
+    return project_from_json(JsonReader::from_text(text, source));
+}
+
+Project read_project(const std::filesystem::path& path) {
+    return project_from_json(JsonReader::from_file(path));
+}
+
+std::string project_text(const Project& project) {
     Json json;
-    json["format"] = "fretwork/project/1";
+    json["format"] = "fretwork/project/2";
     json["layout"] = Json::parse(pattern::node_layout_text(project.layout));
+    if (project.setting) json["setting"] = Json::parse(reduction::setting_text(*project.setting));
     if (!project.library_path.empty())
         json["library"] = {{"path", project.library_path}, {"hash", project.library_hash}};
     json["load_cases"] = Json::array();
@@ -163,21 +191,13 @@ void write_project(const Project& project, const std::filesystem::path& path) {
         json["load_cases"].push_back(detail::load_case_to_json(load_case));
     json["outline"] = outline_json(project.outline);
     json["tessellation"] = tessellation_json(project.tessellation);
-    base::write_file_atomically(path, base::detail::json_text(json));
+    for (const Project::TileModelChoice& choice : project.tile_models)
+        json["tile_models"].push_back({{"model", choice.model}, {"tiles", indices_json(choice.tiles)}});
+    return base::detail::json_text(json);
 }
 
-const LoadCase& find_load_case(const Project& project, const std::string& name) {
-    if (name.empty() && project.load_cases.size() == 1) return project.load_cases.front();
-    std::vector<std::string> names;
-    for (const LoadCase& load_case : project.load_cases) {
-        if (load_case.name == name) return load_case;
-        names.push_back(load_case.name);
-    }
-    if (names.empty())
-        throw base::InputError("the project has no load case yet; add one with 'fretwork case add'");
-    if (name.empty())
-        throw base::InputError("the project has several load cases; choose one: " + base::join(names, ", "));
-    throw base::InputError(base::unknown_name_message("load case", name, names));
+void write_project(const Project& project, const std::filesystem::path& path) {
+    base::write_file_atomically(path, project_text(project));
 }
 
 }  // namespace fretwork::simulation

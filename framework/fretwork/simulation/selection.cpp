@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/text.hpp>
-#include <fretwork/simulation/load_case.hpp>
+#include <fretwork/simulation/selection.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -35,14 +35,6 @@ std::vector<bool> rim_nodes(const Tessellation& tessellation) {
     std::vector<bool> on_rim(uses.size());
     std::transform(uses.begin(), uses.end(), on_rim.begin(), [](int count) { return count == 1; });
     return on_rim;
-}
-
-double mean_tile_side(const Tessellation& tessellation) {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < tessellation.tiles.size(); ++i) {
-        sum += pattern::mean_side(tiling::tile_polygon(tessellation, tiling::TileIndex(i)));
-    }
-    return sum / static_cast<double>(tessellation.tiles.size());
 }
 
 /// How far a point lies from a side of the bounding box is its height above the lowest point, seen from that
@@ -107,7 +99,7 @@ class Picker {
         double lowest = std::numeric_limits<double>::infinity();
         for (const Point2& node : tessellation_.interface_nodes)
             lowest = std::min(lowest, height(node, selection.side));
-        const double strip = mean_tile_side(tessellation_);
+        const double strip = tiling::mean_tile_side(tessellation_);
         const std::vector<bool> on_rim = rim_nodes(tessellation_);
         return nodes_where(tessellation_, [&](std::size_t i) {
             return on_rim[i] && height(tessellation_.interface_nodes[i], selection.side) <= lowest + strip;

@@ -1,32 +1,56 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
 #include <fretwork/simulation/surface.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace fretwork::simulation {
+namespace {
+
+/// What the project's tiles are made of, if it says so, is what the library was made for.
+reduction::Setting setting_of(const Project& project, const library::Library* library) {
+    if (library == nullptr) return project.setting.value_or(reduction::paper_setting());
+    if (project.setting) library->check_setting(*project.setting);
+    return library->setting();
+}
+
+std::vector<std::string> models_by_tile(const Project& project) {
+    std::vector<std::string> models;
+    if (project.tile_models.empty()) return models;
+    models.resize(project.tessellation.tiles.size());
+    for (const Project::TileModelChoice& choice : project.tile_models) {
+        for (const tiling::TileIndex tile : choice.tiles)
+            models[static_cast<std::size_t>(tile)] = choice.model;
+    }
+    return models;
+}
+
+}  // namespace
 
 Surface make_surface(const Project& project, const library::Library* library) {
     if (library != nullptr) library->check_layout(project.layout);
-    Surface surface{project.layout,
-                    project.tessellation,
-                    tiling::assemble_fans(project.layout, project.tessellation),
-                    {},
-                    library != nullptr ? library->setting() : reduction::paper_setting(),
-                    {}};
+    Surface surface{project.layout,         project.tessellation, {}, setting_of(project, library), {},
+                    models_by_tile(project)};
     for (const std::string& id : project.tessellation.patterns) {
         surface.patterns.push_back(pattern::parse_pattern_id(project.layout, id));
-        auto record = library != nullptr ? library->best_calibration(id) : std::nullopt;
-        surface.calibrations.push_back(record ? std::optional(std::move(record->calibration)) : std::nullopt);
+        surface.calibrations.push_back(library != nullptr ? library->best_calibrations(id)
+                                                          : std::vector<reduction::Calibration>{});
     }
     return surface;
+}
+
+tiling::TessellationFan surface_fan(const Surface& surface) {
+    return tiling::assemble_fans(surface.layout, surface.tessellation);
 }
 
 std::vector<double> tile_masses(const Surface& surface) {
     std::vector<double> masses(surface.tessellation.tiles.size(), 0.0);
     const double mass_per_length = surface.setting.material.density * surface.setting.section.area;
-    for (const tiling::TessellationFan::Edge& edge : surface.fan.edges) {
-        const pattern::Point2& a = surface.fan.nodes[static_cast<std::size_t>(edge.nodes[0])];
-        const pattern::Point2& b = surface.fan.nodes[static_cast<std::size_t>(edge.nodes[1])];
+    const tiling::TessellationFan fan = surface_fan(surface);
+    for (const tiling::TessellationFan::Edge& edge : fan.edges) {
+        const pattern::Point2& a = fan.nodes[static_cast<std::size_t>(edge.nodes[0])];
+        const pattern::Point2& b = fan.nodes[static_cast<std::size_t>(edge.nodes[1])];
         masses[static_cast<std::size_t>(edge.tile)] += mass_per_length * std::hypot(b.x - a.x, b.y - a.y);
     }
     return masses;

@@ -8,7 +8,7 @@
 #include <fretwork/simulation/project.hpp>
 #include <fretwork/tiling/tessellation_fan.hpp>
 
-#include <optional>
+#include <string_view>
 #include <vector>
 
 namespace fretwork::simulation {
@@ -17,18 +17,23 @@ namespace fretwork::simulation {
 struct Surface {
     pattern::NodeLayout layout;
     tiling::Tessellation tessellation;
-    tiling::TessellationFan fan;             ///< all beams of all tiles
     std::vector<pattern::Pattern> patterns;  ///< those of Tessellation::patterns
-    reduction::Setting setting;  ///< material and section; the paper's if the project has no library
-    /// For each of the patterns its best calibration of the paper's reduced model, if the library has one.
-    std::vector<std::optional<reduction::Calibration>> calibrations;
+    reduction::Setting setting;              ///< material and section of the beams
+    /// For each of the patterns its best calibration of each tile model, as far as a library has them.
+    std::vector<std::vector<reduction::Calibration>> calibrations;
+    /// The tile model of each tile; "" where it is that of the simulation. Empty: of all tiles.
+    std::vector<std::string> tile_models{};
 };
 
-/// Gather a project's surface. `library` may be null; then the setting is the paper's, and there are no
-/// calibrations. Throws InputError if the library is one of another layout.
+/// Gather a project's surface. `library` may be null; then there are no calibrations. The setting is the
+/// project's, else the library's, else the paper's. Throws InputError if the library is one of another layout
+/// or setting.
 Surface make_surface(const Project& project, const library::Library* library);
 
-/// The weight of every tile's beams, in kilograms, and so what gravity is applied to.
+/// All beams of all tiles. Throws InputError that names a tile that is not painted.
+tiling::TessellationFan surface_fan(const Surface& surface);
+
+/// The mass of every tile's beams, kg: what gravity is applied to.
 std::vector<double> tile_masses(const Surface& surface);
 
 }  // namespace fretwork::simulation

@@ -12,4 +12,12 @@ pattern::Polygon tile_polygon(const Tessellation& tessellation, TileIndex tile) 
     return polygon;
 }
 
+double mean_tile_side(const Tessellation& tessellation) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < tessellation.tiles.size(); ++i) {
+        sum += pattern::mean_side(tile_polygon(tessellation, TileIndex(i)));
+    }
+    return sum / static_cast<double>(tessellation.tiles.size());
+}
+
 }  // namespace fretwork::tiling

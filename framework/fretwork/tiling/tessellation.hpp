@@ -39,4 +39,7 @@ struct Tessellation {
 /// The polygon of a tile.
 pattern::Polygon tile_polygon(const Tessellation& tessellation, TileIndex tile);
 
+/// The mean over the tiles of the mean length of a tile's sides, m.
+double mean_tile_side(const Tessellation& tessellation);
+
 }  // namespace fretwork::tiling

@@ -73,9 +73,10 @@ void draw_tiles(SvgCanvas& canvas, const Surface& surface, const Projection& pro
 
 void draw_beams(SvgCanvas& canvas, const Surface& surface, const Projection& projection) {
     canvas.layer("beams");
-    const std::vector<Point2> nodes = projection.all(surface.fan.nodes);
+    const tiling::TessellationFan fan = simulation::surface_fan(surface);
+    const std::vector<Point2> nodes = projection.all(fan.nodes);
     std::vector<std::array<Point2, 2>> beams;
-    for (const auto& edge : surface.fan.edges)
+    for (const auto& edge : fan.edges)
         beams.push_back(
             {nodes[static_cast<std::size_t>(edge.nodes[0])], nodes[static_cast<std::size_t>(edge.nodes[1])]});
     canvas.segments(beams, {"none", kBeamColour, beam_width(surface), 1.0});

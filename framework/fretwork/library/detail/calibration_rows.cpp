@@ -11,20 +11,26 @@ namespace fretwork::library::detail {
 namespace {
 
 using reduction::Calibration;
-using reduction::Paper6Parameters;
 
 constexpr std::string_view kColumns =
-    "model, optimizer, seed, starts, budget, objective, evaluations, converged, A, I2, I3, J, theta, R, "
-    "at_bound, "
-    "seconds";
+    "model, optimizer, seed, starts, budget, objective, evaluations, converged, at_bound, seconds";
+constexpr std::string_view kOfOne =
+    " WHERE pattern_id = ? AND model = ? AND optimizer = ? AND seed = ? AND starts = ? AND budget = ?";
 
 bool is_finite(const CalibrationRecord& record) {
     const Calibration& calibration = record.calibration;
-    const Paper6Parameters& p = calibration.parameters;
     const auto finite = [](double value) { return std::isfinite(value); };
-    return finite(calibration.objective) && finite(record.seconds) && finite(p.A) && finite(p.I2) &&
-           finite(p.I3) && finite(p.J) && finite(p.theta) && finite(p.R) &&
+    return finite(calibration.objective) && finite(record.seconds) &&
+           std::ranges::all_of(calibration.parameters, finite, &reduction::NamedValue::value) &&
            std::ranges::all_of(calibration.scenario_errors, finite);
+}
+
+/// Bind what tells a calibration apart, then some more.
+template <class... Values>
+Statement& bind_of_one(Statement& statement, std::string_view pattern_id, const CalibrationKey& key,
+                       const Values&... more) {
+    return statement.bind_all(pattern_id, key.model, key.optimizer, static_cast<std::int64_t>(key.seed),
+                              key.starts, key.budget, more...);
 }
 
 CalibrationRecord read_row(const Statement& row) {
@@ -38,38 +44,48 @@ CalibrationRecord read_row(const Statement& row) {
     calibration.objective = row.real(5);
     calibration.evaluations = static_cast<long>(row.integer(6));
     calibration.converged = row.integer(7) != 0;
-    calibration.parameters = {row.real(8),  row.real(9),  row.real(10),
-                              row.real(11), row.real(12), row.real(13)};
-    if (!row.text(14).empty()) calibration.at_bound = base::split(row.text(14), ',');
-    record.seconds = row.real(15);
+    if (!row.text(8).empty()) calibration.at_bound = base::split(row.text(8), ',');
+    record.seconds = row.real(9);
     return record;
 }
 
 void read_errors(const Database& database, std::string_view pattern_id, const reduction::Setting& setting,
                  CalibrationRecord& record) {
-    Statement statement(
-        database,
-        "SELECT error FROM calibration_error WHERE pattern_id = ? AND model = ? AND optimizer = ? "
-        "AND seed = ? AND starts = ? AND budget = ? AND scenario = ?");
+    Statement statement(database,
+                        "SELECT error FROM calibration_error" + std::string(kOfOne) + " AND scenario = ?");
     const CalibrationKey key = record.key();
     for (const reduction::Scenario& scenario : setting.scenarios) {
-        statement.bind_all(pattern_id, key.model, key.optimizer, static_cast<std::int64_t>(key.seed),
-                           key.starts, key.budget, scenario.name);
+        bind_of_one(statement, pattern_id, key, scenario.name);
         if (statement.step()) record.calibration.scenario_errors.push_back(statement.real(0));
     }
+}
+
+void read_parameters(const Database& database, std::string_view pattern_id, CalibrationRecord& record) {
+    Statement statement(
+        database, "SELECT name, value FROM calibration_parameter" + std::string(kOfOne) + " ORDER BY name");
+    bind_of_one(statement, pattern_id, record.key());
+    while (statement.step())
+        record.calibration.parameters.push_back({std::string(statement.text(0)), statement.real(1)});
 }
 
 void insert_errors(const Database& database, const std::string& pattern_id, const CalibrationRecord& record,
                    const reduction::Setting& setting) {
     Statement statement(database, "INSERT INTO calibration_error VALUES (?, ?, ?, ?, ?, ?, ?, ?)");
-    const CalibrationKey key = record.key();
     const std::vector<double>& errors = record.calibration.scenario_errors;
-    for (std::size_t k = 0; k < errors.size(); ++k) {
-        statement
-            .bind_all(pattern_id, key.model, key.optimizer, static_cast<std::int64_t>(key.seed), key.starts,
-                      key.budget, setting.scenarios[k].name, errors[k])
-            .run();
-    }
+    for (std::size_t k = 0; k < errors.size(); ++k)
+        bind_of_one(statement, pattern_id, record.key(), setting.scenarios[k].name, errors[k]).run();
+}
+
+void insert_parameters(const Database& database, const std::string& pattern_id,
+                       const CalibrationRecord& record) {
+    Statement statement(database, "INSERT INTO calibration_parameter VALUES (?, ?, ?, ?, ?, ?, ?, ?)");
+    for (const auto& [name, value] : record.calibration.parameters)
+        bind_of_one(statement, pattern_id, record.key(), name, value).run();
+}
+
+std::vector<reduction::NamedValue> sorted(std::vector<reduction::NamedValue> parameters) {
+    std::ranges::sort(parameters, {}, &reduction::NamedValue::name);
+    return parameters;
 }
 
 }  // namespace
@@ -94,14 +110,12 @@ void check_calibration(const Database& database, const std::string& pattern_id,
 void insert_calibration(const Database& database, const std::string& pattern_id,
                         const CalibrationRecord& record, const reduction::Setting& setting) {
     Statement statement(database, "INSERT INTO calibration (pattern_id, " + std::string(kColumns) +
-                                      ") VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+                                      ") VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
     const Calibration& c = record.calibration;
-    const Paper6Parameters& p = c.parameters;
-    statement
-        .bind_all(pattern_id, c.model, c.optimizer, static_cast<std::int64_t>(c.seed), c.starts,
-                  record.budget, c.objective, static_cast<std::int64_t>(c.evaluations), int{c.converged}, p.A,
-                  p.I2, p.I3, p.J, p.theta, p.R, base::join(c.at_bound, ","), record.seconds)
+    bind_of_one(statement, pattern_id, record.key(), c.objective, static_cast<std::int64_t>(c.evaluations),
+                int{c.converged}, base::join(c.at_bound, ","), record.seconds)
         .run();
+    insert_parameters(database, pattern_id, record);
     insert_errors(database, pattern_id, record, setting);
 }
 
@@ -113,19 +127,19 @@ std::vector<CalibrationRecord> read_calibrations(const Database& database, std::
     statement.bind_all(pattern_id);
     std::vector<CalibrationRecord> records;
     while (statement.step()) records.push_back(read_row(statement));
-    for (CalibrationRecord& record : records) read_errors(database, pattern_id, setting, record);
+    for (CalibrationRecord& record : records) {
+        read_parameters(database, pattern_id, record);
+        read_errors(database, pattern_id, setting, record);
+    }
     return records;
 }
 
 bool are_equal(const CalibrationRecord& left, const CalibrationRecord& right) {
     const Calibration& a = left.calibration;
     const Calibration& b = right.calibration;
-    const auto parameters = [](const Paper6Parameters& p) {
-        return std::array{p.A, p.I2, p.I3, p.J, p.theta, p.R};
-    };
     return left.key() == right.key() && a.objective == b.objective &&
            a.scenario_errors == b.scenario_errors && a.evaluations == b.evaluations &&
-           parameters(a.parameters) == parameters(b.parameters) && a.at_bound == b.at_bound &&
+           sorted(a.parameters) == sorted(b.parameters) && a.at_bound == b.at_bound &&
            a.converged == b.converged;
 }
 

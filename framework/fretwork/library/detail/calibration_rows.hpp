@@ -19,7 +19,7 @@ void check_calibration(const Database& database, const std::string& pattern_id,
 void insert_calibration(const Database& database, const std::string& pattern_id,
                         const CalibrationRecord& record, const reduction::Setting& setting);
 
-/// All calibrations of a pattern, sorted by key.
+/// All calibrations of a pattern, sorted by key; their parameters by name.
 std::vector<CalibrationRecord> read_calibrations(const Database& database, std::string_view pattern_id,
                                                  const reduction::Setting& setting);
 

@@ -5,6 +5,7 @@
 #include <fretwork/base/text.hpp>
 #include <fretwork/library/detail/content.hpp>
 #include <fretwork/library/detail/schema.hpp>
+#include <fretwork/library/detail/schema3.hpp>
 
 #include <bit>
 #include <system_error>
@@ -41,6 +42,14 @@ void update(base::Sha256& hash, const Statement& row, int column) {
         default:
             hash.update("t");
             return update(hash, row.text(column));
+    }
+}
+
+void update(base::Sha256& hash, const Database& database, std::string_view table, const std::string& query) {
+    update(hash, table);
+    Statement rows(database, query);
+    while (rows.step()) {
+        for (int column = 0; column < rows.column_count(); ++column) update(hash, rows, column);
     }
 }
 
@@ -91,12 +100,17 @@ bool is_json_table(const Table& table) {
 std::string content_hash(Database& database) {
     const Transaction snapshot(database, Transaction::Kind::Read);
     base::Sha256 hash;
+    for (const Table& table : content_tables()) update(hash, database, table.name, sorted_rows_query(table));
+    return hash.hexadecimal();
+}
+
+std::string schema3_content_hash(Database& database) {
+    const Transaction snapshot(database, Transaction::Kind::Read);
+    base::Sha256 hash;
     for (const Table& table : content_tables()) {
-        update(hash, table.name);
-        Statement rows(database, sorted_rows_query(table));
-        while (rows.step()) {
-            for (int column = 0; column < rows.column_count(); ++column) update(hash, rows, column);
-        }
+        if (table.name == "calibration_parameter") continue;
+        update(hash, database, table.name,
+               table.name == "calibration" ? schema3_calibrations() : sorted_rows_query(table));
     }
     return hash.hexadecimal();
 }

@@ -4,6 +4,7 @@
 #include <fretwork/library/detail/calibration_rows.hpp>
 #include <fretwork/library/detail/library_impl.hpp>
 #include <fretwork/library/detail/provenance_rows.hpp>
+#include <fretwork/reduction/setting_file.hpp>
 
 #include <algorithm>
 #include <cmath>

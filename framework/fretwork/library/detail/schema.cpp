@@ -65,8 +65,6 @@ CREATE TABLE calibration(
     objective   REAL NOT NULL,
     evaluations INTEGER NOT NULL,
     converged   INTEGER NOT NULL CHECK (converged IN (0, 1)),
-    A REAL NOT NULL, I2 REAL NOT NULL, I3 REAL NOT NULL, J REAL NOT NULL,
-    theta REAL NOT NULL, R REAL NOT NULL,
     at_bound    TEXT NOT NULL,
     seconds     REAL NOT NULL,
     PRIMARY KEY (pattern_id, model, optimizer, seed, starts, budget)
@@ -121,6 +119,22 @@ SELECT p.id AS pattern_id, p.mirror,
 FROM pattern AS p JOIN property ON property.pattern_id = p.id GROUP BY p.id;
 )sql";
 
+constexpr const char* kParameterTable = R"sql(
+CREATE TABLE calibration_parameter(
+    pattern_id TEXT NOT NULL,
+    model      TEXT NOT NULL,
+    optimizer  TEXT NOT NULL,
+    seed       INTEGER NOT NULL,
+    starts     INTEGER NOT NULL,
+    budget     INTEGER NOT NULL,
+    name       TEXT NOT NULL,
+    value      REAL NOT NULL,
+    PRIMARY KEY (pattern_id, model, optimizer, seed, starts, budget, name),
+    FOREIGN KEY (pattern_id, model, optimizer, seed, starts, budget)
+        REFERENCES calibration(pattern_id, model, optimizer, seed, starts, budget)
+) WITHOUT ROWID;
+)sql";
+
 std::int64_t header_field(const Database& database, const std::string& name) {
     return query_integer(database, "PRAGMA " + name).value_or(0);
 }
@@ -136,6 +150,8 @@ std::span<const Table> content_tables() {
     static const Columns calibration_key = {"pattern_id", "model", "optimizer", "seed", "starts", "budget"};
     static const Columns calibration_error_key = {"pattern_id", "model",  "optimizer", "seed",
                                                   "starts",     "budget", "scenario"};
+    static const Columns parameter_key = {"pattern_id", "model",  "optimizer", "seed",
+                                          "starts",     "budget", "name"};
     static const std::vector<Table> tables = {
         {"layout", {"name"}, {"json"}, {}},
         {"setting", {"id"}, {"json"}, {}},
@@ -146,10 +162,8 @@ std::span<const Table> content_tables() {
          {"magnitude", "converged", "stable", "limit_load", "discretization_error"},
          {}},
         {"response", {"pattern_id", "scenario", "step", "node"}, {"ux", "uy", "uz", "rx", "ry", "rz"}, {}},
-        {"calibration",
-         calibration_key,
-         {"objective", "evaluations", "converged", "A", "I2", "I3", "J", "theta", "R", "at_bound"},
-         {"seconds"}},
+        {"calibration", calibration_key, {"objective", "evaluations", "converged", "at_bound"}, {"seconds"}},
+        {"calibration_parameter", parameter_key, {"value"}, {}},
         {"calibration_error", calibration_error_key, {"error"}, {}},
         {"property", {"pattern_id", "name"}, {"value"}, {}},
         {"failure", {"pattern_id", "stage"}, {"reason"}, {}},
@@ -165,7 +179,20 @@ std::string content_columns(const Table& table) {
 
 void create_schema(Database& database) {
     database.execute(kSchema);
+    create_parameter_table(database);
     set_header_field(database, "application_id", kApplicationId);
+    set_schema_version(database);
+}
+
+void create_parameter_table(Database& database) {
+    database.execute(kParameterTable);
+}
+
+std::int64_t schema_version(const Database& database, const std::string& database_name) {
+    return header_field(database, database_name + ".user_version");
+}
+
+void set_schema_version(Database& database) {
     set_header_field(database, "user_version", kSchemaVersion);
 }
 
@@ -178,12 +205,17 @@ void check_schema(const Database& database) {
     const std::string file = database.path().string();
     if (header_field(database, "application_id") != kApplicationId)
         throw base::InputError(file, "", "is no pattern library");
-    const std::int64_t version = header_field(database, "user_version");
-    if (version == kSchemaVersion) return;
+    const std::int64_t version = schema_version(database);
+    if (version == kSchemaVersion || version == kOldestSchemaVersion) return;
+    const std::string what = "is a library of schema version " + std::to_string(version);
+    if (version > kSchemaVersion)
+        throw base::InputError(file, "",
+                               what + ", where this program knows versions up to " +
+                                   std::to_string(kSchemaVersion) + ": use a newer program");
     throw base::InputError(file, "",
-                           "is a library of schema version " + std::to_string(version) +
-                               ", where this program reads version " + std::to_string(kSchemaVersion) +
-                               ": make it anew with enumerate --library and calibrate");
+                           what + ", where this program reads versions from " +
+                               std::to_string(kOldestSchemaVersion) +
+                               " on: make it anew with enumerate --library and calibrate");
 }
 
 }  // namespace fretwork::library::detail

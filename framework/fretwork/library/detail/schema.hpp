@@ -3,6 +3,7 @@
 
 #include <fretwork/library/detail/database.hpp>
 
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
@@ -13,7 +14,9 @@ namespace fretwork::library::detail {
 /// "FRWK": what the header of a library file says that it is.
 inline constexpr std::int64_t kApplicationId = 0x4652574B;
 /// Rises with every change of the tables.
-inline constexpr std::int64_t kSchemaVersion = 3;
+inline constexpr std::int64_t kSchemaVersion = 4;
+/// Older files are refused; those from here on are read (see schema3.hpp).
+inline constexpr std::int64_t kOldestSchemaVersion = 3;
 
 /// A table whose rows are content: they are hashed, merged and exported. (Provenance is none.)
 struct Table {
@@ -31,7 +34,13 @@ std::string content_columns(const Table& table);
 
 /// Make the tables in an empty file, and write the header fields.
 void create_schema(Database& database);
-/// Throw InputError unless the file is a library of this version.
+/// The part of create_schema that schema 3 lacks.
+void create_parameter_table(Database& database);
+/// The version in the header of a database ("main", or as it was attached).
+std::int64_t schema_version(const Database& database, const std::string& database_name = "main");
+/// Write this version into the header.
+void set_schema_version(Database& database);
+/// Throw InputError unless the file is a library of a version that can be read.
 void check_schema(const Database& database);
 /// True if nothing has ever been stored in the file.
 bool is_empty(const Database& database);

@@ -1,42 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
-#include <fretwork/base/text.hpp>
-#include <fretwork/reduction/model_catalogue.hpp>
-#include <fretwork/reduction/objective.hpp>
+#include <fretwork/reduction/unit_displacements.hpp>
 
 #include <Eigen/Cholesky>
 
-#include <algorithm>
-#include <array>
-
 namespace fretwork::reduction {
 namespace {
-
-Calibration calibrate(const PatternCase& input, const CalibrationOptions& options) {
-    return calibrate_paper6(input.responses, input.setting, options);
-}
-
-Calibration compare_condensed(const PatternCase& input, const CalibrationOptions&) {
-    const Setting& setting = input.setting;
-    const Eigen::MatrixXd stiffness = condensed_tile(
-        input.layout, input.pattern, pattern::regular_polygon(setting.sides, setting.tile_side),
-        {setting.section, setting.material});
-    const UnitDisplacements model = stiffness_displacements(stiffness, setting);
-    const Objective objective(input.responses, setting);
-    Calibration result;
-    result.model = "condensed";
-    result.optimizer = "none";
-    result.objective = objective.value(model);
-    result.scenario_errors = objective.scenario_errors(model);
-    return result;
-}
-
-constexpr std::array kRows = {
-    ReducedModelRow{"paper6", "The paper's hexagon with links: six parameters, calibrated",
-                    Preparation::Calibration, calibrate},
-    ReducedModelRow{"condensed", "The pattern's own linear frame, condensed onto its interface nodes",
-                    Preparation::None, compare_condensed},
-};
 
 std::vector<Eigen::Index> free_dofs(const Scenario& scenario, Eigen::Index count) {
     std::vector<bool> held(static_cast<std::size_t>(count), false);
@@ -83,23 +52,10 @@ mechanics::NodeValues solve_scenario(const Eigen::MatrixXd& stiffness, const Sce
 
 }  // namespace
 
-std::span<const ReducedModelRow> reduced_model_catalogue() {
-    return kRows;
-}
-
-const ReducedModelRow& find_reduced_model(std::string_view name) {
-    const auto row = std::ranges::find(kRows, name, &ReducedModelRow::name);
-    if (row != kRows.end()) return *row;
-    std::vector<std::string> names;
-    for (const ReducedModelRow& candidate : kRows) names.emplace_back(candidate.name);
-    throw base::InputError(base::unknown_name_message("reduced model", name, names));
-}
-
-UnitDisplacements stiffness_displacements(const Eigen::MatrixXd& stiffness, const Setting& setting) {
+UnitDisplacements unit_displacements(const Eigen::MatrixXd& stiffness, const Setting& setting) {
     UnitDisplacements result;
-    for (const Scenario& scenario : setting.scenarios) {
+    for (const Scenario& scenario : setting.scenarios)
         result.push_back(solve_scenario(stiffness, scenario, setting.sides));
-    }
     return result;
 }
 

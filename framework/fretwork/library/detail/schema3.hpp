@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/library/detail/database.hpp>
+
+#include <string>
+
+namespace fretwork::library::detail {
+
+// Libraries of schema 3 have the paper's six parameters as columns of `calibration`, and zeros there for
+// models without parameters. They are read as they are, and changed to schema 4 when they are opened for
+// writing.
+
+/// The rows of schema 4's table calibration_parameter, as a query of a schema-3 database of this name
+/// ("main", or as it was attached).
+std::string schema3_parameters(const std::string& database_name);
+
+/// Let a schema-3 file that is only read answer the queries of schema 4.
+void view_schema3(Database& database);
+
+/// Change the tables of a schema-3 file to those of schema 4, all of them or none. Does nothing if another
+/// process has done so meanwhile.
+void migrate_schema3(Database& database);
+
+/// A query of the calibrations in the columns of schema 3, for a database of schema 3 or 4: what content
+/// hashes of that time were made from.
+std::string schema3_calibrations();
+
+}  // namespace fretwork::library::detail

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/mechanics/condensation.hpp>
+#include <fretwork/mechanics/equilibrium.hpp>
+#include <fretwork/reduction/model_response.hpp>
+
+namespace fretwork::reduction {
+
+ModelTile::ModelTile(const TileModel& model, const pattern::NodeLayout& layout,
+                     const pattern::Pattern& pattern, const Setting& setting)
+    : model_(model),
+      layout_(layout),
+      setting_(setting),
+      polygon_(pattern::regular_polygon(setting.sides, setting.tile_side)),
+      fan_(pattern::make_fan(layout, pattern, setting.sides)) {
+    const auto places = pattern::place_fan(layout, fan_, polygon_);
+    for (int i = 0; i < fan_.interface_node_count; ++i) {
+        const pattern::Point2& place = places[static_cast<std::size_t>(i)];
+        interface_nodes_.emplace_back(place.x, place.y, 0.0);
+    }
+}
+
+StructureParts ModelTile::parts(std::span<const double> parameters) const {
+    const auto tile = model_.build({layout_, fan_, setting_, polygon_, parameters});
+    return tile_parts(*tile, interface_nodes_);
+}
+
+UnitDisplacements ModelTile::displacements(std::span<const double> parameters) const {
+    std::vector<mechanics::NodeIndex> kept;
+    for (std::size_t i = 0; i < interface_nodes_.size(); ++i) kept.emplace_back(i);
+    return unit_displacements(mechanics::condense(assemble(parts(parameters)), kept), setting_);
+}
+
+std::vector<Response> ModelTile::responses(std::span<const double> parameters) const {
+    std::vector<Response> responses;
+    for (const Scenario& scenario : setting_.scenarios) {
+        mechanics::Assembly tile = assemble(parts(parameters));
+        apply_scenario(scenario, tile);
+        responses.push_back(follow_scenario(tile, scenario, setting_));
+    }
+    return responses;
+}
+
+}  // namespace fretwork::reduction

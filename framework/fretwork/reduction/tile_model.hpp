@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/pattern/fan.hpp>
+#include <fretwork/reduction/calibration_problem.hpp>
+#include <fretwork/reduction/setting.hpp>
+#include <fretwork/reduction/tile_structure.hpp>
+
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fretwork::reduction {
+
+/// What a tile model builds a tile from.
+struct TileInput {
+    const pattern::NodeLayout& layout;
+    const pattern::Fan& fan;  ///< the tile's pattern, around a polygon of as many sides as the tile
+    const Setting& setting;
+    const pattern::Polygon& polygon;     ///< convex, counterclockwise, metres
+    std::span<const double> parameters;  ///< of the model, in the order of its row
+};
+
+/// One parameter of a tile model.
+struct TileParameter {
+    struct Range {
+        double lower = 0.0;
+        double upper = 0.0;
+    };
+    /// How a search measures distances between two values. Logarithmic bounds lie above zero.
+    enum class Scale { Linear, Logarithmic };
+    std::string name;  ///< as libraries store it: "I2"
+    std::string unit;  ///< of the value, SI: "m^4"
+    Scale scale = Scale::Linear;
+    std::function<Range(const Setting&)> range;  ///< the bounds of a calibration
+};
+
+/// Which displacements a tile model is made for.
+enum class Displacements { Small, Large };
+
+/// Whether other models are compared with this one, or it with another.
+enum class Role { Reference, Reduced };
+
+/// Whether congruent tiles of a surface are built once. Then a tile is built in its own axes, from its
+/// polygon rounded to a tolerance; else in the surface's axes, from the polygon as it is.
+enum class Sharing { None, Congruent };
+
+/// A tile model: how a painted tile becomes elements between its interface nodes. A row of the catalogue.
+struct TileModel {
+    std::string name;     ///< what commands, files and libraries call it
+    std::string summary;  ///< one line
+    Role role = Role::Reduced;
+    Displacements displacements = Displacements::Small;
+    Sharing sharing = Sharing::None;
+    std::vector<TileParameter> parameters{};  ///< fitted to a pattern's responses; none: nothing is fitted
+    /// Throws InputError or GeometryError if the tile cannot be built.
+    std::function<std::shared_ptr<const TileStructure>(const TileInput&)> build{};
+    /// Its calibration as an optimization problem; empty: the model is built anew at each point, and
+    /// derivatives are differences. For models of small displacements with parameters only.
+    std::function<std::unique_ptr<CalibrationProblem>(const Objective&, const Setting&)> problem{};
+};
+
+/// The built-in tile models, in the order in which they are listed.
+const std::vector<TileModel>& tile_models();
+
+/// A row by its name. Throws InputError that names the nearest, or all.
+const TileModel& find_tile_model(std::string_view name, std::span<const TileModel> models = tile_models());
+
+/// The place of a parameter among those of a model. Throws InputError that lists them.
+std::size_t parameter_index(const TileModel& model, std::string_view name);
+
+}  // namespace fretwork::reduction

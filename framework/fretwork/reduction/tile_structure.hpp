@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/mechanics/assembly.hpp>
+#include <fretwork/mechanics/frame.hpp>
+
+#include <Eigen/Core>
+
+#include <memory>
+#include <span>
+
+namespace fretwork::reduction {
+
+/// What a surface is built from: beams, and elements of other kinds between the same nodes.
+struct StructureParts {
+    mechanics::Frame beams;        ///< with all nodes of the surface
+    mechanics::Elements elements;  ///< of tiles that are no beams
+};
+
+/// Where a tile lies in a surface, and which of the surface's nodes are its own.
+struct TilePlace {
+    /// The turn about z from the axes that the tile was built in to those of the surface.
+    Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
+    std::span<const mechanics::NodeIndex> nodes;  ///< its interface nodes in order, then its inner nodes
+};
+
+/// What a tile model makes of one tile, wherever the tile lies: congruent tiles share it. Immutable, so that
+/// threads may share it, too.
+class TileStructure {
+  public:
+    TileStructure() = default;
+    TileStructure(const TileStructure&) = delete;
+    TileStructure& operator=(const TileStructure&) = delete;
+    virtual ~TileStructure() = default;
+
+    /// The rest positions of the nodes that it has besides the interface nodes: metres, in its own axes.
+    [[nodiscard]] virtual std::span<const Eigen::Vector3d> inner_nodes() const = 0;
+
+    /// Add what it consists of to a surface. The surface has its nodes already.
+    virtual void add_to(StructureParts& surface, const TilePlace& place) const = 0;
+};
+
+/// A tile of beams. The first `interface_nodes` nodes of the frame are the tile's interface nodes; its
+/// supports and loads are left aside.
+std::shared_ptr<const TileStructure> beam_tile(mechanics::Frame frame, int interface_nodes);
+
+/// A tile that answers to small displacements of its n interface nodes with a stiffness (6n x 6n, in its own
+/// axes) and has no inner nodes. Throws InputError unless the stiffness has 6n rows and columns.
+std::shared_ptr<const TileStructure> stiffness_tile(Eigen::MatrixXd stiffness);
+
+/// The parts as the solvers see them: the elements of the beams come first, then the others.
+mechanics::Assembly assemble(const StructureParts& parts);
+
+/// A tile alone, with its interface nodes first.
+StructureParts tile_parts(const TileStructure& tile, std::span<const Eigen::Vector3d> interface_nodes);
+
+}  // namespace fretwork::reduction

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/mechanics/frame.hpp>
+#include <fretwork/reduction/setting.hpp>
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace fretwork::reduction {
+
+/// What a linear model does under each scenario at a magnitude of 1 N: one row for each interface node.
+using UnitDisplacements = std::vector<mechanics::NodeValues>;
+
+/// The same with derivatives: for each scenario 6n rows (node by node) and one column a parameter.
+struct UnitDisplacementsAndDerivatives {
+    UnitDisplacements displacements;
+    std::vector<Eigen::MatrixXd> derivatives;
+};
+
+/// What a tile with this stiffness of its interface nodes (6n x 6n) does under each scenario of the setting.
+/// Throws NumericalError that names a scenario under which it can move freely.
+UnitDisplacements unit_displacements(const Eigen::MatrixXd& stiffness, const Setting& setting);
+
+}  // namespace fretwork::reduction

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/simulation/detail/tile_builder.hpp>
+
+#include <optional>
+#include <vector>
+
+namespace fretwork::simulation::detail {
+
+/// The tiles of a surface as one structure. Nodes: the interface nodes with their own ids, then the inner
+/// nodes of the tiles, tile by tile.
+struct JoinedTiles {
+    /// Where a tile's own nodes, beams and elements begin.
+    struct Start {
+        std::size_t inner_node = 0;
+        std::size_t beam = 0;
+        std::size_t element = 0;
+    };
+    reduction::StructureParts parts;
+    std::vector<Start> starts;  ///< of each tile, and behind the last
+};
+
+JoinedTiles join_tiles(const Surface& surface, std::span<const BuiltTile> tiles);
+
+/// The elements of a tile that is built anew, if it has the same nodes as before and as many elements, none
+/// of them beams: then they can take the place of the old ones.
+std::optional<mechanics::Elements> replacement(const JoinedTiles& joined, const Surface& surface,
+                                               tiling::TileIndex tile, const BuiltTile& built);
+
+}  // namespace fretwork::simulation::detail

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/tiling/tessellation.hpp>
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <vector>
+
+namespace fretwork::simulation::detail {
+
+/// A polygon in axes of its own: the origin in its centroid, x along its first side.
+struct OwnAxes {
+    Eigen::Matrix3d turn;             ///< from these axes to the surface's, about z
+    Eigen::Vector3d origin;           ///< of these axes in the surface, m
+    pattern::Polygon polygon;         ///< rounded to the grid, m
+    std::vector<std::int64_t> steps;  ///< its coordinates in steps of the grid: equal for congruent polygons
+};
+
+/// The grid of a tessellation, m: a power of two near a billionth of the mean tile side. Rounding to it moves
+/// stiffnesses by some billionths; what computing in other places of a surface leaves on the coordinates is a
+/// million times smaller.
+double congruence_grid(const tiling::Tessellation& tessellation);
+
+OwnAxes own_axes(const pattern::Polygon& polygon, double grid);
+
+}  // namespace fretwork::simulation::detail

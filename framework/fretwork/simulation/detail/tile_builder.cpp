@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/base/parallel.hpp>
+#include <fretwork/simulation/detail/own_axes.hpp>
+#include <fretwork/simulation/detail/tile_builder.hpp>
+
+#include <set>
+
+namespace fretwork::simulation::detail {
+namespace {
+
+using reduction::TileStructure;
+
+/// What tells shared tiles apart.
+std::string key_of(const reduction::TileModel& model, const std::string& pattern, const OwnAxes& axes) {
+    std::string key = model.name + '\0' + pattern + '\0';
+    key.append(reinterpret_cast<const char*>(axes.steps.data()), axes.steps.size() * sizeof(std::int64_t));
+    return key;
+}
+
+}  // namespace
+
+/// A tile that is to be built, or taken from those that are there.
+struct TileBuilder::Request {
+    const reduction::TileModel* model;
+    const pattern::Fan* fan;
+    std::vector<double> parameters;
+    pattern::Polygon polygon;  ///< in the axes in which the tile is built
+    std::string key;           ///< of a shared tile; empty: none
+    BuiltTile tile;
+
+    [[nodiscard]] std::shared_ptr<const TileStructure> build(const Surface& surface) const {
+        return model->build({surface.layout, *fan, surface.setting, polygon, parameters});
+    }
+};
+
+const pattern::Fan& TileBuilder::fan_of(const Surface& surface, const tiling::Tile& tile) {
+    const auto pattern = static_cast<std::size_t>(tile.pattern);
+    const std::size_t sides = tile.vertices.size();
+    const auto [entry, is_new] = fans_.try_emplace({surface.tessellation.patterns[pattern], sides});
+    if (is_new)
+        entry->second = pattern::make_fan(surface.layout, surface.patterns[pattern], static_cast<int>(sides));
+    return entry->second;
+}
+
+TileBuilder::Request TileBuilder::request(const Order& order, tiling::TileIndex index, double grid) {
+    const Surface& surface = order.surface;
+    const tiling::Tile& tile = surface.tessellation.tiles[static_cast<std::size_t>(index)];
+    const reduction::TileModel& model = tile_model(surface, order.choice, index);
+    std::vector<double> parameters = tile_parameters(surface, index, model);
+    Request request{&model,
+                    &fan_of(surface, tile),
+                    std::move(parameters),
+                    tiling::tile_polygon(surface.tessellation, index),
+                    {},
+                    {}};
+    if (model.sharing == reduction::Sharing::None) return request;
+    OwnAxes axes = own_axes(request.polygon, grid);
+    if (!pattern::is_convex(axes.polygon)) return request;
+    request.key = key_of(model, surface.tessellation.patterns[static_cast<std::size_t>(tile.pattern)], axes);
+    request.polygon = std::move(axes.polygon);
+    request.tile.turn = axes.turn;
+    request.tile.origin = axes.origin;
+    return request;
+}
+
+std::vector<BuiltTile> TileBuilder::build(const Order& order, const BuildOptions& options) {
+    const double grid = congruence_grid(order.surface.tessellation);
+    std::vector<Request> requests;
+    requests.reserve(order.tiles.size());  // pointers to them, and views of their keys, are kept
+    std::vector<Request*> missing;
+    std::set<std::string_view> ordered;
+    for (const tiling::TileIndex tile : order.tiles) {
+        Request& wanted = requests.emplace_back(request(order, tile, grid));
+        const bool is_there = shared_.contains(wanted.key);
+        if (wanted.key.empty() || (!is_there && ordered.insert(wanted.key).second))
+            missing.push_back(&wanted);
+    }
+    base::parallel_for(missing.size(), options.threads, [&](std::size_t i) {
+        options.control.check();
+        missing[i]->tile.structure = missing[i]->build(order.surface);
+    });
+    for (const Request* request : missing) {
+        if (!request->key.empty()) shared_[request->key] = request->tile.structure;
+    }
+    built_count_ += missing.size();
+    std::vector<BuiltTile> built;
+    for (Request& request : requests) {
+        if (!request.tile.structure) request.tile.structure = shared_.at(request.key);
+        built.push_back(std::move(request.tile));
+    }
+    return built;
+}
+
+std::vector<BuiltTile> TileBuilder::build_all(const Surface& surface, const ModelChoice& choice,
+                                              const BuildOptions& options) {
+    std::vector<tiling::TileIndex> tiles;
+    for (std::size_t t = 0; t < surface.tessellation.tiles.size(); ++t) tiles.emplace_back(t);
+    return build({surface, choice, tiles}, options);
+}
+
+}  // namespace fretwork::simulation::detail

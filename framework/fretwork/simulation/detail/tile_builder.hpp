@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/base/control.hpp>
+#include <fretwork/simulation/surface_structure.hpp>
+
+#include <map>
+#include <memory>
+#include <span>
+#include <string>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace fretwork::simulation::detail {
+
+/// What a tile model made of a tile, and where its own axes lie in the surface.
+struct BuiltTile {
+    std::shared_ptr<const reduction::TileStructure> structure;
+    Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
+    Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< m
+};
+
+/// How a builder works, besides what it builds.
+struct BuildOptions {
+    int threads = 0;  ///< 0: all there are. They change no bit of a tile.
+    base::Control control{};
+};
+
+/// Builds tiles, and keeps those that congruent tiles share.
+///
+/// Congruent tiles are told by their polygons in axes of their own: the origin in the centroid, x along the
+/// first side, coordinates rounded to a grid of about a billionth of the mean tile side. A shared tile is
+/// built from the rounded polygon, so it does not depend on which tile came first. A polygon that is not
+/// convex after the rounding (one with a straight corner, say) is built as it is, and not shared.
+class TileBuilder {
+  public:
+    /// What is built: tiles of a surface.
+    struct Order {
+        const Surface& surface;
+        const ModelChoice& choice;
+        std::span<const tiling::TileIndex> tiles;
+    };
+    /// The tiles in their order. Throws as the models do, and as tile_parameters().
+    std::vector<BuiltTile> build(const Order& order, const BuildOptions& options);
+    /// All tiles of a surface.
+    std::vector<BuiltTile> build_all(const Surface& surface, const ModelChoice& choice,
+                                     const BuildOptions& options);
+
+    /// How many tiles have been built so far; shared ones count once.
+    [[nodiscard]] std::size_t built_count() const { return built_count_; }
+    /// Forget what is shared: the setting or the calibrations of the surface have changed.
+    void forget() { shared_.clear(); }
+
+  private:
+    struct Request;
+    Request request(const Order& order, tiling::TileIndex tile, double grid);
+    const pattern::Fan& fan_of(const Surface& surface, const tiling::Tile& tile);
+
+    std::map<std::pair<std::string, std::size_t>, pattern::Fan> fans_;  ///< by pattern and number of sides
+    std::unordered_map<std::string, std::shared_ptr<const reduction::TileStructure>> shared_;
+    std::size_t built_count_ = 0;
+};
+
+}  // namespace fretwork::simulation::detail

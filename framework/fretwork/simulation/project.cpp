@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/base/text.hpp>
+#include <fretwork/simulation/project.hpp>
+
+namespace fretwork::simulation {
+
+const LoadCase& find_load_case(const Project& project, const std::string& name) {
+    if (name.empty() && project.load_cases.size() == 1) return project.load_cases.front();
+    std::vector<std::string> names;
+    for (const LoadCase& load_case : project.load_cases) {
+        if (load_case.name == name) return load_case;
+        names.push_back(load_case.name);
+    }
+    if (names.empty())
+        throw base::InputError("the project has no load case yet; add one with 'fretwork case add'");
+    if (name.empty())
+        throw base::InputError("the project has several load cases; choose one: " + base::join(names, ", "));
+    throw base::InputError(base::unknown_name_message("load case", name, names));
+}
+
+}  // namespace fretwork::simulation

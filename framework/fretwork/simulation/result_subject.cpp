@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/sha256.hpp>
+#include <fretwork/base/text.hpp>
+#include <fretwork/reduction/setting_file.hpp>
+#include <fretwork/simulation/load_case_file.hpp>
+#include <fretwork/simulation/result_subject.hpp>
+
+#include <algorithm>
+#include <cstring>
+#include <map>
+#include <vector>
+
+namespace fretwork::simulation {
+namespace {
+
+using tiling::Tessellation;
+using tiling::Tile;
+
+/// Values of one size, as bytes.
+template <class Value>
+void update(base::Sha256& hash, const std::vector<Value>& values) {
+    static_assert(std::is_trivially_copyable_v<Value>);
+    hash.update(std::to_string(values.size()) + ":");
+    hash.update({reinterpret_cast<const char*>(values.data()), values.size() * sizeof(Value)});
+}
+
+/// How many vertices lie before the one with the smallest number.
+std::ptrdiff_t first_place(const Tile& tile) {
+    return std::ranges::min_element(tile.vertices) - tile.vertices.begin();
+}
+
+std::string tessellation_hash(const Tessellation& tessellation) {
+    base::Sha256 hash;
+    hash.update(tessellation.layout + ":");
+    update(hash, tessellation.vertices);
+    update(hash, tessellation.interface_nodes);
+    for (const Tile& tile : tessellation.tiles) {
+        std::vector<tiling::VertexIndex> vertices = tile.vertices;
+        std::vector<tiling::InterfaceIndex> nodes = tile.interface_nodes;
+        const std::ptrdiff_t turn = first_place(tile);
+        const auto a_side = std::ssize(nodes) / std::ssize(vertices);
+        std::ranges::rotate(vertices, vertices.begin() + turn);
+        std::ranges::rotate(nodes, nodes.begin() + turn * a_side);
+        update(hash, vertices);
+        update(hash, nodes);
+    }
+    return hash.hexadecimal();
+}
+
+std::string painting_hash(const Tessellation& tessellation) {
+    base::Sha256 hash;
+    for (const Tile& tile : tessellation.tiles) {
+        const std::string id =
+            tile.pattern < 0 ? "-" : tessellation.patterns[static_cast<std::size_t>(tile.pattern)];
+        hash.update(id + " " + std::to_string(first_place(tile)) + "\n");
+    }
+    return hash.hexadecimal();
+}
+
+/// "condensed", or "condensed; full (3 tiles)".
+std::string model_text(const Surface& surface, const SimulationOptions& options) {
+    std::map<std::string, std::size_t> others;
+    for (const std::string& model : surface.tile_models) {
+        if (!model.empty() && model != options.model) ++others[model];
+    }
+    std::string text = options.model;
+    for (const auto& [model, count] : others) text += "; " + model + " (" + std::to_string(count) + " tiles)";
+    return text;
+}
+
+bool is_reference(const Surface& surface, const SimulationOptions& options) {
+    const ModelChoice choice{options.model, options.models};
+    for (std::size_t t = 0; t < surface.tessellation.tiles.size(); ++t) {
+        if (tile_model(surface, choice, tiling::TileIndex(t)).role != reduction::Role::Reference)
+            return false;
+    }
+    return true;
+}
+
+/// The load case without what changes no displacement.
+std::string content_of(const std::string& load_case_text) {
+    LoadCase load_case = parse_load_case(load_case_text, "the load case of a result");
+    load_case.description.clear();
+    return simulation::load_case_text(load_case);
+}
+
+}  // namespace
+
+mechanics::ResultSubject result_subject(const Surface& surface, const LoadCase& load_case,
+                                        const SimulationOptions& options) {
+    return {.model = model_text(surface, options),
+            .is_reference = is_reference(surface, options),
+            .load_case = load_case.name,
+            .load_case_text = load_case_text(load_case),
+            .tessellation_hash = tessellation_hash(surface.tessellation),
+            .painting_hash = painting_hash(surface.tessellation),
+            .setting_hash = base::sha256(reduction::setting_text(surface.setting))};
+}
+
+std::string subject_difference(const mechanics::ResultSubject& left, const mechanics::ResultSubject& right) {
+    std::vector<std::string> differences;
+    if (left.tessellation_hash != right.tessellation_hash) differences.emplace_back("the tessellation");
+    if (left.painting_hash != right.painting_hash) differences.emplace_back("the painting");
+    if (left.setting_hash != right.setting_hash) differences.emplace_back("the setting");
+    if (left.load_case != right.load_case) {
+        differences.push_back("the load case ('" + left.load_case + "' and '" + right.load_case + "')");
+    } else if (content_of(left.load_case_text) != content_of(right.load_case_text)) {
+        differences.push_back("what the load case '" + left.load_case + "' holds");
+    }
+    return base::join(differences, ", ");
+}
+
+std::string subject_difference(const mechanics::ResultSubject& result, const Surface& surface) {
+    mechanics::ResultSubject own = result;
+    own.tessellation_hash = tessellation_hash(surface.tessellation);
+    own.painting_hash = painting_hash(surface.tessellation);
+    own.setting_hash = base::sha256(reduction::setting_text(surface.setting));
+    return subject_difference(result, own);
+}
+
+}  // namespace fretwork::simulation

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/base/control.hpp>
+#include <fretwork/mechanics/result_file.hpp>
+#include <fretwork/simulation/load_case.hpp>
+#include <fretwork/simulation/simulation_options.hpp>
+#include <fretwork/simulation/surface.hpp>
+
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace fretwork::simulation {
+
+/// Where a session finds the calibrations of patterns that come in by painting, one for each tile model.
+using CalibrationSource = std::function<std::vector<reduction::Calibration>(const std::string& pattern)>;
+
+/// A surface under a load case that is edited and solved again and again. It keeps what was computed: the
+/// tiles, the assembled structure, the order of elimination and the factors of linear solutions.
+///
+/// Edits are values. They compute nothing; each says what it makes invalid, and the next solve() computes
+/// that anew and nothing else. After any edits the answer is that of the edited surface simulated from
+/// nothing: the same bits where the factors were made anew, and within rounding where they were updated. An
+/// edit that throws has changed nothing.
+///
+/// Not from several threads at once.
+class Session {
+  public:
+    /// `calibrations` may be empty: then only the surface's own patterns have any. Throws InputError if the
+    /// options or the load case make no sense for the surface.
+    Session(Surface surface, LoadCase load_case, SimulationOptions options = {},
+            CalibrationSource calibrations = {});
+    Session(Session&&) noexcept;
+    Session& operator=(Session&&) noexcept;
+    ~Session();
+
+    [[nodiscard]] const Surface& surface() const;
+    [[nodiscard]] const LoadCase& load_case() const;
+    [[nodiscard]] const SimulationOptions& options() const;
+
+    /// Paint tiles with a pattern, given by its id. Invalid: these tiles, and with gravity the loads. Throws
+    /// InputError as make_palette does, or if the tile model needs a calibration that is not there.
+    void paint(std::span<const tiling::TileIndex> tiles, const std::string& pattern);
+    /// Turn the patterns of tiles: their first vertex moves on by so many. Invalid: these tiles.
+    void turn(std::span<const tiling::TileIndex> tiles, int vertices);
+    /// Give tiles a tile model of their own; "" takes it back. Invalid: these tiles.
+    void set_tile_model(std::span<const tiling::TileIndex> tiles, const std::string& model);
+    /// Invalid: all tiles.
+    void set_model(const std::string& model);
+    /// Other material, section or scenarios. Invalid: all tiles and, with gravity, the loads. Calibrations
+    /// stay: they are the caller's to replace.
+    void set_setting(const reduction::Setting& setting);
+    void set_calibrations(std::vector<std::vector<reduction::Calibration>> calibrations);
+
+    /// Invalid: the loads; the factors if other dofs are held than before.
+    void set_load_case(const LoadCase& load_case);
+    /// Change one entry of the load case, or append one (`entry` is then their number). As set_load_case.
+    void set_support(std::size_t entry, const LoadCase::Hold& hold);
+    void set_load(std::size_t entry, const LoadCase::Load& load);
+    void set_prescribed(std::size_t entry, const LoadCase::Prescribe& prescribe);
+
+    /// The equilibrium of the surface as it is now. Throws NumericalError if the structure is not held, and
+    /// base::Stopped; then all edits are kept, and the next call goes on.
+    mechanics::Result solve(const base::Control& control = {});
+
+    /// The linear displacements under nodal loads g, one column each (6n rows: node by node of the result's n
+    /// nodes), with the supports of the load case and nothing prescribed: K^-1 g, for instance the adjoint of a
+    /// target. Throws InputError if the rows are not as many.
+    Eigen::MatrixXd solve_adjoint(const Eigen::MatrixXd& rows);
+
+    /// What the last solve() computed anew, and what it took over.
+    struct Work {
+        std::size_t tiles_built = 0;  ///< shared ones once
+        enum class Factors { Kept, Updated, Anew } factors = Factors::Anew;
+    };
+    [[nodiscard]] const Work& last_work() const;
+
+  private:
+    class Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace fretwork::simulation

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/simulation/detail/joined_tiles.hpp>
+#include <fretwork/simulation/surface_structure.hpp>
+
+#include <algorithm>
+
+namespace fretwork::simulation {
+
+const reduction::TileModel& tile_model(const Surface& surface, const ModelChoice& choice,
+                                       tiling::TileIndex tile) {
+    const auto index = static_cast<std::size_t>(tile);
+    const bool has_own = index < surface.tile_models.size() && !surface.tile_models[index].empty();
+    return reduction::find_tile_model(has_own ? surface.tile_models[index] : choice.name, choice.models);
+}
+
+reduction::Displacements displacements(const Surface& surface, const ModelChoice& choice) {
+    for (std::size_t t = 0; t < surface.tessellation.tiles.size(); ++t) {
+        const auto& model = tile_model(surface, choice, tiling::TileIndex(t));
+        if (model.displacements == reduction::Displacements::Large) return reduction::Displacements::Large;
+        if (surface.tile_models.empty()) break;  // all tiles have the same
+    }
+    return reduction::Displacements::Small;
+}
+
+std::vector<double> tile_parameters(const Surface& surface, tiling::TileIndex tile,
+                                    const reduction::TileModel& model) {
+    const int pattern = surface.tessellation.tiles[static_cast<std::size_t>(tile)].pattern;
+    if (pattern < 0)
+        throw base::InputError("tile " + std::to_string(tile.value) + " is not painted with a pattern");
+    return pattern_parameters(surface, static_cast<std::size_t>(pattern), model);
+}
+
+std::vector<double> pattern_parameters(const Surface& surface, std::size_t pattern,
+                                       const reduction::TileModel& model) {
+    if (model.parameters.empty()) return {};
+    const auto& calibrations = surface.calibrations[pattern];
+    const auto found = std::ranges::find(calibrations, model.name, &reduction::Calibration::model);
+    if (found != calibrations.end()) return reduction::parameter_values(*found, model);
+    throw base::InputError("pattern " + surface.tessellation.patterns[pattern] +
+                           " has no calibration of the tile model " + model.name +
+                           ": name a library that has it ('fretwork calibrate' makes one)");
+}
+
+mechanics::Frame surface_frame(const Surface& surface, const ModelChoice& choice,
+                               const Conditions& conditions) {
+    detail::TileBuilder builder;
+    reduction::StructureParts parts =
+        detail::join_tiles(surface, builder.build_all(surface, choice, {})).parts;
+    if (!parts.elements.empty())
+        throw base::InputError("the tile model " + choice.name +
+                               " has tiles that are no beams: it cannot be written as a frame");
+    parts.beams.supports = conditions.supports;
+    parts.beams.prescribed = conditions.prescribed;
+    parts.beams.loads = conditions.loads;
+    return std::move(parts.beams);
+}
+
+}  // namespace fretwork::simulation

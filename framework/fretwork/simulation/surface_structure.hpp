@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/reduction/tile_model.hpp>
+#include <fretwork/simulation/conditions.hpp>
+#include <fretwork/simulation/surface.hpp>
+
+#include <span>
+#include <string>
+
+namespace fretwork::simulation {
+
+/// Which tile model each tile of a surface has.
+struct ModelChoice {
+    std::string name = "full";  ///< of the tiles for which the surface names none
+    std::span<const reduction::TileModel> models = reduction::tile_models();
+};
+
+/// The tile model of one tile. Throws InputError if there is none of that name.
+const reduction::TileModel& tile_model(const Surface& surface, const ModelChoice& choice,
+                                       tiling::TileIndex tile);
+
+/// Whether any tile of the surface has a model that is made for large displacements.
+reduction::Displacements displacements(const Surface& surface, const ModelChoice& choice);
+
+/// The calibrated parameters of a pattern of the surface for a tile model, in the order of its row; none for
+/// a model to which nothing is fitted. Throws InputError that names a pattern without a calibration.
+std::vector<double> pattern_parameters(const Surface& surface, std::size_t pattern,
+                                       const reduction::TileModel& model);
+/// Those of a tile's pattern. Throws InputError that names a tile without one, too.
+std::vector<double> tile_parameters(const Surface& surface, tiling::TileIndex tile,
+                                    const reduction::TileModel& model);
+
+/// The surface under a load case as a frame, which any other solver can check; its first nodes are the
+/// interface nodes. Throws InputError if a tile is no frame (a condensed one).
+mechanics::Frame surface_frame(const Surface& surface, const ModelChoice& choice,
+                               const Conditions& conditions);
+
+}  // namespace fretwork::simulation

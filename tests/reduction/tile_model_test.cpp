@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fixtures.hpp"
+
+#include <fretwork/base/error.hpp>
+#include <fretwork/mechanics/condensation.hpp>
+#include <fretwork/reduction/difference_problem.hpp>
+#include <fretwork/reduction/model_response.hpp>
+#include <fretwork/reduction/tile_model.hpp>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+namespace fretwork::reduction {
+namespace {
+
+using testing::HasSubstr;
+
+/// Any values inside of the bounds, to build a tile with.
+std::vector<double> middle_values(const TileModel& model, const Setting& setting) {
+    std::vector<double> values;
+    for (const TileParameter& parameter : model.parameters) {
+        const auto range = parameter.range(setting);
+        values.push_back(parameter.scale == TileParameter::Scale::Logarithmic
+                             ? std::sqrt(range.lower * range.upper)
+                             : 0.5 * (range.lower + range.upper));
+    }
+    return values;
+}
+
+TEST(TileModels, AreFoundByName) {
+    for (const TileModel& model : tile_models()) EXPECT_EQ(&find_tile_model(model.name), &model);
+    try {
+        (void)find_tile_model("papr6");
+        FAIL();
+    } catch (const base::InputError& error) {
+        EXPECT_THAT(error.what(), HasSubstr("paper6"));
+    }
+}
+
+TEST(TileModels, HaveParametersWithUnitsAndBounds) {
+    const Setting setting = paper_setting();
+    for (const TileModel& model : tile_models()) {
+        for (std::size_t i = 0; i < model.parameters.size(); ++i) {
+            const TileParameter& parameter = model.parameters[i];
+            EXPECT_EQ(parameter_index(model, parameter.name), i);
+            EXPECT_FALSE(parameter.unit.empty()) << model.name << " " << parameter.name;
+            EXPECT_LT(parameter.range(setting).lower, parameter.range(setting).upper);
+        }
+        EXPECT_THROW((void)parameter_index(model, "no such name"), base::InputError);
+    }
+}
+
+TEST(TileModels, BuildATileBetweenTheInterfaceNodesOfAnyPolygon) {
+    const Setting setting = paper_setting();
+    const pattern::Polygon irregular = {
+        {0.0, 0.0}, {0.03, -0.004}, {0.05, 0.02}, {0.035, 0.045}, {-0.002, 0.03}};
+    const auto fan = pattern::make_fan(paper_layout(), paper_pattern("0-1+1-6"), 5);
+    for (const TileModel& model : tile_models()) {
+        const auto values = middle_values(model, setting);
+        const auto tile = model.build({paper_layout(), fan, setting, irregular, values});
+        ASSERT_NE(tile, nullptr) << model.name;
+        std::vector<Eigen::Vector3d> nodes;
+        std::vector<mechanics::NodeIndex> kept;
+        for (std::size_t i = 0; i < 5; ++i) {
+            const auto& a = irregular[i];
+            const auto& b = irregular[(i + 1) % 5];
+            nodes.emplace_back((a.x + b.x) / 2, (a.y + b.y) / 2, 0.0);
+            kept.emplace_back(i);
+        }
+        const auto K = mechanics::condense(assemble(tile_parts(*tile, nodes)), kept);
+        EXPECT_EQ(K.rows(), 30) << model.name;
+        EXPECT_LT((K - K.transpose()).norm(), 1e-12 * K.norm()) << model.name;
+    }
+}
+
+/// Every row answers for a real pattern, with an objective that is the sum of its parts.
+TEST(TileModels, AreComparedWithResponsesScenarioByScenario) {
+    const Setting setting = paper_setting();
+    const auto pattern = paper_pattern("0-1+1-6");
+    const auto responses = compute_responses(paper_layout(), pattern, setting);
+    for (const TileModel& model : tile_models()) {
+        const Calibration result = calibrate(model, {paper_layout(), pattern, setting, responses});
+        EXPECT_EQ(result.model, model.name);
+        EXPECT_EQ(result.parameters.size(), model.parameters.size());
+        const double sum = std::accumulate(result.scenario_errors.begin(), result.scenario_errors.end(), 0.0);
+        EXPECT_NEAR(sum, result.objective, 1e-12 * sum);
+        EXPECT_GT(result.objective, 0.0);
+    }
+}
+
+TEST(TileModels, FullIsAsFarFromResponsesAsItsDivisionsAreFromTheirs) {
+    Setting setting = paper_setting();
+    const auto pattern = paper_pattern("0-1+1-6");
+    const auto error_with = [&](int divisions) {
+        setting.divisions = divisions;
+        const auto responses = compute_responses(paper_layout(), pattern, setting);
+        return calibrate(find_tile_model("full"), {paper_layout(), pattern, setting, responses}).objective;
+    };
+    EXPECT_LT(error_with(1), 1e-16) << "the same beams, one element each: only rounding is left";
+    EXPECT_GT(error_with(2), 1e-12);
+}
+
+TEST(Calibrations, GiveTheirParametersInTheOrderOfTheRow) {
+    const TileModel& model = find_tile_model("paper6");
+    Calibration calibration;
+    calibration.parameters = {{"A", 1}, {"I2", 2}, {"I3", 3}, {"J", 4}, {"R", 6}, {"theta", 5}};
+    EXPECT_EQ(parameter_values(calibration, model), (std::vector<double>{1, 2, 3, 4, 5, 6}));
+    calibration.parameters.pop_back();
+    EXPECT_THROW((void)parameter_values(calibration, model), base::InputError);
+    calibration.parameters.push_back({"theta", 5});
+    calibration.parameters.push_back({"I4", 7});
+    EXPECT_THROW((void)parameter_values(calibration, model), base::InputError);
+}
+
+TEST(DifferenceProblem, AgreesWithTheAnalyticProblemOfThePapersModel) {
+    const Setting setting = paper_setting();
+    const auto pattern = paper_pattern("0-1+1-6");
+    const auto responses = compute_responses(paper_layout(), pattern, setting);
+    const Objective objective(responses, setting);
+    const TileModel& model = find_tile_model("paper6");
+    const ModelTile tile(model, paper_layout(), pattern, setting);
+    const DifferenceProblem numeric(model, tile, objective, setting);
+    const auto analytic = model.problem(objective, setting);
+    optimization::RandomStream random(3, 0);
+    for (int trial = 0; trial < 3; ++trial) {
+        Eigen::VectorXd point(6);
+        for (Eigen::Index i = 0; i < 6; ++i) {
+            const double share = 0.3 + 0.4 * random.uniform();
+            point[i] = (1 - share) * numeric.bounds().lower[i] + share * numeric.bounds().upper[i];
+        }
+        const auto values = numeric.parameter_values(point);
+        Eigen::VectorXd own(6);  // the analytic problem's variables are multiples of the bar's
+        own << std::log(values[0] / setting.section.area), std::log(values[1] / setting.section.I2),
+            std::log(values[2] / setting.section.I3), std::log(values[3] / setting.section.J), values[4],
+            values[5] / (setting.tile_side * std::sqrt(0.75));
+        const auto wanted = analytic->gradient(own, 0.0);
+        const auto found = numeric.gradient(point, 0.0);
+        EXPECT_NEAR(found.objective, wanted.objective, 1e-7 * wanted.objective);
+        // The sections' variables differ by a constant only. What remains: the third derivative over a step
+        // of 1e-5 of the range, and condensing's rounding over that step.
+        const double scale = wanted.gradient.head(5).norm();
+        EXPECT_LT((found.gradient.head(5) - wanted.gradient.head(5)).norm(), 1e-4 * scale);
+    }
+}
+
+}  // namespace
+}  // namespace fretwork::reduction
