@@ -149,9 +149,10 @@ void moved_support(benchmark::State& state, Lattice lattice) {
 }
 
 void repainted_tile(benchmark::State& state, Lattice lattice) {
-    const auto middle = static_cast<int>(state.range(0) / 2);
-    time_edits(state, lattice, [middle](Session& session, int round) {
-        const tiling::TileIndex tile(middle);
+    const auto count = static_cast<int>(state.range(0));
+    time_edits(state, lattice, [count](Session& session, int round) {
+        // Another tile each time, so that an irregular one is built; from anywhere in the surface.
+        const tiling::TileIndex tile(static_cast<int>(static_cast<long long>(round) * 7919 % count));
         session.paint({&tile, 1}, patterns()[static_cast<std::size_t>(round % 24)]);
     });
 }

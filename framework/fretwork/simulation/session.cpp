@@ -92,7 +92,7 @@ class Session::Impl {
   private:
     [[nodiscard]] ModelChoice choice() const { return {options_.model, options_.models}; }
     [[nodiscard]] Conditions resolved(const LoadCase& load_case);
-    [[nodiscard]] std::size_t palette_entry(const std::string& id);
+    [[nodiscard]] std::size_t palette_entry(const std::string& id) const;
     void invalidate_tiles(std::span<const TileIndex> tiles);
     void invalidate_all_tiles();
     void weigh_anew();
@@ -132,26 +132,26 @@ Conditions Session::Impl::resolved(const LoadCase& load_case) {
     return resolve(load_case, surface_, is_weighed ? *tile_masses_ : std::vector<double>{});
 }
 
-/// The place of a pattern in the palette, where it is put if it is not there.
-std::size_t Session::Impl::palette_entry(const std::string& id) {
-    const std::vector<std::string> ids = tiling::make_palette(surface_.layout, std::vector{id});
-    std::vector<std::string>& palette = surface_.tessellation.patterns;
-    const auto found = std::ranges::find(palette, ids.front());
-    if (found != palette.end()) return static_cast<std::size_t>(found - palette.begin());
-    auto calibrations =
-        calibration_source_ ? calibration_source_(ids.front()) : std::vector<reduction::Calibration>{};
-    surface_.patterns.push_back(pattern::parse_pattern_id(surface_.layout, ids.front()));
-    surface_.calibrations.push_back(std::move(calibrations));
-    palette.push_back(ids.front());
-    return palette.size() - 1;
+/// The place of a pattern in the palette, or that behind its end.
+std::size_t Session::Impl::palette_entry(const std::string& id) const {
+    const std::vector<std::string>& palette = surface_.tessellation.patterns;
+    return static_cast<std::size_t>(std::ranges::find(palette, id) - palette.begin());
 }
 
-void Session::Impl::paint(std::span<const TileIndex> tiles, const std::string& id) {
+void Session::Impl::paint(std::span<const TileIndex> tiles, const std::string& wanted) {
     require_tiles(surface_, tiles);
-    const std::size_t entry = palette_entry(id);  // an entry that no tile uses changes nothing
-    for (const TileIndex tile : tiles) {
-        const reduction::TileModel& model = tile_model(surface_, choice(), tile);
-        (void)pattern_parameters(surface_, entry, model);
+    const std::string id = tiling::make_palette(surface_.layout, std::vector{wanted}).front();
+    const std::size_t entry = palette_entry(id);
+    const bool is_new = entry == surface_.patterns.size();
+    const auto calibrations = !is_new               ? surface_.calibrations[entry]
+                              : calibration_source_ ? calibration_source_(id)
+                                                    : std::vector<reduction::Calibration>{};
+    for (const TileIndex tile : tiles)
+        (void)detail::calibrated_parameters(calibrations, id, tile_model(surface_, choice(), tile));
+    if (is_new) {
+        surface_.tessellation.patterns.push_back(id);
+        surface_.patterns.push_back(pattern::parse_pattern_id(surface_.layout, id));
+        surface_.calibrations.push_back(calibrations);
     }
     for (const TileIndex tile : tiles)
         surface_.tessellation.tiles[static_cast<std::size_t>(tile)].pattern = static_cast<int>(entry);
@@ -327,6 +327,7 @@ void Session::Impl::solve_path(mechanics::Result& result, const base::Control&) 
 }
 
 mechanics::Result Session::Impl::solve(const base::Control& control) {
+    check(surface_, options_);
     const auto started = Clock::now();
     const std::size_t built_before = builder_.built_count();
     update_tiles(control);

@@ -67,8 +67,8 @@ class Session {
     mechanics::Result solve(const base::Control& control = {});
 
     /// The linear displacements under nodal loads g, one column each (6n rows: node by node of the result's n
-    /// nodes), with the supports of the load case and nothing prescribed: K^-1 g, for instance the adjoint of a
-    /// target. Throws InputError if the rows are not as many.
+    /// nodes), with the supports of the load case and nothing prescribed: K^-1 g, for instance the adjoint of
+    /// a target. Throws InputError if the rows are not as many.
     Eigen::MatrixXd solve_adjoint(const Eigen::MatrixXd& rows);
 
     /// What the last solve() computed anew, and what it took over.

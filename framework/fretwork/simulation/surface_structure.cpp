@@ -7,6 +7,16 @@
 
 namespace fretwork::simulation {
 
+std::vector<double> detail::calibrated_parameters(std::span<const reduction::Calibration> calibrations,
+                                                  const std::string& pattern,
+                                                  const reduction::TileModel& model) {
+    if (model.parameters.empty()) return {};
+    const auto found = std::ranges::find(calibrations, model.name, &reduction::Calibration::model);
+    if (found != calibrations.end()) return reduction::parameter_values(*found, model);
+    throw base::InputError("pattern " + pattern + " has no calibration of the tile model " + model.name +
+                           ": name a library that has it ('fretwork calibrate' makes one)");
+}
+
 const reduction::TileModel& tile_model(const Surface& surface, const ModelChoice& choice,
                                        tiling::TileIndex tile) {
     const auto index = static_cast<std::size_t>(tile);
@@ -28,18 +38,9 @@ std::vector<double> tile_parameters(const Surface& surface, tiling::TileIndex ti
     const int pattern = surface.tessellation.tiles[static_cast<std::size_t>(tile)].pattern;
     if (pattern < 0)
         throw base::InputError("tile " + std::to_string(tile.value) + " is not painted with a pattern");
-    return pattern_parameters(surface, static_cast<std::size_t>(pattern), model);
-}
-
-std::vector<double> pattern_parameters(const Surface& surface, std::size_t pattern,
-                                       const reduction::TileModel& model) {
-    if (model.parameters.empty()) return {};
-    const auto& calibrations = surface.calibrations[pattern];
-    const auto found = std::ranges::find(calibrations, model.name, &reduction::Calibration::model);
-    if (found != calibrations.end()) return reduction::parameter_values(*found, model);
-    throw base::InputError("pattern " + surface.tessellation.patterns[pattern] +
-                           " has no calibration of the tile model " + model.name +
-                           ": name a library that has it ('fretwork calibrate' makes one)");
+    const auto index = static_cast<std::size_t>(pattern);
+    return detail::calibrated_parameters(surface.calibrations[index], surface.tessellation.patterns[index],
+                                         model);
 }
 
 mechanics::Frame surface_frame(const Surface& surface, const ModelChoice& choice,

@@ -14,6 +14,10 @@
 
 namespace fretwork::simulation::detail {
 
+/// A pattern's parameters for a tile model, from its calibrations. Throws as tile_parameters().
+std::vector<double> calibrated_parameters(std::span<const reduction::Calibration> calibrations,
+                                          const std::string& pattern, const reduction::TileModel& model);
+
 /// What a tile model made of a tile, and where its own axes lie in the surface.
 struct BuiltTile {
     std::shared_ptr<const reduction::TileStructure> structure;
