@@ -9,6 +9,7 @@
 #include <fretwork/mechanics/linear_solver.hpp>
 #include <fretwork/mechanics/nonlinear/nonlinear_system.hpp>
 #include <fretwork/mechanics/sparse/ldlt.hpp>
+#include <fretwork/mechanics/structure/condensing.hpp>
 
 #include <Eigen/CholmodSupport>
 #include <Eigen/SparseCholesky>
@@ -243,13 +244,37 @@ void hexagon_path(benchmark::State& state, Frame (*make)()) {
     state.counters["solves"] = iterations;
 }
 
+std::vector<NodeIndex> first_nodes(int count) {
+    std::vector<NodeIndex> nodes;
+    for (int i = 0; i < count; ++i) nodes.emplace_back(i);
+    return nodes;
+}
+
 void condense_hexagon(benchmark::State& state) {
-    const Frame frame = bent_hexagon();
-    const Assembly assembly = assemble(frame);
-    std::vector<NodeIndex> tips;
-    for (int i = 0; i < 6; ++i) tips.emplace_back(i);
-    for (auto _ : state) benchmark::DoNotOptimize(condense(assembly, tips).data());
+    const Frame frame = hexagon();
+    const auto tips = first_nodes(6);
+    for (auto _ : state) benchmark::DoNotOptimize(condense(assemble(frame), tips).data());
     report_size(state, frame);
+}
+
+/// A tile's frame as elements: what condense_hexagon does before it condenses.
+void assemble_hexagon(benchmark::State& state) {
+    const Frame frame = hexagon();
+    for (auto _ : state) benchmark::DoNotOptimize(assemble(frame).elements.data());
+    report_size(state, frame);
+}
+
+using Elimination = Eigen::MatrixXd (*)(const structure::CondensingTask&);
+
+/// With more divisions, more nodes to eliminate.
+void condense_by(benchmark::State& state, Elimination elimination) {
+    Frame frame = hexagon();
+    for (Beam& beam : frame.beams) beam.divisions = static_cast<int>(state.range(0));
+    const Assembly assembly = assemble(frame);
+    const auto tips = first_nodes(6);
+    for (auto _ : state)
+        benchmark::DoNotOptimize(elimination(structure::condensing_task(assembly, tips)).data());
+    state.counters["nodes"] = static_cast<double>(assembly.nodes.size());
 }
 
 /// As many beams as 500 tiles of forty, to a deflection of a third of the length.
@@ -286,6 +311,10 @@ void of_three_sizes(benchmark::internal::Benchmark* rows) {
     rows->Args({15, 15})->Args({31, 31})->Args({69, 70});
 }
 
+void of_more_inner_nodes(benchmark::internal::Benchmark* rows) {
+    rows->ArgName("divisions")->Unit(benchmark::kMicrosecond)->DenseRange(1, 3);
+}
+
 void of_twenty_thousand_beams(benchmark::internal::Benchmark* rows) {
     rows->ArgNames({"columns", "rows", "threads"})->Unit(benchmark::kMillisecond)->UseRealTime();
     rows->Args({80, 83, 1})->Args({80, 83, 2});
@@ -300,6 +329,9 @@ BENCHMARK(stiffness_by<CholmodSupernodal>)->Apply(of_three_sizes);
 BENCHMARK_CAPTURE(hexagon_path, bending, bent_hexagon)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(hexagon_path, dome, domed_hexagon)->Unit(benchmark::kMillisecond);
 BENCHMARK(condense_hexagon)->Unit(benchmark::kMicrosecond);
+BENCHMARK(assemble_hexagon)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(condense_by, dense, structure::condense_dense)->Apply(of_more_inner_nodes);
+BENCHMARK_CAPTURE(condense_by, sparse, structure::condense_sparse)->Apply(of_more_inner_nodes);
 BENCHMARK(nonlinear_surface)->Apply(of_twenty_thousand_beams);
 
 }  // namespace

@@ -4,8 +4,10 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/mechanics/condensation.hpp>
 #include <fretwork/mechanics/linear_solver.hpp>
+#include <fretwork/mechanics/structure/condensing.hpp>
 
 #include <Eigen/Eigenvalues>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace fretwork::mechanics {
@@ -79,6 +81,100 @@ TEST(Condensation, InnerNodesThatCanMoveFreelyAreRefused) {
     sample::clamp(frame, 2);
     const NodeIndex kept[] = {NodeIndex(0)};
     EXPECT_THROW(condense(assemble(frame), kept), base::NumericalError);
+}
+
+/// The nodes of a random frame lie in a plane or in space.
+enum class Extent { Flat, Spatial };
+
+/// A tree of rigidly joined beams, so that nothing is a mechanism, and as many further beams with hinges.
+Frame random_frame(sample::Random& random, Extent extent) {
+    const auto below = [&](int count) {
+        return std::min(static_cast<int>((random.next() + 1.0) / 2.0 * count), count - 1);
+    };
+    Frame frame;
+    const int nodes = 8 + below(12);
+    for (int i = 0; i < nodes; ++i) {
+        // Beside a grid: next to a beam of no length, all others would be rounding.
+        frame.nodes.push_back(random.vector(0.004) + Eigen::Vector3d(0.01 * (i % 5), 0.01 * (i / 5), 0.0));
+        if (extent == Extent::Flat) frame.nodes.back().z() = 0.0;
+    }
+    for (int i = 1; i < nodes; ++i) frame.beams.push_back(sample::beam_between(below(i), i));
+    for (int i = 1; i < nodes; ++i) {
+        Beam beam = sample::beam_between(i - 1, i);
+        beam.divisions = 1 + below(2);
+        beam.releases = {{below(2), {}}};
+        beam.releases[0].free.contains[static_cast<std::size_t>(below(kDofsPerNode))] = true;
+        frame.beams.push_back(beam);
+    }
+    for (Beam& beam : frame.beams) {
+        beam.section = rectangle_section(2e-3 + 1e-3 * random.next(), 2e-3 + 1e-3 * random.next());
+        if (below(2) == 0) beam.section.shear_area2 = beam.section.shear_area3 = 0.8 * beam.section.area;
+    }
+    return frame;
+}
+
+/// The largest difference of two stiffnesses, each entry against those of the elements at its two dofs.
+double relative_difference(const structure::CondensingTask& task, const Eigen::MatrixXd& a,
+                           const Eigen::MatrixXd& b) {
+    Eigen::VectorXd scale = Eigen::VectorXd::Zero(a.rows());
+    Eigen::MatrixXd stiffness;
+    for (const auto& element : task.assembly.elements) {
+        element->rest_stiffness(stiffness);
+        for (std::size_t i = 0; i < element->nodes().size(); ++i) {
+            const int slot = task.slot[static_cast<std::size_t>(element->nodes()[i].value)];
+            if (slot >= 0)
+                scale.segment<kDofsPerNode>(slot * kDofsPerNode) +=
+                    stiffness.diagonal().segment<kDofsPerNode>(static_cast<Eigen::Index>(i) * kDofsPerNode);
+        }
+    }
+    scale = scale.cwiseSqrt();
+    return ((a - b).array() / (scale * scale.transpose()).array()).abs().maxCoeff();
+}
+
+TEST(Condensation, DenseAndSparseEliminationAgree) {
+    sample::Random random(5);
+    for (int i = 0; i < 60; ++i) {
+        const Extent extent = i % 2 == 0 ? Extent::Flat : Extent::Spatial;
+        const Assembly assembly = assemble(random_frame(random, extent));
+        const structure::CondensingTask task = structure::condensing_task(assembly, tips());
+        const Eigen::MatrixXd dense = structure::condense_dense(task);
+        EXPECT_EQ(dense, dense.transpose());
+        // Two orders of elimination: rounding, and no more.
+        EXPECT_LT(relative_difference(task, dense, structure::condense_sparse(task)), 1e-12) << i;
+    }
+}
+
+TEST(Condensation, FlatFrameWhoseSectionsCoupleBendingAndMembraneIsCondensedAsOne) {
+    Frame frame = sample::flat_wheel();
+    for (Beam& beam : frame.beams) {
+        beam.section = rectangle_section(0.002, 0.004);
+        beam.normal = Eigen::Vector3d(0.3, 0.4, 1.0);
+    }
+    const Assembly assembly = assemble(frame);
+    const structure::CondensingTask task = structure::condensing_task(assembly, tips());
+    const Eigen::MatrixXd dense = structure::condense_dense(task);
+    EXPECT_GT(dense.row(0).segment<3>(2).cwiseAbs().maxCoeff(), 1e-6 * dense(0, 0));
+    EXPECT_LT(relative_difference(task, dense, structure::condense_sparse(task)), 1e-12);
+}
+
+TEST(Condensation, DenseAndSparseEliminationRefuseTheSameMechanism) {
+    // Node 12 hangs on the wheel by a beam that both of its ends let turn in the plane.
+    Frame frame = sample::flat_wheel();
+    frame.nodes.emplace_back(0.0, 0.0, 0.0);
+    frame.beams.push_back(sample::beam_between(6, 12));
+    frame.beams.back().releases = {{0, {{false, false, false, false, false, true}}}};
+    const Assembly assembly = assemble(frame);
+    const structure::CondensingTask task = structure::condensing_task(assembly, tips());
+    for (const auto condense_by : {structure::condense_dense, structure::condense_sparse}) {
+        try {
+            (void)condense_by(task);
+            FAIL();
+        } catch (const base::NumericalError& error) {
+            EXPECT_THAT(error.what(), testing::HasSubstr("cannot be condensed"));
+            EXPECT_THAT(error.what(),
+                        testing::AnyOf(testing::HasSubstr("node 12"), testing::HasSubstr("node 6")));
+        }
+    }
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <fretwork/mechanics/structure/constraints.hpp>
 #include <fretwork/mechanics/structure/coupling.hpp>
 #include <fretwork/mechanics/structure/mechanism.hpp>
+#include <fretwork/mechanics/structure/plane_split.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -17,9 +18,8 @@ namespace {
 
 using sparse::Ldlt;
 using sparse::SystemLayout;
-
-constexpr DofSet kInPlane = {{true, true, false, false, false, true}};
-constexpr DofSet kOutOfPlane = {{false, false, true, true, true, false}};
+using structure::kInPlane;
+using structure::kOutOfPlane;
 
 /// One refinement is made where the first solution is less accurate than this. Below it, what is left is the
 /// rounding of the stiffness itself, and refinement only exchanges one error for another.
@@ -45,25 +45,6 @@ struct Subsystem {
     Eigen::VectorXd unbalanced;  ///< loads less internal forces
     Eigen::VectorXd internal;
 };
-
-bool is_flat(const Assembly& assembly) {
-    return std::all_of(assembly.nodes.begin(), assembly.nodes.end(),
-                       [&](const Eigen::Vector3d& node) { return node.z() == assembly.nodes.front().z(); });
-}
-
-/// Whether an element passes nothing between motions in and out of the plane, up to rounding.
-bool decouples(const Eigen::MatrixXd& stiffness) {
-    constexpr double kRounding = 1e-14;
-    for (Eigen::Index i = 0; i < stiffness.rows(); ++i) {
-        const bool in_plane = kInPlane.contains[static_cast<std::size_t>(i % kDofsPerNode)];
-        for (Eigen::Index j = 0; j < i; ++j) {
-            if (kInPlane.contains[static_cast<std::size_t>(j % kDofsPerNode)] == in_plane) continue;
-            if (std::abs(stiffness(i, j)) > kRounding * std::sqrt(stiffness(i, i) * stiffness(j, j)))
-                return false;
-        }
-    }
-    return true;
-}
 
 }  // namespace
 
@@ -108,7 +89,7 @@ class LinearSolver::Impl {
         const sparse::NodeGraph graph = structure::coupling_graph(assembly);
         const std::vector<int> order =
             sparse::elimination_order(graph, structure::other_components(constraints_.held));
-        if (!planar_refused_ && is_flat(assembly)) {
+        if (!planar_refused_ && structure::is_flat(assembly)) {
             lay_out(graph, order, {kInPlane, kOutOfPlane});
             if (assemble(assembly)) return factorize(assembly);
             planar_refused_ = true;
@@ -141,7 +122,7 @@ class LinearSolver::Impl {
         for (std::size_t e = 0; e < assembly.elements.size(); ++e) {
             const Element& element = *assembly.elements[e];
             element.rest_stiffness(stiffness);
-            if (split_ && !decouples(stiffness)) return false;
+            if (split_ && !structure::decouples(stiffness)) return false;
             for (Subsystem& system : systems_) system.layout->add(e, stiffness, system.values);
             keep_held_rows(element.nodes(), stiffness);
         }

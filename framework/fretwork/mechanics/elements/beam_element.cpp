@@ -59,27 +59,29 @@ BeamElement::BeamElement(const Geometry& geometry, const Section& section, const
       line_mass_(material.density * section.area),
       line_inertia_(material.density * (section.I2 + section.I3)) {}
 
+/// The sum over the deformations of stiffness * row^T row, by the 3 x 3 blocks of displacements and
+/// rotations. With u and r the rows' parts at end 1, those at end 2 are -u, and r with the sign of a sway or
+/// a bow.
 void BeamElement::rest_stiffness(Eigen::MatrixXd& stiffness) const {
-    using Row = Eigen::Matrix<double, 2 * kDofsPerNode, 1>;
-    const Vector3d axis1 = geometry_.axes.col(0);
-    const Vector3d axis2 = geometry_.axes.col(1);
-    const Vector3d axis3 = geometry_.axes.col(2);
-    const Vector3d zero = Vector3d::Zero();
-    const Vector3d slope2 = axis2 / geometry_.length;
-    const Vector3d slope3 = axis3 / geometry_.length;
-    Row rows[kBeamDeformations];
-    rows[kElongation] << -axis1, zero, axis1, zero;
-    rows[kBow2] << zero, 0.5 * axis2, zero, -0.5 * axis2;
-    rows[kSway2] << -slope3, 0.5 * axis2, slope3, 0.5 * axis2;
-    rows[kBow3] << zero, 0.5 * axis3, zero, -0.5 * axis3;
-    rows[kSway3] << slope2, 0.5 * axis3, -slope2, 0.5 * axis3;
-    rows[kTwist] << zero, -axis1, zero, axis1;
-    stiffness.setZero(2 * kDofsPerNode, 2 * kDofsPerNode);
-    for (int i = 0; i < kBeamDeformations; ++i) {
-        const Row scaled = energy_.rest_hessian()[i] * rows[i];
-        for (int column = 0; column < 2 * kDofsPerNode; ++column)
-            stiffness.col(column) += rows[i][column] * scaled;
-    }
+    const BeamVector& k = energy_.rest_hessian();
+    const double l = geometry_.length;
+    const Matrix3d along1 = geometry_.axes.col(0) * geometry_.axes.col(0).transpose();
+    const Matrix3d along2 = geometry_.axes.col(1) * geometry_.axes.col(1).transpose();
+    const Matrix3d along3 = geometry_.axes.col(2) * geometry_.axes.col(2).transpose();
+    const Matrix3d across = geometry_.axes.col(1) * geometry_.axes.col(2).transpose();
+    const Matrix3d push = k[kElongation] * along1 + (k[kSway3] * along2 + k[kSway2] * along3) / (l * l);
+    const Matrix3d tilt = (k[kSway3] * across - k[kSway2] * across.transpose()) / (2.0 * l);
+    const Matrix3d sway = 0.25 * (k[kSway2] * along2 + k[kSway3] * along3);
+    const Matrix3d bow = k[kTwist] * along1 + 0.25 * (k[kBow2] * along2 + k[kBow3] * along3);
+    stiffness.resize(2 * kDofsPerNode, 2 * kDofsPerNode);
+    stiffness.block<3, 3>(0, 0) = stiffness.block<3, 3>(6, 6) = push;
+    stiffness.block<3, 3>(0, 6) = stiffness.block<3, 3>(6, 0) = -push;
+    stiffness.block<3, 3>(0, 3) = stiffness.block<3, 3>(0, 9) = tilt;
+    stiffness.block<3, 3>(6, 3) = stiffness.block<3, 3>(6, 9) = -tilt;
+    stiffness.block<3, 3>(3, 0) = stiffness.block<3, 3>(9, 0) = tilt.transpose();
+    stiffness.block<3, 3>(3, 6) = stiffness.block<3, 3>(9, 6) = -tilt.transpose();
+    stiffness.block<3, 3>(3, 3) = stiffness.block<3, 3>(9, 9) = sway + bow;
+    stiffness.block<3, 3>(3, 9) = stiffness.block<3, 3>(9, 3) = sway - bow;
 }
 
 void BeamElement::evaluate(std::span<const NodeState> states, Demand demand,

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
 #include <fretwork/mechanics/sparse/dense_ldlt.hpp>
 
 #include <algorithm>
@@ -231,6 +232,11 @@ FRETWORK_CLONES void back(const Front& front, double* x, const double* below) {
 }
 
 }  // namespace
+
+void require_finite(std::span<const double> diagonal) {
+    if (!std::all_of(diagonal.begin(), diagonal.end(), [](double value) { return std::isfinite(value); }))
+        throw base::NumericalError("the stiffness holds a number that is not finite");
+}
 
 Pivots eliminate(const Front& front, std::span<const double> diagonal, double zero_share,
                  std::vector<double>& scratch) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -15,7 +16,13 @@ struct Front {
     double* rest = nullptr;   ///< rows x rows, written in the lower triangle; the upper one may hold anything
 };
 
+/// A pivot that has lost this many digits against its diagonal is zero: what is left of it is rounding.
+constexpr double kZeroPivot = 64.0 * std::numeric_limits<double>::epsilon();
+
 constexpr double kWeakPivot = 1e4;
+
+/// Throws NumericalError if an entry of a stiffness' diagonal is not finite.
+void require_finite(std::span<const double> diagonal);
 
 /// What was met on the way.
 struct Pivots {

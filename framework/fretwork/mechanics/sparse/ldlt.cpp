@@ -10,9 +10,6 @@
 namespace fretwork::mechanics::sparse {
 namespace {
 
-/// A pivot that has lost this many digits against its diagonal is zero: what is left of it is rounding.
-constexpr double kZeroPivot = 64.0 * std::numeric_limits<double>::epsilon();
-
 std::size_t at(int index) {
     return static_cast<std::size_t>(index);
 }
@@ -58,9 +55,8 @@ Front Ldlt::front_of(std::size_t supernode) const {
 Ldlt::Outcome Ldlt::factorize(std::span<const double> values) {
     for (int i = 0; i < layout_->equations(); ++i) {
         diagonal_[at(i)] = values[at(layout_->column_start()[at(i)])];
-        if (!std::isfinite(diagonal_[at(i)]))
-            throw base::NumericalError("the stiffness holds a number that is not finite");
     }
+    require_finite(diagonal_);
     pivots_.assign(pivots_.size(), {});
     base::parallel_tree(plan_.parent, threads_, [&](std::size_t task) { eliminate_task(task, values); });
     Outcome outcome;

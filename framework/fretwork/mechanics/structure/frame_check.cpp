@@ -77,60 +77,71 @@ class FrameCheck {
         }
     }
 
-    void require_node(NodeIndex node, const std::string& where) const {
-        const auto count = static_cast<std::int32_t>(frame_.nodes.size());
-        if (node.value >= 0 && node.value < count) return;
-        fail(where, "there is no node " + std::to_string(node.value) + "; the frame has nodes 0 to " +
-                        std::to_string(count - 1));
+    [[nodiscard]] bool has_node(NodeIndex node) const {
+        return node.value >= 0 && node.value < static_cast<std::int32_t>(frame_.nodes.size());
     }
 
-    void require_positive(double value, const std::string& where) const {
+    void require_node(NodeIndex node, const std::string& where) const {
+        if (has_node(node)) return;
+        fail(where, "there is no node " + std::to_string(node.value) + "; the frame has nodes 0 to " +
+                        std::to_string(frame_.nodes.size() - 1));
+    }
+
+    // The places of beams are written out only where a check fails: tiles are checked a thousand times a
+    // second.
+
+    void require_positive(double value, std::size_t beam, const char* name) const {
         if (!(std::isfinite(value) && value > 0))
-            fail(where, "is " + format_number(value) + ", where a number above zero is needed");
+            fail(beam_place(beam) + name,
+                 "is " + format_number(value) + ", where a number above zero is needed");
     }
 
     void check_beam(std::size_t index) const {
         const Beam& beam = frame_.beams[index];
-        const std::string where = beam_place(index);
-        for (const NodeIndex node : beam.nodes) require_node(node, where + "/nodes");
-        if (beam.nodes[0] == beam.nodes[1]) fail(where + "/nodes", "both ends are " + name_of(beam.nodes[0]));
-        if (beam.normal && !beam.normal->allFinite()) fail(where + "/normal", "is not finite");
-        try {
-            structure::beam_axes(frame_, beam);
-        } catch (const base::GeometryError& error) {
-            throw base::GeometryError(names_.source, where, error.what());
+        const auto where = [&](const char* name) { return beam_place(index) + name; };
+        for (const NodeIndex node : beam.nodes) {
+            if (!has_node(node)) require_node(node, where("/nodes"));
         }
-        check_section(beam.section, where + "/section");
-        check_material(beam.material, where + "/material");
+        if (beam.nodes[0] == beam.nodes[1]) fail(where("/nodes"), "both ends are " + name_of(beam.nodes[0]));
+        if (beam.normal && !beam.normal->allFinite()) fail(where("/normal"), "is not finite");
+        try {
+            beam_axes(frame_, beam);
+        } catch (const base::GeometryError& error) {
+            throw base::GeometryError(names_.source, beam_place(index), error.what());
+        }
+        check_section(index);
+        check_material(index);
         if (beam.divisions < 1 || beam.divisions > kMostDivisions)
-            fail(where + "/divisions", "is " + std::to_string(beam.divisions) +
-                                           ", where a number from 1 to " + std::to_string(kMostDivisions) +
-                                           " is needed");
+            fail(where("/divisions"), "is " + std::to_string(beam.divisions) + ", where a number from 1 to " +
+                                          std::to_string(kMostDivisions) + " is needed");
         for (const Release& release : beam.releases) {
             if (release.end != 0 && release.end != 1)
-                fail(where + "/releases",
+                fail(where("/releases"),
                      "there is no end " + std::to_string(release.end) + "; a beam has the ends 0 and 1");
         }
     }
 
-    void check_section(const Section& section, const std::string& where) const {
-        require_positive(section.area, where + "/area");
-        require_positive(section.I2, where + "/I2");
-        require_positive(section.I3, where + "/I3");
-        require_positive(section.J, where + "/J");
-        if (section.shear_area2) require_positive(*section.shear_area2, where + "/shear_area2");
-        if (section.shear_area3) require_positive(*section.shear_area3, where + "/shear_area3");
+    void check_section(std::size_t beam) const {
+        const Section& section = frame_.beams[beam].section;
+        require_positive(section.area, beam, "/section/area");
+        require_positive(section.I2, beam, "/section/I2");
+        require_positive(section.I3, beam, "/section/I3");
+        require_positive(section.J, beam, "/section/J");
+        if (section.shear_area2) require_positive(*section.shear_area2, beam, "/section/shear_area2");
+        if (section.shear_area3) require_positive(*section.shear_area3, beam, "/section/shear_area3");
     }
 
-    void check_material(const Material& material, const std::string& where) const {
-        require_positive(material.young_modulus, where + "/young_modulus");
+    void check_material(std::size_t beam) const {
+        const Material& material = frame_.beams[beam].material;
+        require_positive(material.young_modulus, beam, "/material/young_modulus");
         if (!(material.poisson_ratio > -1.0 && material.poisson_ratio <= 0.5))
-            fail(where + "/poisson_ratio", "is " + format_number(material.poisson_ratio) +
-                                               ", where a number above -1 and up to 0.5 is needed");
+            fail(beam_place(beam) + "/material/poisson_ratio",
+                 "is " + format_number(material.poisson_ratio) +
+                     ", where a number above -1 and up to 0.5 is needed");
         if (material.given_shear_modulus)
-            require_positive(*material.given_shear_modulus, where + "/shear_modulus");
+            require_positive(*material.given_shear_modulus, beam, "/material/shear_modulus");
         if (!(std::isfinite(material.density) && material.density >= 0))
-            fail(where + "/density",
+            fail(beam_place(beam) + "/material/density",
                  "is " + format_number(material.density) + ", where a number not below zero is needed");
     }
 
