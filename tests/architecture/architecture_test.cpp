@@ -215,6 +215,16 @@ TEST(Architecture, EveryFileStartsWithItsLicence) {
     }
 }
 
+TEST(Architecture, HeadersHaveNoBoolParameters) {
+    const std::regex parameter(R"([(,]\s*(const )?bool \w+( = \w+)?\s*[,)])");
+    for (const SourceFile& file : sources()) {
+        if (!file.name.ends_with(".hpp")) continue;
+        for (const std::string& line : file.lines) {
+            EXPECT_FALSE(std::regex_search(line, parameter)) << file.name << ": " << line;
+        }
+    }
+}
+
 TEST(Architecture, FilesStaySmall) {
     constexpr std::size_t kMostLines = 400;
     for (const SourceFile& file : sources()) {
