@@ -47,31 +47,41 @@ LoadCase chosen_load_case(const Project& project, const std::string& name_or_fil
     return simulation::find_load_case(project, name_or_file);
 }
 
-base::detail::Json summary(const Options& options, const LoadCase& load_case,
-                           const mechanics::Result& result) {
-    const auto& solution = result.solution;
-    return {{"model", options.simulation.model},
-            {"load_case", load_case.name},
-            {"solver", result.solver},
-            {"converged", solution.converged()},
-            {"stable", solution.stable},
-            {"termination", mechanics::termination_name(solution.termination)},
-            {"largest_displacement", solution.displacements.leftCols<3>().rowwise().norm().maxCoeff()},
-            {"largest_rotation", solution.displacements.rightCols<3>().rowwise().norm().maxCoeff()},
-            {"iterations", solution.iterations},
-            {"discretization_error", discretization_json(result)},
-            {"seconds", result.seconds}};
+double largest_displacement(const mechanics::Result& result) {
+    return result.solution.displacements.leftCols<3>().rowwise().norm().maxCoeff();
 }
 
-void print(const base::detail::Json& summary) {
-    std::printf("%s model, load case '%s', %s: %s%s\n", summary["model"].get<std::string>().c_str(),
-                summary["load_case"].get<std::string>().c_str(), summary["solver"].get<std::string>().c_str(),
-                summary["termination"].get<std::string>().c_str(),
-                summary["stable"].get<bool>() ? "" : ", unstable");
+double largest_rotation(const mechanics::Result& result) {
+    return result.solution.displacements.rightCols<3>().rowwise().norm().maxCoeff();
+}
+
+void print_json(const mechanics::Result& result) {
+    const auto& solution = result.solution;
+    const base::detail::Json json = {{"model", result.subject->model},
+                                     {"load_case", result.subject->load_case},
+                                     {"solver", result.solver},
+                                     {"converged", solution.converged()},
+                                     {"stable", solution.stable},
+                                     {"termination", mechanics::termination_name(solution.termination)},
+                                     {"largest_displacement", largest_displacement(result)},
+                                     {"largest_rotation", largest_rotation(result)},
+                                     {"iterations", solution.iterations},
+                                     {"discretization_error", discretization_json(result)},
+                                     {"seconds", result.seconds}};
+    std::fputs(base::detail::json_text(json).c_str(), stdout);
+}
+
+void print(const mechanics::Result& result) {
+    const auto& solution = result.solution;
+    std::printf("%s model, load case '%s', %s: %s%s\n", result.subject->model.c_str(),
+                result.subject->load_case.c_str(), result.solver.c_str(),
+                std::string(mechanics::termination_name(solution.termination)).c_str(),
+                solution.stable ? "" : ", unstable");
     std::printf("largest displacement %.4g mm, largest rotation %.4g deg, %.3g s\n",
-                1e3 * summary["largest_displacement"].get<double>(),
-                summary["largest_rotation"].get<double>() * kDegreesPerRadian,
-                summary["seconds"].get<double>());
+                1e3 * largest_displacement(result), largest_rotation(result) * kDegreesPerRadian,
+                result.seconds);
+    if (const auto& error = result.discretization_error)
+        std::printf("%s\n", discretization_text(*error).c_str());
 }
 
 /// The result drawn or for ParaView, as `export` would write it.
@@ -102,14 +112,7 @@ ExitCode run(Options options) {
     }
     add_drawings(options, surface, result, files);
     files.commit();
-    const auto told = summary(options, load_case, result);
-    if (options.json) {
-        std::fputs(base::detail::json_text(told).c_str(), stdout);
-    } else {
-        print(told);
-        if (const auto& error = result.discretization_error)
-            std::printf("%s\n", discretization_text(*error).c_str());
-    }
+    options.json ? print_json(result) : print(result);
     return result.solution.converged() ? ExitCode::Done : ExitCode::DidNotSucceed;
 }
 

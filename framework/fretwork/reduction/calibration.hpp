@@ -56,9 +56,10 @@ struct PatternCase {
     const std::vector<Response>& responses;
 };
 
-/// Fit a tile model to a pattern's responses: Eqs. (1) to (11). A model without parameters is only compared
-/// with them: one for small displacements by its linear answers, one for large by its own responses.
-/// Deterministic given the options. Throws NumericalError if no sample can be fitted; base::Stopped.
+/// Fit a tile model to a pattern's responses by its linear answers: Eqs. (1) to (11). A model without
+/// parameters is only compared with them: one for small displacements by its linear answers, one for large by
+/// its own responses. Deterministic given the options. Throws NumericalError if no sample can be fitted;
+/// base::Stopped.
 Calibration calibrate(const TileModel& model, const PatternCase& input,
                       const CalibrationOptions& options = {});
 
