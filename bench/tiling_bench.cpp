@@ -5,12 +5,18 @@
 
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <numbers>
+#include <stop_token>
 #include <string>
+#include <thread>
 
 namespace fretwork::tiling {
 namespace {
+
+using Clock = std::chrono::steady_clock;
 
 std::filesystem::path outline_file(const std::string& name) {
     return std::filesystem::path(FRETWORK_SOURCE_DIR) / "experiments/outlines" / name;
@@ -43,6 +49,37 @@ void assemble_drawing(benchmark::State& state, const std::string& name) {
     paint_uniformly(result.tessellation, "0-1+1-6");
     for (auto _ : state) benchmark::DoNotOptimize(assemble_fans(layout, result.tessellation));
 }
+
+/// From the request to stop to the return, after so many milliseconds of work on tiles of 2 mm (60,000 of
+/// them).
+void stop_tiling(benchmark::State& state) {
+    const Outline outline = read_outline(outline_file("example_b.svg"));
+    const auto layout = pattern::find_node_layout("paper7");
+    double longest = 0.0;
+    for (auto _ : state) {
+        std::stop_source source;
+        TessellationOptions options{.edge_length = 0.002, .control = {.stop = source.get_token()}};
+        Clock::time_point asked;
+        std::jthread asking([&] {
+            std::this_thread::sleep_for(std::chrono::milliseconds(state.range(0)));
+            asked = Clock::now();
+            source.request_stop();
+        });
+        try {
+            (void)tessellate(outline, layout, options);
+        } catch (const base::Stopped&) {
+            const double seconds = std::chrono::duration<double>(Clock::now() - asked).count();
+            state.SetIterationTime(seconds);
+            longest = std::max(longest, seconds);
+        }
+    }
+    state.counters["longest_ms"] = 1e3 * longest;
+}
+BENCHMARK(stop_tiling)
+    ->DenseRange(200, 6200, 500)
+    ->UseManualTime()
+    ->Iterations(3)
+    ->Unit(benchmark::kMillisecond);
 
 // The argument is the number of threads; 0 is all there are.
 BENCHMARK_CAPTURE(read_drawing, b, "example_b.svg")->Unit(benchmark::kMillisecond);

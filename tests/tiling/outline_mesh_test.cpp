@@ -58,6 +58,8 @@ TEST(OutlineMesh, ObjIndicesAreCheckedAndCountBackIfNegative) {
     EXPECT_THAT(refuse("o.obj", triangle + "f 1 2 2\n"), HasSubstr("twice"));
     EXPECT_THAT(refuse("o.obj", "v 0 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 3\n"),
                 AllOf(HasSubstr("line 2"), HasSubstr("'nan'")));
+    EXPECT_THAT(refuse("o.obj", "v 0 x 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\n"),
+                AllOf(HasSubstr("line 1"), HasSubstr("'x'")));
     EXPECT_THAT(refuse("o.obj", "v 0 0\n"), HasSubstr("2 coordinates"));
     EXPECT_THAT(refuse("o.obj", triangle + "v 1 1 0\nf 1 2 3\nf 1 2 4\n"), HasSubstr("face 1"));
     const TemporaryFolder folder;

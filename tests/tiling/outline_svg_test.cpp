@@ -205,6 +205,13 @@ TEST(OutlineSvg, ACurveBeyondAllMeasureIsRefused) {
     EXPECT_THAT(refuse(drawing("<circle r='1e200'/>")), HasSubstr("is the unit right?"));
 }
 
+TEST(OutlineSvg, ACurveFarOutsideTheDrawingIsRefused) {
+    const std::string spike = R"(<path id="rim" d="M0 0 L200 0 C200 40 100000 50 200 100 L0 100 Z"/>)";
+    EXPECT_THAT(refuse(drawing(spike)),
+                AllOf(HasSubstr("path 'rim'"), HasSubstr("0.2 m wide and 0.1 m high")));
+    EXPECT_NO_THROW(read_path("M-150 0 L200 0 L200 300 L0 100 Z"));
+}
+
 TEST(OutlineSvg, ComplaintsNameLineElementAndValue) {
     EXPECT_THAT(refuse("<svg width='1mm'"), HasSubstr("malformed XML"));
     EXPECT_THAT(refuse(""), HasSubstr("malformed XML"));

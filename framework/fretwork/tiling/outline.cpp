@@ -28,7 +28,7 @@ void orient(Polygon& polygon, Orientation wanted) {
 Outline make_outline(Polygon boundary, std::vector<Polygon> holes) {
     std::vector<Polygon> loops{std::move(boundary)};
     for (Polygon& hole : holes) loops.push_back(std::move(hole));
-    if (const auto flaw = detail::outline_flaw(loops)) throw base::GeometryError(*flaw);
+    if (const auto flaw = detail::outline_flaw(loops, {})) throw base::GeometryError(*flaw);
     Outline outline;
     for (std::size_t loop = 0; loop < loops.size(); ++loop) {
         orient(loops[loop], loop == 0 ? Orientation::Counterclockwise : Orientation::Clockwise);

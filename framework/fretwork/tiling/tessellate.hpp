@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <fretwork/base/control.hpp>
 #include <fretwork/pattern/node_layout.hpp>
 #include <fretwork/tiling/outline.hpp>
 #include <fretwork/tiling/painting.hpp>
@@ -10,12 +11,18 @@
 
 namespace fretwork::tiling {
 
+/// Points of an outline nearer than this share of the wanted side to the point before them are left out.
+inline constexpr double kNegligibleShare = 1e-6;
+
 struct TessellationOptions {
-    double edge_length = 0.0;  ///< m; wanted mean side of the polygons, such as the setting's tile side
+    double edge_length = 0.0;  ///< m; wanted mean side of the polygons, from 1e-9 to 1e6
     int remeshing_iterations = 10;
     int relaxation_iterations = 50;  ///< towards a centroidal tessellation
     int lattice_angles = 12;         ///< so many triangular lattices are tried beside the remeshed triangles
     int threads = 0;                 ///< 0: all there are; the result does not depend on it
+    /// Looked at many times in every iteration; the longest stretches without a look, a few O(n log n) passes
+    /// of CGAL and sorting, take about a microsecond a tile.
+    base::Control control{};
     /// Throws InputError if a value makes no sense.
     void validate() const;
 };
@@ -31,6 +38,8 @@ struct TessellationReport {
     double inner_hexagon_share = 0.0;  ///< of the tiles with no vertex on the outline; 0 if there are none
     double covered_share = 0.0;        ///< area of the tiles over area of the outline
     int tiles = 0;
+    /// Points of the outline that were left out, see kNegligibleShare.
+    int negligible_points = 0;
     std::string start;  ///< "remeshing", or "lattice at 15 deg"
 };
 
@@ -50,8 +59,11 @@ struct TessellationResult {
 /// between tiles end on the outline, and a tile's side at the rim is the chord between two such ends, or
 /// meets the outline's corner; then every tile is regularized.
 ///
-/// Throws GeometryError if the outline is too small for one tile, or somewhere so narrow that the tiles would
-/// fall apart or not be convex. Deterministic.
+/// Throws GeometryError if the outline is too small for one tile, if two of its parts are nearer to each
+/// other than a ten-thousandth of `edge_length` (a needle, a slit), or if it is somewhere so narrow that the
+/// tiles would fall apart or not be convex; InputError if it would need more than 100,000 tiles or lies so
+/// far from the origin that its coordinates are too coarse; base::Stopped. The first, third and last of these
+/// are known before any triangle is made, but for what is narrow beside whole tiles. Deterministic.
 TessellationResult tessellate(const Outline& outline, const pattern::NodeLayout& layout,
                               const TessellationOptions& options);
 

@@ -26,9 +26,10 @@ constexpr int kRoughIterations = 20;
 constexpr double kSlenderAngle = 30 * std::numbers::pi / 180;
 
 /// The sides of the cells, as pairs of vertices, and the cells that have them.
-std::map<std::pair<int, int>, std::vector<std::size_t>> sides_of(const Dual& dual) {
+std::map<std::pair<int, int>, std::vector<std::size_t>> sides_of(const Dual& dual, const Work& work) {
     std::map<std::pair<int, int>, std::vector<std::size_t>> sides;
     for (std::size_t c = 0; c < dual.cells.size(); ++c) {
+        work.check();
         const std::vector<int>& cell = dual.cells[c];
         for (std::size_t i = 0; i < cell.size(); ++i)
             sides[std::minmax(cell[i], cell[(i + 1) % cell.size()])].push_back(c);
@@ -36,8 +37,8 @@ std::map<std::pair<int, int>, std::vector<std::size_t>> sides_of(const Dual& dua
     return sides;
 }
 
-void measure_sides(const Dual& dual, TessellationReport& report) {
-    const auto sides = sides_of(dual);
+void measure_sides(const Dual& dual, const Work& work, TessellationReport& report) {
+    const auto sides = sides_of(dual, work);
     double sum = 0.0;
     double sum_of_squares = 0.0;
     report.smallest_side = std::numeric_limits<double>::infinity();
@@ -54,7 +55,7 @@ void measure_sides(const Dual& dual, TessellationReport& report) {
 }
 
 /// How many sets of cells hang together by sides.
-int count_pieces(const Dual& dual) {
+int count_pieces(const Dual& dual, const Work& work) {
     std::vector<std::size_t> parent(dual.cells.size());
     std::iota(parent.begin(), parent.end(), 0);
     const auto root = [&](std::size_t cell) {
@@ -62,7 +63,7 @@ int count_pieces(const Dual& dual) {
         return cell;
     };
     auto pieces = static_cast<int>(dual.cells.size());
-    for (const auto& [ends, cells] : sides_of(dual)) {
+    for (const auto& [ends, cells] : sides_of(dual, work)) {
         for (std::size_t i = 1; i < cells.size(); ++i) {
             if (root(cells[0]) == root(cells[i])) continue;
             parent[root(cells[i])] = root(cells[0]);
@@ -95,20 +96,22 @@ double smallest_angle(const Polygon& polygon) {
 
 /// Count shapes, and judge them: the share of tiles with another number of sides than they should have (six;
 /// at the rim also five), and the relative spreads of sides and areas.
-void measure_shapes(const Outline& outline, Candidate& candidate) {
+void measure_shapes(const Outline& outline, const Work& work, Candidate& candidate) {
     TessellationReport& report = candidate.report;
     report.smallest_angle = std::numbers::pi;
     report.tiles = static_cast<int>(candidate.dual.cells.size());
     const auto count = static_cast<double>(report.tiles);
+    const double outline_area = area(outline);
     int inner = 0;
     int inner_hexagons = 0;
     int misfits = 0;
     double sum_of_squared_areas = 0.0;
     for (std::size_t c = 0; c < candidate.dual.cells.size(); ++c) {
+        work.check();
         const Polygon polygon = polygon_of(candidate.dual, c);
         const bool at_rim = is_at_rim(candidate.dual, candidate.dual.cells[c]);
         const bool is_hexagon = polygon.size() == 6;
-        const double share = pattern::signed_area(polygon) / area(outline);
+        const double share = pattern::signed_area(polygon) / outline_area;
         report.hexagon_share += is_hexagon ? 1 / count : 0;
         inner += at_rim ? 0 : 1;
         inner_hexagons += !at_rim && is_hexagon ? 1 : 0;
@@ -148,29 +151,63 @@ class EdgeSearch {
     double high_ = 0.0;  // the last at which sides were too long
 };
 
-Dual tiles_around(const Rim& rim, const std::vector<Point2>& sites) {
-    Dual dual = dual_of(rim, triangulate(rim, sites));
+Dual tiles_around(const Rim& rim, const std::vector<Point2>& sites, const Work& work) {
+    if (sites.empty()) return {};
+    Dual dual = dual_of(rim, triangulate(rim, sites, work), work);
     std::erase_if(dual.cells, [](const std::vector<int>& cell) { return cell.size() < 3; });
-    close_gaps(dual);
+    close_gaps(dual, work.control());
     return dual;
 }
 
-std::vector<Point2> sites_at(const Rim& rim, const TessellationOptions& options, const Start& start,
-                             double edge) {
-    return start.lattice_angle ? lattice_sites(rim, edge, *start.lattice_angle)
-                               : remeshed_sites(rim, edge, options.remeshing_iterations);
-}
+/// Makes the tilings of one start.
+class Tiler {
+  public:
+    Tiler(const Outline& outline, const TessellationOptions& options, const Start& start, Work& work)
+        : outline_(outline), options_(options), start_(start), work_(work) {}
 
-/// The tiles around sites at distances near `edge` (metres).
-Dual tiles_at(const Outline& outline, const TessellationOptions& options, const Start& start, double edge) {
-    const Rim rim = sample_rim(outline, edge);
-    const auto sites = relax(rim, sites_at(rim, options, start, edge), options.relaxation_iterations);
-    Dual dual = tiles_around(rim, sites);
-    regularize(dual, rim, kRegularizingIterations);
-    return dual;
+    /// A first sketch of the tiles around sites at distances near `edge` (metres).
+    [[nodiscard]] Dual sketch(double edge) const {
+        const Rim rim = sample_rim(outline_, edge, work_.control());
+        return tiles_around(rim, sites(rim, edge, rough_iterations(options_)), work_);
+    }
+    /// The tiles around sites at distances near `edge` (metres).
+    [[nodiscard]] Dual tiles(double edge) const {
+        const Rim rim = sample_rim(outline_, edge, work_.control());
+        Dual dual = tiles_around(rim, sites(rim, edge, options_.relaxation_iterations), work_);
+        regularize(dual, rim, kRegularizingIterations, work_);
+        return dual;
+    }
+    static int rough_iterations(const TessellationOptions& options) {
+        return std::min(kRoughIterations, options.relaxation_iterations);
+    }
+
+  private:
+    [[nodiscard]] std::vector<Point2> sites(const Rim& rim, double edge, int relaxations) const {
+        auto first = start_.lattice_angle ? lattice_sites(rim, edge, *start_.lattice_angle, work_)
+                                          : remeshed_sites(rim, edge, options_.remeshing_iterations, work_);
+        return relax(rim, std::move(first), relaxations, work_);
+    }
+
+    const Outline& outline_;
+    const TessellationOptions& options_;
+    const Start& start_;
+    Work& work_;
+};
+
+/// Of each density that is tried: relaxations, and regularization as one.
+std::size_t steps_of_density(const TessellationOptions& options) {
+    return static_cast<std::size_t>(options.relaxation_iterations) + 1;
 }
 
 }  // namespace
+
+std::size_t rough_steps(const TessellationOptions& options) {
+    return static_cast<std::size_t>(Tiler::rough_iterations(options));
+}
+
+std::size_t candidate_steps(const TessellationOptions& options) {
+    return kSearchRounds * steps_of_density(options);
+}
 
 std::string Start::name() const {
     if (!lattice_angle) return "remeshing";
@@ -178,15 +215,13 @@ std::string Start::name() const {
            base::format_number(std::round(*lattice_angle * 180 / std::numbers::pi * 10) / 10) + " deg";
 }
 
-double rough_irregularity(const Outline& outline, const TessellationOptions& options, const Start& start) {
-    const double edge = kRoughEdge * options.edge_length;
-    const Rim rim = sample_rim(outline, edge);
-    const int iterations = std::min(kRoughIterations, options.relaxation_iterations);
+double rough_irregularity(const Outline& outline, const TessellationOptions& options, const Start& start,
+                          Work& work) {
     Candidate candidate;
-    candidate.dual = tiles_around(rim, relax(rim, sites_at(rim, options, start, edge), iterations));
+    candidate.dual = Tiler(outline, options, start, work).sketch(kRoughEdge * options.edge_length);
     if (candidate.dual.cells.empty()) return std::numeric_limits<double>::infinity();
-    measure_sides(candidate.dual, candidate.report);
-    measure_shapes(outline, candidate);
+    measure_sides(candidate.dual, work, candidate.report);
+    measure_shapes(outline, work, candidate);
     return candidate.irregularity;
 }
 
@@ -203,30 +238,34 @@ bool is_better_density(const Candidate& first, const Candidate& second) {
 
 }  // namespace
 
-Candidate make_candidate(const Outline& outline, const TessellationOptions& options, const Start& start) {
+Candidate make_candidate(const Outline& outline, const TessellationOptions& options, const Start& start,
+                         Work& work) {
+    const Tiler tiler(outline, options, start, work);
     Candidate best;
     best.side_error = std::numeric_limits<double>::infinity();
     const double first_edge = std::numbers::sqrt3 * options.edge_length;  // between regular hexagons
     EdgeSearch search(first_edge);
     const auto is_good = [&] { return best.side_error <= kGoodSideError && best.pinched == 0; };
-    for (int round = 0; round < kSearchRounds && !is_good(); ++round) {
+    int round = 0;
+    for (; round < kSearchRounds && !is_good(); ++round) {
         if (search.edge() < kFinestEdge * first_edge) break;
         Candidate candidate;
-        candidate.dual = tiles_at(outline, options, start, search.edge());
+        candidate.dual = tiler.tiles(search.edge());
         if (candidate.dual.cells.empty()) {
             search.learn(1.5);
             continue;
         }
-        measure_sides(candidate.dual, candidate.report);
+        measure_sides(candidate.dual, work, candidate.report);
         const double ratio = candidate.report.mean_side / options.edge_length;
         search.learn(ratio);
         candidate.side_error = std::abs(ratio - 1);
         candidate.pinched = count_pinches(candidate.dual);
         if (is_better_density(candidate, best)) best = std::move(candidate);
     }
+    work.advance(static_cast<std::size_t>(kSearchRounds - round) * steps_of_density(options));
     if (best.dual.cells.empty()) return best;
-    measure_shapes(outline, best);
-    best.pieces = count_pieces(best.dual);
+    measure_shapes(outline, work, best);
+    best.pieces = count_pieces(best.dual, work);
     best.report.start = start.name();
     return best;
 }

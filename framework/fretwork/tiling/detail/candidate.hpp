@@ -2,6 +2,7 @@
 #pragma once
 
 #include <fretwork/tiling/detail/dual.hpp>
+#include <fretwork/tiling/detail/work.hpp>
 #include <fretwork/tiling/tessellate.hpp>
 
 #include <optional>
@@ -27,12 +28,16 @@ struct Candidate {
 };
 
 /// How irregular the tiling from a start will be, judged by a first sketch of it: cheap, and good enough to
-/// leave the worst aside.
-double rough_irregularity(const Outline& outline, const TessellationOptions& options, const Start& start);
+/// leave the worst aside. Takes rough_steps() steps of the work.
+double rough_irregularity(const Outline& outline, const TessellationOptions& options, const Start& start,
+                          Work& work);
+std::size_t rough_steps(const TessellationOptions& options);
 
 /// The tiling that comes from a start, at the density that gives it the wanted mean side; no tiles if the
-/// outline is too small.
-Candidate make_candidate(const Outline& outline, const TessellationOptions& options, const Start& start);
+/// outline is too small. Takes candidate_steps() steps of the work.
+Candidate make_candidate(const Outline& outline, const TessellationOptions& options, const Start& start,
+                         Work& work);
+std::size_t candidate_steps(const TessellationOptions& options);
 
 /// True if the first is the better choice.
 bool is_better(const Candidate& first, const Candidate& second);

@@ -3,6 +3,7 @@
 #include <fretwork/tiling/detail/plane.hpp>
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 
 namespace fretwork::tiling::detail {
@@ -56,6 +57,18 @@ double ClosedCurve::turn_at(double place, double reach) const {
     return std::abs(turn(here - at(place - reach), at(place + reach) - here));
 }
 
+bool ClosedCurve::has_place_within(const std::set<double>& places, double place, double reach) const {
+    if (places.empty()) return false;
+    const auto is_near = [&](double other) {
+        const double apart = std::abs(other - place);
+        return std::min(apart, length() - apart) < reach;
+    };
+    const auto after = places.lower_bound(place);
+    return (after != places.end() && is_near(*after)) ||
+           (after != places.begin() && is_near(*std::prev(after))) || is_near(*places.begin()) ||
+           is_near(*places.rbegin());
+}
+
 std::vector<double> ClosedCurve::corners(double reach, double smallest_turn) const {
     struct Candidate {
         double place;
@@ -69,16 +82,11 @@ std::vector<double> ClosedCurve::corners(double reach, double smallest_turn) con
     // The sharpest first; a tiny difference (rounding) does not decide between equals.
     std::stable_sort(candidates.begin(), candidates.end(),
                      [](const Candidate& a, const Candidate& b) { return a.turn > b.turn + 1e-9; });
-    std::vector<double> places;
+    std::set<double> places;
     for (const Candidate& candidate : candidates) {
-        const bool is_free = std::none_of(places.begin(), places.end(), [&](double place) {
-            const double apart = std::abs(place - candidate.place);
-            return std::min(apart, length() - apart) < 2 * reach;
-        });
-        if (is_free) places.push_back(candidate.place);
+        if (!has_place_within(places, candidate.place, 2 * reach)) places.insert(candidate.place);
     }
-    std::sort(places.begin(), places.end());
-    return places;
+    return {places.begin(), places.end()};
 }
 
 }  // namespace fretwork::tiling::detail

@@ -3,6 +3,7 @@
 
 #include <fretwork/pattern/polygon.hpp>
 
+#include <set>
 #include <vector>
 
 namespace fretwork::tiling::detail {
@@ -23,6 +24,7 @@ class ClosedCurve {
 
   private:
     [[nodiscard]] double turn_at(double place, double reach) const;
+    [[nodiscard]] bool has_place_within(const std::set<double>& places, double place, double reach) const;
 
     pattern::Polygon points_;
     std::vector<double> starts_;  // arc length at each point, and at the first again

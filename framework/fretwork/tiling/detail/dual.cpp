@@ -33,10 +33,11 @@ Point2 clamped_circumcenter(Point2 a, Point2 b, Point2 c) {
 
 class DualBuilder {
   public:
-    DualBuilder(const Rim& rim, const Triangulation& triangulation)
-        : rim_(rim), triangulation_(triangulation) {
+    DualBuilder(const Rim& rim, const Triangulation& triangulation, const Work& work)
+        : rim_(rim), triangulation_(triangulation), work_(work) {
         for (std::size_t i = 0; i < triangulation.points.size(); ++i) mesh_.add_vertex({});
         for (const auto& [a, b, c] : triangulation.triangles) {
+            work_.check();
             mesh_.add_face(VertexHandle(a), VertexHandle(b), VertexHandle(c));
         }
     }
@@ -49,6 +50,7 @@ class DualBuilder {
         for (int b = 0; b < triangulation_.rim_count; ++b) add_rim_vertices(b);
         for (auto site = triangulation_.rim_count; site < static_cast<int>(triangulation_.points.size());
              ++site) {
+            work_.check();
             dual_.cells.push_back(cell_of(site));
         }
         return std::move(dual_);
@@ -254,6 +256,7 @@ class DualBuilder {
 
     const Rim& rim_;
     const Triangulation& triangulation_;
+    const Work& work_;
     Mesh mesh_;
     Dual dual_;
     std::vector<int> side_ends_;   // for each triangle the vertex of the dual that it gives
@@ -262,8 +265,8 @@ class DualBuilder {
 
 }  // namespace
 
-Dual dual_of(const Rim& rim, const Triangulation& triangulation) {
-    return DualBuilder(rim, triangulation).build();
+Dual dual_of(const Rim& rim, const Triangulation& triangulation, const Work& work) {
+    return DualBuilder(rim, triangulation, work).build();
 }
 
 Polygon polygon_of(const Dual& dual, std::size_t cell) {

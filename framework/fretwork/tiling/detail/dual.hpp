@@ -3,6 +3,7 @@
 
 #include <fretwork/tiling/detail/rim.hpp>
 #include <fretwork/tiling/detail/triangulation.hpp>
+#include <fretwork/tiling/detail/work.hpp>
 
 #include <vector>
 
@@ -26,7 +27,7 @@ struct Dual {
 /// nearest point of the triangle); where two sites and a point of the rim make a triangle, the side between
 /// the two tiles ends on the outline. The outline's corners are vertices of the tiles in which they lie,
 /// where these stay convex.
-Dual dual_of(const Rim& rim, const Triangulation& triangulation);
+Dual dual_of(const Rim& rim, const Triangulation& triangulation, const Work& work);
 
 /// The polygon of a cell.
 pattern::Polygon polygon_of(const Dual& dual, std::size_t cell);

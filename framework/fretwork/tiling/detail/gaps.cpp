@@ -67,8 +67,9 @@ bool are_sound(const Dual& dual, int vertex) {
 }
 
 /// Close one wedge, if there is one that can be closed.
-bool close_one(Dual& dual) {
+bool close_one(Dual& dual, const base::Control& control) {
     for (const Wedge& wedge : wedges_of(dual)) {
+        control.check();
         Dual result = closed(dual, wedge);
         if (!are_sound(result, wedge.before) || !are_sound(result, wedge.after)) continue;
         dual = std::move(result);
@@ -79,8 +80,8 @@ bool close_one(Dual& dual) {
 
 }  // namespace
 
-void close_gaps(Dual& dual) {
-    while (close_one(dual)) {
+void close_gaps(Dual& dual, const base::Control& control) {
+    while (close_one(dual, control)) {
     }
 }
 

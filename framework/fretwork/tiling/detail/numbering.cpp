@@ -66,7 +66,8 @@ std::vector<std::size_t> from_left_to_right(const Dual& dual) {
 
 class Numberer {
   public:
-    Numberer(const Dual& dual, const pattern::NodeLayout& layout) : dual_(dual) {
+    Numberer(const Dual& dual, const pattern::NodeLayout& layout, const base::Control& control)
+        : dual_(dual), control_(control) {
         result_.layout = layout.name();
         for (const pattern::Rational& place : layout.description().interface)
             places_.push_back(place.to_double());
@@ -75,6 +76,7 @@ class Numberer {
     Tessellation run() {
         const double facing = first_side_facing(dual_);
         for (const std::size_t cell : from_left_to_right(dual_)) {
+            control_.check();
             std::vector<int> vertices = dual_.cells[cell];
             const auto first = static_cast<std::ptrdiff_t>(first_vertex(polygon_of(dual_, cell), facing));
             std::rotate(vertices.begin(), vertices.begin() + first, vertices.end());
@@ -117,6 +119,7 @@ class Numberer {
     }
 
     const Dual& dual_;
+    const base::Control& control_;
     std::vector<double> places_;  // of interface nodes, as shares of a side
     Tessellation result_;
     std::map<int, VertexIndex> numbers_;
@@ -125,8 +128,8 @@ class Numberer {
 
 }  // namespace
 
-Tessellation number(const Dual& dual, const pattern::NodeLayout& layout) {
-    return Numberer(dual, layout).run();
+Tessellation number(const Dual& dual, const pattern::NodeLayout& layout, const base::Control& control) {
+    return Numberer(dual, layout, control).run();
 }
 
 }  // namespace fretwork::tiling::detail

@@ -4,9 +4,11 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_2_algorithms.h>
+#include <CGAL/box_intersection_d.h>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace fretwork::tiling::detail {
 namespace {
@@ -82,24 +84,22 @@ bool clash(const Side& a, const Side& b) {
     return CGAL::do_intersect(Kernel::Segment_2(a.from, a.to), Kernel::Segment_2(b.from, b.to));
 }
 
-/// Every pair of sides that overlap in x is tested, exactly.
-std::optional<std::string> flaw_of_crossing(const std::vector<Polygon>& loops) {
-    std::vector<Side> sides = sides_of(loops);
-    const auto low = [](const Side& side) { return std::min(side.from.x(), side.to.x()); };
-    const auto high = [](const Side& side) { return std::max(side.from.x(), side.to.x()); };
-    std::stable_sort(sides.begin(), sides.end(),
-                     [&](const Side& a, const Side& b) { return low(a) < low(b); });
-    for (std::size_t i = 0; i < sides.size(); ++i) {
-        for (std::size_t j = i + 1; j < sides.size() && low(sides[j]) <= high(sides[i]); ++j) {
-            if (!clash(sides[i], sides[j])) continue;
-            const bool in_order =
-                std::pair(sides[i].loop, sides[i].index) < std::pair(sides[j].loop, sides[j].index);
-            const Side& first = in_order ? sides[i] : sides[j];
-            const Side& second = in_order ? sides[j] : sides[i];
-            return (first.name() + " touches or crosses " + second.name());
-        }
-    }
-    return std::nullopt;
+/// The first pair of sides that clash, in the order of loops and sides. Pairs whose boxes meet are tested,
+/// exactly.
+std::optional<std::string> flaw_of_crossing(const std::vector<Polygon>& loops, const base::Control& control) {
+    using Box = CGAL::Box_intersection_d::Box_with_handle_d<double, 2, const Side*>;
+    const std::vector<Side> sides = sides_of(loops);
+    std::vector<Box> boxes;
+    boxes.reserve(sides.size());
+    for (const Side& side : sides) boxes.emplace_back(side.from.bbox() + side.to.bbox(), &side);
+    std::optional<std::pair<const Side*, const Side*>> first;
+    CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
+        control.check();
+        const std::pair<const Side*, const Side*> pair = std::minmax(a.handle(), b.handle());
+        if ((!first || pair < *first) && clash(*pair.first, *pair.second)) first = pair;
+    });
+    if (!first) return std::nullopt;
+    return first->first->name() + " touches or crosses " + first->second->name();
 }
 
 bool is_inside(const Point2& point, const Polygon& polygon) {
@@ -110,8 +110,9 @@ bool is_inside(const Point2& point, const Polygon& polygon) {
 }
 
 /// No two sides meet, so one point of a hole speaks for all of it.
-std::optional<std::string> flaw_of_nesting(const std::vector<Polygon>& loops) {
+std::optional<std::string> flaw_of_nesting(const std::vector<Polygon>& loops, const base::Control& control) {
     for (std::size_t hole = 1; hole < loops.size(); ++hole) {
+        control.check();
         const Point2& point = loops[hole].front();
         if (!is_inside(point, loops.front()))
             return (loop_name(hole) + " lies outside the boundary, at " + text({point.x, point.y}));
@@ -126,10 +127,10 @@ std::optional<std::string> flaw_of_nesting(const std::vector<Polygon>& loops) {
 
 }  // namespace
 
-std::optional<std::string> outline_flaw(const std::vector<Polygon>& loops) {
+std::optional<std::string> outline_flaw(const std::vector<Polygon>& loops, const base::Control& control) {
     if (auto flaw = flaw_of_points(loops)) return flaw;
-    if (auto flaw = flaw_of_crossing(loops)) return flaw;
-    return flaw_of_nesting(loops);
+    if (auto flaw = flaw_of_crossing(loops, control)) return flaw;
+    return flaw_of_nesting(loops, control);
 }
 
 }  // namespace fretwork::tiling::detail

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <fretwork/base/control.hpp>
 #include <fretwork/pattern/polygon.hpp>
 
 #include <optional>
@@ -11,7 +12,8 @@ namespace fretwork::tiling::detail {
 
 /// What keeps loops (the boundary, then the holes) from being an outline, decided exactly: a point that is
 /// not finite, a side without length, two sides that touch or cross, a hole outside the boundary or inside
-/// another.
-std::optional<std::string> outline_flaw(const std::vector<pattern::Polygon>& loops);
+/// another. Throws base::Stopped.
+std::optional<std::string> outline_flaw(const std::vector<pattern::Polygon>& loops,
+                                        const base::Control& control);
 
 }  // namespace fretwork::tiling::detail

@@ -2,6 +2,7 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/file.hpp>
 #include <fretwork/base/text.hpp>
+#include <fretwork/tiling/detail/message_text.hpp>
 #include <fretwork/tiling/detail/outline_readers.hpp>
 #include <fretwork/tiling/detail/plane.hpp>
 #include <fretwork/tiling/detail/svg_text.hpp>
@@ -18,6 +19,8 @@ namespace {
 
 constexpr int kDeepest = 256;  // of groups: no drawing needs more, and the reader's stack has an end
 constexpr double kMetresPerPixel = 0.0254 / 96;
+/// A curve that reaches farther out of the drawing than so many times its size is a slip.
+constexpr double kFarthestOutside = 10;
 
 /// What is never drawn by itself.
 constexpr std::array<std::string_view, 16> kNotDrawn = {
@@ -88,7 +91,7 @@ class SvgReader {
     }
 
     /// From user units, y down, to metres, y up, with the origin at the lower left of the drawing.
-    [[nodiscard]] Affine to_metres(pugi::xml_node root) const {
+    [[nodiscard]] Affine to_metres(pugi::xml_node root) {
         if (!root.attribute("width") || !root.attribute("height"))
             fail(root,
                  "width and height must say how large the drawing is, such as width=\"710mm\" "
@@ -104,6 +107,7 @@ class SvgReader {
             scale_x = scale_y = std::min(scale_x, scale_y);
         scale_x *= kMetresPerPixel;
         scale_y *= kMetresPerPixel;
+        page_ = {scale_x * box[2], scale_y * box[3]};
         return {scale_x, 0, 0, -scale_y, -scale_x * box[0], scale_y * (box[1] + box[3])};
     }
     [[nodiscard]] std::vector<double> view_box(pugi::xml_node root) const {
@@ -154,6 +158,7 @@ class SvgReader {
             const std::string where =
                 place(node) + (subpaths.size() > 1 ? ", subpath " + std::to_string(i) : "");
             Polygon points = flatten(subpaths[i], map);
+            check_on_page(points, where);
             const Point2 from = points.front();
             const Point2 to = points.back();
             if (!subpaths[i].is_closed && distance(from, to) > kClosingTolerance)
@@ -162,6 +167,18 @@ class SvgReader {
                                            base::format_number(std::round(distance(from, to) * 1e7) / 1e4) +
                                            " mm from where it begins");
             loops_.push_back({std::move(points), where});
+        }
+    }
+
+    void check_on_page(const Polygon& points, const std::string& where) const {
+        for (const Point2& point : points) {
+            const double outside_x = std::max(-point.x, point.x - page_.x);
+            const double outside_y = std::max(-point.y, point.y - page_.y);
+            if (outside_x <= kFarthestOutside * page_.x && outside_y <= kFarthestOutside * page_.y) continue;
+            throw base::InputError(source_, where,
+                                   "reaches " + place_text(point) + " m, far outside the drawing, which is " +
+                                       metres(page_.x) + " wide and " + metres(page_.y) +
+                                       " high; at most ten times that is taken: is a control point wrong?");
         }
     }
 
@@ -212,6 +229,7 @@ class SvgReader {
 
     std::string source_;
     std::string text_;
+    Point2 page_;  // width and height, metres
     std::vector<Loop> loops_;
 };
 

@@ -35,6 +35,13 @@ inline double length(Point2 a) {
 inline double distance(Point2 a, Point2 b) {
     return length(b - a);
 }
+/// The length of a closed polygon.
+inline double perimeter(const Polygon& polygon) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < polygon.size(); ++i)
+        sum += distance(polygon[i], polygon[(i + 1) % polygon.size()]);
+    return sum;
+}
 inline Point2 between(Point2 a, Point2 b, double share) {
     return {a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)};
 }

@@ -48,24 +48,27 @@ Polygon nearest_regular_polygon(const Polygon& polygon, const std::vector<Comple
 
 }  // namespace
 
-void regularize(Dual& dual, const Rim& rim, int iterations) {
+void regularize(Dual& dual, const Rim& rim, int iterations, Work& work) {
+    work.advance(1);
     RootsOfUnity roots;
     for (int iteration = 0; iteration < iterations; ++iteration) {
         std::vector<Point2> sums(dual.vertices.size());
-        std::vector<int> wishes(dual.vertices.size());
+        std::vector<int> counts(dual.vertices.size());
         for (std::size_t cell = 0; cell < dual.cells.size(); ++cell) {
+            work.check();
             const Polygon polygon = polygon_of(dual, cell);
             const Polygon wanted = nearest_regular_polygon(polygon, roots.of(polygon.size()));
             for (std::size_t i = 0; i < wanted.size(); ++i) {
                 const auto vertex = static_cast<std::size_t>(dual.cells[cell][i]);
                 sums[vertex] = sums[vertex] + wanted[i];
-                ++wishes[vertex];
+                ++counts[vertex];
             }
         }
         for (std::size_t v = 0; v < dual.vertices.size(); ++v) {
+            work.check();
             DualVertex& vertex = dual.vertices[v];
-            if (wishes[v] == 0 || vertex.is_fixed) continue;
-            vertex.place = (1.0 / wishes[v]) * sums[v];
+            if (counts[v] == 0 || vertex.is_fixed) continue;
+            vertex.place = (1.0 / counts[v]) * sums[v];
             if (vertex.loop >= 0)
                 vertex.place = rim.curves[static_cast<std::size_t>(vertex.loop)].nearest(vertex.place);
         }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
-#include <fretwork/base/text.hpp>
+#include <fretwork/tiling/detail/message_text.hpp>
 #include <fretwork/tiling/detail/outline_check.hpp>
 #include <fretwork/tiling/detail/plane.hpp>
 #include <fretwork/tiling/detail/rim.hpp>
@@ -43,11 +43,12 @@ std::vector<Place> sample_places(const ClosedCurve& curve, double spacing) {
     return places;
 }
 
-Rim even_rim(const Outline& outline, double spacing) {
+Rim even_rim(const Outline& outline, double spacing, const base::Control& control) {
     Rim rim;
     rim.curves.emplace_back(outline.boundary);
     for (const Polygon& hole : outline.holes) rim.curves.emplace_back(hole);
     for (std::size_t loop = 0; loop < rim.curves.size(); ++loop) {
+        control.check();
         const auto first = static_cast<int>(rim.points.size());
         for (const Place& place : sample_places(rim.curves[loop], spacing)) {
             rim.points.push_back({rim.curves[loop].at(place.along), static_cast<int>(loop), place.is_corner});
@@ -58,37 +59,24 @@ Rim even_rim(const Outline& outline, double spacing) {
     return rim;
 }
 
-std::optional<std::string> flaw_of(const Rim& rim) {
+std::optional<std::string> flaw_of(const Rim& rim, const base::Control& control) {
     std::vector<Polygon> loops(rim.curves.size());
     for (const RimPoint& point : rim.points)
         loops[static_cast<std::size_t>(point.loop)].push_back(point.place);
-    return outline_flaw(loops);
+    return outline_flaw(loops, control);
 }
 
 }  // namespace
 
-Rim sample_rim(const Outline& outline, double spacing) {
+Rim sample_rim(const Outline& outline, double spacing, const base::Control& control) {
     std::optional<std::string> flaw;
     for (double finer = spacing; finer > kFinest * spacing; finer /= 2) {
-        Rim rim = even_rim(outline, finer);
-        flaw = flaw_of(rim);
+        Rim rim = even_rim(outline, finer, control);
+        flaw = flaw_of(rim, control);
         if (!flaw) return rim;
     }
-    throw base::GeometryError("the outline is far too narrow somewhere for tiles " +
-                              base::format_number(std::round(spacing * 1e5) / 1e5) +
-                              " m wide; choose a smaller edge length (" + *flaw + ")");
-}
-
-bool is_inside(const Rim& rim, Point2 point, double margin) {
-    bool inside = false;
-    for (std::size_t i = 0; i < rim.points.size(); ++i) {
-        const Point2 a = rim.points[i].place;
-        const Point2 b = rim.points[static_cast<std::size_t>(rim.next[i])].place;
-        if (margin > 0 && distance(nearest_on_side(a, b, point), point) < margin) return false;
-        const bool is_beside = (a.y > point.y) != (b.y > point.y);
-        if (is_beside && (cross(b - a, point - a) > 0) == (b.y > a.y)) inside = !inside;
-    }
-    return inside;
+    throw base::GeometryError("the outline is far too narrow somewhere for tiles " + metres(spacing) +
+                              " wide; choose a smaller edge length (" + *flaw + ")");
 }
 
 }  // namespace fretwork::tiling::detail

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <fretwork/base/control.hpp>
 #include <fretwork/tiling/detail/closed_curve.hpp>
 #include <fretwork/tiling/outline.hpp>
 
@@ -25,11 +26,7 @@ struct Rim {
 /// Put points on the outline's corners, and evenly between them at distances near `spacing` (metres). Where
 /// the polygons through these points cross, the points lie half as far apart, and so on down to an eighth.
 /// Throws GeometryError if that is no help: parts of the outline are much nearer to each other than a tile is
-/// wide.
-Rim sample_rim(const Outline& outline, double spacing);
-
-/// True if a point is inside the polygons through the rim's points, at least `margin` (metres) away from
-/// them.
-bool is_inside(const Rim& rim, pattern::Point2 point, double margin);
+/// wide. Throws base::Stopped.
+Rim sample_rim(const Outline& outline, double spacing, const base::Control& control);
 
 }  // namespace fretwork::tiling::detail

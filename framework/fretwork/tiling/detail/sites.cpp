@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/tiling/detail/dual.hpp>
+#include <fretwork/tiling/detail/inside.hpp>
 #include <fretwork/tiling/detail/plane.hpp>
 #include <fretwork/tiling/detail/sites.hpp>
 #include <fretwork/tiling/detail/triangulation.hpp>
@@ -21,6 +22,27 @@ namespace pmp = CGAL::Polygon_mesh_processing;
 constexpr double kMargin = 0.2;  // of the edge
 /// Half a tile's width: a tile at the rim then is about as large as one inside.
 constexpr double kLatticeMargin = 0.45;  // of the edge
+
+/// The places of a mesh's vertices, as isotropic_remeshing reads and writes them. It has no other hook that
+/// is called often, and so this one looks whether to stop.
+struct WatchedPlaces {
+    using Places = Mesh::Property_map<Mesh::Vertex_index, Kernel::Point_3>;
+    using key_type = Mesh::Vertex_index;
+    using value_type = Kernel::Point_3;
+    using reference = Places::reference;
+    using category = boost::lvalue_property_map_tag;
+    Places places;
+    const Work* work;
+
+    friend reference get(const WatchedPlaces& map, key_type vertex) {
+        map.work->check();
+        return get(map.places, vertex);
+    }
+    friend void put(const WatchedPlaces& map, key_type vertex, const value_type& place) {
+        put(map.places, vertex, place);
+    }
+    reference operator[](key_type vertex) const { return get(*this, vertex); }
+};
 
 Mesh surface_mesh(const Triangulation& triangulation) {
     Mesh mesh;
@@ -52,23 +74,25 @@ std::pair<int, int> steps_within(Point2 start, Point2 step, Point2 half, int rea
 
 }  // namespace
 
-std::vector<Point2> remeshed_sites(const Rim& rim, double edge, int iterations) {
-    Mesh mesh = surface_mesh(triangulate(rim, {}));
+std::vector<Point2> remeshed_sites(const Rim& rim, double edge, int iterations, const Work& work) {
+    Mesh mesh = surface_mesh(triangulate(rim, {}, work));
     auto is_protected = mesh.add_property_map<Mesh::Edge_index, bool>("e:protected", false).first;
     for (const Mesh::Edge_index e : mesh.edges()) is_protected[e] = mesh.is_border(e);
     pmp::isotropic_remeshing(mesh.faces(), edge, mesh,
                              CGAL::parameters::number_of_iterations(static_cast<unsigned>(iterations))
+                                 .vertex_point_map(WatchedPlaces{mesh.points(), &work})
                                  .edge_is_constrained_map(is_protected)
                                  .protect_constraints(true));
+    const InsideTest is_inside(rim, kMargin * edge);
     std::vector<Point2> sites;
     for (const Mesh::Vertex_index v : mesh.vertices()) {
         const Point2 site{mesh.point(v).x(), mesh.point(v).y()};
-        if (!mesh.is_border(v) && is_inside(rim, site, kMargin * edge)) sites.push_back(site);
+        if (!mesh.is_border(v) && is_inside(site)) sites.push_back(site);
     }
     return sites;
 }
 
-std::vector<Point2> lattice_sites(const Rim& rim, double edge, double angle) {
+std::vector<Point2> lattice_sites(const Rim& rim, double edge, double angle, const Work& work) {
     Point2 low = rim.points.front().place;
     Point2 high = low;
     for (const RimPoint& point : rim.points) {
@@ -82,26 +106,31 @@ std::vector<Point2> lattice_sites(const Rim& rim, double edge, double angle) {
     const Point2 half = 0.5 * (high - low);
     // Rows of a triangular lattice are sqrt(3)/2 apart.
     const int reach = static_cast<int>(std::ceil(distance(low, high) / edge)) + 1;
+    const InsideTest is_inside(rim, kLatticeMargin * edge);
     std::vector<Point2> sites;
     for (int row = -reach; row <= reach; ++row) {
+        work.check();
         const Point2 start = static_cast<double>(row) * across;
         const auto [first, last] = steps_within(start, along, half, reach);
         for (int column = first; column <= last; ++column) {
             const Point2 site = middle + static_cast<double>(column) * along + start;
-            if (is_inside(rim, site, kLatticeMargin * edge)) sites.push_back(site);
+            if (is_inside(site)) sites.push_back(site);
         }
     }
     return sites;
 }
 
-std::vector<Point2> relax(const Rim& rim, std::vector<Point2> sites, int iterations) {
+std::vector<Point2> relax(const Rim& rim, std::vector<Point2> sites, int iterations, Work& work) {
+    const InsideTest is_inside(rim, 0.0);
     for (int i = 0; i < iterations; ++i) {
-        const Dual dual = dual_of(rim, triangulate(rim, sites));
+        work.advance(1);
+        if (sites.empty()) continue;
+        const Dual dual = dual_of(rim, triangulate(rim, sites, work), work);
         for (std::size_t site = 0; site < sites.size(); ++site) {
             const Polygon polygon = polygon_of(dual, site);
             if (polygon.size() < 3) continue;
             const Point2 target = pattern::centroid(polygon);
-            if (is_inside(rim, target, 0.0)) sites[site] = target;
+            if (is_inside(target)) sites[site] = target;
         }
     }
     return sites;

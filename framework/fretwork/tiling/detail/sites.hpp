@@ -2,6 +2,7 @@
 #pragma once
 
 #include <fretwork/tiling/detail/rim.hpp>
+#include <fretwork/tiling/detail/work.hpp>
 
 #include <vector>
 
@@ -9,13 +10,15 @@ namespace fretwork::tiling::detail {
 
 /// Where tiles could be: the inner vertices of an isotropic triangle mesh inside the rim (CGAL's
 /// isotropic_remeshing; the rim is protected). `edge` is the length of the triangles' edges, metres.
-std::vector<pattern::Point2> remeshed_sites(const Rim& rim, double edge, int iterations);
+/// Looks at every access to a vertex whether to stop.
+std::vector<pattern::Point2> remeshed_sites(const Rim& rim, double edge, int iterations, const Work& work);
 
 /// Where tiles could be: the points of a triangular lattice inside the rim. `angle` (rad) turns the lattice.
-std::vector<pattern::Point2> lattice_sites(const Rim& rim, double edge, double angle);
+std::vector<pattern::Point2> lattice_sites(const Rim& rim, double edge, double angle, const Work& work);
 
 /// Move the sites towards the centroids of their tiles, again and again (Lloyd), with a new constrained
-/// Delaunay triangulation each time.
-std::vector<pattern::Point2> relax(const Rim& rim, std::vector<pattern::Point2> sites, int iterations);
+/// Delaunay triangulation each time. Each iteration is a step of the work.
+std::vector<pattern::Point2> relax(const Rim& rim, std::vector<pattern::Point2> sites, int iterations,
+                                   Work& work);
 
 }  // namespace fretwork::tiling::detail

@@ -47,12 +47,13 @@ void mark_depths(Delaunay& delaunay) {
 
 }  // namespace
 
-Triangulation triangulate(const Rim& rim, const std::vector<pattern::Point2>& sites) {
+Triangulation triangulate(const Rim& rim, const std::vector<pattern::Point2>& sites, const Work& work) {
     Triangulation result;
     Delaunay delaunay;
     result.rim_count = static_cast<int>(rim.points.size());
     std::vector<Delaunay::Vertex_handle> handles;
     const auto insert = [&](pattern::Point2 point) {
+        work.check();
         // The last vertex is near the next one: points come loop by loop and site by site.
         const auto near = handles.empty() ? Delaunay::Face_handle() : handles.back()->face();
         const Delaunay::Vertex_handle vertex = delaunay.insert(Kernel::Point_2(point.x, point.y), near);
@@ -62,6 +63,7 @@ Triangulation triangulate(const Rim& rim, const std::vector<pattern::Point2>& si
     };
     for (const RimPoint& point : rim.points) insert(point.place);
     for (std::size_t i = 0; i < rim.next.size(); ++i) {
+        work.check();
         delaunay.insert_constraint(handles[i], handles[static_cast<std::size_t>(rim.next[i])]);
     }
     for (const pattern::Point2& site : sites) insert(site);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <fretwork/tiling/detail/rim.hpp>
+#include <fretwork/tiling/detail/work.hpp>
 
 #include <array>
 #include <vector>
@@ -18,6 +19,6 @@ struct Triangulation {
 
 /// Constrained Delaunay triangulation: the rim's sides are edges, and no triangle is outside. The sites must
 /// lie strictly inside, each at a place of its own.
-Triangulation triangulate(const Rim& rim, const std::vector<pattern::Point2>& sites);
+Triangulation triangulate(const Rim& rim, const std::vector<pattern::Point2>& sites, const Work& work);
 
 }  // namespace fretwork::tiling::detail

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/pattern/polygon.hpp>
+
+#include <cstdio>
+#include <string>
+
+/// Lengths and places in messages: six digits, as a person reads them.
+namespace fretwork::tiling::detail {
+
+inline std::string short_number(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.6g", value);
+    return text;
+}
+inline std::string metres(double length) {
+    return short_number(length) + " m";
+}
+inline std::string place_text(pattern::Point2 place) {
+    return "(" + short_number(place.x) + ", " + short_number(place.y) + ")";
+}
+
+}  // namespace fretwork::tiling::detail

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/tiling/detail/message_text.hpp>
+#include <fretwork/tiling/detail/outline_check.hpp>
+#include <fretwork/tiling/detail/plane.hpp>
+#include <fretwork/tiling/detail/small_parts.hpp>
+
+#include <CGAL/Bbox_2.h>
+#include <CGAL/box_intersection_d.h>
+
+#include <algorithm>
+#include <optional>
+#include <tuple>
+#include <utility>
+
+namespace fretwork::tiling::detail {
+namespace {
+
+/// Parts that are so far from each other along the outline count as two; also the length of a piece.
+constexpr double kApart = 0.1;  // of the tiles' side
+
+/// A piece of a side of the outline.
+struct Piece {
+    std::size_t loop;
+    double along;  // where it begins, as a length along its loop
+    Point2 from;
+    Point2 to;
+};
+
+/// A loop's length, and the least length along it that separates two parts.
+struct LoopSize {
+    double length = 0.0;
+    double apart = 0.0;
+};
+
+/// A place where two parts come near to each other.
+struct NearPlace {
+    double width = 0.0;
+    std::size_t loop = 0;
+    double along = 0.0;
+    Point2 place;
+    friend bool operator<(const NearPlace& a, const NearPlace& b) {
+        return std::tie(a.width, a.loop, a.along) < std::tie(b.width, b.loop, b.along);
+    }
+};
+
+class NearPlaces {
+  public:
+    NearPlaces(const Outline& outline, double edge, const base::Control& control)
+        : edge_(edge), control_(control) {
+        add_loop(outline.boundary);
+        for (const Polygon& hole : outline.holes) add_loop(hole);
+    }
+
+    /// The narrowest place that is narrower than kNarrowest allows.
+    std::optional<NearPlace> narrowest() {
+        using Box = CGAL::Box_intersection_d::Box_with_handle_d<double, 2, const Piece*>;
+        std::vector<Box> boxes;
+        boxes.reserve(pieces_.size());
+        const double reach = 0.5 * kNarrowest * edge_;
+        for (const Piece& piece : pieces_) {
+            const auto [left, right] = std::minmax(piece.from.x, piece.to.x);
+            const auto [low, high] = std::minmax(piece.from.y, piece.to.y);
+            boxes.emplace_back(CGAL::Bbox_2(left - reach, low - reach, right + reach, high + reach), &piece);
+        }
+        CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
+            control_.check();
+            compare(*a.handle(), *b.handle());
+        });
+        return narrowest_;
+    }
+
+  private:
+    void add_loop(const Polygon& points) {
+        double along = 0.0;
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            control_.check();
+            const Point2 from = points[i];
+            const Point2 to = points[(i + 1) % points.size()];
+            const double side = distance(from, to);
+            const auto count = static_cast<std::size_t>(std::ceil(side / (kApart * edge_)));
+            for (std::size_t k = 0; k < count; ++k) {
+                const double first = static_cast<double>(k) / static_cast<double>(count);
+                const double last = static_cast<double>(k + 1) / static_cast<double>(count);
+                pieces_.push_back(
+                    {loops_.size(), along + first * side, between(from, to, first), between(from, to, last)});
+            }
+            along += side;
+        }
+        loops_.push_back({along, std::min(kApart * edge_, along / 4)});
+    }
+
+    /// The nearest points of two segments that do not cross: one of them is an end.
+    void compare(const Piece& a, const Piece& b) {
+        for (const auto& [point, other] : {std::pair(&a, &b), std::pair(&b, &a)}) {
+            note(*point, 0.0, *other);
+            note(*point, distance(point->from, point->to), *other);
+        }
+    }
+    void note(const Piece& piece, double along_piece, const Piece& other) {
+        const Point2 point = along_piece > 0 ? piece.to : piece.from;
+        const Point2 nearest = nearest_on_side(other.from, other.to, point);
+        const double along = piece.along + along_piece;
+        // plane.hpp's distance would underflow, and the message say 0.
+        const double width = std::hypot(nearest.x - point.x, nearest.y - point.y);
+        if (width >= kNarrowest * edge_) return;
+        if (piece.loop == other.loop) {
+            const LoopSize& loop = loops_[piece.loop];
+            const double way = std::abs(other.along + distance(other.from, nearest) - along);
+            if (std::min(way, loop.length - way) < loop.apart) return;
+        }
+        const NearPlace place{width, piece.loop, along, point};
+        if (!narrowest_ || place < *narrowest_) narrowest_ = place;
+    }
+
+    double edge_;
+    const base::Control& control_;
+    std::vector<Piece> pieces_;
+    std::vector<LoopSize> loops_;
+    std::optional<NearPlace> narrowest_;
+};
+
+/// Leave out the points too near to the one before them, or to the first. Returns how many.
+int remove_negligible_points(Polygon& points, double tolerance) {
+    const std::size_t before = points.size();
+    const auto is_near = [&](Point2 a, Point2 b) { return std::hypot(a.x - b.x, a.y - b.y) < tolerance; };
+    points.erase(std::unique(points.begin(), points.end(), is_near), points.end());
+    while (points.size() > 1 && is_near(points.front(), points.back())) points.pop_back();
+    return static_cast<int>(before - points.size());
+}
+
+}  // namespace
+
+CleanOutline without_negligible_points(const Outline& outline, double edge) {
+    CleanOutline clean{outline, 0};
+    clean.left_out = remove_negligible_points(clean.outline.boundary, kNegligibleShare * edge);
+    std::vector<Polygon> loops{clean.outline.boundary};
+    for (Polygon& hole : clean.outline.holes) {
+        clean.left_out += remove_negligible_points(hole, kNegligibleShare * edge);
+        loops.push_back(hole);
+    }
+    if (clean.left_out == 0) return clean;
+    if (const auto flaw = outline_flaw(loops, {}))
+        throw base::GeometryError("points of the outline less than " + metres(kNegligibleShare * edge) +
+                                  " apart are one for tiles with sides of " + metres(edge) + ", and then " +
+                                  *flaw);
+    return clean;
+}
+
+void check_small_parts(const Outline& outline, double edge, const base::Control& control) {
+    const auto place = NearPlaces(outline, edge, control).narrowest();
+    if (!place) return;
+    const std::string loop = place->loop == 0 ? "the boundary" : "hole " + std::to_string(place->loop - 1);
+    const std::string width = place->width < 1e-15 ? "less than 1e-15 m" : metres(place->width);
+    throw base::GeometryError(loop + " is " + width + " from another part of the outline near " +
+                              place_text(place->place) + "; tiles with sides of " + metres(edge) + " need " +
+                              metres(kNarrowest * edge) +
+                              " at least: remove the needle or slit there, or make it wider");
+}
+
+}  // namespace fretwork::tiling::detail

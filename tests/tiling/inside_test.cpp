@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "outlines.hpp"
+
+#include <fretwork/tiling/detail/inside.hpp>
+#include <fretwork/tiling/detail/plane.hpp>
+
+#include <random>
+
+namespace fretwork::tiling::detail {
+namespace {
+
+/// Every side is looked at.
+bool is_inside(const Rim& rim, Point2 point, double margin) {
+    bool inside = false;
+    for (std::size_t i = 0; i < rim.points.size(); ++i) {
+        const Point2 a = rim.points[i].place;
+        const Point2 b = rim.points[static_cast<std::size_t>(rim.next[i])].place;
+        if (margin > 0 && distance(nearest_on_side(a, b, point), point) < margin) return false;
+        if ((a.y > point.y) != (b.y > point.y) && (cross(b - a, point - a) > 0) == (b.y > a.y))
+            inside = !inside;
+    }
+    return inside;
+}
+
+TEST(InsideTest, SaysWhatALookAtEverySideSays) {
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> x(-0.1, 1.2);
+    std::uniform_real_distribution<double> y(-0.1, 1.0);
+    for (const char* name : {"example_a.svg", "example_b.svg", "example_c.svg", "specimen.svg"}) {
+        const Rim rim = sample_rim(read_outline(example_outline(name)), 0.04, {});
+        for (const double margin : {0.0, 0.01}) {
+            const InsideTest fast(rim, margin);
+            for (int i = 0; i < 2000; ++i) {
+                const Point2 point{x(random), y(random)};
+                EXPECT_EQ(fast(point), is_inside(rim, point, margin))
+                    << name << " " << point.x << " " << point.y;
+            }
+        }
+    }
+}
+
+}  // namespace
+}  // namespace fretwork::tiling::detail
