@@ -12,10 +12,35 @@ namespace {
 
 using mechanics::NodeIndex;
 
+/// Picks the interface nodes of a load case's entries, and names the entry that picks none.
+class EntryPicker {
+  public:
+    EntryPicker(const LoadCase& load_case, const tiling::Tessellation& tessellation)
+        : load_case_(load_case), tessellation_(tessellation) {}
+
+    [[nodiscard]] std::vector<tiling::InterfaceIndex> operator()(const Selection& where,
+                                                                 const std::string& list,
+                                                                 std::size_t entry) const {
+        try {
+            return select_nodes(where, tessellation_);
+        } catch (const base::InputError& error) {
+            throw base::InputError("load case '" + load_case_.name + "'",
+                                   "/" + list + "/" + std::to_string(entry), error.what());
+        }
+    }
+
+  private:
+    const LoadCase& load_case_;
+    const tiling::Tessellation& tessellation_;
+};
+
 class Resolver {
   public:
     Resolver(const LoadCase& load_case, const Surface& surface, std::span<const double> masses)
-        : load_case_(load_case), surface_(surface), masses_(masses) {}
+        : load_case_(load_case),
+          surface_(surface),
+          masses_(masses),
+          picked_(load_case, surface.tessellation) {}
 
     Conditions resolve() && {
         for (std::size_t i = 0; i < load_case_.supports.size(); ++i) add_support(i);
@@ -28,14 +53,14 @@ class Resolver {
   private:
     void add_support(std::size_t i) {
         const LoadCase::Hold& hold = load_case_.supports[i];
-        for (const auto node : picked(hold.where, "supports", i)) {
+        for (const auto node : picked_(hold.where, "supports", i)) {
             conditions_.supports.push_back({NodeIndex(node.value), hold.fixed});
         }
     }
 
     void add_prescribed(std::size_t i) {
         const LoadCase::Prescribe& entry = load_case_.prescribed[i];
-        for (const auto node : picked(entry.where, "prescribed", i)) {
+        for (const auto node : picked_(entry.where, "prescribed", i)) {
             const mechanics::PrescribedDisplacement wanted{NodeIndex(node.value), entry.dof, entry.value};
             if (is_new(wanted, i)) conditions_.prescribed.push_back(wanted);
         }
@@ -55,7 +80,7 @@ class Resolver {
 
     void add_load(std::size_t i) {
         const LoadCase::Load& load = load_case_.loads[i];
-        const auto nodes = picked(load.where, "loads", i);
+        const auto nodes = picked_(load.where, "loads", i);
         const double share =
             load.amount == LoadCase::Amount::Total ? 1.0 / static_cast<double>(nodes.size()) : 1.0;
         for (const auto node : nodes) {
@@ -76,24 +101,25 @@ class Resolver {
         }
     }
 
-    [[nodiscard]] std::vector<tiling::InterfaceIndex> picked(const Selection& where, const std::string& list,
-                                                             std::size_t entry) const {
-        try {
-            return select_nodes(where, surface_.tessellation);
-        } catch (const base::InputError& error) {
-            throw base::InputError("load case '" + load_case_.name + "'",
-                                   "/" + list + "/" + std::to_string(entry), error.what());
-        }
-    }
-
     const LoadCase& load_case_;
     const Surface& surface_;
     std::span<const double> masses_;  ///< of the tiles, kg
+    EntryPicker picked_;
     Conditions conditions_;
     std::map<std::pair<NodeIndex, mechanics::Dof>, double> prescribed_values_;
 };
 
 }  // namespace
+
+void check_selections(const LoadCase& load_case, const tiling::Tessellation& tessellation) {
+    const EntryPicker picked(load_case, tessellation);
+    for (std::size_t i = 0; i < load_case.supports.size(); ++i)
+        (void)picked(load_case.supports[i].where, "supports", i);
+    for (std::size_t i = 0; i < load_case.prescribed.size(); ++i)
+        (void)picked(load_case.prescribed[i].where, "prescribed", i);
+    for (std::size_t i = 0; i < load_case.loads.size(); ++i)
+        (void)picked(load_case.loads[i].where, "loads", i);
+}
 
 Conditions resolve(const LoadCase& load_case, const Surface& surface) {
     const bool is_weighed = !load_case.gravity.isZero(0) && surface.setting.material.density > 0.0;

@@ -29,4 +29,8 @@ mechanics::NodeValues load_rows(const Conditions& conditions, std::size_t nodes)
 /// Hold and load an assembly whose first nodes are the interface nodes. Its loads were zero.
 void apply(const Conditions& conditions, mechanics::Assembly& assembly);
 
+/// Check that every entry of a load case picks interface nodes of a tessellation, painted or not. Throws
+/// InputError that names the load case and the entry.
+void check_selections(const LoadCase& load_case, const tiling::Tessellation& tessellation);
+
 }  // namespace fretwork::simulation

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tile_painting.hpp"
+
+#include <fretwork/base/error.hpp>
+#include <fretwork/base/quantity.hpp>
+#include <fretwork/base/text.hpp>
+#include <fretwork/tiling/painting.hpp>
+
+#include <filesystem>
+
+namespace fretwork::app {
+namespace {
+
+using tiling::Tessellation;
+
+constexpr std::string_view kRandom = "random:";
+
+/// A palette whose complaints name the option that it came from.
+std::vector<std::string> palette_of(const std::string& option, const pattern::NodeLayout& layout,
+                                    const std::vector<std::string>& ids) {
+    try {
+        return tiling::make_palette(layout, ids);
+    } catch (const base::InputError& error) {
+        throw base::InputError(option, "", error.what());
+    }
+}
+
+/// The patterns that a random painting chooses from: those that are named, else those that the library has
+/// calibrated.
+std::vector<std::string> chosen_palette(const PaintingOptions& options, const pattern::NodeLayout& layout,
+                                        const library::Library* library) {
+    if (std::filesystem::path(options.palette).extension() == ".json")
+        return tiling::read_painting(options.palette, layout).patterns;
+    if (!options.palette.empty()) return palette_of("--palette", layout, base::split(options.palette, ','));
+    if (!library)
+        throw base::InputError(
+            "--patterns", options.patterns,
+            "a painting by chance needs patterns to choose from: give --palette or --library");
+    std::vector<std::string> palette;
+    for (const library::PatternEntry& entry : library->patterns()) {
+        if (library->best_fit(entry.id)) palette.push_back(entry.id);
+    }
+    if (palette.empty())
+        throw base::InputError(
+            "--library", "", "names a library that has no calibrated pattern; name patterns with --palette");
+    return palette;
+}
+
+std::uint64_t parse_seed(std::string_view text) {
+    if (const auto seed = base::read_number<std::uint64_t>(text)) return *seed;
+    throw base::InputError("--patterns", "", "'" + std::string(text) + "' is no seed; random:1 has one");
+}
+
+}  // namespace
+
+void check(const PaintingOptions& options) {
+    if (options.palette.empty() || options.patterns.starts_with(kRandom)) return;
+    throw base::InputError("--palette", "",
+                           "is what --patterns random:SEED chooses from, and --patterns is " +
+                               (options.patterns.empty() ? "not given" : "'" + options.patterns + "'"));
+}
+
+void paint(Tessellation& tessellation, const PaintingOptions& options, const pattern::NodeLayout& layout,
+           const library::Library* library) {
+    if (options.patterns.empty()) return;
+    if (options.patterns.starts_with(kRandom)) {
+        const auto palette = chosen_palette(options, layout, library);
+        const auto seed = parse_seed(std::string_view(options.patterns).substr(kRandom.size()));
+        return tiling::paint_randomly(tessellation, palette, seed);
+    }
+    if (std::filesystem::path(options.patterns).extension() != ".json") {
+        const auto palette = palette_of("--patterns", layout, {options.patterns});
+        return tiling::paint_uniformly(tessellation, palette.front());
+    }
+    try {
+        tiling::paint(tessellation, tiling::read_painting(options.patterns, layout));
+    } catch (const base::InputError& error) {
+        const std::string message = error.what();
+        if (message.starts_with(options.patterns)) throw;
+        throw base::InputError(options.patterns, "/tiles", message);
+    }
+}
+
+}  // namespace fretwork::app

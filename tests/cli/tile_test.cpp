@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// fretwork tile, as a person runs it.
+#include "cli/command.hpp"
+#include "support.hpp"
+
+namespace fretwork::app {
+namespace {
+
+using test::Outcome;
+using test::run_command;
+using test::TemporaryFolder;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+constexpr const char* kTile =
+    "fretwork tile experiments/outlines/specimen.svg --patterns 0-1+1-6 --out p.json";
+
+TEST(TileCommand, KeepsTheLoadCasesOfAProjectThatIsThere) {
+    const TemporaryFolder folder;
+    ASSERT_EQ(run_command(std::string(kTile) + " --edge-length 30mm", folder.path()).exit_code, 0);
+    const std::string add = "fretwork case add p.json experiments/cases/cantilever.json";
+    ASSERT_EQ(run_command(add, folder.path()).exit_code, 0);
+    const Outcome again = run_command(std::string(kTile) + " --edge-length 40mm", folder.path());
+    ASSERT_EQ(again.exit_code, 0) << again.err;
+    EXPECT_THAT(again.out, HasSubstr("the project keeps its load cases: 1"));
+    EXPECT_THAT(run_command("fretwork case list p.json", folder.path()).out, HasSubstr("cantilever"));
+}
+
+/// A load case that needs node 150: more than tiles of 60 mm have, fewer than tiles of 30 mm.
+constexpr const char* kNodeCase = R"({"format": "fretwork/load-case/1", "name": "corner", "description": "",
+ "supports": [{"nodes": [150], "fixed": ["ux", "uy", "uz", "rx", "ry", "rz"]}]})";
+
+TEST(TileCommand, RefusesALoadCaseThatNoLongerFitsAndLeavesTheProject) {
+    const TemporaryFolder folder;
+    folder.file("corner.json", kNodeCase);
+    ASSERT_EQ(run_command(std::string(kTile) + " --edge-length 20mm", folder.path()).exit_code, 0);
+    const Outcome added = run_command("fretwork case add p.json corner.json", folder.path());
+    ASSERT_EQ(added.exit_code, 0) << added.err;
+    const std::string before = base::read_text_file(folder.path() / "p.json");
+    const Outcome refused = run_command(std::string(kTile) + " --edge-length 60mm", folder.path());
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_THAT(refused.err,
+                AllOf(HasSubstr("load case 'corner'"), HasSubstr("/supports/0"), HasSubstr("150")));
+    EXPECT_EQ(base::read_text_file(folder.path() / "p.json"), before);
+}
+
+TEST(TileCommand, SaysThatNodesPickedByNumberLieElsewhere) {
+    const TemporaryFolder folder;
+    folder.file("corner.json", kNodeCase);
+    const std::string tile_20 = std::string(kTile) + " --edge-length 20mm";
+    ASSERT_EQ(run_command(tile_20, folder.path()).exit_code, 0);
+    ASSERT_EQ(run_command("fretwork case add p.json corner.json", folder.path()).exit_code, 0);
+    EXPECT_THAT(run_command(tile_20, folder.path()).err, Not(HasSubstr("by number")));
+    EXPECT_THAT(run_command(std::string(kTile) + " --edge-length 15mm", folder.path()).err,
+                HasSubstr("1 of the load cases kept pick interface nodes by number"));
+}
+
+TEST(TileCommand, RefusesAPaletteThatNothingChoosesFrom) {
+    const TemporaryFolder folder;
+    const std::string tile = "fretwork tile experiments/outlines/specimen.svg --palette 0-1+1-6 --out p.json";
+    for (const std::string patterns : {"", " --patterns 0-1+1-6"}) {
+        const Outcome outcome = run_command(tile + patterns, folder.path());
+        EXPECT_EQ(outcome.exit_code, 2);
+        EXPECT_THAT(outcome.err, AllOf(HasSubstr("--palette"), HasSubstr("random:SEED")));
+        EXPECT_FALSE(std::filesystem::exists(folder.path() / "p.json"));
+    }
+}
+
+TEST(TileCommand, AnInterruptStopsItAndLeavesNoFile) {
+    const TemporaryFolder folder;
+    // Tiles of 1 mm: 18,000 of them, which takes minutes.
+    const Outcome outcome = run_command(
+        "timeout --signal=INT 1 fretwork tile experiments/outlines/specimen.svg --edge-length 1mm --out "
+        "p.json",
+        folder.path());
+    EXPECT_EQ(outcome.exit_code, 124) << "timeout's own: the program was interrupted";
+    EXPECT_THAT(outcome.err, HasSubstr("stopped"));
+    EXPECT_FALSE(std::filesystem::exists(folder.path() / "p.json"));
+}
+
+}  // namespace
+}  // namespace fretwork::app
