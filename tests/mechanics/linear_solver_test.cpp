@@ -241,19 +241,6 @@ TEST(LinearSolver, AFlatFrameOfTurnedSectionsIsNotSplit) {
     EXPECT_LT(solution.residual, 1e-12);
 }
 
-TEST(LinearSolver, RefactorizingIsSolvingAnew) {
-    Frame frame = sample::flat_wheel();
-    frame.loads.push_back({NodeIndex(4), {0.5, -0.3, 0.7}});
-    LinearSolver solver(assemble(frame));
-    for (Beam& beam : frame.beams) beam.section = rectangle_section(0.003, 0.001);
-    solver.refactorize(assemble(frame));
-    const Solution expected = solve_linear(assemble(frame));
-    EXPECT_EQ(solver.solve().displacements, expected.displacements);
-    for (Beam& beam : frame.beams) beam.normal = Vector3d(0.0, 0.4, 1.0);  // couples the halves
-    solver.refactorize(assemble(frame));
-    EXPECT_EQ(solver.solve().displacements, solve_linear(assemble(frame)).displacements);
-}
-
 TEST(LinearSolver, AMechanismIsNamedByItsNode) {
     // A hinge in every component at the only beam of node 1: the node is loose.
     Frame frame = sample::cantilever();

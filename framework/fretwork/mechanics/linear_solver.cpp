@@ -1,210 +1,141 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fretwork/base/error.hpp>
 #include <fretwork/base/parallel.hpp>
 #include <fretwork/mechanics/linear_solver.hpp>
-#include <fretwork/mechanics/sparse/ldlt.hpp>
-#include <fretwork/mechanics/structure/constraints.hpp>
-#include <fretwork/mechanics/structure/coupling.hpp>
-#include <fretwork/mechanics/structure/mechanism.hpp>
-#include <fretwork/mechanics/structure/plane_split.hpp>
+#include <fretwork/mechanics/structure/factorized_structure.hpp>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
-#include <string>
 #include <vector>
 
 namespace fretwork::mechanics {
 namespace {
 
-using sparse::Ldlt;
-using sparse::SystemLayout;
-using structure::kInPlane;
-using structure::kOutOfPlane;
+using structure::FactorizedStructure;
+using structure::Subsystem;
 
 /// One refinement is made where the first solution is less accurate than this. Below it, what is left is the
 /// rounding of the stiffness itself, and refinement only exchanges one error for another.
 constexpr double kGoodResidual = 1e-9;
 
-/// A stiffness entry in the row of a held dof.
-struct HeldEntry {
-    int node, dof, other_node, other_dof;
-    double value;
-};
-
-/// Equations that can be solved on their own: all of a structure, or its half in or out of the plane.
-struct Subsystem {
-    Subsystem(SystemLayout equations, int threads)
-        : layout(std::make_unique<SystemLayout>(std::move(equations))),
-          values(layout->row().size(), 0.0),
-          factors(*layout, threads) {}
-    std::unique_ptr<SystemLayout> layout;
-    std::vector<double> values;
-    Ldlt factors;
-    // Of the solve at hand.
-    Eigen::VectorXd displacements;
-    Eigen::VectorXd unbalanced;  ///< loads less internal forces
-    Eigen::VectorXd internal;
+/// One subsystem of a solve at hand.
+struct Iterate {
+    const Subsystem* system;
+    Eigen::VectorXd displacements{};
+    Eigen::VectorXd unbalanced{};  ///< loads less internal forces
 };
 
 }  // namespace
 
 class LinearSolver::Impl {
   public:
-    Impl(const Assembly& assembly, const LinearOptions& options)
-        : threads_(base::resolved_thread_count(options.threads)) {
-        build(assembly);
-    }
+    explicit Impl(FactorizedStructure structure)
+        : structure_(std::move(structure)),
+          length_(structure::characteristic_length(structure_.assembly())) {}
 
-    void refactorize(const Assembly& assembly) {
-        constraints_ = structure::constraints_of(assembly);
-        loads_ = assembly.loads;
-        if (!assemble(assembly)) return build(assembly);  // what was flat is not any more
-        factorize(assembly);
-    }
+    [[nodiscard]] const FactorizedStructure& structure() const { return structure_; }
 
-    [[nodiscard]] const NodeValues& own_loads() const { return loads_; }
-
-    [[nodiscard]] Solution solve(const NodeValues& loads) {
+    [[nodiscard]] Solution solve(const NodeValues& loads) const {
         Solution solution;
-        NodeValues displacements = constraints_.values;
-        start(loads, displacements);
+        NodeValues displacements = structure_.constraints().values;
+        std::vector<Iterate> iterates = start(loads, displacements);
         NodeValues unbalanced;
-        for (int pass = 0; pass < 2; ++pass) {
-            correct(displacements);
-            unbalanced = out_of_balance(loads, displacements);
+        const int least_passes = structure_.corrected_elements() > 0 ? 2 : 1;
+        for (int pass = 1; pass <= 2; ++pass) {
+            correct(iterates, displacements);
+            unbalanced = out_of_balance(loads, displacements, iterates);
             ++solution.iterations;
             solution.residual = relative_residual(loads, unbalanced);
-            if (solution.residual < kGoodResidual) break;
+            if (pass >= least_passes && solution.residual < kGoodResidual) break;
         }
         finish(loads, displacements, unbalanced, solution);
         return solution;
     }
 
+    [[nodiscard]] Eigen::MatrixXd solve_free(const Eigen::MatrixXd& right_sides) const {
+        assert(right_sides.rows() == std::ssize(structure_.assembly().nodes) * kDofsPerNode);
+        Eigen::MatrixXd result = Eigen::MatrixXd::Zero(right_sides.rows(), right_sides.cols());
+        for_each(structure_.systems(), [&](const Subsystem& system) {
+            const std::vector<int> rows = rows_of(system);
+            const Eigen::MatrixXd loads = right_sides(rows, Eigen::all);
+            Eigen::MatrixXd x = loads;
+            system.solve(x);
+            Eigen::MatrixXd unbalanced = loads;
+            for (Eigen::Index c = 0; c < x.cols(); ++c) unbalanced.col(c) -= system.internal_forces(x.col(c));
+            system.solve(unbalanced);
+            result(rows, Eigen::all) = x + unbalanced;
+        });
+        return result;
+    }
+
   private:
-    void build(const Assembly& assembly) {
-        constraints_ = structure::constraints_of(assembly);
-        loads_ = assembly.loads;
-        reported_ = assembly.reported_nodes;
-        length_ = structure::characteristic_length(assembly);
-        const sparse::NodeGraph graph = structure::coupling_graph(assembly);
-        const std::vector<int> order =
-            sparse::elimination_order(graph, structure::other_components(constraints_.held));
-        if (!planar_refused_ && structure::is_flat(assembly)) {
-            lay_out(graph, order, {kInPlane, kOutOfPlane});
-            if (assemble(assembly)) return factorize(assembly);
-            planar_refused_ = true;
-        }
-        lay_out(graph, order, {DofSet::all()});
-        assemble(assembly);
-        factorize(assembly);
-    }
-
-    void lay_out(const sparse::NodeGraph& graph, const std::vector<int>& order,
-                 const std::vector<DofSet>& parts) {
-        systems_.clear();
-        for (const DofSet& part : parts) {
-            std::vector<sparse::Components> free = structure::other_components(constraints_.held);
-            for (sparse::Components& components : free) {
-                for (std::size_t d = 0; d < kDofsPerNode; ++d)
-                    components[d] = components[d] && part.contains[d];
-            }
-            SystemLayout layout(graph, free, order);
-            if (layout.equations() > 0) systems_.emplace_back(std::move(layout), threads_);
-        }
-        split_ = parts.size() > 1;
-    }
-
-    /// False if an element couples what was to be solved apart.
-    bool assemble(const Assembly& assembly) {
-        for (Subsystem& system : systems_) std::fill(system.values.begin(), system.values.end(), 0.0);
-        held_entries_.clear();
-        Eigen::MatrixXd stiffness;
-        for (std::size_t e = 0; e < assembly.elements.size(); ++e) {
-            const Element& element = *assembly.elements[e];
-            element.rest_stiffness(stiffness);
-            if (split_ && !structure::decouples(stiffness)) return false;
-            for (Subsystem& system : systems_) system.layout->add(e, stiffness, system.values);
-            keep_held_rows(element.nodes(), stiffness);
-        }
-        return true;
-    }
-
-    void keep_held_rows(std::span<const NodeIndex> nodes, const Eigen::MatrixXd& stiffness) {
-        for (std::size_t i = 0; i < nodes.size(); ++i) {
-            const DofSet& held = constraints_.held[static_cast<std::size_t>(nodes[i].value)];
-            if (held == DofSet{}) continue;
-            for (int d = 0; d < kDofsPerNode; ++d) {
-                if (held.contains[static_cast<std::size_t>(d)])
-                    keep_row(nodes, static_cast<Eigen::Index>(i) * kDofsPerNode + d, stiffness);
-            }
-        }
-    }
-
-    void keep_row(std::span<const NodeIndex> nodes, Eigen::Index row, const Eigen::MatrixXd& stiffness) {
-        const int node = nodes[static_cast<std::size_t>(row / kDofsPerNode)].value;
-        const int dof = static_cast<int>(row % kDofsPerNode);
-        for (Eigen::Index j = 0; j < stiffness.cols(); ++j) {
-            if (stiffness(row, j) == 0.0) continue;
-            const int other = nodes[static_cast<std::size_t>(j / kDofsPerNode)].value;
-            held_entries_.push_back(
-                {node, dof, other, static_cast<int>(j % kDofsPerNode), stiffness(row, j)});
-        }
-    }
-
-    void factorize(const Assembly& assembly) {
-        for (Subsystem& system : systems_) {
-            const Ldlt::Outcome outcome = system.factors.factorize(system.values);
-            structure::refuse_mechanisms(assembly, *system.layout, system.values, system.factors, outcome);
-        }
-    }
-
-    /// Call body for each of the systems. They share no equation, so the result is that of one thread.
-    template <class Body>
-    void for_each_system(const Body& body) {
+    /// Call body for each of the systems, or what belongs to one. They share no equation, so the result is
+    /// that of one thread.
+    template <class List, class Body>
+    void for_each(List&& list, const Body& body) const {
         constexpr int kManyEquations = 3000;
-        const bool many = !systems_.empty() && systems_.front().layout->equations() > kManyEquations;
-        base::parallel_for(systems_.size(), many ? threads_ : 1, [&](std::size_t i) { body(systems_[i]); });
+        const auto systems = structure_.systems();
+        const bool many = !systems.empty() && systems.front().layout().equations() > kManyEquations;
+        base::parallel_for(list.size(), many ? structure_.threads() : 1,
+                           [&](std::size_t i) { body(list[i]); });
+    }
+
+    /// For each equation the row of its dof in a column of 6 rows a node.
+    [[nodiscard]] std::vector<int> rows_of(const Subsystem& system) const {
+        std::vector<int> rows(static_cast<std::size_t>(system.layout().equations()));
+        for (int node = 0; node < static_cast<int>(structure_.assembly().nodes.size()); ++node) {
+            for (int d = 0; d < kDofsPerNode; ++d) {
+                const int equation = system.layout().equation(node, d);
+                if (equation >= 0) rows[static_cast<std::size_t>(equation)] = node * kDofsPerNode + d;
+            }
+        }
+        return rows;
     }
 
     /// All free dofs at rest, the held ones where they are to be.
-    void start(const NodeValues& loads, const NodeValues& displacements) {
-        for_each_system([&](Subsystem& system) {
-            system.layout->gather(loads, system.unbalanced);
-            system.displacements.setZero(system.unbalanced.size());
+    [[nodiscard]] std::vector<Iterate> start(const NodeValues& loads, const NodeValues& displacements) const {
+        std::vector<Iterate> iterates;
+        for (const Subsystem& system : structure_.systems()) iterates.push_back({&system});
+        for_each(iterates, [&](Iterate& iterate) {
+            iterate.system->layout().gather(loads, iterate.unbalanced);
+            iterate.displacements.setZero(iterate.unbalanced.size());
         });
-        if (!constraints_.values.isZero(0.0)) (void)out_of_balance(loads, displacements);
+        if (!structure_.constraints().values.isZero(0.0))
+            (void)out_of_balance(loads, displacements, iterates);
+        return iterates;
     }
 
-    /// Loads less internal forces, those of the free dofs in the systems, too. At held dofs that is
+    /// Loads less internal forces, those of the free dofs in the iterates, too. At held dofs that is
     /// the negative reaction.
-    [[nodiscard]] NodeValues out_of_balance(const NodeValues& loads, const NodeValues& displacements) {
+    [[nodiscard]] NodeValues out_of_balance(const NodeValues& loads, const NodeValues& displacements,
+                                            std::vector<Iterate>& iterates) const {
         NodeValues result = loads;
-        for (const HeldEntry& entry : held_entries_) {
+        for (const structure::HeldEntry& entry : structure_.held_entries()) {
             result(entry.node, entry.dof) -= entry.value * displacements(entry.other_node, entry.other_dof);
             if (!is_held(entry.other_node, entry.other_dof))
                 result(entry.other_node, entry.other_dof) -=
                     entry.value * displacements(entry.node, entry.dof);
         }
-        for_each_system([&](Subsystem& system) {
-            system.layout->gather(result, system.unbalanced);
-            system.internal.setZero(system.displacements.size());
-            sparse::add_product(*system.layout, system.values, system.displacements, system.internal);
-            system.unbalanced -= system.internal;
-            system.layout->scatter(system.unbalanced, result);
+        for_each(iterates, [&](Iterate& iterate) {
+            iterate.system->layout().gather(result, iterate.unbalanced);
+            iterate.unbalanced -= iterate.system->internal_forces(iterate.displacements);
+            iterate.system->layout().scatter(iterate.unbalanced, result);
         });
         return result;
     }
 
     [[nodiscard]] bool is_held(int node, int dof) const {
-        return constraints_.held[static_cast<std::size_t>(node)].contains[static_cast<std::size_t>(dof)];
+        return structure_.constraints()
+            .held[static_cast<std::size_t>(node)]
+            .contains[static_cast<std::size_t>(dof)];
     }
 
-    void correct(NodeValues& displacements) {
-        for_each_system([&](Subsystem& system) {
-            if (system.unbalanced.isZero(0.0)) return;  // loaded in its plane only, or across it
-            system.factors.solve(system.unbalanced);
-            system.displacements += system.unbalanced;
-            system.layout->scatter(system.displacements, displacements);
+    void correct(std::vector<Iterate>& iterates, NodeValues& displacements) const {
+        for_each(iterates, [&](Iterate& iterate) {
+            if (iterate.unbalanced.isZero(0.0)) return;  // loaded in its plane only, or across it
+            iterate.system->solve(iterate.unbalanced);
+            iterate.displacements += iterate.unbalanced;
+            iterate.system->layout().scatter(iterate.displacements, displacements);
         });
     }
 
@@ -237,38 +168,37 @@ class LinearSolver::Impl {
                 Solution& solution) const {
         const NodeValues reactions = reactions_of(unbalanced);
         solution.energy = 0.5 * (loads + reactions).cwiseProduct(displacements).sum();
-        solution.displacements = displacements.topRows(reported_);
-        solution.inner_displacements = displacements.bottomRows(displacements.rows() - reported_);
-        solution.reactions = reactions.topRows(reported_);
+        const int reported = structure_.assembly().reported_nodes;
+        solution.displacements = displacements.topRows(reported);
+        solution.inner_displacements = displacements.bottomRows(displacements.rows() - reported);
+        solution.reactions = reactions.topRows(reported);
     }
 
-    int threads_;
-    structure::Constraints constraints_;
-    NodeValues loads_;
-    int reported_ = 0;
-    double length_ = 1.0;
-    bool split_ = false;
-    bool planar_refused_ = false;
-    std::vector<Subsystem> systems_;
-    std::vector<HeldEntry> held_entries_;
+    FactorizedStructure structure_;
+    double length_;  ///< makes moments comparable to forces
 };
 
 LinearSolver::LinearSolver(const Assembly& assembly, const LinearOptions& options)
-    : impl_(std::make_unique<Impl>(assembly, options)) {}
+    : impl_(std::make_unique<Impl>(FactorizedStructure(assembly, options.threads))) {}
 LinearSolver::LinearSolver(LinearSolver&&) noexcept = default;
 LinearSolver& LinearSolver::operator=(LinearSolver&&) noexcept = default;
 LinearSolver::~LinearSolver() = default;
 
 Solution LinearSolver::solve() const {
-    return impl_->solve(impl_->own_loads());
+    return impl_->solve(impl_->structure().assembly().loads);
 }
 
 Solution LinearSolver::solve(const NodeValues& loads) const {
     return impl_->solve(loads);
 }
 
-void LinearSolver::refactorize(const Assembly& assembly) {
-    impl_->refactorize(assembly);
+Eigen::MatrixXd LinearSolver::solve_free(const Eigen::MatrixXd& right_sides) const {
+    return impl_->solve_free(right_sides);
+}
+
+FactorChange LinearSolver::update(const Assembly& assembly) {
+    impl_ = std::make_unique<Impl>(FactorizedStructure(impl_->structure(), assembly));
+    return impl_->structure().last_change();
 }
 
 Solution solve_linear(const Assembly& assembly, const LinearOptions& options) {

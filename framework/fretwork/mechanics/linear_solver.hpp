@@ -13,6 +13,13 @@ struct LinearOptions {
     int threads = 1;  ///< 0: all there are. They change no bit of a result.
 };
 
+/// What an update of a structure did to its factors.
+enum class FactorChange {
+    Kept,     ///< nothing: they are those of this structure
+    Updated,  ///< a correction of low rank for the elements that differ from those factorized
+    Anew,     ///< made anew, with the bits of a new solver's
+};
+
 /// The linear equilibrium K d = F of a structure at rest, factorized once: another load is a
 /// back-substitution.
 ///
@@ -27,14 +34,26 @@ class LinearSolver {
     LinearSolver& operator=(LinearSolver&&) noexcept;
     ~LinearSolver();
 
-    /// The same structure under its own loads, or under others (one row for each node of the assembly). Not
-    /// from several threads at once: the vectors of a solve are kept for the next one.
+    /// The same structure under its own loads, or under others (one row for each node of the assembly).
+    /// Several threads may solve at once.
     [[nodiscard]] Solution solve() const;
     [[nodiscard]] Solution solve(const NodeValues& loads) const;
 
-    /// The same nodes, connections and supports with elements of other stiffness: the symbolic analysis is
-    /// kept.
-    void refactorize(const Assembly& assembly);
+    /// Solve K x = g with all held dofs at zero, for several right sides at once: what adjoint gradients
+    /// need. Columns have 6 rows a node, in the order of Dof. Forces on held dofs are left aside.
+    [[nodiscard]] Eigen::MatrixXd solve_free(const Eigen::MatrixXd& right_sides) const;
+
+    /// Go over to another assembly, and do only the work that its differences ask for:
+    /// - loads and prescribed values: none;
+    /// - elements replaced by others of the same nodes: a correction of low rank where a count of
+    ///   multiplications says that it costs less than new factors, unless the structure becomes 1e5 times
+    ///   softer or stiffer somewhere. The border is at about 4 replaced tiles of 500 and 8 of 2,000
+    ///   (README.md, bench/edits_bench). While factors are corrected, a solve takes up to four times as long;
+    /// - supports: everything but the elimination order;
+    /// - anything else: everything.
+    /// Elements are compared by address; nothing of the assembly is borrowed but they. Throws as the
+    /// constructor, and then nothing has changed.
+    FactorChange update(const Assembly& assembly);
 
   private:
     class Impl;

@@ -28,17 +28,6 @@ void require_tiles(const Surface& surface, std::span<const TileIndex> tiles) {
     }
 }
 
-bool hold_the_same(const Conditions& a, const Conditions& b) {
-    const auto same_support = [](const mechanics::Support& x, const mechanics::Support& y) {
-        return x.node == y.node && x.fixed == y.fixed;
-    };
-    const auto same_value = [](const auto& x, const auto& y) {
-        return x.node == y.node && x.dof == y.dof && x.value == y.value;
-    };
-    return std::ranges::equal(a.supports, b.supports, same_support) &&
-           std::ranges::equal(a.prescribed, b.prescribed, same_value);
-}
-
 /// Whether elements have the nodes of others in the same order: then a solver's layout holds for them, too.
 bool connect_the_same(std::span<const std::shared_ptr<const mechanics::Element>> elements,
                       std::span<const std::shared_ptr<const mechanics::Element>> others) {
@@ -46,6 +35,18 @@ bool connect_the_same(std::span<const std::shared_ptr<const mechanics::Element>>
         if (!std::ranges::equal(elements[i]->nodes(), others[i]->nodes())) return false;
     }
     return true;
+}
+
+Session::Work::Factors factors_of(mechanics::FactorChange change) {
+    switch (change) {
+        case mechanics::FactorChange::Kept:
+            return Session::Work::Factors::Kept;
+        case mechanics::FactorChange::Updated:
+            return Session::Work::Factors::Updated;
+        case mechanics::FactorChange::Anew:
+            break;
+    }
+    return Session::Work::Factors::Anew;
 }
 
 template <class Entry>
@@ -119,10 +120,8 @@ class Session::Impl {
     std::set<TileIndex> changed_tiles_;     ///< of those that were built
     detail::JoinedTiles joined_;
     mechanics::Assembly assembly_;
-    std::size_t tile_supports_ = 0;      ///< of the assembly: those inside of tiles come first
-    std::optional<Conditions> applied_;  ///< to the assembly
+    std::size_t tile_supports_ = 0;  ///< of the assembly: those inside of tiles come first
     std::optional<mechanics::LinearSolver> solver_;
-    bool is_factorized_ = false;
     Work work_;
 };
 
@@ -250,7 +249,6 @@ void Session::Impl::join() {
     joined_ = detail::join_tiles(surface_, tiles_);
     assembly_ = reduction::assemble(joined_.parts);
     tile_supports_ = assembly_.supports.size();
-    applied_.reset();
 }
 
 /// False if a tile has other nodes now, or in another order, or beams: then the structure is joined anew.
@@ -270,7 +268,6 @@ bool Session::Impl::replace_elements(std::span<const TileIndex> tiles,
         std::ranges::copy(replacements[i],
                           assembly_.elements.begin() + static_cast<std::ptrdiff_t>(first + start));
     }
-    is_factorized_ = false;
     return true;
 }
 
@@ -288,23 +285,17 @@ void Session::Impl::update_tiles(const base::Control& control) {
 }
 
 void Session::Impl::update_conditions() {
-    const bool holds_others = !applied_ || !hold_the_same(*applied_, conditions_);
-    if (holds_others) solver_.reset();
     assembly_.supports.resize(tile_supports_);
     apply(conditions_, assembly_);
-    applied_ = conditions_;
 }
 
 void Session::Impl::update_factors(const base::Control&) {
-    work_.factors = Work::Factors::Kept;
-    if (!solver_) {
-        solver_.emplace(assembly_, mechanics::LinearOptions{.threads = options_.threads});
-        work_.factors = Work::Factors::Anew;
-    } else if (!is_factorized_) {
-        solver_->refactorize(assembly_);
-        work_.factors = Work::Factors::Anew;
+    if (solver_) {
+        work_.factors = factors_of(solver_->update(assembly_));
+        return;
     }
-    is_factorized_ = true;
+    solver_.emplace(assembly_, mechanics::LinearOptions{.threads = options_.threads});
+    work_.factors = Work::Factors::Anew;
 }
 
 bool Session::Impl::is_nonlinear() const {

@@ -31,39 +31,50 @@ std::vector<int> entry_places(const SystemLayout& layout, const SupernodeTree& t
 
 }  // namespace
 
-Ldlt::Ldlt(const SystemLayout& layout, int threads)
-    : layout_(&layout),
-      threads_(base::resolved_thread_count(threads)),
-      tree_(supernode_tree(layout)),
-      plan_(plan_elimination(tree_, threads_)),
-      factor_(make_large_array(tree_.factor_size)),
-      storage_(make_large_array(plan_.storage_size)),
-      entry_place_(entry_places(layout, tree_)),
-      diagonal_(at(layout.equations())),
-      pivots_(tree_.supernodes.size()) {
-    int most_rows = 0;
-    for (const Supernode& supernode : tree_.supernodes) most_rows = std::max(most_rows, supernode.rows);
-    scratch_.resize(at(most_rows));
+std::shared_ptr<const Ldlt::Analysis> Ldlt::analyse(const SystemLayout& layout, int threads) {
+    auto analysis = std::make_shared<Analysis>();
+    analysis->layout = &layout;
+    analysis->threads = base::resolved_thread_count(threads);
+    analysis->tree = supernode_tree(layout);
+    analysis->plan = plan_elimination(analysis->tree, analysis->threads);
+    analysis->entry_place = entry_places(layout, analysis->tree);
+    for (const Supernode& supernode : analysis->tree.supernodes)
+        analysis->most_rows = std::max(analysis->most_rows, supernode.rows);
+    return analysis;
+}
+
+Ldlt::Ldlt(std::shared_ptr<const Analysis> analysis)
+    : analysis_(std::move(analysis)),
+      factor_(make_large_array(analysis_->tree.factor_size)),
+      storage_(make_large_array(analysis_->plan.storage_size)),
+      diagonal_(at(analysis_->layout->equations())),
+      pivots_(analysis_->tree.supernodes.size()) {}
+
+Ldlt::Ldlt(const SystemLayout& layout, int threads) : Ldlt(analyse(layout, threads)) {}
+
+Ldlt Ldlt::another() const {
+    return Ldlt(analysis_);
 }
 
 Front Ldlt::front_of(std::size_t supernode) const {
-    const Supernode& own = tree_.supernodes[supernode];
+    const Supernode& own = analysis_->tree.supernodes[supernode];
     return {own.width, own.rows, factor_.get() + own.panel_start,
-            storage_.get() + plan_.rest_start[supernode]};
+            storage_.get() + analysis_->plan.rest_start[supernode]};
 }
 
 Ldlt::Outcome Ldlt::factorize(std::span<const double> values) {
-    for (int i = 0; i < layout_->equations(); ++i) {
-        diagonal_[at(i)] = values[at(layout_->column_start()[at(i)])];
+    for (int i = 0; i < analysis_->layout->equations(); ++i) {
+        diagonal_[at(i)] = values[at(analysis_->layout->column_start()[at(i)])];
     }
     require_finite(diagonal_);
     pivots_.assign(pivots_.size(), {});
-    base::parallel_tree(plan_.parent, threads_, [&](std::size_t task) { eliminate_task(task, values); });
+    base::parallel_tree(analysis_->plan.parent, analysis_->threads,
+                        [&](std::size_t task) { eliminate_task(task, values); });
     Outcome outcome;
     for (std::size_t s = 0; s < pivots_.size() && outcome.zero_pivot < 0; ++s) {
         outcome.negative_pivots += pivots_[s].negative;
         outcome.has_weak_pivot = outcome.has_weak_pivot || pivots_[s].weak;
-        if (pivots_[s].zero >= 0) outcome.zero_pivot = tree_.supernodes[s].first + pivots_[s].zero;
+        if (pivots_[s].zero >= 0) outcome.zero_pivot = analysis_->tree.supernodes[s].first + pivots_[s].zero;
     }
     return outcome;
 }
@@ -71,13 +82,14 @@ Ldlt::Outcome Ldlt::factorize(std::span<const double> values) {
 void Ldlt::eliminate_task(std::size_t task, std::span<const double> values) {
     // A thread's own, and kept by the caller's: small systems are factorized a thousand times a second.
     thread_local std::vector<double> scratch;
-    for (const int supernode : plan_.supernodes_of(task)) {
+    for (const int supernode : analysis_->plan.supernodes_of(task)) {
         const auto s = at(supernode);
-        const Supernode& own = tree_.supernodes[s];
+        const Supernode& own = analysis_->tree.supernodes[s];
         const Front front = front_of(s);
         const auto children =
-            std::span(tree_.child)
-                .subspan(at(tree_.child_start[s]), at(tree_.child_start[s + 1] - tree_.child_start[s]));
+            std::span(analysis_->tree.child)
+                .subspan(at(analysis_->tree.child_start[s]),
+                         at(analysis_->tree.child_start[s + 1] - analysis_->tree.child_start[s]));
         // What follows a pivot that vanished is of no use; it is left out, so as to be the same always.
         const auto failed = [&](int child) { return pivots_[at(child)].zero >= 0; };
         if (std::any_of(children.begin(), children.end(), failed)) {
@@ -97,18 +109,19 @@ void Ldlt::eliminate_task(std::size_t task, std::span<const double> values) {
 void Ldlt::assemble(const Supernode& supernode, std::span<const double> values, const Front& front) const {
     const int height = supernode.height();
     for (int j = 0; j < front.width; ++j) std::fill_n(front.panel + at(j) * at(height + 1), height - j, 0.0);
-    const int* start = layout_->column_start().data() + supernode.first;
+    const int* start = analysis_->layout->column_start().data() + supernode.first;
     for (int column = 0; column < supernode.width; ++column) {
         double* target = front.panel + at(column) * at(height);
-        for (auto k = at(start[column]); k < at(start[column + 1]); ++k) target[entry_place_[k]] = values[k];
+        for (auto k = at(start[column]); k < at(start[column + 1]); ++k)
+            target[analysis_->entry_place[k]] = values[k];
     }
 }
 
 /// Add the columns of what a child has left that its parent eliminates: the first ones.
 void Ldlt::add_to_panel(std::size_t child, const Front& front) const {
-    const Supernode& own = tree_.supernodes[child];
-    const int* place = tree_.place.data() + own.row_start;
-    const double* source = storage_.get() + plan_.rest_start[child];
+    const Supernode& own = analysis_->tree.supernodes[child];
+    const int* place = analysis_->tree.place.data() + own.row_start;
+    const double* source = storage_.get() + analysis_->plan.rest_start[child];
     for (int column = 0; column < own.rows && place[column] < front.width; ++column) {
         double* target = front.panel + at(place[column]) * at(front.width + front.rows);
         for (int i = column; i < own.rows; ++i) target[place[i]] += source[at(column) * at(own.rows) + at(i)];
@@ -117,9 +130,9 @@ void Ldlt::add_to_panel(std::size_t child, const Front& front) const {
 
 /// Add the others.
 void Ldlt::add_to_rest(std::size_t child, const Front& front) const {
-    const Supernode& own = tree_.supernodes[child];
-    const int* place = tree_.place.data() + own.row_start;
-    const double* source = storage_.get() + plan_.rest_start[child];
+    const Supernode& own = analysis_->tree.supernodes[child];
+    const int* place = analysis_->tree.place.data() + own.row_start;
+    const double* source = storage_.get() + analysis_->plan.rest_start[child];
     const auto first = static_cast<int>(std::lower_bound(place, place + own.rows, front.width) - place);
     for (int column = first; column < own.rows; ++column) {
         double* target = front.rest + at(place[column] - front.width) * at(front.rows) - front.width;
@@ -127,31 +140,101 @@ void Ldlt::add_to_rest(std::size_t child, const Front& front) const {
     }
 }
 
-void Ldlt::solve_column(double* x) {
-    for (std::size_t s = 0; s < tree_.supernodes.size(); ++s) {
-        const Supernode& supernode = tree_.supernodes[s];
+void Ldlt::substitute_forward_in(std::size_t supernode, Columns columns, std::vector<double>& scratch) const {
+    const SupernodeTree& tree = analysis_->tree;
+    const Supernode& own = tree.supernodes[supernode];
+    const int* row = tree.row.data() + own.row_start;
+    const Front front = front_of(supernode);
+    for (Eigen::Index c = 0; c < columns.count; ++c) {
+        double* x = columns.values + c * analysis_->layout->equations();
+        double* first = x + own.first;
         // A load on a few nodes meets few supernodes on its way to the roots.
-        const double* own = x + supernode.first;
-        if (std::all_of(own, own + supernode.width, [](double value) { return value == 0.0; })) continue;
-        std::fill_n(scratch_.data(), supernode.rows, 0.0);
-        substitute_forward(front_of(s), x + supernode.first, scratch_.data());
-        const int* row = tree_.row.data() + supernode.row_start;
-        for (int i = 0; i < supernode.rows; ++i) x[row[i]] -= scratch_[at(i)];
-    }
-    for (std::size_t s = tree_.supernodes.size(); s-- > 0;) {
-        const Supernode& supernode = tree_.supernodes[s];
-        const int* row = tree_.row.data() + supernode.row_start;
-        for (int i = 0; i < supernode.rows; ++i) scratch_[at(i)] = x[row[i]];
-        substitute_back(front_of(s), x + supernode.first, scratch_.data());
+        if (std::all_of(first, first + own.width, [](double value) { return value == 0.0; })) continue;
+        std::fill_n(scratch.data(), own.rows, 0.0);
+        substitute_forward(front, first, scratch.data());
+        for (int i = 0; i < own.rows; ++i) x[row[i]] -= scratch[at(i)];
     }
 }
 
-void Ldlt::solve(Eigen::VectorXd& right_side) {
-    solve_column(right_side.data());
+void Ldlt::substitute_back_in(std::size_t supernode, Columns columns, std::vector<double>& scratch) const {
+    const SupernodeTree& tree = analysis_->tree;
+    const Supernode& own = tree.supernodes[supernode];
+    const int* row = tree.row.data() + own.row_start;
+    const Front front = front_of(supernode);
+    for (Eigen::Index c = 0; c < columns.count; ++c) {
+        double* x = columns.values + c * analysis_->layout->equations();
+        for (int i = 0; i < own.rows; ++i) scratch[at(i)] = x[row[i]];
+        substitute_back(front, x + own.first, scratch.data());
+    }
 }
 
-void Ldlt::solve(Eigen::MatrixXd& right_sides) {
-    for (Eigen::Index i = 0; i < right_sides.cols(); ++i) solve_column(right_sides.col(i).data());
+void Ldlt::solve_columns(Columns columns) const {
+    std::vector<double> scratch(at(analysis_->most_rows));
+    const std::size_t supernodes = analysis_->tree.supernodes.size();
+    for (std::size_t s = 0; s < supernodes; ++s) substitute_forward_in(s, columns, scratch);
+    for (std::size_t s = supernodes; s-- > 0;) substitute_back_in(s, columns, scratch);
+}
+
+void Ldlt::solve(Eigen::VectorXd& right_side) const {
+    solve_columns({right_side.data(), 1});
+}
+
+void Ldlt::solve(Eigen::MatrixXd& right_sides) const {
+    solve_columns({right_sides.data(), right_sides.cols()});
+}
+
+std::vector<std::size_t> Ldlt::path_from(std::span<const int> equations) const {
+    const auto& supernodes = analysis_->tree.supernodes;
+    std::vector<bool> on_path(supernodes.size(), false);
+    const auto starts_after = [](int equation, const Supernode& supernode) {
+        return equation < supernode.first;
+    };
+    for (const int equation : equations) {
+        const auto after = std::upper_bound(supernodes.begin(), supernodes.end(), equation, starts_after);
+        for (int s = static_cast<int>(after - supernodes.begin()) - 1; s >= 0 && !on_path[at(s)];
+             s = supernodes[at(s)].parent)
+            on_path[at(s)] = true;
+    }
+    std::vector<std::size_t> path;
+    for (std::size_t s = 0; s < on_path.size(); ++s) {
+        if (on_path[s]) path.push_back(s);
+    }
+    return path;
+}
+
+Eigen::MatrixXd Ldlt::inverse_form(Eigen::MatrixXd columns, std::span<const int> equations) const {
+    std::vector<double> scratch(at(analysis_->most_rows));
+    Eigen::MatrixXd form = Eigen::MatrixXd::Zero(columns.cols(), columns.cols());
+    for (const std::size_t s : path_from(equations)) {
+        substitute_forward_in(s, {columns.data(), columns.cols()}, scratch);
+        const Front front = front_of(s);
+        Eigen::MatrixXd rows = columns.middleRows(analysis_->tree.supernodes[s].first, front.width);
+        for (int i = 0; i < front.width; ++i)
+            rows.row(i) /= std::sqrt(front.panel[at(i) * at(front.width + front.rows + 1)]);
+        form.selfadjointView<Eigen::Lower>().rankUpdate(rows.transpose());
+    }
+    return form.selfadjointView<Eigen::Lower>();
+}
+
+double Ldlt::factorization_work() const {
+    double work = 0.0;
+    for (const Supernode& own : analysis_->tree.supernodes)
+        work += 0.5 * own.width * static_cast<double>(own.height()) * own.height();
+    return work;
+}
+
+double Ldlt::solution_work() const {
+    return 2.0 * static_cast<double>(analysis_->tree.factor_size);
+}
+
+double Ldlt::inverse_form_work(std::span<const int> equations, Eigen::Index columns) const {
+    const auto count = static_cast<double>(columns);
+    double work = 0.0;
+    for (const std::size_t s : path_from(equations)) {
+        const Supernode& own = analysis_->tree.supernodes[s];
+        work += own.width * count * (own.height() + 0.5 * count);
+    }
+    return work;
 }
 
 void add_product(const SystemLayout& layout, std::span<const double> values, const Eigen::VectorXd& x,

@@ -5,6 +5,7 @@
 #include <fretwork/mechanics/sparse/elimination_plan.hpp>
 #include <fretwork/mechanics/sparse/large_array.hpp>
 
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -18,6 +19,8 @@ class Ldlt {
   public:
     /// @param threads  that factorize() uses where it is worth them; 0: all there are. They change no bit.
     explicit Ldlt(const SystemLayout& layout, int threads = 1);
+    /// Room for the factors of another matrix of the same layout; what was found about the layout is shared.
+    [[nodiscard]] Ldlt another() const;
 
     /// How a factorization ended.
     struct Outcome {
@@ -31,28 +34,60 @@ class Ldlt {
     /// diagonal entry is not finite.
     Outcome factorize(std::span<const double> values);
 
-    /// Solve with the last factorization, in place, for one right side or several columns of them.
-    void solve(Eigen::VectorXd& right_side);
-    void solve(Eigen::MatrixXd& right_sides);
+    /// Solve with the last factorization, in place, for one right side or several columns of them. Several
+    /// threads may do so at once.
+    void solve(Eigen::VectorXd& right_side) const;
+    void solve(Eigen::MatrixXd& right_sides) const;
+
+    /// U^T A^-1 U for a positive definite A and columns that are zero but at some equations. Only the
+    /// supernodes above these take part, which makes it far cheaper than to solve.
+    [[nodiscard]] Eigen::MatrixXd inverse_form(Eigen::MatrixXd columns, std::span<const int> equations) const;
+
+    [[nodiscard]] int equations() const { return analysis_->layout->equations(); }
+    /// The diagonal entry of A in an equation.
+    [[nodiscard]] double diagonal(int equation) const {
+        return diagonal_[static_cast<std::size_t>(equation)];
+    }
+
+    /// Multiplications of factorize(), of solve() for one column, and of inverse_form().
+    [[nodiscard]] double factorization_work() const;
+    [[nodiscard]] double solution_work() const;
+    [[nodiscard]] double inverse_form_work(std::span<const int> equations, Eigen::Index columns) const;
 
   private:
+    /// What depends only on the layout.
+    struct Analysis {
+        const SystemLayout* layout;
+        int threads;
+        SupernodeTree tree;
+        EliminationPlan plan;
+        std::vector<int> entry_place;  ///< of the layout's entries: rows of their columns in the fronts
+        int most_rows = 0;             ///< of any supernode
+    };
+    static std::shared_ptr<const Analysis> analyse(const SystemLayout& layout, int threads);
+    explicit Ldlt(std::shared_ptr<const Analysis> analysis);
+
     void eliminate_task(std::size_t task, std::span<const double> values);
     void assemble(const Supernode& supernode, std::span<const double> values, const Front& front) const;
     void add_to_panel(std::size_t child, const Front& front) const;
     void add_to_rest(std::size_t child, const Front& front) const;
-    void solve_column(double* x);
+    /// Columns one below the other, each with a number for every equation.
+    struct Columns {
+        double* values;
+        Eigen::Index count;
+    };
+    void solve_columns(Columns columns) const;
+    void substitute_forward_in(std::size_t supernode, Columns columns, std::vector<double>& scratch) const;
+    void substitute_back_in(std::size_t supernode, Columns columns, std::vector<double>& scratch) const;
+    /// The supernodes from these equations up to the roots, ascending.
+    [[nodiscard]] std::vector<std::size_t> path_from(std::span<const int> equations) const;
     [[nodiscard]] Front front_of(std::size_t supernode) const;
 
-    const SystemLayout* layout_;
-    int threads_;
-    SupernodeTree tree_;
-    EliminationPlan plan_;
-    LargeArray factor_;             ///< the panels, one after the other
-    LargeArray storage_;            ///< what waits for its parent
-    std::vector<int> entry_place_;  ///< of the layout's entries: rows of their columns in the fronts
+    std::shared_ptr<const Analysis> analysis_;
+    LargeArray factor_;   ///< the panels, one after the other
+    LargeArray storage_;  ///< what waits for its parent
     std::vector<double> diagonal_;
     std::vector<Pivots> pivots_;  ///< of each supernode
-    std::vector<double> scratch_;
 };
 
 /// y += A x for the symmetric matrix of a layout.

@@ -24,7 +24,7 @@ constexpr double kUnbalancedShare = 1e-2;
 }  // namespace
 
 void refuse_mechanisms(const Assembly& assembly, const sparse::SystemLayout& layout,
-                       std::span<const double> values, sparse::Ldlt& factors,
+                       std::span<const double> values, const sparse::Ldlt& factors,
                        const sparse::Ldlt::Outcome& outcome) {
     if (!outcome.positive_definite())
         refuse(assembly, NodeIndex(layout.node_of(std::max(outcome.zero_pivot, 0))));

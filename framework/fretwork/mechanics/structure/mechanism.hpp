@@ -18,7 +18,7 @@ namespace fretwork::mechanics::structure {
 /// @param factors  of it
 /// @param outcome  how its factorization ended
 void refuse_mechanisms(const Assembly& assembly, const sparse::SystemLayout& layout,
-                       std::span<const double> values, sparse::Ldlt& factors,
+                       std::span<const double> values, const sparse::Ldlt& factors,
                        const sparse::Ldlt::Outcome& outcome);
 
 }  // namespace fretwork::mechanics::structure

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/mechanics/sparse/ldlt.hpp>
+
+#include <Eigen/Cholesky>
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace fretwork::mechanics::sparse {
+
+/// A symmetric matrix that is added to some rows and columns of another.
+struct MatrixChange {
+    std::vector<int> equations;
+    Eigen::MatrixXd values;
+};
+
+/// The changed matrix A + sum of E C E^T, solved by the factors of A (Sherman, Morrison, Woodbury).
+///
+/// The eigenvectors of each change C, scaled by A's diagonal, give C = P P^T - M M^T; eigenvalues that are
+/// rounding are dropped. With U = (E P, E M), S = diag(I, -I) and y = A^-1 b, the solution is
+/// x = y - A^-1 U (S + U^T A^-1 U)^-1 U^T y. The inner matrix is eliminated by blocks: that of P has the
+/// ratios by which A becomes stiffer as eigenvalues, and what it leaves, negated, those by which it becomes
+/// softer.
+class LowRankUpdate {
+  public:
+    /// None if the changed matrix is not positive definite, or somewhere so much softer or stiffer than A
+    /// that more than a third of the digits would be lost.
+    static std::optional<LowRankUpdate> make(const Ldlt& factors, std::vector<MatrixChange> changes);
+
+    /// Multiplications of make() and of what solve() does beyond solving with A.
+    static double work(const Ldlt& factors, std::span<const MatrixChange> changes);
+
+    /// Solve in place. Takes twice as long as with A.
+    void solve(const Ldlt& factors, Eigen::VectorXd& right_side) const;
+    void solve(const Ldlt& factors, Eigen::MatrixXd& right_sides) const;
+
+    /// y += (sum of E C E^T) x.
+    void add_product(const Eigen::VectorXd& x, Eigen::VectorXd& y) const;
+
+  private:
+    /// C = P P^T - M M^T.
+    struct Modes {
+        Eigen::MatrixXd plus, minus;
+    };
+    LowRankUpdate() = default;
+    static Modes modes_of(const Ldlt& factors, const MatrixChange& change);
+    [[nodiscard]] Eigen::Index rank() const { return plus_ + minus_; }
+    /// Call body(change, its columns of P or M, their place in U) for all of them.
+    template <class Body>
+    void for_each_block(const Body& body) const;
+    [[nodiscard]] bool factorize_inner(const Eigen::MatrixXd& form);
+    [[nodiscard]] Eigen::MatrixXd inner_solution(const Eigen::MatrixXd& projected) const;
+
+    std::vector<MatrixChange> changes_;
+    std::vector<Modes> modes_;  ///< of each change
+    Eigen::Index plus_ = 0;     ///< columns of all P, which come first in U
+    Eigen::Index minus_ = 0;    ///< of all M
+    Eigen::LLT<Eigen::MatrixXd> stiffer_, softer_;
+    Eigen::MatrixXd coupling_;  ///< M^T A^-1 P
+};
+
+}  // namespace fretwork::mechanics::sparse

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/parallel.hpp>
+#include <fretwork/mechanics/structure/coupling.hpp>
+#include <fretwork/mechanics/structure/factorized_structure.hpp>
+#include <fretwork/mechanics/structure/plane_split.hpp>
+
+#include <algorithm>
+
+namespace fretwork::mechanics::structure {
+namespace {
+
+/// A multiplication of a correction counts so many of a factorization, whose dense kernel is faster and
+/// whose factors solve faster (bench/edits_bench: repainted).
+constexpr double kCorrectionCost = 2.0;
+
+bool connect_the_same(const Element& a, const Element& b) {
+    return std::ranges::equal(a.nodes(), b.nodes());
+}
+
+bool connect_the_same(const Assembly& a, const Assembly& b) {
+    if (a.nodes != b.nodes || a.elements.size() != b.elements.size()) return false;
+    for (std::size_t e = 0; e < a.elements.size(); ++e) {
+        if (a.elements[e] != b.elements[e] && !connect_the_same(*a.elements[e], *b.elements[e])) return false;
+    }
+    return true;
+}
+
+std::vector<std::size_t> differing(const Elements& a, const Elements& b) {
+    std::vector<std::size_t> places;
+    for (std::size_t e = 0; e < a.size(); ++e) {
+        if (a[e] != b[e]) places.push_back(e);
+    }
+    return places;
+}
+
+/// Whether a correction takes less time than factors made anew.
+bool is_cheaper(std::span<const Subsystem> systems,
+                std::span<const std::vector<sparse::MatrixChange>> changes) {
+    double correction = 0.0;
+    double factorization = 0.0;
+    for (std::size_t s = 0; s < systems.size(); ++s) {
+        correction += systems[s].correction_work(changes[s]);
+        factorization += systems[s].factorization_work();
+    }
+    return kCorrectionCost * correction < factorization;
+}
+
+}  // namespace
+
+FactorizedStructure::FactorizedStructure(const Assembly& assembly, int threads)
+    : assembly_(assembly),
+      threads_(base::resolved_thread_count(threads)),
+      connections_(connections_of(assembly)),
+      constraints_(constraints_of(assembly)) {
+    build();
+}
+
+FactorizedStructure::FactorizedStructure(const FactorizedStructure& before, const Assembly& assembly,
+                                         ElementEdit edit)
+    : assembly_(assembly), threads_(before.threads_), constraints_(constraints_of(assembly)) {
+    const bool connected_the_same = connect_the_same(before.assembly_, assembly);
+    connections_ = connected_the_same ? before.connections_ : connections_of(assembly);
+    // Where an element has coupled the halves, it may be the one that has gone.
+    const bool may_split = !before.split_ && is_flat(assembly);
+    if (connected_the_same && !may_split && before.constraints_.held == constraints_.held) {
+        take_over(before, edit);
+    } else {
+        build();
+    }
+}
+
+std::shared_ptr<const FactorizedStructure::Connections> FactorizedStructure::connections_of(
+    const Assembly& assembly) {
+    auto connections = std::make_shared<Connections>();
+    connections->graph = coupling_graph(assembly);
+    const std::vector<DofSet> all(assembly.nodes.size(), DofSet::all());
+    connections->order = sparse::elimination_order(connections->graph, components(all));
+    return connections;
+}
+
+/// Lay out, assemble and factorize.
+void FactorizedStructure::build() {
+    lay_out(is_flat(assembly_) ? Split::Tried : Split::Refused);
+    if (!add_elements()) {
+        lay_out(Split::Refused);
+        add_elements();
+    }
+    factorize();
+}
+
+void FactorizedStructure::lay_out(Split split) {
+    split_ = split == Split::Tried;
+    systems_.clear();
+    const auto parts =
+        split_ ? std::vector<DofSet>{kInPlane, kOutOfPlane} : std::vector<DofSet>{DofSet::all()};
+    for (const DofSet& part : parts) {
+        std::vector<sparse::Components> free = other_components(constraints_.held);
+        for (sparse::Components& components : free) {
+            for (std::size_t d = 0; d < kDofsPerNode; ++d) components[d] = components[d] && part.contains[d];
+        }
+        sparse::SystemLayout layout(connections_->graph, free, connections_->order);
+        if (layout.equations() > 0) systems_.emplace_back(std::move(layout), threads_);
+    }
+}
+
+/// False if an element couples what was to be solved apart.
+bool FactorizedStructure::add_elements() {
+    Eigen::MatrixXd stiffness;
+    for (std::size_t e = 0; e < assembly_.elements.size(); ++e) {
+        assembly_.elements[e]->rest_stiffness(stiffness);
+        if (split_ && !decouples(stiffness)) return false;
+        for (Subsystem& system : systems_) system.add(e, stiffness);
+    }
+    return true;
+}
+
+void FactorizedStructure::factorize() {
+    for (Subsystem& system : systems_) system.factorize(assembly_);
+    factorized_ = assembly_.elements;
+    corrected_elements_ = 0;
+    last_change_ = FactorChange::Anew;
+    keep_held_entries();
+}
+
+/// From a structure that is connected and held in the same way.
+void FactorizedStructure::take_over(const FactorizedStructure& before, ElementEdit edit) {
+    split_ = before.split_;
+    if (before.assembly_.elements == assembly_.elements) return share(before);
+    if (correct(before, edit)) return;
+    for (const Subsystem& system : before.systems_) systems_.push_back(system.cleared());
+    if (!add_elements()) return build();
+    factorize();
+}
+
+void FactorizedStructure::share(const FactorizedStructure& before) {
+    systems_ = before.systems_;
+    factorized_ = before.factorized_;
+    corrected_elements_ = before.corrected_elements_;
+    held_entries_ = before.held_entries_;
+    last_change_ = FactorChange::Kept;
+}
+
+/// Keep the factors and correct them for the elements that differ from those factorized. False where they
+/// are better made anew.
+bool FactorizedStructure::correct(const FactorizedStructure& before, ElementEdit edit) {
+    const std::vector<std::size_t> changed = differing(before.factorized_, assembly_.elements);
+    if (!changed.empty() && edit == ElementEdit::Refactor) return false;
+    std::vector<std::vector<sparse::MatrixChange>> changes(before.systems_.size());
+    Eigen::MatrixXd old_stiffness, new_stiffness;
+    for (const std::size_t e : changed) {
+        before.factorized_[e]->rest_stiffness(old_stiffness);
+        assembly_.elements[e]->rest_stiffness(new_stiffness);
+        if (split_ && !decouples(new_stiffness)) return false;
+        new_stiffness -= old_stiffness;
+        for (std::size_t s = 0; s < changes.size(); ++s)
+            changes[s].push_back(before.systems_[s].change_at(assembly_.elements[e]->nodes(), new_stiffness));
+    }
+    if (edit == ElementEdit::Cheaper && !changed.empty() && !is_cheaper(before.systems_, changes))
+        return false;
+    std::vector<Subsystem> systems = before.systems_;
+    for (std::size_t s = 0; s < changes.size(); ++s) {
+        systems[s].drop_correction();
+        if (!changed.empty() && !systems[s].correct(std::move(changes[s]))) return false;
+    }
+    systems_ = std::move(systems);
+    factorized_ = before.factorized_;
+    corrected_elements_ = changed.size();
+    last_change_ = changed.empty() ? FactorChange::Kept : FactorChange::Updated;
+    keep_held_entries();
+    return true;
+}
+
+void FactorizedStructure::keep_held_entries() {
+    held_entries_.clear();
+    Eigen::MatrixXd stiffness;
+    for (const auto& element : assembly_.elements) {
+        const std::span<const NodeIndex> nodes = element->nodes();
+        const auto is_held = [&](NodeIndex node) {
+            return constraints_.held[static_cast<std::size_t>(node.value)] != DofSet{};
+        };
+        if (std::ranges::none_of(nodes, is_held)) continue;
+        element->rest_stiffness(stiffness);
+        for (std::size_t i = 0; i < nodes.size(); ++i) {
+            const DofSet& held = constraints_.held[static_cast<std::size_t>(nodes[i].value)];
+            for (int d = 0; d < kDofsPerNode; ++d) {
+                if (held.contains[static_cast<std::size_t>(d)])
+                    keep_row(nodes, static_cast<Eigen::Index>(i) * kDofsPerNode + d, stiffness);
+            }
+        }
+    }
+}
+
+void FactorizedStructure::keep_row(std::span<const NodeIndex> nodes, Eigen::Index row,
+                                   const Eigen::MatrixXd& stiffness) {
+    const int node = nodes[static_cast<std::size_t>(row / kDofsPerNode)].value;
+    const int dof = static_cast<int>(row % kDofsPerNode);
+    for (Eigen::Index j = 0; j < stiffness.cols(); ++j) {
+        if (stiffness(row, j) == 0.0) continue;
+        const int other = nodes[static_cast<std::size_t>(j / kDofsPerNode)].value;
+        held_entries_.push_back({node, dof, other, static_cast<int>(j % kDofsPerNode), stiffness(row, j)});
+    }
+}
+
+}  // namespace fretwork::mechanics::structure

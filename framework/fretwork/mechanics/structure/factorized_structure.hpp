@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/mechanics/linear_solver.hpp>
+#include <fretwork/mechanics/structure/constraints.hpp>
+#include <fretwork/mechanics/structure/subsystem.hpp>
+
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace fretwork::mechanics::structure {
+
+/// A stiffness entry in the row of a held dof.
+struct HeldEntry {
+    int node, dof, other_node, other_dof;
+    double value;
+};
+
+/// How an edit that replaces elements is taken up.
+enum class ElementEdit {
+    Cheaper,   ///< a correction of the factors where that takes less time, and keeps their accuracy
+    Refactor,  ///< new factors
+    Correct,   ///< a correction wherever it keeps the accuracy, whatever it costs
+};
+
+/// The linear stiffness of a structure as it is held, factorized: in one or, where the structure is flat and
+/// its elements decouple, in two subsystems. A value: an edited one shares with the one before what still
+/// holds, and nothing of the caller's assembly is borrowed but its immutable elements.
+class FactorizedStructure {
+  public:
+    /// Throws NumericalError that names a node if the structure, as held, can move without strain.
+    FactorizedStructure(const Assembly& assembly, int threads);
+    /// The same for a structure that differs from another in whatever way. Where only loads and prescribed
+    /// values do, its factors are shared; where elements are replaced by others of the same nodes, see
+    /// ElementEdit; where supports are, the elimination order.
+    FactorizedStructure(const FactorizedStructure& before, const Assembly& assembly,
+                        ElementEdit edit = ElementEdit::Cheaper);
+
+    [[nodiscard]] const Assembly& assembly() const { return assembly_; }
+    [[nodiscard]] const Constraints& constraints() const { return constraints_; }
+    [[nodiscard]] std::span<const Subsystem> systems() const { return systems_; }
+    [[nodiscard]] std::span<const HeldEntry> held_entries() const { return held_entries_; }
+    /// How the factors came about.
+    [[nodiscard]] FactorChange last_change() const { return last_change_; }
+    /// Elements that differ from those that were factorized.
+    [[nodiscard]] std::size_t corrected_elements() const { return corrected_elements_; }
+    [[nodiscard]] int threads() const { return threads_; }
+
+  private:
+    /// What is connected, whatever is held, and the order in which all of it is eliminated.
+    struct Connections {
+        sparse::NodeGraph graph;
+        std::vector<int> order;
+    };
+    /// Whether halves in and out of the plane are tried.
+    enum class Split { Tried, Refused };
+
+    static std::shared_ptr<const Connections> connections_of(const Assembly& assembly);
+    void build();
+    void lay_out(Split split);
+    bool add_elements();
+    void factorize();
+    void take_over(const FactorizedStructure& before, ElementEdit edit);
+    void share(const FactorizedStructure& before);
+    bool correct(const FactorizedStructure& before, ElementEdit edit);
+    void keep_held_entries();
+    void keep_row(std::span<const NodeIndex> nodes, Eigen::Index row, const Eigen::MatrixXd& stiffness);
+
+    Assembly assembly_;
+    int threads_;
+    std::shared_ptr<const Connections> connections_;
+    Constraints constraints_;
+    bool split_ = false;
+    std::vector<Subsystem> systems_;
+    Elements factorized_;  ///< the elements of which these factors are
+    std::size_t corrected_elements_ = 0;
+    FactorChange last_change_ = FactorChange::Anew;
+    std::vector<HeldEntry> held_entries_;
+};
+
+}  // namespace fretwork::mechanics::structure

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/mechanics/structure/mechanism.hpp>
+#include <fretwork/mechanics/structure/subsystem.hpp>
+
+namespace fretwork::mechanics::structure {
+
+Subsystem::Subsystem(sparse::SystemLayout layout, int threads)
+    : layout_(std::make_shared<const sparse::SystemLayout>(std::move(layout))),
+      numbers_(std::make_shared<Numbers>(std::vector<double>(layout_->row().size(), 0.0),
+                                         sparse::Ldlt(*layout_, threads))) {}
+
+Subsystem Subsystem::cleared() const {
+    Subsystem result;
+    result.layout_ = layout_;
+    result.numbers_ = std::make_shared<Numbers>(std::vector<double>(layout_->row().size(), 0.0),
+                                                numbers_->factors.another());
+    return result;
+}
+
+void Subsystem::add(std::size_t element, const Eigen::MatrixXd& stiffness) {
+    layout_->add(element, stiffness, numbers_->values);
+}
+
+void Subsystem::factorize(const Assembly& assembly) {
+    const sparse::Ldlt::Outcome outcome = numbers_->factors.factorize(numbers_->values);
+    refuse_mechanisms(assembly, *layout_, numbers_->values, numbers_->factors, outcome);
+}
+
+sparse::MatrixChange Subsystem::change_at(std::span<const NodeIndex> nodes,
+                                          const Eigen::MatrixXd& stiffness) const {
+    sparse::MatrixChange change;
+    std::vector<int> dofs;
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        for (int d = 0; d < kDofsPerNode; ++d) {
+            const int equation = layout_->equation(nodes[i].value, d);
+            if (equation < 0) continue;
+            change.equations.push_back(equation);
+            dofs.push_back(static_cast<int>(i) * kDofsPerNode + d);
+        }
+    }
+    change.values = stiffness(dofs, dofs);
+    return change;
+}
+
+double Subsystem::correction_work(std::span<const sparse::MatrixChange> changes) const {
+    return sparse::LowRankUpdate::work(numbers_->factors, changes);
+}
+
+bool Subsystem::correct(std::vector<sparse::MatrixChange> changes) {
+    auto correction = sparse::LowRankUpdate::make(numbers_->factors, std::move(changes));
+    if (!correction) return false;
+    correction_ = std::move(correction);
+    return true;
+}
+
+Eigen::VectorXd Subsystem::internal_forces(const Eigen::VectorXd& x) const {
+    Eigen::VectorXd forces = Eigen::VectorXd::Zero(x.size());
+    sparse::add_product(*layout_, numbers_->values, x, forces);
+    if (correction_) correction_->add_product(x, forces);
+    return forces;
+}
+
+}  // namespace fretwork::mechanics::structure

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/mechanics/assembly.hpp>
+#include <fretwork/mechanics/sparse/low_rank_update.hpp>
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace fretwork::mechanics::structure {
+
+/// Equations that can be solved on their own: all of a structure, or its half in or out of the plane. A
+/// value: copies share layout and factors, which no copy changes.
+class Subsystem {
+  public:
+    /// Equations without stiffness yet.
+    Subsystem(sparse::SystemLayout layout, int threads);
+    /// The same equations without stiffness: layout and symbolic analysis are shared.
+    [[nodiscard]] Subsystem cleared() const;
+
+    [[nodiscard]] const sparse::SystemLayout& layout() const { return *layout_; }
+    /// True if the factors are those of another stiffness, with a correction of low rank.
+    [[nodiscard]] bool is_corrected() const { return correction_.has_value(); }
+
+    /// Add an element's stiffness, and factorize the sum. Only before the equations are copied.
+    void add(std::size_t element, const Eigen::MatrixXd& stiffness);
+    /// Throws NumericalError that names a node of the assembly if the structure can move without strain.
+    void factorize(const Assembly& assembly);
+
+    /// The rows and columns of an element that are equations here.
+    [[nodiscard]] sparse::MatrixChange change_at(std::span<const NodeIndex> nodes,
+                                                 const Eigen::MatrixXd& stiffness) const;
+    /// Multiplications of a correction for these changes, and of a factorization.
+    [[nodiscard]] double correction_work(std::span<const sparse::MatrixChange> changes) const;
+    [[nodiscard]] double factorization_work() const { return numbers_->factors.factorization_work(); }
+    /// The stiffness as factorized, with these changes. False, and nothing is changed, if that would cost
+    /// accuracy.
+    bool correct(std::vector<sparse::MatrixChange> changes);
+    void drop_correction() { correction_.reset(); }
+
+    /// Solve in place.
+    template <class Dense>
+    void solve(Dense& right_side) const {
+        if (correction_) {
+            correction_->solve(numbers_->factors, right_side);
+        } else {
+            numbers_->factors.solve(right_side);
+        }
+    }
+    /// The stiffness times x.
+    [[nodiscard]] Eigen::VectorXd internal_forces(const Eigen::VectorXd& x) const;
+
+  private:
+    struct Numbers {
+        std::vector<double> values;
+        sparse::Ldlt factors;
+    };
+    Subsystem() = default;
+
+    std::shared_ptr<const sparse::SystemLayout> layout_;
+    std::shared_ptr<Numbers> numbers_;
+    std::optional<sparse::LowRankUpdate> correction_;
+};
+
+}  // namespace fretwork::mechanics::structure
