@@ -3,6 +3,7 @@
 #include <fretwork/pattern/detail/rule_test.hpp>
 #include <fretwork/pattern/enumerate.hpp>
 #include <fretwork/pattern/fan.hpp>
+#include <fretwork/pattern/judge.hpp>
 #include <fretwork/pattern/sameness.hpp>
 #include <fretwork/pattern/sample.hpp>
 

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "enumerate_files.hpp"
 #include "enumerate_output.hpp"
 #include "file_options.hpp"
+#include "interrupt.hpp"
 #include "verbs.hpp"
 
 #include <fretwork/base/error.hpp>
-#include <fretwork/base/file.hpp>
 #include <fretwork/base/quantity.hpp>
 #include <fretwork/exports/rejection_drawing.hpp>
 #include <fretwork/pattern/rejections.hpp>
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 
@@ -27,8 +29,7 @@ Examples:
   fretwork enumerate --layout huge.json --estimate 100000
   fretwork enumerate --layout huge.json --sample 20 --seed 7)";
 
-/// What a person asks for.
-struct Wishes {
+struct Options {
     std::string layout = "paper7";
     std::string edges;
     std::string min_angle;
@@ -71,109 +72,111 @@ pattern::EdgeRange parse_range(const std::string& text, const NodeLayout& layout
     return range;
 }
 
-pattern::EnumerationOptions make_options(const Wishes& wishes, const NodeLayout& layout) {
-    pattern::EnumerationOptions options;
-    options.edges =
-        wishes.edges.empty() ? pattern::default_edge_range(layout) : parse_range(wishes.edges, layout);
-    for (const std::string& filter : wishes.filters)
-        options.filters.choices.push_back(pattern::parse_filter_choice(filter));
-    if (!wishes.min_angle.empty())
-        options.filters.choices.push_back({"small_angle", base::parse_angle(wishes.min_angle)});
-    if (!wishes.max_valence.empty())
-        options.filters.choices.push_back({"high_valence", base::parse_number(wishes.max_valence)});
-    if (!wishes.tile_side.empty()) options.filters.scale.tile_side = base::parse_length(wishes.tile_side);
-    if (!wishes.beam_width.empty()) options.filters.scale.beam_width = base::parse_length(wishes.beam_width);
-    for (const std::string& text : wishes.required)
-        options.filters.required.push_back(pattern::parse_edge_group(layout, text));
-    for (const std::string& text : wishes.forbidden)
-        options.filters.forbidden.push_back(pattern::parse_edge_group(layout, text));
-    options.threads = wishes.threads;
-    options.validate();
-    return options;
+/// What valid patterns are like, as the options say.
+pattern::EnumerationOptions make_enumeration(const Options& options, const NodeLayout& layout) {
+    pattern::EnumerationOptions enumeration;
+    pattern::FilterSettings& filters = enumeration.filters;
+    enumeration.edges =
+        options.edges.empty() ? pattern::default_edge_range(layout) : parse_range(options.edges, layout);
+    for (const std::string& filter : options.filters)
+        filters.choices.push_back(pattern::parse_filter_choice(filter));
+    if (!options.min_angle.empty())
+        filters.choices.push_back({"small_angle", base::parse_angle(options.min_angle)});
+    if (!options.max_valence.empty())
+        filters.choices.push_back({"high_valence", base::parse_number(options.max_valence)});
+    if (!options.tile_side.empty()) filters.scale.tile_side = base::parse_length(options.tile_side);
+    if (!options.beam_width.empty()) filters.scale.beam_width = base::parse_length(options.beam_width);
+    for (const std::string& text : options.required)
+        filters.required.push_back(pattern::parse_edge_group(layout, text));
+    for (const std::string& text : options.forbidden)
+        filters.forbidden.push_back(pattern::parse_edge_group(layout, text));
+    enumeration.threads = options.threads;
+    enumeration.validate();
+    return enumeration;
 }
 
-Audience audience_of(const Wishes& wishes) {
-    return wishes.json ? Audience::Programs : Audience::People;
+Audience audience_of(const Options& options) {
+    return options.json ? Audience::Programs : Audience::People;
 }
 
-bool is_wanted(const std::string& path) {
-    return !path.empty();
-}
-
-/// The patterns that files are made of: all, or a sample.
-std::vector<pattern::Pattern> find_patterns(const NodeLayout& layout,
-                                            const pattern::EnumerationOptions& options,
-                                            const Wishes& wishes) {
-    if (wishes.sample > 0) return pattern::PatternSampler(layout, options, wishes.seed).draw(wishes.sample);
-    return pattern::enumerate_patterns(layout, options);
-}
-
-/// Written as they are found: a list of millions is not kept.
-void write_list(const NodeLayout& layout, const pattern::EnumerationOptions& options, const Wishes& wishes) {
-    base::AtomicFile file(wishes.list_path);
-    const auto write = [&](const pattern::Pattern& found) { file.write(pattern_id(layout, found) + "\n"); };
-    if (wishes.sample > 0) {
-        for (const pattern::Pattern& found : find_patterns(layout, options, wishes)) write(found);
-    } else {
-        pattern::for_each_pattern(layout, options, write);
-    }
-    file.commit();
-}
-
-void write_sheet(const NodeLayout& layout, const pattern::EnumerationOptions& options, const Wishes& wishes) {
-    constexpr std::size_t kRejectedPerFilter = 8;
+exports::PatternDrawingOptions drawing_options(const pattern::EnumerationOptions& enumeration) {
     exports::PatternDrawingOptions drawing;
-    drawing.tile_side = options.filters.scale.tile_side;
-    drawing.beam_width = options.filters.scale.beam_width;
-    if (wishes.reasons) {
-        const auto rejections = pattern::find_rejections(layout, options, kRejectedPerFilter);
-        base::write_file_atomically(wishes.svg_path,
-                                    exports::rejection_sheet_svg(layout, rejections, drawing));
-        return;
-    }
-    check_sheet_size(wishes.sample > 0 ? wishes.sample : pattern::count_patterns(layout, options).total());
-    base::write_file_atomically(
-        wishes.svg_path, exports::pattern_sheet_svg(layout, find_patterns(layout, options, wishes), drawing));
+    drawing.tile_side = enumeration.filters.scale.tile_side;
+    drawing.beam_width = enumeration.filters.scale.beam_width;
+    return drawing;
 }
 
-std::optional<pattern::SamenessReport> write_classes(const NodeLayout& layout,
-                                                     const pattern::EnumerationOptions& options,
-                                                     const Wishes& wishes) {
-    if (!is_wanted(wishes.classes_path)) return std::nullopt;
-    const std::vector<pattern::Pattern> patterns = pattern::enumerate_patterns(layout, options);
-    pattern::SamenessReport report = pattern::find_sameness(layout, patterns, options.threads);
-    base::write_file_atomically(wishes.classes_path, pattern::sameness_csv(layout, patterns, report));
-    return report;
+/// Options without an effect are a misunderstanding.
+void refuse_ignored_options(const CLI::App& verb, const Options& options) {
+    const bool is_random = options.sample > 0 || options.estimate > 0;
+    if (verb.count("--seed") > 0 && !is_random)
+        throw base::InputError(
+            "--seed works with --sample or --estimate; all patterns are found without chance");
+    const bool has_lengths =
+        !options.svg_path.empty() || std::ranges::any_of(options.filters, [](const std::string& filter) {
+            return pattern::find_filter_kind(pattern::parse_filter_choice(filter).name).parameter ==
+                   pattern::FilterParameter::Length;
+        });
+    for (const char* option : {"--tile-side", "--beam-width"}) {
+        if (verb.count(option) > 0 && !has_lengths)
+            throw base::InputError(
+                std::string(option) +
+                " works with --svg or a filter of lengths, such as --filter short_edge=3mm");
+    }
 }
 
-void write_files(const NodeLayout& layout, const pattern::EnumerationOptions& options, const Wishes& wishes) {
-    if (is_wanted(wishes.list_path)) write_list(layout, options, wishes);
-    if (is_wanted(wishes.library_path))
-        add_to_library(layout, find_patterns(layout, options, wishes), wishes.library_path);
-    if (is_wanted(wishes.svg_path)) write_sheet(layout, options, wishes);
+std::string rejection_sheet(const NodeLayout& layout, const pattern::EnumerationOptions& enumeration) {
+    constexpr std::size_t kRejectedPerFilter = 8;
+    return exports::rejection_sheet_svg(layout,
+                                        pattern::find_rejections(layout, enumeration, kRejectedPerFilter),
+                                        drawing_options(enumeration));
 }
 
-void enumerate(const Wishes& wishes) {
-    const NodeLayout layout = pattern::find_node_layout(wishes.layout);
-    const pattern::EnumerationOptions options = make_options(wishes, layout);
-    if (wishes.count) {
-        print_count(layout, pattern::count_patterns(layout, options).total(), audience_of(wishes));
+/// Draw some patterns, print them, and make the files of them.
+void sample(const NodeLayout& layout, const pattern::EnumerationOptions& enumeration, PatternFiles& files,
+            const Options& options) {
+    const auto drawn = pattern::PatternSampler(layout, enumeration, options.seed).draw(options.sample);
+    for (const pattern::Pattern& pattern : drawn) files.take(pattern);
+    (void)files.finish({.threads = enumeration.threads, .control = enumeration.control});
+    print_ids(layout, drawn, audience_of(options));
+}
+
+/// Search once, print the census, and make the files.
+void search(const NodeLayout& layout, const pattern::EnumerationOptions& enumeration, PatternFiles& files,
+            const Options& options) {
+    const pattern::Census census =
+        files.are_wanted()
+            ? pattern::take_census(layout, enumeration,
+                                   pattern::for_each_pattern(layout, enumeration,
+                                                             [&](const auto& found) { files.take(found); }))
+            : pattern::take_census(layout, enumeration);
+    if (!options.census_path.empty()) files.add(options.census_path, pattern::census_csv(census));
+    if (options.reasons) files.add(options.svg_path, rejection_sheet(layout, enumeration));
+    const auto sameness = files.finish({.threads = enumeration.threads, .control = enumeration.control});
+    print_census(layout, census, sameness, audience_of(options));
+}
+
+void enumerate(const Options& options) {
+    LongWork work;
+    const NodeLayout layout = pattern::find_node_layout(options.layout);
+    pattern::EnumerationOptions enumeration = make_enumeration(options, layout);
+    enumeration.control = work.control();
+    if (options.count) {
+        print_count(layout, pattern::count_patterns(layout, enumeration).total(), audience_of(options));
         return;
     }
-    if (wishes.estimate > 0) {
-        const pattern::PatternSampler sampler(layout, options, wishes.seed);
-        print_estimate(layout, sampler.estimate(wishes.estimate), audience_of(wishes));
+    if (options.estimate > 0) {
+        const pattern::PatternSampler sampler(layout, enumeration, options.seed);
+        print_estimate(layout, sampler.estimate(options.estimate), audience_of(options));
         return;
     }
-    write_files(layout, options, wishes);
-    if (wishes.sample > 0) {
-        print_ids(layout, find_patterns(layout, options, wishes), audience_of(wishes));
-        return;
-    }
-    const pattern::Census census = pattern::take_census(layout, options);
-    if (is_wanted(wishes.census_path))
-        base::write_file_atomically(wishes.census_path, pattern::census_csv(census));
-    print_census(layout, census, write_classes(layout, options, wishes), audience_of(wishes));
+    PatternFiles files(layout,
+                       {.list = options.list_path,
+                        .library = options.library_path,
+                        .sheet = options.reasons ? std::string() : options.svg_path,
+                        .classes = options.classes_path},
+                       drawing_options(enumeration));
+    (options.sample > 0 ? sample : search)(layout, enumeration, files, options);
 }
 
 std::string filter_help() {
@@ -186,57 +189,68 @@ std::string filter_help() {
 }  // namespace
 
 void add_enumerate(CLI::App& app, ExitCode&) {
-    const auto wishes = std::make_shared<Wishes>();
+    const auto options = std::make_shared<Options>();
     CLI::App* verb = app.add_subcommand(
         "enumerate", "Find all valid patterns of a node layout, and say why the others are not.");
-    verb->add_option("--layout", wishes->layout, "The name of a layout, or its file")->capture_default_str();
-    verb->add_option("--edges", wishes->edges,
+    verb->add_option("--layout", options->layout, "The name of a layout, or its file")->capture_default_str();
+    verb->add_option("--edges", options->edges,
                      "Numbers of edges, as A..B or N (default: 2..11 for paper7, else 2..all)");
-    verb->add_option("--min-angle", wishes->min_angle,
+    verb->add_option("--min-angle", options->min_angle,
                      "The smallest angle between two beams (default: 15deg)");
-    verb->add_option("--max-valence", wishes->max_valence, "The most beams that meet in a node (default: 6)");
-    verb->add_option("--filter", wishes->filters, filter_help())->type_name("NAME[=VALUE]");
-    verb->add_option("--tile-side", wishes->tile_side,
+    verb->add_option("--max-valence", options->max_valence,
+                     "The most beams that meet in a node (default: 6)");
+    verb->add_option("--filter", options->filters, filter_help())->type_name("NAME[=VALUE]");
+    verb->add_option("--tile-side", options->tile_side,
                      "What lengths refer to: the side of the hexagon (default: 25.98mm)");
-    verb->add_option("--beam-width", wishes->beam_width, "The width of the beams in it (default: 2mm)");
-    verb->add_option("--require", wishes->required, "Edges (1-6) or nodes (n5) that every pattern uses")
+    verb->add_option("--beam-width", options->beam_width, "The width of the beams in it (default: 2mm)");
+    verb->add_option("--require", options->required, "Edges (1-6) or nodes (n5) that every pattern uses")
         ->delimiter(',');
-    verb->add_option("--forbid", wishes->forbidden, "Edges or nodes that no pattern uses")->delimiter(',');
-    verb->add_option("--threads", wishes->threads, "Threads to use; 0: all there are");
-    verb->add_option("--census", wishes->census_path, "Write the census to this CSV file");
-    verb->add_option("--list", wishes->list_path,
+    verb->add_option("--forbid", options->forbidden, "Edges or nodes that no pattern uses")->delimiter(',');
+    verb->add_option("--threads", options->threads, "Threads to use; 0: all there are")
+        ->check(thread_check());
+    verb->add_option("--census", options->census_path, "Write the census to this CSV file");
+    verb->add_option("--list", options->list_path,
                      "Write the ids of the valid patterns to this file, one a line");
-    verb->add_option("--library", wishes->library_path,
+    verb->add_option("--library", options->library_path,
                      "Add the valid patterns to this library (made if it is not there)");
-    verb->add_option("--svg", wishes->svg_path, "Draw the valid patterns on one sheet");
+    verb->add_option("--svg", options->svg_path, "Draw the valid patterns on one sheet");
     CLI::Option* svg = verb->get_option("--svg");
-    verb->add_flag("--reasons", wishes->reasons, "Draw rejected ones instead, the guilty beams in red")
+    verb->add_flag("--reasons", options->reasons, "Draw rejected ones instead, the guilty beams in red")
         ->needs(svg);
-    verb->add_option("--classes", wishes->classes_path,
+    verb->add_option("--classes", options->classes_path,
                      "Write symmetry, mirror partner and isomorphism class of each pattern to this CSV file");
-    verb->add_option("--sample", wishes->sample,
+    verb->add_option("--sample", options->sample,
                      "Draw this many valid patterns at random instead of all, each equally likely")
         ->check(CLI::Range(1, 1'000'000'000))
         ->excludes("--census")
+        ->excludes("--reasons")
         ->excludes("--classes");
-    verb->add_option("--estimate", wishes->estimate,
+    verb->add_option("--estimate", options->estimate,
                      "Only estimate how many there are, from this many random trials")
         ->check(CLI::Range(1, 1'000'000'000))
-        ->excludes("--sample");
+        ->excludes("--sample")
+        ->excludes("--census")
+        ->excludes("--list")
+        ->excludes("--library")
+        ->excludes("--svg")
+        ->excludes("--classes");
     CLI::Option* count =
-        verb->add_flag("--count", wishes->count, "Print only how many valid patterns there are");
+        verb->add_flag("--count", options->count, "Print only how many valid patterns there are");
     for (const char* other :
          {"--census", "--list", "--library", "--svg", "--classes", "--sample", "--estimate"})
         count->excludes(other);
-    verb->add_option("--seed", wishes->seed, "What randomness starts from")
+    verb->add_option("--seed", options->seed, "What randomness starts from")
         ->check(seed_check())
         ->capture_default_str();
-    verb->add_flag("--json", wishes->json, "Print for programs");
+    verb->add_flag("--json", options->json, "Print for programs");
     declare_files(*verb, {input("--layout"), output("--census", kTableFile), output("--list", kListFile),
                           update("--library", kLibraryFile), output("--svg", kSvgFile),
                           output("--classes", kTableFile)});
     verb->footer(kExample);
-    verb->callback([wishes] { enumerate(*wishes); });
+    verb->callback([options, verb] {
+        refuse_ignored_options(*verb, *options);
+        enumerate(*options);
+    });
 }
 
 }  // namespace fretwork::app

@@ -2,7 +2,6 @@
 #include "enumerate_output.hpp"
 
 #include <fretwork/base/detail/json_text.hpp>
-#include <fretwork/base/error.hpp>
 #include <fretwork/base/text.hpp>
 
 #include <algorithm>
@@ -14,9 +13,6 @@ namespace {
 
 using base::detail::Json;
 using pattern::NodeLayout;
-
-/// Beyond this a sheet is no picture any more.
-constexpr std::uint64_t kMostOnASheet = 5000;
 
 /// Numbers of any size: beyond 2^53 as text, since JSON readers keep no more.
 Json json_count(pattern::GraphCount count) {
@@ -123,14 +119,6 @@ void print_census(const NodeLayout& layout, const pattern::Census& census,
         std::printf("%s up to mirror images, %s up to isomorphism of their fans\n",
                     std::to_string(sameness->up_to_mirror).c_str(),
                     std::to_string(sameness->up_to_isomorphism).c_str());
-}
-
-void check_sheet_size(std::uint64_t patterns) {
-    if (patterns > kMostOnASheet)
-        throw base::InputError("--svg", "",
-                               std::to_string(patterns) + " patterns are too many for one sheet (at most " +
-                                   std::to_string(kMostOnASheet) +
-                                   "); choose fewer --edges, or --sample some");
 }
 
 }  // namespace fretwork::app

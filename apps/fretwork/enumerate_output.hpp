@@ -7,11 +7,10 @@
 
 #include <optional>
 #include <span>
-#include <string>
 
 namespace fretwork::app {
 
-// What the verb enumerate prints and writes.
+// What the verb enumerate prints.
 
 enum class Audience { People, Programs };
 
@@ -23,13 +22,5 @@ void print_ids(const pattern::NodeLayout& layout, std::span<const pattern::Patte
 /// The census, and how many patterns there are up to mirror and isomorphism where that was asked for.
 void print_census(const pattern::NodeLayout& layout, const pattern::Census& census,
                   const std::optional<pattern::SamenessReport>& sameness, Audience audience);
-
-/// Throw InputError if so many patterns are too many for one sheet.
-void check_sheet_size(std::uint64_t patterns);
-
-/// Add patterns to a library. One that is there keeps its setting; a new one gets the paper's, until it is
-/// calibrated with another.
-void add_to_library(const pattern::NodeLayout& layout, std::span<const pattern::Pattern> patterns,
-                    const std::string& path);
 
 }  // namespace fretwork::app

@@ -10,9 +10,9 @@ namespace fretwork::app {
 /// Work that may take longer than a second. While it lives, Ctrl-C (SIGINT) or SIGTERM asks it to stop, and
 /// its progress is shown on the terminal (nothing in a pipe). A second Ctrl-C ends the program at once.
 ///
-/// A verb hands `control()` to the options of whatever works for long. Who stops throws base::Stopped, which
-/// `main` reports with exit code 1, or returns what is done; `is_stopped` then tells why it is not all.
-/// One at a time.
+/// A verb hands `control()` to the options of its long calls. A call that is stopped throws base::Stopped,
+/// which `main` reports with exit code 1; or it returns what is done, and `is_stopped` tells why it is not
+/// all. One at a time.
 class LongWork {
   public:
     LongWork();

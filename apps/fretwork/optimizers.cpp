@@ -102,7 +102,7 @@ std::vector<Contender> chosen_contenders(const std::string& choice) {
     return chosen;
 }
 
-/// The problems that a person asks for, of those in the file of known values.
+/// The problems that --problems chooses from the file of known values.
 std::vector<std::string> problems_of(const Options& options) {
     std::vector<std::string> ids;
     for (const study::KnownValue& value : study::read_known_values(options.known))
@@ -170,8 +170,8 @@ ExitCode landscape(Options options) {
 
 // ---- the command line ----
 
-void add_threads(CLI::App& action, Options& options) {
-    action.add_option("--threads", options.threads, "Threads to use; 0: all there are")
+CLI::Option* add_threads(CLI::App& action, Options& options) {
+    return action.add_option("--threads", options.threads, "Threads to use; 0: all there are")
         ->check(thread_check());
 }
 
@@ -197,7 +197,7 @@ void add_known(CLI::App& verb, const std::shared_ptr<Options>& options, ExitCode
         ->excludes("--patterns")
         ->excludes("--starts");
     action->add_option("--results", options->results, "Take over what these runs found lower");
-    add_threads(*action, *options);
+    add_threads(*action, *options)->excludes("--from");
     action->add_flag("--json", options->json, "Print JSON");
     declare_files(*action, {output("--out", kTableFile), input("--from"), input("--results")});
     action->callback([options, &exit_code] { exit_code = known(*options); });

@@ -30,14 +30,14 @@ std::vector<PatternEntry> sampled_patterns(std::vector<PatternEntry> patterns, s
 
 }  // namespace
 
-std::vector<PatternEntry> wanted_patterns(const library::Library& library, const std::string& wish) {
-    if (wish == "all") return library.patterns();
-    if (wish.starts_with("sample:")) {
-        return sampled_patterns(library.patterns(), parse_count(std::string_view(wish).substr(7),
+std::vector<PatternEntry> wanted_patterns(const library::Library& library, const std::string& choice) {
+    if (choice == "all") return library.patterns();
+    if (choice.starts_with("sample:")) {
+        return sampled_patterns(library.patterns(), parse_count(std::string_view(choice).substr(7),
                                                                 "--patterns", "number of patterns"));
     }
     std::set<std::string> ids;
-    for (const std::string& id : base::split(wish, ',')) ids.insert(library.find_pattern(id).id);
+    for (const std::string& id : base::split(choice, ',')) ids.insert(library.find_pattern(id).id);
     std::vector<PatternEntry> chosen;
     for (PatternEntry& entry : library.patterns()) {
         if (ids.contains(entry.id)) chosen.push_back(std::move(entry));

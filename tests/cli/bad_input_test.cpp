@@ -94,6 +94,12 @@ TEST(CommandLine, NeverWritesOverWhatItReads) {
                    "newton");
     expect_refused("fretwork enumerate --edges 99", folder.path(), "17 candidate edges");
     expect_refused("fretwork enumerate --sample 2 --seed -1", folder.path(), "-1");
+    expect_refused("fretwork enumerate --count --seed 2", folder.path(), "--seed works with --sample");
+    expect_refused("fretwork enumerate --estimate 100 --list l.txt", folder.path(),
+                   "--estimate excludes --list");
+    expect_refused("fretwork enumerate --sample 2 --svg s.svg --reasons", folder.path(), "excludes");
+    expect_refused("fretwork enumerate --beam-width 3mm", folder.path(), "--beam-width works with --svg");
+    expect_refused("fretwork enumerate --classes -", folder.path(), "--classes");
     folder.file("escape.json", R"({"format": "fretwork/frame/1", "\u001b[31m": 1})");
     expect_refused("fretwork solve escape.json --out r.json", folder.path(), "x1b");
 }

@@ -136,7 +136,7 @@ std::vector<Eigen::VectorXd> points_of(const SimulatedAnnealingOptions& options)
     return problem.points;
 }
 
-TEST(SimulatedAnnealing, KeepsBoundsAsItIsTold) {
+TEST(SimulatedAnnealing, KeepsBoundsByReflectionClampingOrRejection) {
     SimulatedAnnealingOptions options{
         .common = {.starts = 1, .seed = 3}, .largest_moves = 300, .initial_moves = 50};
     const auto on_bound = [](const auto& points) {
@@ -172,7 +172,7 @@ class LogarithmicProblem final : public Problem {
     Bounds bounds_ = cube(1, 0.0, 10.0);
 };
 
-TEST(SimulatedAnnealing, MovesUniformlyInQuantitiesIfItIsTold) {
+TEST(SimulatedAnnealing, MovesUniformlyInQuantitiesOnRequest) {
     const LogarithmicProblem problem;
     const auto annealing = make_simulated_annealing({.common = {.starts = 1, .seed = 4},
                                                      .largest_moves = 2000,

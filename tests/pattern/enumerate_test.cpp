@@ -4,6 +4,7 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/pattern/census.hpp>
 #include <fretwork/pattern/enumerate.hpp>
+#include <fretwork/pattern/judge.hpp>
 
 #include <gtest/gtest.h>
 
@@ -88,6 +89,62 @@ TEST(Enumerate, OrderIsLexicographicAndDoesNotDependOnThreads) {
                                [](const Pattern& a, const Pattern& b) { return a.edges() < b.edges(); }));
 }
 
+TEST(Enumerate, AStreamIsTheSameHoweverFewPatternsAreKept) {
+    const NodeLayout layout = find_node_layout("paper7");
+    EnumerationOptions options;
+    const std::vector<Pattern> all = enumerate_patterns(layout, options);
+    for (const std::size_t most_kept : {1U, 7U, 300U}) {
+        options.most_kept = most_kept;
+        EXPECT_EQ(enumerate_patterns(layout, options), all) << most_kept;
+    }
+}
+
+/// Remembers how far a search says it is, and asks it to stop once that is `stop_at` pieces.
+class Watch final : public base::Progress {
+  public:
+    explicit Watch(std::size_t stop_at) : stop_at_(stop_at) {}
+    void start(std::string_view, std::size_t total) override { total_ = total; }
+    void update(std::size_t done) override {
+        done_ = done;
+        if (done >= stop_at_) source_.request_stop();
+    }
+    void finish() override { is_finished_ = true; }
+    [[nodiscard]] base::Control control() { return {.stop = source_.get_token(), .progress = this}; }
+    [[nodiscard]] bool is_finished() const { return is_finished_; }
+    [[nodiscard]] std::size_t left() const { return total_ - done_; }
+
+  private:
+    std::size_t stop_at_;
+    std::size_t total_ = 0;
+    std::size_t done_ = 0;
+    bool is_finished_ = false;
+    std::stop_source source_;
+};
+
+TEST(Enumerate, TellsOfEveryPieceUntilAllAreDone) {
+    Watch watch(1'000'000);
+    EnumerationOptions options;
+    options.control = watch.control();
+    EXPECT_EQ(count_patterns(find_node_layout("paper7"), options).total(), 1824u);
+    EXPECT_TRUE(watch.is_finished());
+    EXPECT_EQ(watch.left(), 0U);
+}
+
+TEST(Enumerate, StopsInTheMiddleOfASearch) {
+    const NodeLayout layout = find_node_layout("fifths12");
+    for (const int threads : {1, 4}) {
+        Watch watch(100);
+        EnumerationOptions options;
+        options.threads = threads;
+        options.control = watch.control();
+        EXPECT_THROW(count_patterns(layout, options), base::Stopped);
+        EXPECT_GT(watch.left(), 0U);
+        std::size_t told = 0;
+        EXPECT_THROW(for_each_pattern(layout, options, [&](const Pattern&) { ++told; }), base::Stopped);
+        EXPECT_EQ(told, 0U) << "it was asked to stop before it began";
+    }
+}
+
 TEST(Enumerate, CountsAreThoseOfTheStream) {
     for (const NodeLayout& layout : small_layouts()) {
         std::vector<std::uint64_t> seen(layout.candidate_edges().size() + 1);
@@ -123,6 +180,7 @@ TEST(Enumerate, RefusesOptionsThatMakeNoSense) {
     refuses([](auto& options) { options.filters.choices = {{"high_valence", 0.0}}; });
     refuses([](auto& options) { options.filters.scale.tile_side = 0.0; });
     refuses([](auto& options) { options.threads = -1; });
+    refuses([](auto& options) { options.most_kept = 0; });
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
 #include <fretwork/pattern/enumerate.hpp>
+#include <fretwork/pattern/judge.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -51,18 +52,18 @@ TEST(Verdict, CrossingEdgesAreNamed) {
     EXPECT_TRUE(verdict_of("intersecting", "0-6+0-1").accepted);
 }
 
-TEST(Verdict, AMissingInterfaceBeamIsSaid) {
+TEST(Verdict, NamesTheInterfaceNodeWithoutABeam) {
     EXPECT_EQ(verdict_of("no_interface", "0-1").reason, "no beam ends at interface node n6");
 }
 
-TEST(Verdict, PartsThatAreLooseAreGuilty) {
+TEST(Verdict, LooseComponentsAreGuilty) {
     const Verdict verdict = verdict_of("multiple_components", "1-3+2-6+4-6");
     EXPECT_EQ(verdict.reason, "the fan falls into 2 components");
     EXPECT_EQ(guilty_of(verdict), "1-3");
 }
 
 // The paper, Fig. 7a and 7b: dangling edges and dangling components.
-TEST(Verdict, PartsThatDangleAreGuilty) {
+TEST(Verdict, DanglingPartsAreGuilty) {
     const Verdict edge = verdict_of("articulation", "0-6+0-1");
     EXPECT_EQ(edge.reason, "a part hangs on node n0 alone");
     EXPECT_EQ(guilty_of(edge), "0-1");
@@ -181,7 +182,7 @@ TEST(EdgeGroups, RequiredAndForbiddenOnesAreKept) {
 }
 
 // Of the 1,824 patterns, 210 do not use node 5.
-TEST(EdgeGroups, SplitTheWholeInTwo) {
+TEST(EdgeGroups, RequiredAndForbiddenOnesTogetherGiveAllPatterns) {
     EnumerationOptions with;
     with.filters.required = {parse_edge_group(paper7(), "n5")};
     EnumerationOptions without;

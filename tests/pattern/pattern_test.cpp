@@ -35,7 +35,7 @@ TEST(PatternId, MayCarryItsLayoutsName) {
     EXPECT_EQ(parse_pattern_id(paper7(), "paper7:0-6"), parse_pattern_id(paper7(), "0-6"));
 }
 
-TEST(PatternId, RefusesWhatIsNone) {
+TEST(PatternId, RefusesOtherText) {
     for (const char* text : {"", "0", "0-", "-6", "0-6+", "+0-6", "0-3", "0-2", "0-0", "0-7", "0-6+0-6",
                              "0-6+6-0", "other:0-6", "a-b", "0 -6", "0-+6", "0--6", "0-99999999999"}) {
         EXPECT_THROW(parse_pattern_id(paper7(), text), base::InputError) << text;

@@ -93,8 +93,8 @@ TEST(Sameness, MirrorPartnersAreIsomorphicAndMutual) {
 
 TEST(Sameness, ClassesDoNotDependOnThreadsAndAreNumberedByTheirFirstPattern) {
     const std::vector<Pattern> patterns = enumerate_patterns(paper7());
-    const SamenessReport alone = find_sameness(paper7(), patterns, 1);
-    const SamenessReport together = find_sameness(paper7(), patterns, 4);
+    const SamenessReport alone = find_sameness(paper7(), patterns, {.threads = 1});
+    const SamenessReport together = find_sameness(paper7(), patterns, {.threads = 4});
     std::size_t next = 0;
     for (std::size_t i = 0; i < patterns.size(); ++i) {
         EXPECT_EQ(alone.of_pattern[i].isomorphism_class, together.of_pattern[i].isomorphism_class);

@@ -3,6 +3,7 @@
 
 #include <fretwork/base/error.hpp>
 #include <fretwork/pattern/detail/independent_sets.hpp>
+#include <fretwork/pattern/judge.hpp>
 #include <fretwork/pattern/sample.hpp>
 
 #include <boost/math/distributions/chi_squared.hpp>

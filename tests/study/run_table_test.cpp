@@ -28,7 +28,7 @@ std::vector<std::string> cells_of(const RunRecord& record) {
     return base::split(run_table_row(record), ',');
 }
 
-TEST(Study, GivesEveryMethodOfTheCatalogueAPlace) {
+TEST(Contenders, AreAllMethodsOfTheCatalogue) {
     const auto contenders = default_contenders();
     ASSERT_EQ(contenders.size(), optimizer_catalogue().size());
     for (std::size_t i = 0; i < contenders.size(); ++i) {
@@ -37,7 +37,7 @@ TEST(Study, GivesEveryMethodOfTheCatalogueAPlace) {
     }
 }
 
-TEST(Study, SeedsDifferByProblemMethodRepetitionAndComparison) {
+TEST(RunSeed, DiffersByProblemMethodRepetitionAndStudy) {
     std::set<std::uint64_t> seeds;
     for (const char* problem : {"a", "b"}) {
         for (const char* optimizer : {"x", "y"}) {
@@ -53,13 +53,13 @@ TEST(Study, SeedsDifferByProblemMethodRepetitionAndComparison) {
     EXPECT_EQ(run_seed({"a", "x", 1}, 1), 0xa78559729a100107U);
 }
 
-TEST(Study, RepeatsAllButDeterministicMethods) {
+TEST(Contenders, AreRepeatedUnlessTheyAreDeterministic) {
     EXPECT_EQ(repetitions_of({&find_optimizer("direct-l"), 1}, 15), 1);
     EXPECT_EQ(repetitions_of({&find_optimizer("bobyqa"), 1}, 15), 15);
     EXPECT_EQ(repetitions_of({&find_optimizer("cma-es"), 1}, 15), 15);
 }
 
-TEST(Study, RecordsWhereTheMethodStoppedAndHowFarTheOptimumIs) {
+TEST(RecordRun, TellsWhereTheMethodStoppedAndHowFarTheOptimumIs) {
     const RunConditions conditions{.budget = {.cost = 700}};
     const auto record = sphere_run("simulated-annealing", 1, conditions);
     const auto problem = sphere(2);
@@ -70,7 +70,7 @@ TEST(Study, RecordsWhereTheMethodStoppedAndHowFarTheOptimumIs) {
     EXPECT_GT(record.cpu_seconds, 0.0);
 }
 
-TEST(Study, WritesOneCellForEachColumn) {
+TEST(RunTable, HasOneCellForEachColumn) {
     const auto record = sphere_run("bobyqa", 3, {});
     const auto names = base::split(run_table_header(), ',');
     const auto cells = cells_of(record);
@@ -81,14 +81,14 @@ TEST(Study, WritesOneCellForEachColumn) {
     EXPECT_EQ(cells[12], std::to_string(record.report.cost));
 }
 
-TEST(Study, ThinsTheTraceToWhatIsAFifthNearerToItsEnd) {
+TEST(RunTable, KeepsPointsOfATraceThatLeaveAFifthLessToGain) {
     RunRecord record = sphere_run("bobyqa", 1, {});
     // 4 is the end: 6, 5.9, 1, 0.9, 1e-4 and 0.9e-4 are left to gain.
     record.report.trace = {{1, 10.0}, {2, 9.9}, {3, 5.0}, {5, 4.9}, {6, 4.0001}, {7, 4.00009}, {9, 4.0}};
     EXPECT_EQ(cells_of(record).back(), "1:10 3:5 6:4.0001 9:4");
 }
 
-TEST(RunTable, GivesBackWhatItWasMadeOfAndKnowsIt) {
+TEST(RunTable, ReadsBackItsOwnCsv) {
     const RunConditions conditions{.budget = {.cost = 100}};
     const std::vector<Contender> contenders{{&find_optimizer("bobyqa"), 2}, {&find_optimizer("crs2"), 2}};
     RunTable table;

@@ -64,7 +64,7 @@ class Problem {
     [[nodiscard]] virtual std::string cost_unit() const { return "evaluations"; }
     /// True if the objective has kinks which `smoothing` > 0 rounds off. A smooth problem ignores smoothing.
     [[nodiscard]] virtual bool has_kinks() const { return false; }
-    /// True if this variable is the natural logarithm of the quantity that a person would name. Methods that
+    /// True if this variable is the natural logarithm of the quantity that is fitted. Methods that
     /// are sensitive to scales can then move in the quantity itself, to show what that does.
     [[nodiscard]] virtual bool is_logarithm(int /*variable*/) const { return false; }
 

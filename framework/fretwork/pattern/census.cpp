@@ -40,6 +40,7 @@ Tally tally_all_graphs(const NodeLayout& layout, const std::vector<Filter>& filt
     const Tally nothing(edge_count, filters.size());
     std::vector<Tally> parts((end + kPiece - 1) / kPiece, nothing);
     base::parallel_for(parts.size(), options.threads, [&](std::size_t piece) {
+        options.control.check();
         detail::RuleTest<Word64> test(layout, filters);
         const Word64 start = piece * kPiece;
         for (Word64 edges = start; edges < std::min(end, start + kPiece); ++edges) {
@@ -61,14 +62,12 @@ void fill(Census& census, const Tally& tally) {
     }
 }
 
-/// What can be said of a layout whose graphs are too many to walk.
-void fill_without_walking(Census& census, const NodeLayout& layout, const std::vector<Filter>& filters,
-                          const EnumerationOptions& options) {
-    const PatternCount valid = count_patterns(layout, options);
-    for (CensusRow& row : census.rows) row.valid = valid.by_edges[static_cast<std::size_t>(row.edges)];
+/// What can be said of the filters of a layout whose graphs are too many to walk.
+void fill_without_walking(Census& census, const std::vector<Filter>& filters, int edge_count,
+                          const base::Control& control) {
     for (const Filter& filter : filters) {
-        const auto kept =
-            detail::count_graphs_that_keep(filter.rule, static_cast<int>(layout.candidate_edges().size()));
+        control.check();
+        const auto kept = detail::count_graphs_that_keep(filter.rule, edge_count);
         for (CensusRow& row : census.rows) {
             row.rejected.push_back(std::nullopt);
             if (kept) row.rejected.back() = row.patterns - (*kept)[static_cast<std::size_t>(row.edges)];
@@ -95,6 +94,11 @@ GraphCount Census::valid() const {
 }
 
 Census take_census(const NodeLayout& layout, const EnumerationOptions& options) {
+    const bool is_walked = std::ssize(layout.candidate_edges()) <= kMostEdgesWalked;
+    return take_census(layout, options, is_walked ? PatternCount{} : count_patterns(layout, options));
+}
+
+Census take_census(const NodeLayout& layout, const EnumerationOptions& options, const PatternCount& valid) {
     options.validate();
     const std::vector<Filter> filters = make_filters(layout, options.filters);
     Census census;
@@ -104,9 +108,10 @@ Census take_census(const NodeLayout& layout, const EnumerationOptions& options) 
         census.rows.push_back({k, detail::binomial(edge_count, k), {}, 0});
     if (edge_count <= kMostEdgesWalked) {
         fill(census, tally_all_graphs(layout, filters, options));
-    } else {
-        fill_without_walking(census, layout, filters, options);
+        return census;
     }
+    for (CensusRow& row : census.rows) row.valid = valid.by_edges[static_cast<std::size_t>(row.edges)];
+    fill_without_walking(census, filters, edge_count, options.control);
     return census;
 }
 

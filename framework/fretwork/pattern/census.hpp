@@ -39,6 +39,8 @@ inline constexpr int kMostEdgesWalked = 20;
 /// graph is walked. Beyond, valid patterns are searched for, rules about pairs, loads and groups of edges are
 /// counted in closed form, and the columns of the graph rules stay empty.
 Census take_census(const NodeLayout& layout, const EnumerationOptions& options = {});
+/// The same after a search: `valid` is what it counted under the same options.
+Census take_census(const NodeLayout& layout, const EnumerationOptions& options, const PatternCount& valid);
 
 /// The table as CSV with LF: edges, patterns, one column for each filter, valid. What could not be counted is
 /// empty.

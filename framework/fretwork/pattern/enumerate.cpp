@@ -5,7 +5,9 @@
 #include <fretwork/pattern/enumerate.hpp>
 
 #include <algorithm>
+#include <mutex>
 #include <numeric>
+#include <optional>
 
 namespace fretwork::pattern {
 namespace {
@@ -16,84 +18,138 @@ using detail::SearchProblem;
 
 /// A piece of the search tree: a node alone, or with all that is below it.
 template <class Word>
-struct Task {
+struct Piece {
     SearchNode<Word> node;
     bool with_subtree = false;
 };
 
-/// Cuts the tree into pieces whose concatenation is the whole in lexicographic order.
-template <class Word>
-class TaskList {
+/// Tells how many pieces are done, whichever threads do them.
+class PieceProgress {
   public:
-    explicit TaskList(const SearchProblem<Word>& problem) : search_(problem) {
-        // Where a whole search takes milliseconds, more pieces would only cost time.
-        constexpr int kSmallLayout = 20;
-        depth_ = detail::bit_count(problem.candidates) <= kSmallLayout ? 1 : 3;
-        cut({0, problem.candidates}, 0);
+    PieceProgress(const base::Control& control, std::size_t pieces) : progress_(control.progress) {
+        if (progress_ != nullptr) progress_->start("search", pieces);
     }
-    std::vector<Task<Word>> take() { return std::move(tasks_); }
+    void add_one() {
+        if (progress_ == nullptr) return;
+        const std::lock_guard lock(mutex_);
+        progress_->update(++done_);
+    }
+    void finish() {
+        if (progress_ != nullptr) progress_->finish();
+    }
 
   private:
-    void cut(const SearchNode<Word>& node, int depth) {
-        tasks_.push_back({node, depth == depth_});
-        if (depth == depth_) return;
-        for (const SearchNode<Word>& child : search_.children(node)) cut(child, depth + 1);
-    }
-
-    Search<Word> search_;
-    int depth_ = 0;
-    std::vector<Task<Word>> tasks_;
+    base::Progress* progress_;
+    std::mutex mutex_;
+    std::size_t done_ = 0;
 };
 
-template <class Word, class Visit>
-void run(Search<Word>& search, const Task<Word>& task, const Visit& visit) {
-    if (task.with_subtree) {
-        search.walk(task.node, visit);
-    } else if (search.is_valid(task.node)) {
-        visit(task.node.chosen, detail::bit_count(task.node.chosen));
-    }
-}
-
-void add(PatternCount& sum, const PatternCount& part) {
-    for (std::size_t k = 0; k < part.by_edges.size(); ++k) sum.by_edges[k] += part.by_edges[k];
-}
-
+/// Searches a tree in pieces, on several threads.
 template <class Word>
-PatternCount count_in(const SearchProblem<Word>& problem, std::size_t candidate_count, int threads) {
-    const std::vector<Task<Word>> tasks = TaskList<Word>(problem).take();
-    const PatternCount nothing{std::vector<std::uint64_t>(candidate_count + 1)};
-    std::vector<PatternCount> parts(tasks.size(), nothing);
-    base::parallel_for(tasks.size(), threads, [&](std::size_t i) {
-        Search<Word> search(problem);
-        run(search, tasks[i], [&](Word, int edges) { ++parts[i].by_edges[static_cast<std::size_t>(edges)]; });
-    });
-    PatternCount sum = nothing;
-    for (const PatternCount& part : parts) add(sum, part);
-    return sum;
-}
+class PieceSearch {
+  public:
+    PieceSearch(const SearchProblem<Word>& problem, const EnumerationOptions& options)
+        : problem_(problem), options_(options) {}
 
-/// Pieces are searched a batch at a time, in parallel, and then told in order.
-template <class Word>
-PatternCount stream(const SearchProblem<Word>& problem, std::size_t candidate_count, int threads,
-                    const std::function<void(const Pattern&)>& visit) {
-    constexpr std::size_t kBatch = 256;
-    const std::vector<Task<Word>> tasks = TaskList<Word>(problem).take();
-    PatternCount sum{std::vector<std::uint64_t>(candidate_count + 1)};
-    for (std::size_t start = 0; start < tasks.size(); start += kBatch) {
-        std::vector<std::vector<Word>> found(std::min(kBatch, tasks.size() - start));
-        base::parallel_for(found.size(), threads, [&](std::size_t i) {
-            Search<Word> search(problem);
-            run(search, tasks[start + i], [&](Word chosen, int) { found[i].push_back(chosen); });
+    /// How many valid patterns have how many edges; entry k of `candidate_count + 1`.
+    [[nodiscard]] PatternCount count(std::size_t candidate_count) const {
+        const std::vector<Piece<Word>> pieces = pieces_of_tree();
+        const PatternCount nothing{std::vector<std::uint64_t>(candidate_count + 1)};
+        std::vector<PatternCount> parts(pieces.size(), nothing);
+        PieceProgress progress(options_.control, pieces.size());
+        base::parallel_for(pieces.size(), options_.threads, [&](std::size_t i) {
+            search(pieces[i], [&](Word, int edges) { ++parts[i].by_edges[static_cast<std::size_t>(edges)]; });
+            progress.add_one();
         });
-        for (const std::vector<Word>& part : found) {
-            for (const Word chosen : part) {
-                ++sum.by_edges[static_cast<std::size_t>(detail::bit_count(chosen))];
-                visit(detail::to_pattern(chosen));
+        progress.finish();
+        PatternCount sum = nothing;
+        for (const PatternCount& part : parts) {
+            for (std::size_t k = 0; k <= candidate_count; ++k) sum.by_edges[k] += part.by_edges[k];
+        }
+        return sum;
+    }
+
+    /// Call tell(pattern) for every valid pattern in lexicographic order, on this thread.
+    template <class Tell>
+    void stream(const Tell& tell) const {
+        const std::vector<Piece<Word>> pieces = pieces_of_tree();
+        PieceProgress progress(options_.control, pieces.size());
+        stream_pieces(pieces, tell, [&progress] { progress.add_one(); });
+        progress.finish();
+    }
+
+  private:
+    using Found = std::optional<std::vector<Word>>;
+
+    /// A whole tree, cut so that the concatenation of its pieces is lexicographic order.
+    [[nodiscard]] std::vector<Piece<Word>> pieces_of_tree() const {
+        // Where a whole search takes milliseconds, more pieces would only cost time.
+        constexpr int kSmallLayout = 20;
+        const int depth = detail::bit_count(problem_.candidates) <= kSmallLayout ? 1 : 3;
+        return cut({0, problem_.candidates}, depth);
+    }
+
+    [[nodiscard]] std::vector<Piece<Word>> cut(const SearchNode<Word>& node, int depth) const {
+        std::vector<Piece<Word>> pieces{{node, depth == 0}};
+        if (depth == 0) return pieces;
+        for (const SearchNode<Word>& child : Search<Word>(problem_, options_.control).children(node)) {
+            const auto below = cut(child, depth - 1);
+            pieces.insert(pieces.end(), below.begin(), below.end());
+        }
+        return pieces;
+    }
+
+    template <class Visit>
+    void search(const Piece<Word>& piece, const Visit& visit) const {
+        Search<Word> search(problem_, options_.control);
+        if (piece.with_subtree) {
+            search.walk(piece.node, visit);
+        } else if (search.is_valid(piece.node)) {
+            visit(piece.node.chosen, detail::bit_count(piece.node.chosen));
+        }
+    }
+
+    /// The patterns of a piece; nothing if there are more than may be kept.
+    [[nodiscard]] Found find(const Piece<Word>& piece) const {
+        struct TooMany {};
+        std::vector<Word> found;
+        try {
+            search(piece, [&](Word chosen, int) {
+                if (found.size() == options_.most_kept) throw TooMany{};
+                found.push_back(chosen);
+            });
+        } catch (const TooMany&) {
+            return std::nullopt;
+        }
+        return found;
+    }
+
+    /// A batch of pieces is searched in parallel and then told in order. A piece of too many patterns is
+    /// divided, and its parts are streamed when it is its turn.
+    template <class Tell>
+    void stream_pieces(const std::vector<Piece<Word>>& pieces, const Tell& tell,
+                       const std::function<void()>& done) const {
+        constexpr std::size_t kBatch = 256;
+        for (std::size_t start = 0; start < pieces.size(); start += kBatch) {
+            std::vector<Found> batch(std::min(kBatch, pieces.size() - start));
+            base::parallel_for(batch.size(), options_.threads, [&](std::size_t i) {
+                batch[i] = find(pieces[start + i]);
+                if (batch[i]) done();
+            });
+            for (std::size_t i = 0; i < batch.size(); ++i) {
+                if (batch[i]) {
+                    for (const Word chosen : *batch[i]) tell(chosen);
+                    continue;
+                }
+                stream_pieces(cut(pieces[start + i].node, 1), tell, [] {});
+                done();
             }
         }
     }
-    return sum;
-}
+
+    const SearchProblem<Word>& problem_;
+    const EnumerationOptions& options_;
+};
 
 /// Call body(problem) with the layout's problem in words just wide enough.
 template <class Body>
@@ -123,6 +179,7 @@ EdgeRange default_edge_range(const NodeLayout& layout) {
 void EnumerationOptions::validate() const {
     edges.validate();
     filters.scale.validate();
+    if (most_kept < 1) throw base::InputError("at least one pattern is kept before its turn");
     if (threads < 0) throw base::InputError("the number of threads is 0 (all) or more");
 }
 
@@ -132,8 +189,13 @@ std::uint64_t PatternCount::total() const {
 
 PatternCount for_each_pattern(const NodeLayout& layout, const EnumerationOptions& options,
                               const std::function<void(const Pattern&)>& visit) {
+    PatternCount count{std::vector<std::uint64_t>(layout.candidate_edges().size() + 1)};
     return with_problem(layout, options, [&](const auto& problem) {
-        return stream(problem, layout.candidate_edges().size(), options.threads, visit);
+        PieceSearch(problem, options).stream([&](auto chosen) {
+            ++count.by_edges[static_cast<std::size_t>(detail::bit_count(chosen))];
+            visit(detail::to_pattern(chosen));
+        });
+        return count;
     });
 }
 
@@ -145,7 +207,7 @@ std::vector<Pattern> enumerate_patterns(const NodeLayout& layout, const Enumerat
 
 PatternCount count_patterns(const NodeLayout& layout, const EnumerationOptions& options) {
     return with_problem(layout, options, [&](const auto& problem) {
-        return count_in(problem, layout.candidate_edges().size(), options.threads);
+        return PieceSearch(problem, options).count(layout.candidate_edges().size());
     });
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <fretwork/base/control.hpp>
 #include <fretwork/pattern/filter_catalogue.hpp>
 
 #include <cstdint>
@@ -24,6 +25,10 @@ struct EnumerationOptions {
     EdgeRange edges;  ///< an upper end beyond the number of candidate edges is clipped
     FilterSettings filters;
     int threads = 0;  ///< 0: all there are; the result and its order do not depend on it
+    /// Patterns that are kept before their turn in a stream, for each of 256 pieces of the search. Less
+    /// memory costs time: a piece that holds more is searched again, in parts.
+    std::size_t most_kept = std::size_t{1} << 15;
+    base::Control control{};  ///< told of pieces of the search; who stops throws base::Stopped
     /// Throws InputError if a value makes no sense.
     void validate() const;
 };
@@ -38,7 +43,8 @@ struct PatternCount {
 /// lists (a pattern comes before those that add further edges behind its last one).
 ///
 /// Paper, Sections 4.1 and 4.2, but filters are not applied afterwards: a search adds edges one by one and
-/// turns back as soon as a rule cannot be kept any more. Memory does not grow with the number of patterns.
+/// turns back as soon as a rule cannot be kept any more. Memory does not grow with the number of patterns:
+/// patterns that are found before their turn are kept, but at most `most_kept` of each piece.
 PatternCount for_each_pattern(const NodeLayout& layout, const EnumerationOptions& options,
                               const std::function<void(const Pattern&)>& visit);
 

@@ -31,6 +31,10 @@ struct Fan {
     std::vector<std::array<FanNodeIndex, 2>> edges;  ///< each once, sorted, smaller node first
 };
 
+/// The sectors of the reference fan: angles, valence, connectivity and lengths are those in the regular
+/// hexagon, as in the paper.
+inline constexpr int kReferenceSides = 6;
+
 /// Repeat a pattern around a polygon of `sides` sides. Throws InputError unless sides >= 3.
 Fan make_fan(const NodeLayout& layout, const Pattern& pattern, int sides);
 

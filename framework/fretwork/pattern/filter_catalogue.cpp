@@ -2,7 +2,7 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/quantity.hpp>
 #include <fretwork/base/text.hpp>
-#include <fretwork/pattern/detail/filters.hpp>
+#include <fretwork/pattern/filters/filters.hpp>
 
 #include <cmath>
 #include <numbers>
@@ -14,25 +14,25 @@ constexpr double kFifteenDegrees = std::numbers::pi / 12;
 
 // The paper's six come first, in the order of its Table 1.
 constexpr FilterKind kCatalogue[] = {
-    {"intersecting", "two edges cross", FilterParameter::None, true, 0.0, detail::make_intersecting},
+    {"intersecting", "two edges cross", FilterParameter::None, true, 0.0, filters::make_intersecting},
     {"no_interface", "an interface node has no edge", FilterParameter::None, true, 0.0,
-     detail::make_no_interface},
+     filters::make_no_interface},
     {"multiple_components", "the fan falls apart", FilterParameter::None, true, 0.0,
-     detail::make_multiple_components},
+     filters::make_multiple_components},
     {"articulation", "a part hangs on one node and bears nothing", FilterParameter::None, true, 0.0,
-     detail::make_articulation},
+     filters::make_articulation},
     {"small_angle", "two edges enclose less than this angle", FilterParameter::Angle, true, kFifteenDegrees,
-     detail::make_small_angle},
+     filters::make_small_angle},
     {"high_valence", "more than this many beams meet in a node", FilterParameter::Count, true, 6.0,
-     detail::make_high_valence},
+     filters::make_high_valence},
     {"short_edge", "an edge is shorter than this", FilterParameter::Length, false, 0.003,
-     detail::make_short_edge},
+     filters::make_short_edge},
     {"long_edge", "an edge is longer than this", FilterParameter::Length, false, 0.02,
-     detail::make_long_edge},
+     filters::make_long_edge},
     {"tight_clearance", "two beams that do not meet leave less than this between them",
-     FilterParameter::Length, false, 0.001, detail::make_tight_clearance},
+     FilterParameter::Length, false, 0.001, filters::make_tight_clearance},
     {"asymmetric", "the pattern is not its own mirror image", FilterParameter::None, false, 0.0,
-     detail::make_asymmetric},
+     filters::make_asymmetric},
 };
 
 FilterChoice with_value(const FilterKind& kind, std::string_view text) {

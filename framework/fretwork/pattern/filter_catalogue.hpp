@@ -71,9 +71,4 @@ struct Filter {
 /// name is unknown, chosen twice, or its value makes no sense.
 std::vector<Filter> make_filters(const NodeLayout& layout, const FilterSettings& settings = {});
 
-/// What one filter says of a pattern.
-Verdict judge(const NodeLayout& layout, const Filter& filter, const Pattern& pattern);
-/// What the first filter that rejects a pattern says of it.
-Verdict judge(const NodeLayout& layout, std::span<const Filter> filters, const Pattern& pattern);
-
 }  // namespace fretwork::pattern

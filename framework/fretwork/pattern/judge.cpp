@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/pattern/detail/fan_graph.hpp>
-#include <fretwork/pattern/detail/filters.hpp>
+#include <fretwork/pattern/judge.hpp>
 
 #include <algorithm>
 #include <numeric>
@@ -82,7 +82,7 @@ class Judge {
     }
 
     Verdict operator()(const GraphRule& rule) const {
-        const Fan fan = make_fan(layout_, pattern_, detail::kReferenceSides);
+        const Fan fan = make_fan(layout_, pattern_, kReferenceSides);
         return rule.property == GraphRule::Property::Connected ? judge_components(fan)
                                                                : judge_articulation(fan);
     }

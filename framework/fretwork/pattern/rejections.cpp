@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/pattern/detail/rule_test.hpp>
+#include <fretwork/pattern/judge.hpp>
 #include <fretwork/pattern/rejections.hpp>
 
 #include <algorithm>
@@ -36,10 +37,13 @@ class Collector {
     Collector(const NodeLayout& layout, const std::vector<Filter>& filters, std::size_t wanted)
         : test_(layout, filters), wanted_(wanted), found_(filters.size()), is_done_(filters.size(), false) {}
 
-    void collect(int edge_count, const EdgeRange& range) {
+    void collect(int edge_count, const EnumerationOptions& options) {
+        const EdgeRange& range = options.edges;
         for (int size = range.least; size <= std::min(range.most, edge_count); ++size) {
-            const bool goes_on =
-                for_each_of_size(edge_count, size, [&](Word128 graph) { return look_at(graph); });
+            const bool goes_on = for_each_of_size(edge_count, size, [&](Word128 graph) {
+                options.control.check();
+                return look_at(graph);
+            });
             if (!goes_on) return;
             for (std::size_t i = 0; i < found_.size(); ++i) is_done_[i] = found_[i].size() >= wanted_;
             if (std::find(is_done_.begin(), is_done_.end(), false) == is_done_.end()) return;
@@ -77,7 +81,7 @@ std::vector<Rejection> find_rejections(const NodeLayout& layout, const Enumerati
     options.validate();
     const std::vector<Filter> filters = make_filters(layout, options.filters);
     Collector collector(layout, filters, per_filter);
-    collector.collect(static_cast<int>(layout.candidate_edges().size()), options.edges);
+    collector.collect(static_cast<int>(layout.candidate_edges().size()), options);
     std::vector<Rejection> rejections;
     for (std::size_t i = 0; i < filters.size(); ++i) {
         for (const Pattern& pattern : collector.spread(i))

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/parallel.hpp>
 #include <fretwork/pattern/detail/canonical_form.hpp>
-#include <fretwork/pattern/detail/filters.hpp>
+#include <fretwork/pattern/fan.hpp>
 #include <fretwork/pattern/mirror.hpp>
 #include <fretwork/pattern/sameness.hpp>
 
@@ -14,19 +14,24 @@ namespace {
 /// Canonical forms are made in batches, so that memory is that of the classes and not of the patterns.
 constexpr std::size_t kBatch = 4096;
 
-void find_classes(const NodeLayout& layout, std::span<const Pattern> patterns, int threads,
+void find_classes(const NodeLayout& layout, std::span<const Pattern> patterns, const SamenessOptions& options,
                   SamenessReport& report) {
+    base::Progress* progress = options.control.progress;
+    if (progress != nullptr) progress->start("canonical forms", patterns.size());
     std::unordered_map<std::string, std::size_t> classes;
     for (std::size_t start = 0; start < patterns.size(); start += kBatch) {
         std::vector<std::string> forms(std::min(kBatch, patterns.size() - start));
-        base::parallel_for(forms.size(), threads, [&](std::size_t i) {
-            forms[i] = detail::canonical_form(make_fan(layout, patterns[start + i], detail::kReferenceSides));
+        base::parallel_for(forms.size(), options.threads, [&](std::size_t i) {
+            options.control.check();
+            forms[i] = detail::canonical_form(make_fan(layout, patterns[start + i], kReferenceSides));
         });
         for (std::size_t i = 0; i < forms.size(); ++i) {
             const auto known = classes.try_emplace(std::move(forms[i]), classes.size()).first;
             report.of_pattern[start + i].isomorphism_class = known->second;
         }
+        if (progress != nullptr) progress->update(start + forms.size());
     }
+    if (progress != nullptr) progress->finish();
     report.up_to_isomorphism = classes.size();
 }
 
@@ -52,11 +57,12 @@ void find_mirror_partners(const NodeLayout& layout, std::span<const Pattern> pat
 
 }  // namespace
 
-SamenessReport find_sameness(const NodeLayout& layout, std::span<const Pattern> patterns, int threads) {
+SamenessReport find_sameness(const NodeLayout& layout, std::span<const Pattern> patterns,
+                             const SamenessOptions& options) {
     SamenessReport report;
     report.of_pattern.resize(patterns.size());
     find_mirror_partners(layout, patterns, report);
-    find_classes(layout, patterns, threads, report);
+    find_classes(layout, patterns, options, report);
     return report;
 }
 

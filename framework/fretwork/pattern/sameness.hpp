@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <fretwork/base/control.hpp>
 #include <fretwork/pattern/pattern.hpp>
 
 #include <optional>
@@ -25,6 +26,11 @@ struct PatternSameness {
     std::size_t isomorphism_class = 0;
 };
 
+struct SamenessOptions {
+    int threads = 0;          ///< 0: all there are; the result does not depend on it
+    base::Control control{};  ///< told of every few thousand patterns
+};
+
 struct SamenessReport {
     std::vector<PatternSameness> of_pattern;  ///< in the order of the list
     std::size_t up_to_mirror = 0;             ///< patterns, where a mirror pair counts once
@@ -32,8 +38,9 @@ struct SamenessReport {
 };
 
 /// Find mirror images and isomorphism classes (by nauty's canonical forms) among different patterns of a
-/// layout. `threads`: 0 is all there are; the result does not depend on it.
-SamenessReport find_sameness(const NodeLayout& layout, std::span<const Pattern> patterns, int threads = 0);
+/// layout. Throws base::Stopped.
+SamenessReport find_sameness(const NodeLayout& layout, std::span<const Pattern> patterns,
+                             const SamenessOptions& options = {});
 
 /// The report as CSV with LF: id, edges, symmetry (none or mirror), mirror (the partner's id, or empty),
 /// class.

@@ -72,6 +72,7 @@ struct PatternSampler::Impl {
     template <class Visit>
     void try_all(std::uint64_t first, std::uint64_t count, const Visit& visit) const {
         base::parallel_for((count + kPiece - 1) / kPiece, options.threads, [&](std::size_t piece) {
+            options.control.check();
             detail::RuleTest<Word128> test(layout, filters);
             const std::uint64_t start = piece * kPiece;
             for (std::uint64_t i = start; i < std::min(count, start + kPiece); ++i) {
@@ -79,6 +80,21 @@ struct PatternSampler::Impl {
                 if (test.broken(graph) == 0) visit(piece, graph);
             }
         });
+    }
+
+    /// How many of the trials from 0 on are valid. They are made in parts, between which progress is told.
+    [[nodiscard]] std::uint64_t count_hits(std::uint64_t trials) const {
+        constexpr std::uint64_t kPart = 64 * kPiece;
+        base::Progress* progress = options.control.progress;
+        if (progress != nullptr) progress->start("trials", trials);
+        std::atomic<std::uint64_t> hits{0};
+        for (std::uint64_t first = 0; first < trials; first += kPart) {
+            const std::uint64_t count = std::min(kPart, trials - first);
+            try_all(first, count, [&](std::size_t, Word128) { ++hits; });
+            if (progress != nullptr) progress->update(first + count);
+        }
+        if (progress != nullptr) progress->finish();
+        return hits;
     }
 
     NodeLayout layout;
@@ -103,6 +119,8 @@ PatternSampler::~PatternSampler() = default;
 std::vector<Pattern> PatternSampler::draw(std::size_t count, std::uint64_t most_trials) {
     Impl& impl = *impl_;
     const bool is_hopeless = impl.proposals == 0;
+    base::Progress* progress = impl.options.control.progress;
+    if (progress != nullptr) progress->start("draw", count);
     for (std::uint64_t fruitless = 0; impl.drawn.size() < count;) {
         if (is_hopeless || fruitless >= most_trials)
             throw base::NumericalError("no valid pattern of the layout '" + impl.layout.name() +
@@ -115,7 +133,9 @@ std::vector<Pattern> PatternSampler::draw(std::size_t count, std::uint64_t most_
         const std::size_t before = impl.drawn.size();
         for (const auto& piece : found) impl.drawn.insert(impl.drawn.end(), piece.begin(), piece.end());
         fruitless = impl.drawn.size() > before ? 0 : fruitless + kPiece * kPiecesInABatch;
+        if (progress != nullptr) progress->update(std::min(count, impl.drawn.size()));
     }
+    if (progress != nullptr) progress->finish();
     const auto end = impl.drawn.begin() + static_cast<std::ptrdiff_t>(count);
     std::vector<Pattern> result(impl.drawn.begin(), end);
     impl.drawn.erase(impl.drawn.begin(), end);
@@ -128,9 +148,7 @@ CountEstimate PatternSampler::estimate(std::uint64_t trials) const {
     estimate.trials = trials;
     estimate.proposals = impl_->proposals;
     if (impl_->proposals == 0) return estimate;
-    std::atomic<std::uint64_t> hits{0};
-    impl_->try_all(0, trials, [&](std::size_t, Word128) { ++hits; });
-    estimate.hits = hits;
+    estimate.hits = impl_->count_hits(trials);
     using Binomial = boost::math::binomial_distribution<double>;
     const double tail = (1.0 - estimate.confidence) / 2.0;
     const auto n = static_cast<double>(trials);

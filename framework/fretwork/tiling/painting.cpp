@@ -3,7 +3,7 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/file.hpp>
 #include <fretwork/base/json_reader.hpp>
-#include <fretwork/pattern/filter_catalogue.hpp>
+#include <fretwork/pattern/judge.hpp>
 #include <fretwork/pattern/pattern.hpp>
 #include <fretwork/tiling/painting.hpp>
 

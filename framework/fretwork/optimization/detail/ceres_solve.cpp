@@ -45,7 +45,7 @@ class RememberingCost final : public ceres::CostFunction {
     mutable std::optional<Linearization> last_;
 };
 
-/// Ceres warns on stderr when its subspace dogleg takes a plain one's step instead, which nobody can act on.
+/// Ceres warns on stderr when its subspace dogleg takes a plain one's step; users can do nothing about it.
 /// A program that has set up glog decides for itself.
 void silence_warnings() {
     static const bool is_done = [] {

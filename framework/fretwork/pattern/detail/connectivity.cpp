@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/pattern/detail/connectivity.hpp>
-#include <fretwork/pattern/detail/filters.hpp>
+#include <fretwork/pattern/fan.hpp>
 
 #include <bit>
 #include <numeric>

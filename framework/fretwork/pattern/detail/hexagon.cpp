@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fretwork/pattern/detail/filters.hpp>
 #include <fretwork/pattern/detail/hexagon.hpp>
 #include <fretwork/pattern/detail/quotient.hpp>
+#include <fretwork/pattern/fan.hpp>
 
 namespace fretwork::pattern::detail {
 namespace {

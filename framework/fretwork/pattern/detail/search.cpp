@@ -74,8 +74,8 @@ void SearchProblem<Word>::index_orbits() {
 }
 
 template <class Word>
-Search<Word>::Search(const SearchProblem<Word>& problem)
-    : problem_(&problem), connectivity_(problem.quotient) {}
+Search<Word>::Search(const SearchProblem<Word>& problem, const base::Control& control)
+    : problem_(&problem), control_(&control), connectivity_(problem.quotient) {}
 
 /// Take over the state that the edges chosen so far have led to.
 template <class Word>

@@ -63,7 +63,8 @@ struct SearchNode {
 template <class Word>
 class Search {
   public:
-    explicit Search(const SearchProblem<Word>& problem);
+    /// @param control  looked at every few thousand nodes
+    Search(const SearchProblem<Word>& problem, const base::Control& control);
 
     /// Call visit(chosen, edge_count) for every valid pattern in the subtree of a node, in lexicographic
     /// order.
@@ -98,6 +99,8 @@ class Search {
 
     template <class Visit>
     void descend(SearchNode<Word> node, int edge_count, const Visit& visit) {
+        constexpr unsigned kNodesBetweenChecks = 4096;
+        if (++nodes_ % kNodesBetweenChecks == 0) control_->check();
         if (accepts(node.chosen, edge_count)) visit(node.chosen, edge_count);
         if (edge_count == problem_->range.most) return;
         for (Word left = node.available; left != 0;) {
@@ -114,6 +117,8 @@ class Search {
     }
 
     const SearchProblem<Word>* problem_;
+    const base::Control* control_;
+    unsigned nodes_ = 0;  ///< that were entered
     Connectivity connectivity_;
     std::vector<int> capacity_left_;
     Ends ends_;

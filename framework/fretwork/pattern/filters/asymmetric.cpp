@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fretwork/pattern/detail/filters.hpp>
+#include <fretwork/pattern/filters/filters.hpp>
 #include <fretwork/pattern/mirror.hpp>
 
-namespace fretwork::pattern::detail {
+namespace fretwork::pattern::filters {
 
 Rule make_asymmetric(const NodeLayout& layout, double, const FabricationScale&) {
     const auto is_kept = [mirror = Mirror(layout)](const Pattern& pattern) {
@@ -11,4 +11,4 @@ Rule make_asymmetric(const NodeLayout& layout, double, const FabricationScale&) 
     return PredicateRule{is_kept, "the pattern is not its own mirror image"};
 }
 
-}  // namespace fretwork::pattern::detail
+}  // namespace fretwork::pattern::filters

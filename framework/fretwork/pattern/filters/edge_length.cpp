@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/text.hpp>
-#include <fretwork/pattern/detail/filters.hpp>
 #include <fretwork/pattern/detail/hexagon.hpp>
+#include <fretwork/pattern/filters/filters.hpp>
 
 #include <cmath>
 
-namespace fretwork::pattern::detail {
+namespace fretwork::pattern::filters {
 namespace {
+
+using detail::exact_point;
+using detail::ExactNumber;
+using detail::ExactVector;
+using detail::hexagon_dot;
 
 /// Forbid every edge whose length, as `tile_side` makes it, does not please.
 template <class IsWrong>
@@ -55,4 +60,4 @@ Rule make_long_edge(const NodeLayout& layout, double value, const FabricationSca
     return rule;
 }
 
-}  // namespace fretwork::pattern::detail
+}  // namespace fretwork::pattern::filters

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/text.hpp>
-#include <fretwork/pattern/detail/filters.hpp>
 #include <fretwork/pattern/detail/quotient.hpp>
+#include <fretwork/pattern/fan.hpp>
+#include <fretwork/pattern/filters/filters.hpp>
 
 #include <cmath>
 
-namespace fretwork::pattern::detail {
+namespace fretwork::pattern::filters {
 namespace {
+
+using detail::Quotient;
 
 /// Beams that one candidate edge, repeated over the fan, brings to a node of an orbit. The center meets every
 /// copy; an interface node counts double, since the neighbour's tile brings as many again.
@@ -40,4 +43,4 @@ Rule make_high_valence(const NodeLayout& layout, double value, const Fabrication
     return rule;
 }
 
-}  // namespace fretwork::pattern::detail
+}  // namespace fretwork::pattern::filters

@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/pattern/detail/conflicts.hpp>
 #include <fretwork/pattern/detail/exact_geometry.hpp>
-#include <fretwork/pattern/detail/filters.hpp>
+#include <fretwork/pattern/filters/filters.hpp>
 
 #include <CGAL/intersections.h>
 
-namespace fretwork::pattern::detail {
+namespace fretwork::pattern::filters {
 namespace {
+
+using detail::ConflictTable;
+using detail::exact_point;
+using detail::ExactKernel;
+using detail::ExactPoint;
 
 /// Two edges out of one node overlap if they leave it in the same direction.
 bool leave_alike(const ExactPoint& shared, const ExactPoint& first, const ExactPoint& second) {
@@ -46,4 +51,4 @@ Rule make_intersecting(const NodeLayout& layout, double, const FabricationScale&
     return ConflictRule{table.take(), "cross", ""};
 }
 
-}  // namespace fretwork::pattern::detail
+}  // namespace fretwork::pattern::filters

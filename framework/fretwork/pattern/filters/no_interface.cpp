@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fretwork/pattern/detail/filters.hpp>
+#include <fretwork/pattern/filters/filters.hpp>
 
-namespace fretwork::pattern::detail {
+namespace fretwork::pattern::filters {
 
 // Paper, Section 4.2, "Interface connectivity"; with several interface nodes on a side, every one of them is
 // used, because the neighbour's pattern uses it.
@@ -18,4 +18,4 @@ Rule make_no_interface(const NodeLayout& layout, double, const FabricationScale&
     return rule;
 }
 
-}  // namespace fretwork::pattern::detail
+}  // namespace fretwork::pattern::filters

@@ -3,15 +3,22 @@
 #include <fretwork/base/text.hpp>
 #include <fretwork/pattern/detail/angle_limit.hpp>
 #include <fretwork/pattern/detail/conflicts.hpp>
-#include <fretwork/pattern/detail/filters.hpp>
 #include <fretwork/pattern/detail/hexagon.hpp>
+#include <fretwork/pattern/fan.hpp>
+#include <fretwork/pattern/filters/filters.hpp>
 
 #include <cmath>
 #include <map>
 #include <numbers>
 
-namespace fretwork::pattern::detail {
+namespace fretwork::pattern::filters {
 namespace {
+
+using detail::AngleLimit;
+using detail::ConflictTable;
+using detail::ExactVector;
+using detail::place_candidates_in_hexagon;
+using detail::PlacedEdge;
 
 /// A beam as it leaves a node of the fan.
 struct Departure {
@@ -32,7 +39,7 @@ std::map<int, std::vector<Departure>> departures_by_node(const NodeLayout& layou
     return departures;
 }
 
-/// 15 degrees are 14.999999999999998 once they have been radians; nobody means the last digits.
+/// Rounded: 15 degrees come back from radians as 14.999999999999998.
 std::string degrees_text(double radians) {
     constexpr double kDigits = 1e9;
     return base::format_number(std::round(radians * 180.0 / std::numbers::pi * kDigits) / kDigits);
@@ -57,4 +64,4 @@ Rule make_small_angle(const NodeLayout& layout, double value, const FabricationS
     return ConflictRule{table.take(), phrase, "and its neighbour copies " + phrase};
 }
 
-}  // namespace fretwork::pattern::detail
+}  // namespace fretwork::pattern::filters

@@ -2,14 +2,19 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/pattern/detail/conflicts.hpp>
-#include <fretwork/pattern/detail/filters.hpp>
 #include <fretwork/pattern/detail/segment_distance.hpp>
+#include <fretwork/pattern/filters/filters.hpp>
 
 #include <algorithm>
 #include <cmath>
 
-namespace fretwork::pattern::detail {
+namespace fretwork::pattern::filters {
 namespace {
+
+using detail::ConflictTable;
+using detail::DistanceLimit;
+using detail::place_candidates_in_hexagon;
+using detail::PlacedEdge;
 
 bool share_a_node(const PlacedEdge& left, const PlacedEdge& right) {
     return std::any_of(left.fan_nodes.begin(), left.fan_nodes.end(),
@@ -39,4 +44,4 @@ Rule make_tight_clearance(const NodeLayout& layout, double value, const Fabricat
     return ConflictRule{table.take(), phrase, "and its copies " + phrase};
 }
 
-}  // namespace fretwork::pattern::detail
+}  // namespace fretwork::pattern::filters

@@ -3,13 +3,9 @@
 
 #include <fretwork/pattern/filter_catalogue.hpp>
 
-namespace fretwork::pattern::detail {
+namespace fretwork::pattern::filters {
 
-/// The sectors of the reference fan: angles, valence, connectivity and lengths are those in the regular
-/// hexagon, as in the paper.
-inline constexpr int kReferenceSides = 6;
-
-// The factories of the catalogue's rows: one file each in filters/.
+// The factories of the catalogue's rows.
 Rule make_intersecting(const NodeLayout& layout, double value, const FabricationScale& scale);
 Rule make_no_interface(const NodeLayout& layout, double value, const FabricationScale& scale);
 Rule make_multiple_components(const NodeLayout& layout, double value, const FabricationScale& scale);
@@ -21,4 +17,4 @@ Rule make_long_edge(const NodeLayout& layout, double value, const FabricationSca
 Rule make_tight_clearance(const NodeLayout& layout, double value, const FabricationScale& scale);
 Rule make_asymmetric(const NodeLayout& layout, double value, const FabricationScale& scale);
 
-}  // namespace fretwork::pattern::detail
+}  // namespace fretwork::pattern::filters

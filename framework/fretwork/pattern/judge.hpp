@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/pattern/filter_catalogue.hpp>
+#include <fretwork/pattern/verdict.hpp>
+
+#include <span>
+
+namespace fretwork::pattern {
+
+/// What one filter says of a pattern.
+Verdict judge(const NodeLayout& layout, const Filter& filter, const Pattern& pattern);
+/// What the first filter that rejects a pattern says of it.
+Verdict judge(const NodeLayout& layout, std::span<const Filter> filters, const Pattern& pattern);
+
+}  // namespace fretwork::pattern

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What Ctrl-C leaves behind, and what it stores, in the middle of work.
+#include "cli/command.hpp"
+#include "support.hpp"
+
+#include <fretwork/base/text.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <fcntl.h>
+#include <functional>
+#include <thread>
+#include <vector>
+
+namespace fretwork::app {
+namespace {
+
+using test::TemporaryFolder;
+
+constexpr int kLongerThanAnyMachineNeeds = 60;  // s
+
+/// Look every few milliseconds until something is so.
+bool comes_true(const std::function<bool()>& is_so) {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(kLongerThanAnyMachineNeeds);
+    while (std::chrono::steady_clock::now() < end) {
+        if (is_so()) return true;
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+    return false;
+}
+
+/// The program in a process of its own, in a folder.
+class Running {
+  public:
+    Running(const std::filesystem::path& folder, std::vector<std::string> arguments) : folder_(folder) {
+        arguments.insert(arguments.begin(), FRETWORK_PROGRAM);
+        std::vector<char*> pointers;
+        for (std::string& argument : arguments) pointers.push_back(argument.data());
+        pointers.push_back(nullptr);
+        const std::string messages = (folder / ".err").string();
+        child_ = ::fork();
+        if (child_ != 0) return;
+        ::close(STDOUT_FILENO);
+        ::open((folder / ".out").c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+        ::close(STDERR_FILENO);
+        ::open(messages.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+        if (::chdir(folder.c_str()) == 0) ::execv(pointers.front(), pointers.data());
+        ::_exit(127);
+    }
+    Running(const Running&) = delete;
+    Running& operator=(const Running&) = delete;
+    ~Running() {
+        if (child_ <= 0) return;
+        ::kill(child_, SIGKILL);
+        ::waitpid(child_, nullptr, 0);
+    }
+
+    [[nodiscard]] bool is_at_work() const { return ::waitpid(child_, nullptr, WNOHANG) == 0; }
+    void signal(int number) const { ::kill(child_, number); }
+    /// How it ended: waitpid's status.
+    int wait() {
+        int status = -1;
+        ::waitpid(std::exchange(child_, -1), &status, 0);
+        return status;
+    }
+    [[nodiscard]] std::string messages() const { return base::read_text_file(folder_ / ".err"); }
+
+  private:
+    std::filesystem::path folder_;
+    pid_t child_ = -1;
+};
+
+/// The files of a folder that are no messages of the program.
+std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder) {
+    std::vector<std::filesystem::path> files;
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+        const std::string name = entry.path().filename().string();
+        if (name != ".out" && name != ".err") files.push_back(entry.path());
+    }
+    return files;
+}
+
+bool has_content(const std::vector<std::filesystem::path>& files) {
+    return std::ranges::any_of(files, [](const auto& path) {
+        std::error_code gone;
+        const auto size = std::filesystem::file_size(path, gone);
+        return !gone && size > 0;
+    });
+}
+
+TEST(Interrupt, LeavesNothingOfAListThatIsBeingWritten) {
+    for (const int signal : {SIGINT, SIGTERM}) {
+        const TemporaryFolder folder;
+        Running program(folder.path(), {"enumerate", "--layout", "fifths12", "--list", "huge.txt"});
+        ASSERT_TRUE(comes_true([&] { return has_content(files_in(folder.path())); }));
+        ASSERT_TRUE(program.is_at_work()) << program.messages();
+        program.signal(signal);
+        const int status = program.wait();
+        ASSERT_TRUE(WIFEXITED(status));
+        EXPECT_EQ(WEXITSTATUS(status), 1);
+        EXPECT_EQ(program.messages(), "fretwork: stopped before it was done; nothing is half-written\n");
+        EXPECT_THAT(files_in(folder.path()), testing::IsEmpty());
+    }
+}
+
+TEST(Interrupt, StoresTheRunsOfAStudyThatAreDone) {
+    const TemporaryFolder folder;
+    (void)folder.file("known.csv", "problem,best_value,scale,found_by\nanalytic/levy,0,1,construction\n");
+    Running program(folder.path(), {"optimizers", "run", "--known", "known.csv", "--repetitions", "1000000",
+                                    "--optimizers", "random-search", "--budget", "2000", "--out", "runs"});
+    const auto table = folder.path() / "runs" / "results.csv";
+    ASSERT_TRUE(comes_true([&] { return std::filesystem::exists(table); }));
+    ASSERT_TRUE(program.is_at_work()) << program.messages();
+    program.signal(SIGINT);
+    const int status = program.wait();
+    ASSERT_TRUE(WIFEXITED(status));
+    EXPECT_EQ(WEXITSTATUS(status), 1);
+    EXPECT_THAT(program.messages(), testing::HasSubstr("what is done is stored"));
+    EXPECT_GT(base::split(base::read_text_file(table), '\n').size(), 2U);
+    EXPECT_EQ(files_in(folder.path() / "runs").size(), 1U) << "nothing but the table";
+}
+
+}  // namespace
+}  // namespace fretwork::app
