@@ -68,7 +68,7 @@ double thread_cpu_seconds() {
     return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-Measurement measure(const reduction::PatternCase& input, const reduction::CalibrationOptions& options) {
+Measurement measure(const reduction::CalibrationInput& input, const reduction::CalibrationOptions& options) {
     const double start = thread_cpu_seconds();
     const auto found = reduction::calibrate(reduction::find_tile_model("paper6"), input, options);
     return {found.objective, found.evaluations, thread_cpu_seconds() - start};
@@ -79,7 +79,7 @@ PatternResult examine(const pattern::NodeLayout& layout, const pattern::Pattern&
     const reduction::Setting setting = reduction::paper_setting();
     const auto responses = reduction::compute_responses(layout, pattern, setting);
     PatternResult result{pattern::pattern_id(layout, pattern), pattern.edge_count(), 0.0, {}};
-    const reduction::PatternCase input{layout, pattern, setting, responses};
+    const reduction::CalibrationInput input{layout, pattern, setting, responses};
     result.reference = measure(input, {.optimizer = "gauss-newton-multistart",
                                        .starts = options.reference_starts,
                                        .seed = kReferenceSeed,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "study.hpp"
+#include "tables.hpp"
 
 #include <cstdio>
 
@@ -26,11 +26,11 @@ void add(const reduction::Response::Sample& last, Largest& largest) {
 
 }  // namespace
 
-void print_displacements(const Study& study) {
-    const auto& scenarios = study.library.setting().scenarios;
+void print_displacements(const TableInput& input) {
+    const auto& scenarios = input.library.setting().scenarios;
     std::vector<Largest> largest(scenarios.size());
-    for (const auto& entry : study.patterns) {
-        const auto responses = study.library.responses(entry.id);
+    for (const auto& entry : input.patterns) {
+        const auto responses = input.library.responses(entry.id);
         for (std::size_t s = 0; s < responses.size(); ++s) add(responses[s].samples.back(), largest[s]);
     }
     std::printf(

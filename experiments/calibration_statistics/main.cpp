@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the calibrations of a library come to, and what they depend on. See README.md.
-#include "study.hpp"
+#include "tables.hpp"
 
 #include <fretwork/base/error.hpp>
 
@@ -12,13 +12,13 @@ namespace {
 
 using namespace fretwork;
 
-void print_objectives(const experiments::Study& study) {
+void print_objectives(const experiments::TableInput& input) {
     const library::CalibrationKey key =
-        library::calibration_key(study.options, reduction::find_tile_model("paper6"));
+        library::calibration_key(input.options, reduction::find_tile_model("paper6"));
     std::vector<double> objectives;
     std::size_t at_bound = 0;
-    for (const auto& entry : study.patterns) {
-        for (const auto& record : study.library.calibrations(entry.id)) {
+    for (const auto& entry : input.patterns) {
+        for (const auto& record : input.library.calibrations(entry.id)) {
             if (record.key() != key) continue;
             objectives.push_back(record.calibration.objective);
             at_bound += record.calibration.at_bound.empty() ? 0 : 1;
@@ -49,11 +49,11 @@ int main(int argc, char** argv) {
     CLI11_PARSE(app, argc, argv);
     try {
         const auto library = library::Library::open(path);
-        const experiments::Study study{library, library.patterns(), {}, threads};
-        experiments::print_displacements(study);
-        print_objectives(study);
-        experiments::print_policies(study);
-        experiments::print_magnitudes(study);
+        const experiments::TableInput input{library, library.patterns(), {}, threads};
+        experiments::print_displacements(input);
+        print_objectives(input);
+        experiments::print_policies(input);
+        experiments::print_magnitudes(input);
     } catch (const base::Error& error) {
         std::fprintf(stderr, "calibration_statistics: %s\n", error.what());
         return 2;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "study.hpp"
+#include "tables.hpp"
 
 #include <fretwork/base/parallel.hpp>
 #include <fretwork/reduction/calibration.hpp>
@@ -31,16 +31,16 @@ Setting under(Setting setting, SamplePolicy policy) {
     return setting;
 }
 
-std::optional<Pair> compare(const library::PatternEntry& entry, const Study& study,
+std::optional<Pair> compare(const library::PatternEntry& entry, const TableInput& input,
                             const std::vector<reduction::Response>& responses) {
-    const Setting paper = under(study.library.setting(), SamplePolicy::Paper);
-    const Setting stable = under(study.library.setting(), SamplePolicy::Stable);
+    const Setting paper = under(input.library.setting(), SamplePolicy::Paper);
+    const Setting stable = under(input.library.setting(), SamplePolicy::Stable);
     const Objective on_paper(responses, paper);
     const Objective on_stable(responses, stable);
     if (on_stable.sample_count() == 0) return std::nullopt;
     const reduction::TileModel& paper6 = reduction::find_tile_model("paper6");
     const auto fit = [&](const Setting& setting) {
-        return calibrate(paper6, {study.library.layout(), entry.pattern, setting, responses}, study.options);
+        return calibrate(paper6, {input.library.layout(), entry.pattern, setting, responses}, input.options);
     };
     const Calibration a = fit(paper);
     const Calibration b = fit(stable);
@@ -70,12 +70,12 @@ void print_rows(const char* who, const std::vector<Pair>& pairs) {
 
 }  // namespace
 
-void print_policies(const Study& study) {
+void print_policies(const TableInput& input) {
     std::vector<std::vector<reduction::Response>> responses;
-    std::vector<std::optional<Pair>> found(study.patterns.size());
-    for (const auto& entry : study.patterns) responses.push_back(study.library.responses(entry.id));
-    base::parallel_for(found.size(), study.threads,
-                       [&](std::size_t i) { found[i] = compare(study.patterns[i], study, responses[i]); });
+    std::vector<std::optional<Pair>> found(input.patterns.size());
+    for (const auto& entry : input.patterns) responses.push_back(input.library.responses(entry.id));
+    base::parallel_for(found.size(), input.threads,
+                       [&](std::size_t i) { found[i] = compare(input.patterns[i], input, responses[i]); });
     std::vector<Pair> all;
     std::vector<Pair> changed;
     std::size_t left_out = 0;

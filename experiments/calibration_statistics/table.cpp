@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "study.hpp"
+#include "tables.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -18,7 +18,7 @@ double brightness(const std::string& colour) {
     return 0.2126 * channel(colour, 0) + 0.7152 * channel(colour, 1) + 0.0722 * channel(colour, 2);
 }
 
-TEST(PatternColour, IsAColourForEveryNumberAndNeverTheSameTwiceInAPalette) {
+TEST(PatternColour, IsDifferentForEachPatternOfAPalette) {
     std::set<std::string> seen;
     for (int i = -1; i < 60; ++i) {
         const std::string colour = pattern_colour(i);
@@ -32,7 +32,7 @@ TEST(PatternColour, IsLightEnoughForDarkBeams) {
     for (int i = -1; i < 200; ++i) EXPECT_GT(brightness(pattern_colour(i)), beam + 80.0) << i;
 }
 
-TEST(ScaleColour, GetsBrighterAllTheWayAndIsClamped) {
+TEST(ScaleColour, GetsBrighterMonotonicallyAndIsClamped) {
     for (int i = 0; i < 100; ++i)
         EXPECT_LT(brightness(scale_colour(i / 100.0)), brightness(scale_colour((i + 1) / 100.0)) + 0.5) << i;
     EXPECT_EQ(scale_colour(-1.0), scale_colour(0.0));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Files are read again by readers of the tests' own, and give the same numbers to the last bit.
+// The tests have their own readers of these files, which must give the same numbers to the last bit.
 #include "sample.hpp"
 
 #include <fretwork/base/text.hpp>

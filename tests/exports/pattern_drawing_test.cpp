@@ -37,7 +37,7 @@ TEST(PatternSheet, HasAFanWithItsIdForEveryPattern) {
     for (const char* id : {"0-1+1-6", "1-6+3-6", "0-1+0-6+1-6"}) EXPECT_THAT(svg.words(), HasSubstr(id));
 }
 
-TEST(PatternSheet, OfNothingShowsTheLayoutAlone) {
+TEST(PatternSheet, WithoutPatternsShowsTheLayoutOnly) {
     const Svg svg(pattern_sheet_svg(pattern::find_node_layout("paper7"), {}));
     EXPECT_EQ(svg.count("polygon"), 1U);
 }

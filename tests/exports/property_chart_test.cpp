@@ -75,7 +75,7 @@ TEST(PropertyChart, PlacesPointsByTheLogarithmsOfTheirProperties) {
     EXPECT_LT(points[0].x, points[1].x);
 }
 
-TEST(PropertyChart, RefusesWhatHasNoPlaceOnIt) {
+TEST(PropertyChart, RefusesPatternsWithoutPositiveProperties) {
     EXPECT_THAT(complaint_of([] { (void)chart({}); }), HasSubstr("no pattern"));
     auto patterns = sample();
     patterns[1].values.erase("membrane_poisson");
@@ -85,7 +85,7 @@ TEST(PropertyChart, RefusesWhatHasNoPlaceOnIt) {
     EXPECT_THAT(complaint_of([&] { (void)chart(patterns); }), HasSubstr("mass per area"));
 }
 
-TEST(LogAxis, MarksRoundValuesAndHoldsAllOthers) {
+TEST(LogAxis, HasTicksAtRoundValuesAndContainsAllValues) {
     const std::array values = {3.0, 250.0};
     const detail::LogAxis axis = detail::axis_of("x", values);
     EXPECT_GT(axis.share(3.0), 0.0);

@@ -38,7 +38,7 @@ TEST_F(SurfaceDrawing, HasATileInItsPatternsColourAndALineForEveryBeam) {
         EXPECT_THAT(svg.words(), HasSubstr(id + "\n"));
 }
 
-TEST_F(SurfaceDrawing, LongIdsAreWrittenInLinesThatEndBetweenEdges) {
+TEST_F(SurfaceDrawing, LongIdsAreBrokenBetweenEdges) {
     surface_.tessellation.patterns[0] = "0-1+1-2+1-3+1-5+1-6+2-5+3-5+4-5+5-6";
     EXPECT_THAT(Svg(surface_svg(surface_)).words(), HasSubstr("0-1+1-2+1-3+1-5\n+1-6+2-5+3-5+4-5\n+5-6\n"));
 }
@@ -96,7 +96,7 @@ TEST_F(SurfaceDrawing, DeformedStatesAreLayersWithTheirColoursAndLabels) {
     EXPECT_THAT(svg.words(), HasSubstr("displacements at true scale"));
 }
 
-TEST_F(SurfaceDrawing, AnotherScaleIsSaidAndChangesTheSize) {
+TEST_F(SurfaceDrawing, AnotherScaleIsLabelledAndChangesTheSize) {
     DeformedViewOptions options;
     options.scale = 2.5;
     const auto drawn = layers();

@@ -23,7 +23,7 @@ std::vector<Scene> scenes() {
             {surface, conditions, {full, reduced}}};
 }
 
-TEST(WriterCatalogue, EveryKindWritesEverySceneAndTheSameEachTime) {
+TEST(WriterCatalogue, EveryWriterWritesEverySceneDeterministically) {
     const TemporaryFolder folder;
     for (const WriterRow& writer : writer_catalogue()) {
         EXPECT_FALSE(writer.description.empty());
@@ -55,7 +55,7 @@ TEST(WriterCatalogue, AnUnknownEndingListsWhatThereIs) {
     EXPECT_THAT(complaint_of([] { (void)find_writer("drawing.vtk"); }), HasSubstr(".vtu"));
 }
 
-TEST(WriterCatalogue, WhatCannotBeWrittenLeavesNothing) {
+TEST(WriterCatalogue, AFileThatCannotBeWrittenLeavesNothingBehind) {
     const TemporaryFolder folder;
     const Scene scene{sample_surface()};
     EXPECT_THROW(write_scene(scene, folder.path() / "none" / "x.svg"), base::IoError);

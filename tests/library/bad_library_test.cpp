@@ -16,7 +16,7 @@ class BadLibrary : public testing::Test {
     [[nodiscard]] std::string complaint() const {
         return complaint_of([&] { (void)Library::open(path()); });
     }
-    /// Change the file behind the library's back.
+    /// Change the file by SQL, without the library.
     void sql(const std::string& text) const {
         sqlite3* handle = nullptr;
         ASSERT_EQ(sqlite3_open(path().c_str(), &handle), SQLITE_OK);
@@ -27,12 +27,12 @@ class BadLibrary : public testing::Test {
     TemporaryFolder folder_;
 };
 
-TEST_F(BadLibrary, AMissingFileIsNamedAndNotMade) {
+TEST_F(BadLibrary, AMissingFileIsNamedAndNotCreated) {
     EXPECT_THAT(complaint(), AllOf(HasSubstr("lib.db"), HasSubstr("no such file")));
     EXPECT_FALSE(std::filesystem::exists(path()));
 }
 
-TEST_F(BadLibrary, AFolderATextAndAnEmptyFileAreNoLibraries) {
+TEST_F(BadLibrary, FoldersTextFilesAndEmptyFilesAreRefused) {
     EXPECT_THAT(complaint_of([&] { (void)Library::open(folder_.path()); }), HasSubstr("is a folder"));
     base::write_file_atomically(path(), std::string(5000, 'x'));
     EXPECT_THAT(complaint(), HasSubstr("is no pattern library"));
@@ -40,7 +40,7 @@ TEST_F(BadLibrary, AFolderATextAndAnEmptyFileAreNoLibraries) {
     EXPECT_THAT(complaint(), HasSubstr("is no pattern library"));
 }
 
-TEST_F(BadLibrary, AnotherSqliteFileIsNoLibraryAndIsNotOverwritten) {
+TEST_F(BadLibrary, OtherSqliteFilesAreRefusedAndNotOverwritten) {
     sql("CREATE TABLE recipe(name TEXT)");
     EXPECT_THAT(complaint(), HasSubstr("is no pattern library"));
     EXPECT_THAT(complaint_of([&] { make_library(path()); }), HasSubstr("exists already"));
@@ -52,14 +52,14 @@ TEST_F(BadLibrary, ANewerVersionIsRefusedWithBothNumbers) {
     EXPECT_THAT(complaint(), AllOf(HasSubstr("version 7"), HasSubstr("up to 4"), HasSubstr("newer program")));
 }
 
-TEST_F(BadLibrary, AnOlderVersionThanTheThirdIsRefusedWithWhatToDo) {
+TEST_F(BadLibrary, VersionsBefore3AreRefusedWithAdvice) {
     make_library(path());
     sql("PRAGMA user_version = 2");
     EXPECT_THAT(complaint(),
                 AllOf(HasSubstr("version 2"), HasSubstr("from 3 on"), HasSubstr("make it anew")));
 }
 
-TEST_F(BadLibrary, ALibraryThatExistsIsNotMadeAgain) {
+TEST_F(BadLibrary, CreateRefusesAnExistingLibrary) {
     make_library(path());
     EXPECT_THAT(complaint_of([&] { make_library(path()); }), HasSubstr("exists already"));
     EXPECT_EQ(Library::open(path()).pattern_count(), sample_ids().size());
@@ -98,7 +98,7 @@ TEST_F(BadLibrary, WritingThroughAReadOnlyLibraryIsRefused) {
     EXPECT_THROW(library.store(std::vector{sample_data("0-1+1-6", 1.0)}), base::IoError);
 }
 
-TEST_F(BadLibrary, AFolderThatIsMissingIsNotMade) {
+TEST_F(BadLibrary, AMissingFolderIsNotCreated) {
     EXPECT_THROW(make_library(folder_.path() / "none" / "lib.db"), base::IoError);
 }
 

@@ -18,7 +18,7 @@ std::vector<PatternData> whole_batch() {
     return batch;
 }
 
-/// The content of the library after an undisturbed run.
+/// The content of the library after an uninterrupted run.
 std::string undisturbed_hash() {
     const TemporaryFolder folder;
     Library library = make_library(folder.path() / "lib.db");
@@ -39,7 +39,7 @@ void expect_whole(const std::filesystem::path& path) {
     EXPECT_EQ(verdict, "ok");
 }
 
-TEST(LibraryCrash, AProcessKilledWhileItWritesABatchLeavesTheBatchOutAndTheRestWhole) {
+TEST(LibraryCrash, AKillDuringABatchLosesThatBatchOnly) {
     const std::string wanted = undisturbed_hash();
     for (const rlim_t room : {0U, 4096U, 16384U, 65536U}) {
         const TemporaryFolder folder;
@@ -60,7 +60,7 @@ TEST(LibraryCrash, AProcessKilledWhileItWritesABatchLeavesTheBatchOutAndTheRestW
     }
 }
 
-TEST(LibraryCrash, AWriterKilledAtAnyTimeCanBeResumedToTheSameContent) {
+TEST(LibraryCrash, AKilledWriterCanBeResumedToTheSameContent) {
     const TemporaryFolder folder;
     const auto path = folder.path() / "lib.db";
     make_library(path);
@@ -115,7 +115,7 @@ TEST(LibraryCrash, CreatingOnAFullDiskLeavesNothing) {
     EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
-TEST(LibraryCrash, CreatingAgainAfterAKillDuringCreationWorks) {
+TEST(LibraryCrash, ALibraryCanBeCreatedAfterAKillDuringCreation) {
     const TemporaryFolder folder;
     const auto path = folder.path() / "lib.db";
     const int status = status_of([&] {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Filling a library: whatever the threads, kills, shards and full disks, the content is the same.
+// Filling a library gives the same content with any threads, after kills, by shards, and after a full disk.
 #include "process.hpp"
 #include "sample.hpp"
 
@@ -74,7 +74,7 @@ class Fill : public testing::Test {
     [[nodiscard]] std::filesystem::path path(const std::string& name = "lib.db") const {
         return folder_.path() / name;
     }
-    /// The tables of the library of an undisturbed run.
+    /// The tables of the library after an uninterrupted run.
     [[nodiscard]] static std::vector<std::pair<std::string, std::string>> undisturbed() {
         const TemporaryFolder folder;
         Library library = make_library(folder.path() / "lib.db", ids());
@@ -114,7 +114,7 @@ TEST_F(Fill, AnotherCalibrationUsesTheStoredResponses) {
     EXPECT_EQ(library.calibrations("0-1+1-6").size(), 3U);
 }
 
-TEST_F(Fill, KilledTenTimesItEndsWithTheTablesOfAnUndisturbedRun) {
+TEST_F(Fill, GivesTheSameTablesAfterTenKillsAsWithoutAny) {
     make_library(path(), ids());
     std::size_t left_half_way = 0;
     for (int kill = 0; kill < 10; ++kill) {
@@ -128,7 +128,7 @@ TEST_F(Fill, KilledTenTimesItEndsWithTheTablesOfAnUndisturbedRun) {
     EXPECT_EQ(tables("lib.db"), undisturbed());
 }
 
-TEST_F(Fill, StoppedPolitelyItKeepsWhatItHasAndGoesOn) {
+TEST_F(Fill, KeepsWhatIsDoneWhenStoppedAndContinuesThere) {
     Library library = make_library(path(), ids());
     std::stop_source stop;
     WhenDone ask_to_stop(1, [&] { stop.request_stop(); });
@@ -144,7 +144,7 @@ TEST_F(Fill, StoppedPolitelyItKeepsWhatItHasAndGoesOn) {
     EXPECT_EQ(tables("lib.db"), undisturbed());
 }
 
-TEST_F(Fill, ShardsMergeToTheTablesOfAnUndisturbedRun) {
+TEST_F(Fill, ShardsMergeToTheTablesOfOneRun) {
     Paths shards;
     for (std::size_t part = 0; part < 3; ++part) {
         shards.push_back(path("shard" + std::to_string(part) + ".db"));
@@ -185,7 +185,7 @@ TEST_F(Fill, APatternThatFailsIsRecordedAndDoesNotStopTheRest) {
     reduction::Setting square = reduction::paper_setting();
     square.sides = 4;
     for (auto& scenario : square.scenarios) {
-        std::erase_if(scenario.held, [](const auto& hold) { return hold.interface_node > 3; });
+        std::erase_if(scenario.supports, [](const auto& hold) { return hold.interface_node > 3; });
         std::erase_if(scenario.loads, [](const auto& load) { return load.interface_node > 3; });
     }
     Library library = Library::create(path(), paper_layout(), square);

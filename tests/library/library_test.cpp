@@ -78,7 +78,7 @@ TEST_F(LibraryTest, AnotherSettingIsRefusedWithTheDifference) {
                 HasSubstr("tile_side"));
 }
 
-TEST_F(LibraryTest, AdoptsAnotherSettingOnlyUntilSomethingIsComputedUnderIt) {
+TEST_F(LibraryTest, AdoptsAnotherSettingOnlyBeforeAnythingIsComputed) {
     reduction::Setting other = reduction::paper_setting();
     other.tile_side = 0.05;
     other.scenarios.pop_back();
@@ -125,7 +125,7 @@ TEST_F(LibraryTest, AnotherLayoutIsRefused) {
                 HasSubstr("paper7, not mine"));
 }
 
-TEST_F(LibraryTest, ListsPatternsInTheOrderOfTheEnumerationHoweverTheyCameIn) {
+TEST_F(LibraryTest, ListsPatternsInTheOrderOfTheEnumeration) {
     std::vector<std::string> ids = sample_ids();
     const auto forward = ids_of(make_library(path("a.db"), ids).patterns());
     std::reverse(ids.begin(), ids.end());
@@ -149,7 +149,7 @@ TEST_F(LibraryTest, FindsPatternsByAnyFormOfTheirIdAndSuggestsTheNearest) {
     EXPECT_THAT(complaint_of([&] { (void)library.find_pattern("0-1+2-6"); }), HasSubstr("did you mean"));
 }
 
-TEST_F(LibraryTest, WorkThatIsLeftShrinksAsResultsAndFailuresAreStored) {
+TEST_F(LibraryTest, PatternsLeftToComputeShrinkAsResultsAndFailuresAreStored) {
     Library library = make_library(path());
     const CalibrationKey key = sample_calibration(1).key();
     EXPECT_THAT(library.patterns_without_responses(), SizeIs(4));
@@ -168,7 +168,7 @@ TEST_F(LibraryTest, WorkThatIsLeftShrinksAsResultsAndFailuresAreStored) {
     EXPECT_THAT(library.patterns_without_responses(), SizeIs(3));
 }
 
-TEST_F(LibraryTest, ASuccessEndsTheFailureItSettles) {
+TEST_F(LibraryTest, StoringAResultForgetsTheFailureRecordedForIt) {
     Library library = make_library(path());
     const CalibrationKey key = sample_calibration(1).key();
     library.store({}, std::vector<Failure>{{"0-1+1-6", responses_stage(), "once"},
@@ -188,7 +188,7 @@ TEST_F(LibraryTest, StoringTheSameAgainChangesNothing) {
     EXPECT_EQ(library.content_hash(), hash);
 }
 
-TEST_F(LibraryTest, StoringAnotherValueIsRefusedByNameAndTheWholeBatchWithIt) {
+TEST_F(LibraryTest, StoringADifferentValueIsRefusedWithItsWholeBatch) {
     Library library = make_library(path());
     library.store(std::vector{sample_data("0-1+1-6", 1.0)});
     const std::string hash = library.content_hash();
@@ -246,7 +246,7 @@ TEST_F(LibraryTest, TheBestCalibrationHasTheSmallestObjectiveOfItsModel) {
     EXPECT_FALSE(library.best_calibration("0-1+1-6", "other").has_value());
 }
 
-TEST_F(LibraryTest, TheHashIsOfTheContentAndNotOfTheWayItCameIn) {
+TEST_F(LibraryTest, TheContentHashDoesNotDependOnTheOrderOfStoring) {
     Library forward = make_library(path("a.db"));
     Library backward = make_library(path("b.db"), {"0-1+1-5+5-6+3-6", "0-6+1-6+3-6"});
     forward.store(std::vector{sample_data("0-1+1-6", 1.0), sample_data("1-6+3-6", 2.0)});

@@ -45,7 +45,7 @@ TEST_F(Merge, ShardsGiveWhatOneRunGivesInAnyOrder) {
               ids_of(Library::open(path("ba.db")).patterns()));
 }
 
-TEST_F(Merge, IsAssociativeAndEqualRowsDoNotMatter) {
+TEST_F(Merge, IsAssociativeAndAcceptsEqualRows) {
     const auto first = sample_data("0-1+1-6", 1.0);
     const auto second = sample_data("1-6+3-6", 2.0);
     const auto a = shard("a.db", {first});
@@ -56,7 +56,7 @@ TEST_F(Merge, IsAssociativeAndEqualRowsDoNotMatter) {
     EXPECT_EQ(hash("ab.db"), hash("b.db"));
 }
 
-TEST_F(Merge, WhatFailedHereAndSucceededThereIsNoFailure) {
+TEST_F(Merge, AFailureIsDroppedIfAnotherInputHasTheResult) {
     const CalibrationKey key = sample_calibration(1.0).key();
     const auto a = shard("a.db", {sample_data("0-1+1-6", 1.0)});
     const auto b = shard("b.db", {},
@@ -87,7 +87,7 @@ TEST_F(Merge, SettingsThatDifferAreRefused) {
     EXPECT_THAT(complaint_of([&] { merge(path("ab.db"), Paths{a, path("b.db")}); }), HasSubstr("tile_side"));
 }
 
-TEST_F(Merge, AnOutputThatAppearsMeanwhileIsNeverTouched) {
+TEST_F(Merge, AnOutputCreatedMeanwhileIsNotOverwritten) {
     const detail::Draft draft(path("out.db"));
     base::write_file_atomically(draft.path(), "draft");
     base::write_file_atomically(path("out.db"), "of another process");
@@ -95,7 +95,7 @@ TEST_F(Merge, AnOutputThatAppearsMeanwhileIsNeverTouched) {
     EXPECT_EQ(base::read_text_file(path("out.db")), "of another process");
 }
 
-TEST_F(Merge, AnOutputThatExistsIsNeverTouched) {
+TEST_F(Merge, AnExistingOutputIsNotOverwritten) {
     const auto a = shard("a.db", {});
     const std::string before = base::read_text_file(a);
     EXPECT_THAT(complaint_of([&] { merge(a, Paths{a}); }), HasSubstr("exists already"));

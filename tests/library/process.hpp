@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Processes of their own, which may be killed or find the disk full.
+// Child processes that are killed, or that find the disk full.
 #pragma once
 
 #include <csignal>
@@ -10,7 +10,7 @@
 
 namespace fretwork::library::test {
 
-/// How a process of its own that does `work` ends.
+/// The exit status of a child process that does `work`.
 inline int status_of(const std::function<void()>& work) {
     const pid_t child = ::fork();
     if (child == 0) {
@@ -22,7 +22,7 @@ inline int status_of(const std::function<void()>& work) {
     return status;
 }
 
-/// Kill a process of its own that does `work` after so many microseconds.
+/// Kill a child process that does `work` after so many microseconds.
 inline void kill_after(useconds_t delay, const std::function<void()>& work) {
     const pid_t child = ::fork();
     if (child == 0) {
@@ -34,8 +34,7 @@ inline void kill_after(useconds_t delay, const std::function<void()>& work) {
     ::waitpid(child, nullptr, 0);
 }
 
-/// From now on, no file of this process can grow beyond `bytes`; what happens to the write that would is up
-/// to the signal's handler.
+/// Limit the files of this process to `bytes`. A write beyond raises SIGXFSZ, whose handler decides.
 inline void limit_files(rlim_t bytes, void (*handler)(int)) {
     std::signal(SIGXFSZ, handler);
     const rlimit limit{bytes, bytes};

@@ -28,7 +28,7 @@ TEST(Calibration, RecoversTheParametersOfASyntheticTarget) {
     }
 }
 
-TEST(Calibration, IsDeterministicAndAddsUp) {
+TEST(Calibration, IsDeterministicAndItsScenarioErrorsSumToTheObjective) {
     const Setting setting = paper_setting();
     const auto responses = compute_responses(paper_layout(), paper_pattern("0-1+1-6"), setting);
     const Calibration first = calibrate_paper6(responses, setting);

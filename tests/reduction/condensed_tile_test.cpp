@@ -36,7 +36,7 @@ TEST(CondensedTile, IsSymmetricSemidefiniteOfRank6nMinus6InAnyPolygon) {
     }
 }
 
-TEST(CondensedTile, AnswersEveryScenarioAsTheWholeFrameDoes) {
+TEST(CondensedTile, HasTheDisplacementsOfTheWholeFrameUnderEveryScenario) {
     const Setting setting = paper_setting();
     for (const char* id : {"0-1+1-6", "1-6+3-6"}) {
         const auto pattern = paper_pattern(id);
@@ -54,7 +54,7 @@ TEST(CondensedTile, AnswersEveryScenarioAsTheWholeFrameDoes) {
     }
 }
 
-TEST(CondensedTile, ErrorVanishesWithTheLoads) {
+TEST(CondensedTile, ErrorTendsToZeroWithTheLoads) {
     Setting setting = paper_setting();
     const auto pattern = paper_pattern("0-1+1-6");
     const auto error_at = [&](double factor) {
@@ -79,7 +79,7 @@ TEST(CondensedTile, RefusesAPatternThatLeavesInterfaceNodesFree) {
 
 TEST(UnitDisplacements, RefuseATileThatCanMoveFreely) {
     Setting setting = paper_setting();
-    setting.scenarios[4].held.clear();
+    setting.scenarios[4].supports.clear();
     const auto K = condensed_tile(paper_layout(), paper_pattern("0-1+1-6"),
                                   pattern::regular_polygon(6, setting.tile_side), paper_bars());
     EXPECT_THROW((void)unit_displacements(K, setting), base::NumericalError);

@@ -56,7 +56,7 @@ TEST(EffectiveProperties, OfPatternsInHexagonsAreIsotropic) {
     }
 }
 
-TEST(EffectiveProperties, OfPatternsInSquaresKnowDirections) {
+TEST(EffectiveProperties, OfASquareGridDependOnTheDirection) {
     Setting setting = paper_setting();
     setting.sides = 4;
     setting.scenarios.resize(1);

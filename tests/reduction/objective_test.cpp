@@ -71,7 +71,7 @@ TEST(Objective, IsThatOfThePaperExactlyAsWritten) {
     }
 }
 
-TEST(Objective, ClampsItsNormalizersForStiffPatterns) {
+TEST(Objective, DividesByTheThresholdsWhereDisplacementsAreBelowThem) {
     // Under a thousandth of the loads the displacements are below both thresholds.
     Setting setting = example().setting;
     for (Scenario& scenario : setting.scenarios) scenario.max_magnitude *= 1e-3;
@@ -116,7 +116,7 @@ TEST(Objective, GradientAgreesWithFiniteDifferences) {
     }
 }
 
-TEST(Objective, ResidualsAreTheRootsOfItsSummands) {
+TEST(Objective, SquaredResidualsSumToItsValue) {
     optimization::RandomStream random(6, 0);
     const Eigen::VectorXd x = example().random_point(random);
     const auto r = example().problem.residuals(x, 0.0);
@@ -177,7 +177,7 @@ TEST(Objective, LeavesOutAndCountsWhatDidNotConverge) {
     EXPECT_EQ(paper.sample_count(), 49U);
 }
 
-TEST(Objective, GoesOnBehindASampleThatDidNotConverge) {
+TEST(Objective, CountsSamplesAfterOneThatDidNotConverge) {
     auto responses = example().responses;
     responses[2].samples[4].converged = false;
     const Objective with_gap(responses, example().setting);
@@ -189,7 +189,7 @@ TEST(Objective, GoesOnBehindASampleThatDidNotConverge) {
     EXPECT_LT(expected, written_objective(example().responses, model));
 }
 
-TEST(Objective, TheStablePolicyLeavesOutAllThatFollowsTheFirstLossOfStability) {
+TEST(Objective, StablePolicyLeavesOutEverySampleFromTheFirstUnstableOneOn) {
     auto responses = example().responses;
     for (auto& response : responses) {
         for (auto& sample : response.samples) sample.stable = true;

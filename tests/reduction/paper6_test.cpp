@@ -101,10 +101,10 @@ TEST(Paper6Hexagon, DerivativesComeWithTheSameDisplacements) {
     for (std::size_t s = 0; s < 5; ++s) EXPECT_EQ(plain[s], both.displacements[s]);
 }
 
-TEST(Paper6Hexagon, RefusesWhatItIsNotMadeFor) {
+TEST(Paper6Hexagon, RefusesMechanismsAndPolygonsOtherThanHexagons) {
     Setting setting = paper_setting();
-    setting.scenarios[2].held.resize(1);
-    setting.scenarios[2].held[0].fixed = mechanics::DofSet::translations();
+    setting.scenarios[2].supports.resize(1);
+    setting.scenarios[2].supports[0].fixed = mechanics::DofSet::translations();
     try {
         const Paper6Hexagon hexagon(setting);
         FAIL() << "bending about a single hinge";
@@ -144,7 +144,7 @@ TEST(Paper6Tile, RingLiesAtThetaAndRInTheHexagon) {
 }
 
 /// Barycentric places are affine: a stretched hexagon has the stretched ring.
-TEST(Paper6Tile, KeepsItsBarycentricPlaceInOtherPolygons) {
+TEST(Paper6Tile, RingKeepsItsBarycentricCoordinatesInOtherPolygons) {
     const Setting setting = paper_setting();
     const Paper6Parameters parameters{1e-6, 1e-12, 1e-12, 1e-12, -0.2, 0.015};
     const auto regular = paper6_tile(parameters, setting);

@@ -59,7 +59,7 @@ TEST(Responses, HaveTenMagnitudesInEvenStepsUpToTheLargest) {
     }
 }
 
-TEST(Responses, TellTheirDiscretizationErrorFromAnyDivisions) {
+TEST(Responses, EstimateTheirDiscretizationErrorForAnyDivisions) {
     Setting setting = paper_setting();
     const auto pattern = paper_pattern(kPattern);
     setting.divisions = 16;
@@ -89,18 +89,18 @@ TEST(Responses, KeepHeldComponentsAtZero) {
     const Setting setting = paper_setting();
     const auto responses = compute_responses(paper_layout(), paper_pattern(kPattern), setting);
     for (std::size_t s = 0; s < 5; ++s) {
-        for (const auto& hold : setting.scenarios[s].held) {
+        for (const auto& support : setting.scenarios[s].supports) {
             for (int dof = 0; dof < 6; ++dof) {
-                if (!hold.fixed.contains[static_cast<std::size_t>(dof)]) continue;
+                if (!support.fixed.contains[static_cast<std::size_t>(dof)]) continue;
                 for (const auto& sample : responses[s].samples) {
-                    EXPECT_NEAR(sample.displacements(hold.interface_node, dof), 0.0, 1e-12);
+                    EXPECT_NEAR(sample.displacements(support.interface_node, dof), 0.0, 1e-12);
                 }
             }
         }
     }
 }
 
-TEST(Responses, SayFromWhichLoadOnAFlatPatternHasBuckled) {
+TEST(Responses, AreUnstableFromTheBucklingLoadOn) {
     Setting setting = paper_setting();
     setting.scenarios.resize(1);
     const auto responses = compute_responses(paper_layout(), paper_pattern(kPattern), setting);
@@ -121,7 +121,7 @@ TEST(Responses, SayFromWhichLoadOnAFlatPatternHasBuckled) {
 Scenario turned(const Scenario& scenario) {
     const Eigen::Matrix3d turn = Eigen::AngleAxisd(std::numbers::pi / 3.0, Eigen::Vector3d::UnitZ()).matrix();
     Scenario result = scenario;
-    for (auto& hold : result.held) hold.interface_node = (hold.interface_node + 1) % 6;
+    for (auto& support : result.supports) support.interface_node = (support.interface_node + 1) % 6;
     for (auto& load : result.loads) {
         load.interface_node = (load.interface_node + 1) % 6;
         Eigen::Map<Eigen::Vector3d> force(load.force.data());
@@ -132,7 +132,7 @@ Scenario turned(const Scenario& scenario) {
     return result;
 }
 
-TEST(Responses, TurnWithTheScenarioBy60Degrees) {
+TEST(Responses, RotateWithAScenarioThatIsRotatedBy60Degrees) {
     Setting setting = paper_setting();
     setting.scenarios = {paper_scenarios()[2], turned(paper_scenarios()[2])};
     setting.scenarios[1].name = "turned";

@@ -35,7 +35,7 @@ TEST(AngleSum, OfOneAngleIsItsArctangent) {
     }
 }
 
-TEST(AngleSum, IsExactRelativeToItselfForAnyAngles) {
+TEST(AngleSum, HasARelativeErrorOfAFewRoundingsForAnyAngles) {
     for (const double a : angles()) {
         for (const double b : angles()) {
             for (const double c : {1e-12, 0.7, kQuarter}) {
@@ -53,7 +53,7 @@ TEST(AngleSum, IsExactRelativeToItselfForAnyAngles) {
     }
 }
 
-TEST(AngleSum, CountsQuartersThatAreJustFull) {
+TEST(AngleSum, CountsExactQuarterTurns) {
     AngleSum sum;
     for (int i = 1; i <= 9; ++i) {
         sum.add(1.0, 0.0);

@@ -96,7 +96,7 @@ std::string with(const std::string& old, const std::string& replacement) {
 
 TEST(ScenarioFile, IsReadAsWritten) {
     const Scenario scenario = parse_scenario(kValid, "pull.json");
-    EXPECT_EQ(scenario.held.front().fixed, (mechanics::DofSet{{true, false, false, false, false, true}}));
+    EXPECT_EQ(scenario.supports.front().fixed, (mechanics::DofSet{{true, false, false, false, false, true}}));
     EXPECT_EQ(scenario.loads.front().force, (std::array{0.0, 1.0, 0.0}));
     EXPECT_EQ(scenario.loads.front().moment, (std::array{0.0, 0.0, 0.0}));
 }

@@ -8,7 +8,7 @@
 namespace fretwork::reduction {
 namespace {
 
-TEST(StratifiedSample, ServesAllStrataAlikeAsLongAsTheyLast) {
+TEST(StratifiedSample, TakesEquallyManyOfEachStratumUntilItIsUsedUp) {
     std::vector<int> strata;
     for (const auto& [label, count] : std::map<int, int>{{2, 9}, {5, 429}, {10, 3}}) {
         strata.insert(strata.end(), static_cast<std::size_t>(count), label);
@@ -21,7 +21,7 @@ TEST(StratifiedSample, ServesAllStrataAlikeAsLongAsTheyLast) {
     EXPECT_EQ(std::adjacent_find(chosen.begin(), chosen.end()), chosen.end());
 }
 
-TEST(StratifiedSample, TakesAllWhereThereAreFewer) {
+TEST(StratifiedSample, TakesEverythingIfMoreIsAskedForThanThereIs) {
     EXPECT_EQ(stratified_sample(std::vector<int>{1, 1, 2}, 10), (std::vector<std::size_t>{0, 1, 2}));
     EXPECT_TRUE(stratified_sample({}, 3).empty());
 }

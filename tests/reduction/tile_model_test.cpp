@@ -21,10 +21,10 @@ using testing::HasSubstr;
 std::vector<double> middle_values(const TileModel& model, const Setting& setting) {
     std::vector<double> values;
     for (const TileParameter& parameter : model.parameters) {
-        const auto range = parameter.range(setting);
+        const auto bounds = parameter.bounds(setting);
         values.push_back(parameter.scale == TileParameter::Scale::Logarithmic
-                             ? std::sqrt(range.lower * range.upper)
-                             : 0.5 * (range.lower + range.upper));
+                             ? std::sqrt(bounds.lower * bounds.upper)
+                             : 0.5 * (bounds.lower + bounds.upper));
     }
     return values;
 }
@@ -46,7 +46,7 @@ TEST(TileModels, HaveParametersWithUnitsAndBounds) {
             const TileParameter& parameter = model.parameters[i];
             EXPECT_EQ(parameter_index(model, parameter.name), i);
             EXPECT_FALSE(parameter.unit.empty()) << model.name << " " << parameter.name;
-            EXPECT_LT(parameter.range(setting).lower, parameter.range(setting).upper);
+            EXPECT_LT(parameter.bounds(setting).lower, parameter.bounds(setting).upper);
         }
         EXPECT_THROW((void)parameter_index(model, "no such name"), base::InputError);
     }
@@ -75,8 +75,8 @@ TEST(TileModels, BuildATileBetweenTheInterfaceNodesOfAnyPolygon) {
     }
 }
 
-/// Every row answers for a real pattern, with an objective that is the sum of its parts.
-TEST(TileModels, AreComparedWithResponsesScenarioByScenario) {
+/// For every row and a real pattern, the objective is the sum of the scenarios' errors.
+TEST(TileModels, HaveAnErrorForEachScenarioThatSumsToTheObjective) {
     const Setting setting = paper_setting();
     const auto pattern = paper_pattern("0-1+1-6");
     const auto responses = compute_responses(paper_layout(), pattern, setting);
@@ -90,7 +90,7 @@ TEST(TileModels, AreComparedWithResponsesScenarioByScenario) {
     }
 }
 
-TEST(TileModels, FullIsAsFarFromResponsesAsItsDivisionsAreFromTheirs) {
+TEST(TileModels, FullDiffersFromResponsesOnlyByItsDivisions) {
     Setting setting = paper_setting();
     const auto pattern = paper_pattern("0-1+1-6");
     const auto error_with = [&](int divisions) {

@@ -29,8 +29,8 @@ TileModel scaled_model() {
     model.parameters = {{.name = "factor",
                          .unit = "1",
                          .scale = TileParameter::Scale::Logarithmic,
-                         .range = [](const reduction::Setting&) {
-                             return TileParameter::Range{0.1, 10.0};
+                         .bounds = [](const reduction::Setting&) {
+                             return TileParameter::Bounds{0.1, 10.0};
                          }}};
     model.build = [](const TileInput& input) {
         const mechanics::Frame frame = reduction::fan_frame(input.layout, input.fan, input.polygon,

@@ -70,7 +70,7 @@ TEST(SelectNodes, NearestTakesOneNodeForEachPoint) {
                 ElementsAre(4));
 }
 
-TEST(Conditions, ATotalForceIsSharedAndAnEachForceIsRepeated) {
+TEST(Conditions, ATotalForceIsSharedAndAForceOnEachIsRepeated) {
     const Surface surface = make_surface(honeycomb(3, 2, kStar), nullptr);
     LoadCase load_case = test::cantilever({0, 0, -2});
     const auto sum = [&] {
@@ -147,7 +147,7 @@ TEST(LoadCaseFile, ReadsEveryKindOfEntry) {
     EXPECT_EQ(load_case.gravity, Eigen::Vector3d(0, 0, -9.81));
 }
 
-TEST(LoadCaseFile, RefusesWhatItDoesNotUnderstand) {
+TEST(LoadCaseFile, RefusesUnknownKeysAndBadValuesWithTheirPlace) {
     const std::vector<std::pair<std::string, std::string>> faults = {
         {R"("load": [])", "/load: unknown key 'load'; did you mean 'loads'?"},
         {R"("loads": [{"force": [0, 0, 1]}])", "/loads/0: picks its nodes by exactly one of"},

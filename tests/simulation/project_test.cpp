@@ -103,7 +103,7 @@ std::string complaint_after(const std::string& what, const std::string& replacem
     return complaint_of([&] { read_project(folder.path() / "a.json"); });
 }
 
-TEST(ProjectFile, RefusesWhatDoesNotFitTogether) {
+TEST(ProjectFile, RefusesInconsistentContentWithItsPlace) {
     EXPECT_THAT(complaint_after("\"load_cases\"", "\"loadcases\""), HasSubstr("unknown key 'loadcases'"));
     EXPECT_THAT(complaint_after("\"0-6\"", "\"0-3\""), HasSubstr("/tessellation/patterns/1"));
     EXPECT_THAT(complaint_after("\"pattern\": 1", "\"pattern\": 7"), HasSubstr("/tessellation"));
@@ -111,11 +111,12 @@ TEST(ProjectFile, RefusesWhatDoesNotFitTogether) {
     EXPECT_THAT(complaint_after("\"interface_nodes\": \\[0", "\"interface_nodes\": [3"),
                 HasSubstr("/tessellation"));
     EXPECT_THAT(complaint_after("\"other\"", "\"cantilever\""), HasSubstr("the name of two load cases"));
-    EXPECT_THAT(complaint_after("fretwork/project/2", "fretwork/project/9"), HasSubstr("unknown choice 'fretwork/project/9'"));
+    EXPECT_THAT(complaint_after("fretwork/project/2", "fretwork/project/9"),
+                HasSubstr("unknown choice 'fretwork/project/9'"));
     EXPECT_THAT(complaint_after("\"1/3\"", "\"1/0\""), HasSubstr("/layout"));
 }
 
-TEST(FindLoadCase, TakesTheOnlyOneAndAsksAmongSeveral) {
+TEST(FindLoadCase, TakesTheOnlyOneAndRefusesToChooseAmongSeveral) {
     Project project = example();
     EXPECT_EQ(find_load_case(project, "other").name, "other");
     EXPECT_THAT(complaint_of([&] { find_load_case(project, ""); }), HasSubstr("cantilever, other"));

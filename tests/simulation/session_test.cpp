@@ -74,7 +74,7 @@ TEST(Session, CondensesCongruentTilesOnce) {
     }
 }
 
-TEST(Session, SharesTilesAlsoIfTheyAreTurned) {
+TEST(Session, SharesCongruentTilesThatAreTurned) {
     Session session(sample_surface(), cantilever({0.1, 0.05, -0.2}), condensed());
     (void)session.solve();
     session.turn(tiles({3, 4, 9}), 2);
@@ -98,7 +98,7 @@ TEST(Session, DoesNotDependOnTheOrderInWhichCongruentTilesCame) {
               1e-9 * b.solution.displacements.cwiseAbs().maxCoeff());
 }
 
-/// One random edit of any kind. What is refused changes nothing, and is fine.
+/// One random edit of any kind. An edit that is refused changes nothing.
 void edit(Session& session, optimization::RandomStream& random) {
     const auto below = [&](int count) { return static_cast<int>(random.uniform() * count); };
     const auto force = [&] { return Eigen::Vector3d(random.uniform(), random.uniform(), random.uniform()); };
@@ -126,7 +126,7 @@ void edit(Session& session, optimization::RandomStream& random) {
     }
 }
 
-/// Edits are values: whatever came before, the answer is that of the final project.
+/// Whatever the edits, the answer is that of the final project.
 TEST(Session, GivesTheAnswerOfTheFinalProjectAfterAnyEdits) {
     optimization::RandomStream random(11, 0);
     for (int run = 0; run < 6; ++run) {
@@ -171,7 +171,7 @@ TEST(Session, AnEditThatIsRefusedChangesNothing) {
     EXPECT_EQ(largest_difference(before.solution.displacements, after.solution.displacements), 0.0);
 }
 
-TEST(Session, FollowsAChangeOfTheModelOfSomeTiles) {
+TEST(Session, UsesTheModelsChosenForSomeTiles) {
     Session session(sample_surface(), cantilever({0.0, 0.0, -0.001}), condensed());
     const auto linear = session.solve();
     session.set_tile_model(tiles({0, 1}), "full");
@@ -206,7 +206,7 @@ TEST(Session, KeepsItsEditsWhenASolveIsStopped) {
 }
 
 /// K^-1 g by reciprocity: what a unit load at a does at b, a unit load at b does at a.
-TEST(Session, AnswersAdjointQuestions) {
+TEST(Session, SolvesAdjointSystems) {
     Session session(sample_surface(), cantilever({0.1, 0.05, -0.2}), condensed());
     const auto result = session.solve();
     const auto rows = static_cast<Eigen::Index>(result.nodes.size()) * 6;

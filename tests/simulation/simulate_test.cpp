@@ -28,7 +28,7 @@ double relative_difference(const NodeValues& a, const NodeValues& b) {
     return (a - b).norm() / a.norm();
 }
 
-/// A calibration as good as any for what these tests ask.
+/// A calibration with any admissible values: these tests do not depend on them.
 Surface with_parameters(Surface surface) {
     const auto& section = surface.setting.section;
     reduction::Calibration calibration;
@@ -118,7 +118,7 @@ TEST(Simulate, ASurfaceThatNothingHoldsIsRefused) {
     LoadCase load_case = cantilever({0, 0, 1});
     load_case.supports.clear();
     for (const reduction::TileModel& model : reduction::tile_models()) {
-        if (!model.parameters.empty()) continue;  // refused for want of a calibration
+        if (!model.parameters.empty()) continue;  // refused: it has no calibration
         EXPECT_THROW(simulate(surface, load_case, {.model = model.name}), base::Error) << model.name;
     }
 }
@@ -162,7 +162,7 @@ TEST(SurfaceFrame, SolvedOnItsOwnGivesTheSameDisplacements) {
     EXPECT_EQ(relative_difference(result.solution.displacements, solution.displacements), 0.0);
 }
 
-TEST(SurfaceFrame, IsRefusedOfTilesThatAreNoBeams) {
+TEST(SurfaceFrame, RefusesTilesThatAreNotMadeOfBeams) {
     const Surface surface = make_surface(honeycomb(2, 1, kPatterns), nullptr);
     EXPECT_THAT(complaint_of([&] { (void)surface_frame(surface, {"condensed"}, {}); }),
                 HasSubstr("tiles that are no beams"));
@@ -177,7 +177,7 @@ TEST(Compare, OfAResultWithItselfIsZero) {
     EXPECT_EQ(comparison.max_translation_error, 0.0);
     EXPECT_EQ(comparison.relative_l2_error, 0.0);
     EXPECT_NEAR(comparison.max_rotation_error, 0.0,
-                1e-7);  // acos near 1 knows no better than the root of the rounding
+                1e-7);  // acos near 1 is exact to the square root of the rounding only
     EXPECT_GT(comparison.max_displacement, 0.0);
 }
 
@@ -204,7 +204,7 @@ TEST(Compare, MatchesAnExampleByHand) {
     EXPECT_DOUBLE_EQ(comparison.relative_l2_error, std::sqrt(10.0) / 4.0);
 }
 
-TEST(Compare, RefusesResultsThatSayTheyAreOfDifferentThings) {
+TEST(Compare, RefusesResultsOfDifferentSubjects) {
     const Surface surface = make_surface(honeycomb(3, 2, kPatterns), nullptr);
     const LoadCase load_case = cantilever({0, 0, 0.01});
     const auto full = simulate(surface, load_case, {.model = "full"});

@@ -48,7 +48,7 @@ std::vector<Task> open_tasks(const Library& library, std::span<const PatternEntr
     return tasks;
 }
 
-/// Threads compute; the calling one stores what comes.
+/// Threads compute; the calling thread stores their results.
 class Filling {
   public:
     Filling(Library& library, std::span<const PatternEntry> patterns, const FillOptions& options)
@@ -84,7 +84,7 @@ class Filling {
   private:
     static constexpr auto kProgressPause = std::chrono::milliseconds(100);
 
-    /// Once storing has failed, nobody takes what is still computed.
+    /// Once storing has failed, further results are dropped.
     struct Abandonment {
         std::atomic<bool>& flag;
         ~Abandonment() { flag = true; }
@@ -129,7 +129,7 @@ class Filling {
         last_store_ = Clock::now();
     }
 
-    /// Nothing if the work was asked to stop meanwhile.
+    /// Empty if the work was stopped meanwhile.
     [[nodiscard]] std::optional<Outcome> compute(const Task& task) {
         Outcome outcome{{task.entry.id, {}, {}, {}}};
         std::vector<reduction::Response> stored;
@@ -155,7 +155,7 @@ class Filling {
         const reduction::Setting& setting = library_.setting();
         data.responses =
             reduction::compute_responses(library_.layout(), pattern, setting, {.estimate_error = true});
-        // Only of polygons whose regular kind tiles the plane by translations.
+        // Homogenization needs a polygon that tiles the plane by translations.
         if (setting.sides != 4 && setting.sides != 6) return;
         data.properties =
             reduction::property_values(reduction::effective_properties(library_.layout(), pattern, setting));

@@ -9,14 +9,14 @@
 
 namespace fretwork::library {
 
-/// What a library is to hold of each of its patterns, besides responses and properties.
+/// Which calibration fill() adds to each pattern, and how it works.
 struct FillOptions {
     std::string model = "paper6";  ///< a row of `models`
     std::span<const reduction::TileModel> models = reduction::tile_models();
     reduction::CalibrationOptions calibration{};
     int threads = 0;                      ///< 0: all there are
     double seconds_between_stores = 1.0;  ///< 0: what is finished is stored at once
-    /// Asked to stop, fill ends soon and throws nothing: what is done is stored and reported.
+    /// When stopped, fill() stores and reports what is done, and does not throw.
     base::Control control{};
     /// Throws InputError if a value makes no sense.
     void validate() const;
@@ -26,7 +26,7 @@ struct FillOptions {
 };
 
 struct FillReport {
-    std::size_t open = 0;    ///< patterns without a result when it began
+    std::size_t open = 0;    ///< patterns that lacked the calibration at the start
     std::size_t done = 0;    ///< of them, calibrated now
     std::size_t failed = 0;  ///< of them, recorded as failed now
 };

@@ -35,7 +35,7 @@ void insert_scenarios(const Database& database, const reduction::Setting& settin
     }
 }
 
-/// Make the tables of a new library, all of them or none.
+/// Create all tables of a new library in one transaction.
 void initialize(Database& database, const pattern::NodeLayout& layout, const reduction::Setting& setting) {
     Transaction transaction(database, Transaction::Kind::Write);
     if (!detail::is_empty(database)) throw base::InputError(database.path().string(), "", "exists already");

@@ -27,7 +27,7 @@ struct PatternEntry {
     pattern::Pattern pattern;
 };
 
-/// What tells the calibrations of one pattern apart.
+/// The key of a calibration among those of one pattern.
 struct CalibrationKey {
     std::string model;
     std::string optimizer;
@@ -55,7 +55,7 @@ struct PatternData {
     std::vector<std::pair<std::string, double>> properties;  ///< name and value, SI
 };
 
-/// What a library has of one pattern, in numbers.
+/// How much a library has of one pattern.
 struct PatternSummary {
     std::string pattern;  ///< id
     int edges = 0;
@@ -71,7 +71,7 @@ struct PatternSummary {
 /// A pattern on which a computation failed. It is recorded, and does not stop the rest.
 struct Failure {
     std::string pattern;  ///< id
-    std::string stage;    ///< responses_stage(), or calibration_stage(key)
+    std::string stage;    ///< the computation: responses_stage(), or calibration_stage(key)
     std::string reason;   ///< one line
     friend bool operator==(const Failure&, const Failure&) = default;
 };

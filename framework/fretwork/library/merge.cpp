@@ -66,7 +66,7 @@ void copy_provenance(Database& output) {
         "name, value FROM other.provenance");
 }
 
-/// What failed in one input and succeeded in another is no failure.
+/// Drop failures for which another input has the result.
 void drop_settled_failures(Database& output) {
     output.execute(
         "DELETE FROM failure WHERE stage = 'responses' AND pattern_id IN (SELECT pattern_id FROM "

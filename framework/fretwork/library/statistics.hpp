@@ -9,7 +9,7 @@
 
 namespace fretwork::library {
 
-/// What the calibrations of one key come to, over patterns.
+/// Statistics of the calibrations of one key over patterns.
 struct CalibrationStatistics {
     std::size_t calibrated = 0;
     double mean = 0.0;       ///< of the objective E

@@ -30,7 +30,7 @@ std::vector<NamedValue> named(const TileModel& model, const std::vector<double>&
     return result;
 }
 
-Calibration compare(const TileModel& model, const PatternCase& input, const Objective& objective) {
+Calibration compare(const TileModel& model, const CalibrationInput& input, const Objective& objective) {
     const ModelTile tile(model, input.layout, input.pattern, input.setting);
     Calibration result;
     result.model = model.name;
@@ -85,7 +85,8 @@ std::vector<double> parameter_values(const Calibration& calibration, const TileM
     return values;
 }
 
-Calibration calibrate(const TileModel& model, const PatternCase& input, const CalibrationOptions& options) {
+Calibration calibrate(const TileModel& model, const CalibrationInput& input,
+                      const CalibrationOptions& options) {
     options.validate();
     const Objective objective(input.responses, input.setting);
     if (model.parameters.empty()) return compare(model, input, objective);

@@ -48,19 +48,19 @@ struct Calibration {
 /// model does not have.
 std::vector<double> parameter_values(const Calibration& calibration, const TileModel& model);
 
-/// One pattern in its setting, with its responses: what a tile model is fitted to or compared with.
-struct PatternCase {
+/// What calibrate() takes: a pattern in its setting, and the responses to be fitted.
+struct CalibrationInput {
     const pattern::NodeLayout& layout;
     const pattern::Pattern& pattern;
     const Setting& setting;
     const std::vector<Response>& responses;
 };
 
-/// Fit a tile model to a pattern's responses by its linear answers: Eqs. (1) to (11). A model without
-/// parameters is only compared with them: one for small displacements by its linear answers, one for large by
-/// its own responses. Deterministic given the options. Throws NumericalError if no sample can be fitted;
-/// base::Stopped.
-Calibration calibrate(const TileModel& model, const PatternCase& input,
+/// Fit a tile model to a pattern's responses by its linear displacements: Eqs. (1) to (11). A model without
+/// parameters is only compared with them: one for small displacements by its linear displacements, one for
+/// large by its own responses. Deterministic given the options. Throws NumericalError if no sample can be
+/// fitted; base::Stopped.
+Calibration calibrate(const TileModel& model, const CalibrationInput& input,
                       const CalibrationOptions& options = {});
 
 }  // namespace fretwork::reduction

@@ -14,7 +14,7 @@ class CalibrationProblem : public optimization::Problem {
   public:
     /// The parameters at a point, SI, in the order of the model's row.
     [[nodiscard]] virtual std::vector<double> parameter_values(const Eigen::VectorXd& point) const = 0;
-    /// What the model does at a point.
+    /// The displacements of the model at a point.
     [[nodiscard]] virtual UnitDisplacements displacements(const Eigen::VectorXd& point) const = 0;
 };
 

@@ -9,21 +9,23 @@
 namespace fretwork::reduction {
 namespace {
 
-/// Of the range of a variable: balances the rounding of condensed tiles (some 1e-12) and the third
-/// derivative.
+/// As a share of the distance between a variable's bounds: balances the rounding of condensed tiles (some
+/// 1e-12) and the third derivative.
 constexpr double kStep = 1e-5;
 
 bool is_logarithmic(const TileParameter& parameter) {
     return parameter.scale == TileParameter::Scale::Logarithmic;
 }
 
-void check_range(const TileModel& model, const TileParameter& parameter, const TileParameter::Range& range) {
-    const bool fits = std::isfinite(range.lower) && std::isfinite(range.upper) && range.lower < range.upper &&
-                      (!is_logarithmic(parameter) || range.lower > 0.0);
+void check_bounds(const TileModel& model, const TileParameter& parameter,
+                  const TileParameter::Bounds& bounds) {
+    const bool fits = std::isfinite(bounds.lower) && std::isfinite(bounds.upper) &&
+                      bounds.lower < bounds.upper && (!is_logarithmic(parameter) || bounds.lower > 0.0);
     if (!fits)
         throw base::InputError("tile model " + model.name + ": the bounds of " + parameter.name + ", " +
-                               base::format_number(range.lower) + " to " + base::format_number(range.upper) +
-                               ", are no range" + (is_logarithmic(parameter) ? " above zero" : ""));
+                               base::format_number(bounds.lower) + " to " +
+                               base::format_number(bounds.upper) + ", are no range" +
+                               (is_logarithmic(parameter) ? " above zero" : ""));
 }
 
 }  // namespace
@@ -35,10 +37,10 @@ DifferenceProblem::DifferenceProblem(const TileModel& model, const ModelTile& ti
     bounds_ = {Eigen::VectorXd(count), Eigen::VectorXd(count)};
     for (Eigen::Index i = 0; i < count; ++i) {
         const TileParameter& parameter = model.parameters[static_cast<std::size_t>(i)];
-        const TileParameter::Range range = parameter.range(setting);
-        check_range(model, parameter, range);
-        bounds_.lower[i] = is_logarithmic(parameter) ? std::log(range.lower) : range.lower;
-        bounds_.upper[i] = is_logarithmic(parameter) ? std::log(range.upper) : range.upper;
+        const TileParameter::Bounds bounds = parameter.bounds(setting);
+        check_bounds(model, parameter, bounds);
+        bounds_.lower[i] = is_logarithmic(parameter) ? std::log(bounds.lower) : bounds.lower;
+        bounds_.upper[i] = is_logarithmic(parameter) ? std::log(bounds.upper) : bounds.upper;
     }
 }
 

@@ -7,8 +7,8 @@
 namespace fretwork::reduction {
 
 /// The calibration of any linear tile model: the tile is built and condensed anew at each point, and the
-/// derivatives of its answers are central differences. Variables: the parameters, or their natural logarithms
-/// where the row says so.
+/// derivatives of its displacements are central differences. Variables: the parameters, or their natural
+/// logarithms where the row says so.
 class DifferenceProblem final : public CalibrationProblem {
   public:
     /// Keeps references to all. Throws InputError if the bounds of a parameter make no sense.

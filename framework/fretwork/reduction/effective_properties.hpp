@@ -11,7 +11,7 @@
 
 namespace fretwork::reduction {
 
-/// What an endless, regular surface of one pattern is like as a thin plate, at small displacements.
+/// Stiffness and mass of an endless, regular surface of one pattern as a thin plate, at small displacements.
 ///
 /// Both tensors are in Voigt's notation with engineering shear: A maps (e_xx, e_yy, 2 e_xy) to membrane
 /// forces, D maps curvatures (w_xx, w_yy, 2 w_xy) to moments, each per unit of length.
@@ -24,9 +24,9 @@ struct EffectiveProperties {
 /// Homogenize a pattern in the setting's regular polygon, which must have four or six sides: then each side
 /// of the polygon meets the opposite one of the neighbour.
 ///
-/// The cell is the pattern's frame condensed onto its interface nodes. Opposite nodes move by the macroscopic
-/// strain (or curvature) and a periodic fluctuation that makes the energy least: exact for the periodic
-/// frame. Throws InputError for another polygon, or a pattern that leaves interface nodes free.
+/// The periodic cell is one tile: the pattern's frame condensed onto its interface nodes. Opposite nodes move
+/// by the macroscopic strain (or curvature) and a periodic fluctuation that makes the energy least: exact for
+/// the periodic frame. Throws InputError for another polygon, or a pattern that leaves interface nodes free.
 EffectiveProperties effective_properties(const pattern::NodeLayout& layout, const pattern::Pattern& pattern,
                                          const Setting& setting);
 

@@ -6,8 +6,8 @@
 
 namespace fretwork::reduction {
 
-/// What a linear model does at the setting's magnitudes, in the form of a pattern's responses: a target that
-/// this very model meets exactly.
+/// The responses of a linear model at the setting's magnitudes. As a target of calibration, that model fits
+/// them exactly.
 std::vector<Response> linear_responses(const UnitDisplacements& model, const Setting& setting);
 
 }  // namespace fretwork::reduction

@@ -12,7 +12,7 @@
 
 namespace fretwork::reduction {
 
-/// A tile model of one pattern in the setting's regular polygon, and what it does under the setting's
+/// A tile model of one pattern in the setting's regular polygon, and its displacements under the setting's
 /// scenarios. Keeps references to the model, the layout and the setting. Thread-safe.
 class ModelTile {
   public:
@@ -21,10 +21,10 @@ class ModelTile {
 
     /// The tile as a structure, neither held nor loaded; its first nodes are the interface nodes.
     [[nodiscard]] StructureParts parts(std::span<const double> parameters) const;
-    /// The linear answers, from the tile's stiffness at rest. Throws NumericalError that names a scenario
-    /// under which the tile can move freely.
+    /// The linear displacements, from the tile's stiffness at rest. Throws NumericalError that names a
+    /// scenario under which the tile can move freely.
     [[nodiscard]] UnitDisplacements displacements(std::span<const double> parameters) const;
-    /// The nonlinear answers, as compute_responses gives those of the pattern.
+    /// The nonlinear responses of the model, in the form of compute_responses.
     [[nodiscard]] std::vector<Response> responses(std::span<const double> parameters) const;
 
   private:

@@ -55,7 +55,7 @@ class Objective {
     [[nodiscard]] std::size_t left_out() const { return left_out_; }
 
   private:
-    /// What a sample says about one interface node.
+    /// The displacement of one interface node in a sample.
     struct Target {
         Eigen::Vector3d translation;
         Eigen::Quaterniond inverse_rotation;

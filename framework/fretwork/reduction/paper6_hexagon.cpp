@@ -36,7 +36,7 @@ std::array<int, kPlaneParameters> parameter_columns(Plane plane) {
     return plane == Plane::InPlane ? std::array{0, 2, 4, 5} : std::array{3, 1, 4, 5};
 }
 
-/// Scenarios of one plane that hold the same dofs share a factorization.
+/// Scenarios of one plane that support the same dofs share a factorization.
 struct SupportGroup {
     std::vector<Eigen::Index> free_dofs;
     struct Case {
@@ -59,11 +59,11 @@ PlaneVector plane_load(const Scenario& scenario, Plane plane) {
 
 std::vector<Eigen::Index> free_dofs(const Scenario& scenario, Plane plane) {
     std::array<bool, kPlaneDofs> held{};
-    for (const Scenario::Hold& hold : scenario.held) {
+    for (const Scenario::Support& support : scenario.supports) {
         const auto components = plane_components(plane);
         for (int c = 0; c < 3; ++c) {
-            bool& is_held = held[3 * hold.interface_node + c];
-            is_held = is_held || hold.fixed.contains[components[c]];
+            bool& is_held = held[3 * support.interface_node + c];
+            is_held = is_held || support.fixed.contains[components[c]];
         }
     }
     std::vector<Eigen::Index> result;
@@ -160,7 +160,7 @@ class Paper6Hexagon::Impl {
     static constexpr double kSmallestConditioning = 1e-13;
     static std::size_t index(Plane plane) { return static_cast<std::size_t>(plane); }
 
-    /// What one plane at given parameters is.
+    /// One plane at given parameters.
     struct PlaneState {
         Plane plane;
         const CondensedHexagon& hexagon;
@@ -174,7 +174,7 @@ class Paper6Hexagon::Impl {
         return {material_.shear_modulus() * p.J, E * p.I2, p.theta, p.R};
     }
 
-    /// How fast a plane's own four parameters change with those of the model.
+    /// Derivatives of a plane's four parameters with respect to the model's six.
     [[nodiscard]] std::array<double, kPlaneParameters> parameter_rates(Plane plane) const {
         const double E = material_.young_modulus;
         return {plane == Plane::InPlane ? E : material_.shear_modulus(), E, 1.0, 1.0};

@@ -8,9 +8,9 @@
 
 namespace fretwork::reduction {
 
-/// The paper's six-parameter model in the setting's hexagon, made for being solved millions of times: linear
-/// Euler-Bernoulli beams, the two planes apart, the ring eliminated by the hexagon's symmetry. It equals
-/// paper6_tile under mechanics::solve_linear.
+/// A fast solver of the paper's six-parameter model in the setting's hexagon: linear Euler-Bernoulli beams,
+/// in-plane and out-of-plane problems solved apart, the ring eliminated by the hexagon's symmetry. Gives the
+/// displacements of paper6_tile under mechanics::solve_linear.
 ///
 /// One solution for each scenario serves all magnitudes; derivatives (with respect to A, I2, I3, J, theta, R)
 /// come from the same factorization: K dd = -dK d. Immutable and thread-safe.

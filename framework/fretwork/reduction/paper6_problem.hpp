@@ -6,9 +6,9 @@
 
 namespace fretwork::reduction {
 
-/// The bounds of the six parameters: A, I2, I3, J within [0.001, 1000] times the bar's own (Section 5.3);
-/// theta within 30 degrees; R within [0.001, 0.999] of the centroid-to-side distance, since at the whole of
-/// it and theta = 0 the links would vanish (Eq. (7) allows that).
+/// The bounds of the six parameters: A, I2, I3, J within [0.001, 1000] times those of the setting's section
+/// (Section 5.3); theta within 30 degrees; R within [0.001, 0.999] of the centroid-to-side distance, since at
+/// the whole of it and theta = 0 the links would have no length (Eq. (7) allows that).
 struct Paper6Bounds {
     Paper6Parameters lower;
     Paper6Parameters upper;
@@ -16,7 +16,7 @@ struct Paper6Bounds {
 Paper6Bounds paper6_bounds(const Setting& setting);
 
 /// The calibration of the paper's model to one pattern as a problem to be minimized. Variables: the natural
-/// logarithms of A, I2, I3 and J as multiples of the bar's own, theta in radians, and R as a share of the
+/// logarithms of A, I2, I3 and J as multiples of the section's, theta in radians, and R as a share of the
 /// centroid-to-side distance. An evaluation of any kind costs one factorization of the model's stiffness.
 class Paper6Problem final : public CalibrationProblem {
   public:

@@ -31,13 +31,13 @@ Eigen::Vector3d at_place(const Place& place, const std::array<Point2, 3>& sector
     return result;
 }
 
-using Range = TileParameter::Range;
+using Bounds = TileParameter::Bounds;
 
-/// The bounds of one of the six, which `member` picks.
-std::function<Range(const Setting&)> bounds_of(double Paper6Parameters::*member) {
+/// The bounds of one of the six parameters.
+std::function<Bounds(const Setting&)> bounds_of(double Paper6Parameters::*member) {
     return [member](const Setting& setting) {
         const Paper6Bounds bounds = paper6_bounds(setting);
-        return Range{bounds.lower.*member, bounds.upper.*member};
+        return Bounds{bounds.lower.*member, bounds.upper.*member};
     };
 }
 

@@ -88,8 +88,8 @@ mechanics::Frame pattern_frame(const pattern::NodeLayout& layout, const pattern:
 }
 
 mechanics::Frame scenario_frame(mechanics::Frame tile, const Scenario& scenario) {
-    for (const Scenario::Hold& hold : scenario.held) {
-        tile.supports.push_back({mechanics::NodeIndex(hold.interface_node), hold.fixed});
+    for (const Scenario::Support& support : scenario.supports) {
+        tile.supports.push_back({mechanics::NodeIndex(support.interface_node), support.fixed});
     }
     for (const Scenario::Load& load : scenario.loads) {
         tile.loads.push_back({mechanics::NodeIndex(load.interface_node),
@@ -100,8 +100,8 @@ mechanics::Frame scenario_frame(mechanics::Frame tile, const Scenario& scenario)
 }
 
 void apply_scenario(const Scenario& scenario, mechanics::Assembly& tile) {
-    for (const Scenario::Hold& hold : scenario.held)
-        tile.supports.push_back({mechanics::NodeIndex(hold.interface_node), hold.fixed});
+    for (const Scenario::Support& support : scenario.supports)
+        tile.supports.push_back({mechanics::NodeIndex(support.interface_node), support.fixed});
     tile.has_moments = false;
     for (const Scenario::Load& load : scenario.loads) {
         tile.loads.row(load.interface_node).head<3>() += scenario.max_magnitude * to_vector(load.force);

@@ -37,7 +37,7 @@ std::array<double, 3> read_vector(const std::optional<JsonReader>& json) {
     return {values[0], values[1], values[2]};
 }
 
-Scenario::Hold read_hold(const JsonReader& json) {
+Scenario::Support read_support(const JsonReader& json) {
     json.allow_only({"interface_node", "fixed"});
     return {read_interface_node(json), read_dofs(json.at("fixed"))};
 }
@@ -48,8 +48,7 @@ Scenario::Load read_load(const JsonReader& json) {
     return {read_interface_node(json), read_vector(json.find("force")), read_vector(json.find("moment"))};
 }
 
-/// The sketch and the reason of the magnitude are for people: they are checked to be text and left in the
-/// file.
+/// The sketch and the reason of the magnitude are documentation: checked to be text, otherwise ignored.
 void check_remarks(const JsonReader& json) {
     if (const auto sketch = json.find("sketch")) {
         for (const JsonReader& line : sketch->elements()) (void)line.string();
@@ -57,12 +56,12 @@ void check_remarks(const JsonReader& json) {
     if (const auto reason = json.find("max_magnitude_reason")) (void)reason->string();
 }
 
-Json hold_json(const Scenario::Hold& hold) {
+Json support_json(const Scenario::Support& support) {
     Json fixed = Json::array();
     for (std::size_t dof = 0; dof < mechanics::kDofNames.size(); ++dof) {
-        if (hold.fixed.contains[dof]) fixed.push_back(mechanics::kDofNames[dof]);
+        if (support.fixed.contains[dof]) fixed.push_back(mechanics::kDofNames[dof]);
     }
-    return {{"interface_node", hold.interface_node}, {"fixed", fixed}};
+    return {{"interface_node", support.interface_node}, {"fixed", fixed}};
 }
 
 Json load_json(const Scenario::Load& load) {
@@ -84,7 +83,8 @@ Scenario read_scenario(const JsonReader& json) {
     if (const auto description = json.find("description")) scenario.description = description->string();
     scenario.weight = json.at("weight").positive_number();
     scenario.max_magnitude = json.at("max_magnitude").positive_number();
-    for (const JsonReader& hold : json.at("held").elements()) scenario.held.push_back(read_hold(hold));
+    for (const JsonReader& support : json.at("held").elements())
+        scenario.supports.push_back(read_support(support));
     for (const JsonReader& load : json.at("loads").elements()) scenario.loads.push_back(read_load(load));
     if (scenario.loads.empty()) json.at("loads").fail("a scenario needs a load");
     return scenario;
@@ -94,7 +94,7 @@ Json scenario_json(const Scenario& scenario) {
     Json json = {{"name", scenario.name},     {"description", scenario.description},
                  {"weight", scenario.weight}, {"max_magnitude", scenario.max_magnitude},
                  {"held", Json::array()},     {"loads", Json::array()}};
-    for (const auto& hold : scenario.held) json["held"].push_back(hold_json(hold));
+    for (const auto& support : scenario.supports) json["held"].push_back(support_json(support));
     for (const auto& load : scenario.loads) json["loads"].push_back(load_json(load));
     return json;
 }

@@ -13,10 +13,10 @@ namespace fretwork::reduction {
 /// A standard load case of one tile in the reference hexagon, by its interface nodes. Paper, Section 5.2 and
 /// Fig. 10.
 struct Scenario {
-    struct Hold {
+    struct Support {
         int interface_node = 0;
         mechanics::DofSet fixed;
-        friend bool operator==(const Hold&, const Hold&) = default;
+        friend bool operator==(const Support&, const Support&) = default;
     };
     struct Load {  ///< for a magnitude of 1 N
         int interface_node = 0;
@@ -26,9 +26,9 @@ struct Scenario {
     };
     std::string name;
     std::string description;
-    double weight = 1.0;         ///< w_k of Eq. (8), Table 2
-    double max_magnitude = 0.0;  ///< N
-    std::vector<Hold> held;
+    double weight = 1.0;            ///< w_k of Eq. (8), Table 2
+    double max_magnitude = 0.0;     ///< N
+    std::vector<Support> supports;  ///< "held" in files
     std::vector<Load> loads;
     friend bool operator==(const Scenario&, const Scenario&) = default;
 };

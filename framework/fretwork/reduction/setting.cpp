@@ -20,8 +20,8 @@ void check_interface_node(const Setting& setting, int node, const std::string& s
 void check_scenario(const Setting& setting, std::size_t index, const std::string& source) {
     const Scenario& scenario = setting.scenarios[index];
     const std::string place = "/scenarios/" + std::to_string(index);
-    for (std::size_t i = 0; i < scenario.held.size(); ++i) {
-        check_interface_node(setting, scenario.held[i].interface_node, source,
+    for (std::size_t i = 0; i < scenario.supports.size(); ++i) {
+        check_interface_node(setting, scenario.supports[i].interface_node, source,
                              place + "/held/" + std::to_string(i));
     }
     for (std::size_t i = 0; i < scenario.loads.size(); ++i) {

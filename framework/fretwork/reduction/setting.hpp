@@ -10,15 +10,15 @@
 
 namespace fretwork::reduction {
 
-/// What becomes of samples past the first loss of stability.
+/// Whether samples past the first loss of stability are fitted. "branch" in files.
 enum class SamplePolicy {
-    Paper,   ///< kept, as a solver gives them that does not look at stability: the paper must have done so
-    Stable,  ///< left out, from the first loss on: the reduced model is fitted to what a specimen does
+    Paper,   ///< fitted, as by a solver that does not check stability; so, it seems, did the paper
+    Stable,  ///< left out from the first loss on: only states that a specimen reaches are fitted
 };
 std::string_view sample_policy_name(SamplePolicy policy);
 
-/// Under what conditions patterns are loaded and compared: all that a response depends on besides its
-/// pattern.
+/// All that a response depends on besides its pattern: material, section, tile size, scenarios and
+/// discretization.
 struct Setting {
     mechanics::Material material;
     mechanics::Section section;

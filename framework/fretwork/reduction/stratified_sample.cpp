@@ -12,7 +12,7 @@ struct Stratum {
     std::size_t share = 0;
 };
 
-/// Deal out one by one, stratum by stratum, until nothing is left to deal or to take.
+/// How many items to take of each stratum: one more of each in turn, until enough are taken or none is left.
 void deal(std::map<int, Stratum>& strata, std::size_t size) {
     bool anything_taken = true;
     while (size > 0 && anything_taken) {

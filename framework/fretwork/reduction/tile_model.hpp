@@ -26,7 +26,7 @@ struct TileInput {
 
 /// One parameter of a tile model.
 struct TileParameter {
-    struct Range {
+    struct Bounds {
         double lower = 0.0;
         double upper = 0.0;
     };
@@ -35,13 +35,13 @@ struct TileParameter {
     std::string name;  ///< as libraries store it: "I2"
     std::string unit;  ///< of the value, SI: "m^4"
     Scale scale = Scale::Linear;
-    std::function<Range(const Setting&)> range;  ///< the bounds of a calibration
+    std::function<Bounds(const Setting&)> bounds;  ///< of a calibration
 };
 
 /// Which displacements a tile model is made for.
 enum class Displacements { Small, Large };
 
-/// Whether other models are compared with this one, or it with another.
+/// The reference is the full model; reduced models are compared with it.
 enum class Role { Reference, Reduced };
 
 /// Whether congruent tiles of a surface are built once. Then a tile is built in its own axes, from its

@@ -9,10 +9,10 @@ namespace {
 
 std::vector<Eigen::Index> free_dofs(const Scenario& scenario, Eigen::Index count) {
     std::vector<bool> held(static_cast<std::size_t>(count), false);
-    for (const Scenario::Hold& hold : scenario.held) {
-        for (std::size_t dof = 0; dof < hold.fixed.contains.size(); ++dof) {
-            if (hold.fixed.contains[dof])
-                held[6 * static_cast<std::size_t>(hold.interface_node) + dof] = true;
+    for (const Scenario::Support& support : scenario.supports) {
+        for (std::size_t dof = 0; dof < support.fixed.contains.size(); ++dof) {
+            if (support.fixed.contains[dof])
+                held[6 * static_cast<std::size_t>(support.interface_node) + dof] = true;
         }
     }
     std::vector<Eigen::Index> result;

@@ -10,7 +10,8 @@
 
 namespace fretwork::reduction {
 
-/// What a linear model does under each scenario at a magnitude of 1 N: one row for each interface node.
+/// The displacements of a linear model under each scenario at a magnitude of 1 N: one row for each interface
+/// node.
 using UnitDisplacements = std::vector<mechanics::NodeValues>;
 
 /// The same with derivatives: for each scenario 6n rows (node by node) and one column a parameter.
@@ -19,7 +20,8 @@ struct UnitDisplacementsAndDerivatives {
     std::vector<Eigen::MatrixXd> derivatives;
 };
 
-/// What a tile with this stiffness of its interface nodes (6n x 6n) does under each scenario of the setting.
+/// The displacements of a tile with this stiffness of its interface nodes (6n x 6n) under the setting's
+/// scenarios.
 /// Throws NumericalError that names a scenario under which it can move freely.
 UnitDisplacements unit_displacements(const Eigen::MatrixXd& stiffness, const Setting& setting);
 

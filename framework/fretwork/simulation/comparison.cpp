@@ -34,7 +34,7 @@ void require_converged(const Result& result, const std::string& which) {
     }
 }
 
-/// Results that do not say what they are of are taken at their word.
+/// Results without a subject (files of the first format) cannot be checked.
 void require_same_subject(const Result& full, const Result& reduced) {
     if (!full.subject || !reduced.subject) return;
     const std::string difference = subject_difference(*full.subject, *reduced.subject);
@@ -50,8 +50,7 @@ void require_same_subject(const Result& full, const Result& reduced) {
 }
 
 void require_same_place(const Result::Node& full, const Result::Node& reduced) {
-    constexpr double kTolerance =
-        1e-9;  // metres: files keep every digit, so this only forgives other writers
+    constexpr double kTolerance = 1e-9;  // m; our files keep every digit, those of other programs may not
     if ((full.rest_position - reduced.rest_position).norm() > kTolerance) {
         throw base::InputError("interface node " + std::to_string(full.id) +
                                " lies at different places in the two results: they are not of one surface");

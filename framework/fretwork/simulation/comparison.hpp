@@ -31,7 +31,7 @@ struct Comparison {
 /// Compare two results of one surface; nodes are matched by id. Throws InputError if the results say that
 /// they are of different tessellations, paintings, settings or load cases, of one model, or that the second
 /// is the full one; if an interface node of one is missing in the other or lies elsewhere; or if a result did
-/// not converge. Files of the first format do not say what they are of.
+/// not converge. Results without a subject (files of the first format) are not checked for that.
 Comparison compare(const mechanics::Result& full, const mechanics::Result& reduced);
 
 /// The header of the table, and a row of it.

@@ -52,21 +52,21 @@ class Resolver {
 
   private:
     void add_support(std::size_t i) {
-        const LoadCase::Hold& hold = load_case_.supports[i];
-        for (const auto node : picked_(hold.where, "supports", i)) {
-            conditions_.supports.push_back({NodeIndex(node.value), hold.fixed});
+        const LoadCase::Support& support = load_case_.supports[i];
+        for (const auto node : picked_(support.where, "supports", i)) {
+            conditions_.supports.push_back({NodeIndex(node.value), support.fixed});
         }
     }
 
     void add_prescribed(std::size_t i) {
-        const LoadCase::Prescribe& entry = load_case_.prescribed[i];
+        const LoadCase::PrescribedDisplacement& entry = load_case_.prescribed[i];
         for (const auto node : picked_(entry.where, "prescribed", i)) {
             const mechanics::PrescribedDisplacement wanted{NodeIndex(node.value), entry.dof, entry.value};
             if (is_new(wanted, i)) conditions_.prescribed.push_back(wanted);
         }
     }
 
-    /// Several entries may pick one node, but not want different things of it.
+    /// Several entries may pick one node, but must prescribe the same value there.
     [[nodiscard]] bool is_new(const mechanics::PrescribedDisplacement& wanted, std::size_t entry) {
         const auto [other, is_first] =
             prescribed_values_.try_emplace({wanted.node, wanted.dof}, wanted.value);

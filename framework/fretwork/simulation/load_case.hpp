@@ -11,10 +11,9 @@
 
 namespace fretwork::simulation {
 
-/// What holds a tessellation and what acts on it. All of it is on interface nodes, which every model of it
-/// shares.
+/// Supports and loads of a tessellation, all of them on interface nodes, which every tile model has.
 struct LoadCase {
-    struct Hold {
+    struct Support {
         Selection where;
         mechanics::DofSet fixed;
     };
@@ -26,16 +25,16 @@ struct LoadCase {
         Eigen::Vector3d moment = Eigen::Vector3d::Zero();  ///< N m, fixed direction in space
         Amount amount = Amount::Each;
     };
-    struct Prescribe {
+    struct PrescribedDisplacement {
         Selection where;
         mechanics::Dof dof = mechanics::Dof::ux;
         double value = 0.0;  ///< m or rad
     };
     std::string name;
     std::string description;
-    std::vector<Hold> supports;
+    std::vector<Support> supports;
     std::vector<Load> loads;
-    std::vector<Prescribe> prescribed;
+    std::vector<PrescribedDisplacement> prescribed;
     /// m/s^2. The weight of a tile's beams is shared evenly by its interface nodes, in every model: paper,
     /// Section 7.3.
     Eigen::Vector3d gravity = Eigen::Vector3d::Zero();

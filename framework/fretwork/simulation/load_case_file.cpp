@@ -86,22 +86,22 @@ std::optional<Dof> dof_of(const std::string& name) {
     return static_cast<Dof>(place - kDofNames.begin());
 }
 
-LoadCase::Hold read_hold(const JsonReader& json) {
+LoadCase::Support read_support(const JsonReader& json) {
     json.allow_only({"nodes", "box", "nearest", "side", "fixed"});
-    LoadCase::Hold hold{read_selection(json), {}};
+    LoadCase::Support support{read_selection(json), {}};
     for (const JsonReader& name : json.at("fixed").elements()) {
         const std::string dof = name.choice({"ux", "uy", "uz", "rx", "ry", "rz"});
-        hold.fixed.contains[static_cast<std::size_t>(*dof_of(dof))] = true;
+        support.fixed.contains[static_cast<std::size_t>(*dof_of(dof))] = true;
     }
-    return hold;
+    return support;
 }
 
-Json hold_json(const LoadCase::Hold& hold) {
+Json support_json(const LoadCase::Support& support) {
     Json json;
-    write_selection(hold.where, json);
+    write_selection(support.where, json);
     json["fixed"] = Json::array();
     for (std::size_t d = 0; d < kDofNames.size(); ++d) {
-        if (hold.fixed.contains[d]) json["fixed"].push_back(kDofNames[d]);
+        if (support.fixed.contains[d]) json["fixed"].push_back(kDofNames[d]);
     }
     return json;
 }
@@ -126,8 +126,8 @@ Json load_json(const LoadCase::Load& load) {
     return json;
 }
 
-/// One entry may prescribe several dofs; each is one Prescribe.
-void read_prescribed(const JsonReader& json, std::vector<LoadCase::Prescribe>& list) {
+/// One entry may prescribe several dofs; each becomes one PrescribedDisplacement.
+void read_prescribed(const JsonReader& json, std::vector<LoadCase::PrescribedDisplacement>& list) {
     json.allow_only({"nodes", "box", "nearest", "side", "ux", "uy", "uz", "rx", "ry", "rz"});
     const Selection where = read_selection(json);
     const std::size_t before = list.size();
@@ -137,7 +137,7 @@ void read_prescribed(const JsonReader& json, std::vector<LoadCase::Prescribe>& l
     if (list.size() == before) json.fail("prescribes nothing: one of ux, uy, uz, rx, ry, rz is needed");
 }
 
-Json prescribed_json(const LoadCase::Prescribe& prescribed) {
+Json prescribed_json(const LoadCase::PrescribedDisplacement& prescribed) {
     Json json;
     write_selection(prescribed.where, json);
     json[kDofNames[static_cast<std::size_t>(prescribed.dof)]] = prescribed.value;
@@ -167,8 +167,8 @@ LoadCase load_case_from_json(const JsonReader& json) {
     load_case.name = json.at("name").string();
     if (load_case.name.empty()) json.at("name").fail("is empty, where a name is needed");
     if (const auto description = json.find("description")) load_case.description = description->string();
-    for (const JsonReader& hold : elements_of(json, "supports"))
-        load_case.supports.push_back(read_hold(hold));
+    for (const JsonReader& support : elements_of(json, "supports"))
+        load_case.supports.push_back(read_support(support));
     for (const JsonReader& load : elements_of(json, "loads")) load_case.loads.push_back(read_load(load));
     for (const JsonReader& entry : elements_of(json, "prescribed"))
         read_prescribed(entry, load_case.prescribed);
@@ -181,7 +181,7 @@ Json load_case_to_json(const LoadCase& load_case) {
     json["format"] = "fretwork/load-case/1";
     json["name"] = load_case.name;
     json["description"] = load_case.description;
-    json["supports"] = list_json(load_case.supports, hold_json);
+    json["supports"] = list_json(load_case.supports, support_json);
     json["loads"] = list_json(load_case.loads, load_json);
     json["prescribed"] = list_json(load_case.prescribed, prescribed_json);
     json["gravity"] = vector_json(load_case.gravity);

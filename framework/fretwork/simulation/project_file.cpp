@@ -111,12 +111,12 @@ void check_patterns(const JsonReader& json, const Project& project) {
     }
 }
 
-/// The checks of other stages know no file; they speak of the tessellation or the outline.
-template <class Complaint, class Read>
+/// Other stages check without knowing the file: add file and place to their errors.
+template <class Error, class Read>
 auto in_place(const JsonReader& json, Read&& read) {
     try {
         return read(json);
-    } catch (const Complaint& error) {
+    } catch (const Error& error) {
         json.fail(error.what());
     }
 }

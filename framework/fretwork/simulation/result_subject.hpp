@@ -17,7 +17,7 @@ namespace fretwork::simulation {
 mechanics::ResultSubject result_subject(const Surface& surface, const LoadCase& load_case,
                                         const SimulationOptions& options);
 
-/// What tells two subjects apart besides their models, in words ("the painting"); empty: nothing.
+/// What two subjects differ in besides their models, in words ("the painting"); empty: nothing.
 /// Descriptions of load cases do not count.
 std::string subject_difference(const mechanics::ResultSubject& left, const mechanics::ResultSubject& right);
 

@@ -414,9 +414,9 @@ void Session::set_load_case(const LoadCase& load_case) {
     impl_->set_load_case(load_case);
 }
 
-void Session::set_support(std::size_t entry, const LoadCase::Hold& hold) {
+void Session::set_support(std::size_t entry, const LoadCase::Support& support) {
     LoadCase edited = impl_->load_case();
-    set_entry(edited.supports, entry, hold, "support");
+    set_entry(edited.supports, entry, support, "support");
     impl_->set_load_case(edited);
 }
 void Session::set_load(std::size_t entry, const LoadCase::Load& load) {
@@ -424,9 +424,9 @@ void Session::set_load(std::size_t entry, const LoadCase::Load& load) {
     set_entry(edited.loads, entry, load, "load");
     impl_->set_load_case(edited);
 }
-void Session::set_prescribed(std::size_t entry, const LoadCase::Prescribe& prescribe) {
+void Session::set_prescribed(std::size_t entry, const LoadCase::PrescribedDisplacement& displacement) {
     LoadCase edited = impl_->load_case();
-    set_entry(edited.prescribed, entry, prescribe, "prescribed displacement");
+    set_entry(edited.prescribed, entry, displacement, "prescribed displacement");
     impl_->set_load_case(edited);
 }
 

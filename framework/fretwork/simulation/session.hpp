@@ -21,8 +21,8 @@ using CalibrationSource = std::function<std::vector<reduction::Calibration>(cons
 /// A surface under a load case that is edited and solved again and again. It keeps what was computed: the
 /// tiles, the assembled structure, the order of elimination and the factors of linear solutions.
 ///
-/// Edits are values. They compute nothing; each says what it makes invalid, and the next solve() computes
-/// that anew and nothing else. After any edits the answer is that of the edited surface simulated from
+/// Edits compute nothing. Each documents what it invalidates, and the next solve() computes that anew and
+/// nothing else. After any edits the answer is that of the edited surface simulated from
 /// nothing: the same bits where the factors were made anew, and within rounding where they were updated. An
 /// edit that throws has changed nothing.
 ///
@@ -58,9 +58,9 @@ class Session {
     /// Invalid: the loads; the factors if other dofs are held than before.
     void set_load_case(const LoadCase& load_case);
     /// Change one entry of the load case, or append one (`entry` is then their number). As set_load_case.
-    void set_support(std::size_t entry, const LoadCase::Hold& hold);
+    void set_support(std::size_t entry, const LoadCase::Support& support);
     void set_load(std::size_t entry, const LoadCase::Load& load);
-    void set_prescribed(std::size_t entry, const LoadCase::Prescribe& prescribe);
+    void set_prescribed(std::size_t entry, const LoadCase::PrescribedDisplacement& displacement);
 
     /// The equilibrium of the surface as it is now. Throws NumericalError if the structure is not held, and
     /// base::Stopped; then all edits are kept, and the next call goes on.
@@ -71,7 +71,7 @@ class Session {
     /// a target. Throws InputError if the rows are not as many.
     Eigen::MatrixXd solve_adjoint(const Eigen::MatrixXd& rows);
 
-    /// What the last solve() computed anew, and what it took over.
+    /// What the last solve() computed anew, and what it reused.
     struct Work {
         std::size_t tiles_built = 0;  ///< shared ones once
         enum class Factors { Kept, Updated, Anew } factors = Factors::Anew;

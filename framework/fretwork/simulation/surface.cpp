@@ -8,7 +8,7 @@
 namespace fretwork::simulation {
 namespace {
 
-/// What the project's tiles are made of, if it says so, is what the library was made for.
+/// The setting of a project, if it has one, must be that of its library.
 reduction::Setting setting_of(const Project& project, const library::Library* library) {
     if (library == nullptr) return project.setting.value_or(reduction::paper_setting());
     if (project.setting) library->check_setting(*project.setting);

@@ -13,7 +13,7 @@
 
 namespace fretwork::simulation {
 
-/// A painted tessellation with what its beams are made of: all that a model of it is built from.
+/// A painted tessellation with its setting and calibrations: what its tiles are built from.
 struct Surface {
     pattern::NodeLayout layout;
     tiling::Tessellation tessellation;

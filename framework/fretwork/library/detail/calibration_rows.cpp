@@ -25,7 +25,7 @@ bool is_finite(const CalibrationRecord& record) {
            std::ranges::all_of(calibration.scenario_errors, finite);
 }
 
-/// Bind what tells a calibration apart, then some more.
+/// Bind the key of a calibration, then further values.
 template <class... Values>
 Statement& bind_of_one(Statement& statement, std::string_view pattern_id, const CalibrationKey& key,
                        const Values&... more) {

@@ -23,7 +23,7 @@ void insert_calibration(const Database& database, const std::string& pattern_id,
 std::vector<CalibrationRecord> read_calibrations(const Database& database, std::string_view pattern_id,
                                                  const reduction::Setting& setting);
 
-/// True if two records of one key say the same, but for the time that they took.
+/// True if two records of one key are equal, except for the time that they took.
 bool are_equal(const CalibrationRecord& left, const CalibrationRecord& right);
 
 }  // namespace fretwork::library::detail

@@ -12,7 +12,7 @@
 
 namespace fretwork::library::detail {
 
-/// An open SQLite file. Every complaint is an InputError (no database, damaged), or an IoError (disk full, no
+/// An open SQLite file. Each error is an InputError (no database, damaged), or an IoError (disk full, no
 /// permission, locked), and names the file.
 class Database {
   public:

@@ -14,7 +14,7 @@
 
 namespace fretwork::library::detail {
 
-/// A library beside the output that vanishes unless it is moved into its place. Several processes may make
+/// A temporary file beside the output, removed unless it is moved into its place. Several processes may make
 /// the same output at once: each has a draft of its own, and only the first to finish gives the output.
 class Draft {
   public:

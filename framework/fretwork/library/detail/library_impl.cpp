@@ -44,13 +44,13 @@ std::unique_ptr<Transaction> Library::Impl::begin_writing() {
     if (database.is_read_only())
         throw base::IoError(database.path().string() + ": cannot be written: no permission");
     auto transaction = std::make_unique<Transaction>(database, Transaction::Kind::Write);
-    if (!session_recorded) detail::record_session(database);
+    if (!writer_recorded) detail::record_writer(database);
     return transaction;
 }
 
 void Library::Impl::commit(Transaction& transaction) {
     transaction.commit();
-    session_recorded = true;
+    writer_recorded = true;
 }
 
 void Library::Impl::require_pattern(std::string_view id) const {

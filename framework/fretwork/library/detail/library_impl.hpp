@@ -13,13 +13,14 @@
 
 namespace fretwork::library {
 
-/// An open library. What stores one thing runs within the transaction of begin_writing().
+/// An open library. Call store() within a transaction of begin_writing().
 struct Library::Impl {
     explicit Impl(detail::Database opened);
 
     [[nodiscard]] detail::ResponseShape shape() const;
 
-    /// Begin to write; the first time, say who does. Throws IoError if the file cannot be written.
+    /// Begin a transaction; the first one also records the writer's provenance. Throws IoError if the file
+    /// cannot be written.
     [[nodiscard]] std::unique_ptr<detail::Transaction> begin_writing();
     void commit(detail::Transaction& transaction);
 
@@ -34,7 +35,7 @@ struct Library::Impl {
     detail::Database database;
     pattern::NodeLayout layout;
     reduction::Setting setting;
-    bool session_recorded = false;
+    bool writer_recorded = false;
 
   private:
     void store_responses(const std::string& pattern, const std::vector<reduction::Response>& responses);

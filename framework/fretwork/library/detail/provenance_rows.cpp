@@ -25,7 +25,7 @@ std::string utc_time() {
 
 }  // namespace
 
-void record_session(const Database& database) {
+void record_writer(const Database& database) {
     const std::int64_t session =
         query_integer(database, "SELECT coalesce(max(session), 0) + 1 FROM provenance").value_or(1);
     Statement insert(database, "INSERT INTO provenance VALUES (?, ?, ?)");

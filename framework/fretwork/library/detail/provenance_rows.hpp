@@ -5,7 +5,7 @@
 
 namespace fretwork::library::detail {
 
-/// Record who writes: the program's provenance, the host and the time, as a new session.
-void record_session(const Database& database);
+/// Record this writer: the program's provenance, the host and the time, under the next session number.
+void record_writer(const Database& database);
 
 }  // namespace fretwork::library::detail

@@ -10,7 +10,7 @@
 
 namespace fretwork::library::detail {
 
-/// What the responses of a library look like: the same for all of its patterns.
+/// The shape of a library's responses: the same for all of its patterns.
 struct ResponseShape {
     const reduction::Setting* setting;
     int nodes;  ///< interface nodes of a tile
@@ -30,7 +30,7 @@ void insert_responses(const Database& database, const std::string& pattern_id,
 std::vector<reduction::Response> read_responses(const Database& database, std::string_view pattern_id,
                                                 const ResponseShape& shape);
 
-/// True if two lists say the same.
+/// True if all values are equal.
 bool are_equal(const std::vector<reduction::Response>& left, const std::vector<reduction::Response>& right);
 
 }  // namespace fretwork::library::detail

@@ -70,14 +70,14 @@ Matrix3d twice_symmetric(const Matrix3d& m) {
     return m + m.transpose();
 }
 
-/// A link as its two nodes see it.
+/// A link in the axes of its two nodes.
 struct Link {
     double length;
     double first_angle;   ///< its direction in the axes of the interface node
     double second_angle;  ///< and in those of the ring node
 };
 
-/// How fast these change.
+/// Their derivatives.
 using LinkRate = Link;
 
 struct LinkGeometry {

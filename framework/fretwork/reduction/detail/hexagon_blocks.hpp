@@ -5,7 +5,7 @@
 // 270 + 60 i degrees + theta, distance R); six ring beams join neighbouring ring nodes. A flat frame's linear
 // problem splits into one in the plane (ux uy rz: EA and EI3 count) and one out of it (uz rx ry: GJ and EI2
 // count). Written in axes that turn with the nodes (radial, tangential, normal) all sectors are alike, so
-// that four 3 x 3 blocks say all.
+// that four 3 x 3 blocks are enough.
 #pragma once
 
 #include <Eigen/Core>

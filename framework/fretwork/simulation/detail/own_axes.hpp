@@ -19,8 +19,7 @@ struct OwnAxes {
 };
 
 /// The grid of a tessellation, m: a power of two near a billionth of the mean tile side. Rounding to it moves
-/// stiffnesses by some billionths; what computing in other places of a surface leaves on the coordinates is a
-/// million times smaller.
+/// stiffnesses by some billionths; rounding errors of the coordinates are a million times smaller.
 double congruence_grid(const tiling::Tessellation& tessellation);
 
 OwnAxes own_axes(const pattern::Polygon& polygon, double grid);

@@ -11,7 +11,7 @@ namespace {
 
 using reduction::TileStructure;
 
-/// What tells shared tiles apart.
+/// The key of a shared tile.
 std::string key_of(const reduction::TileModel& model, const std::string& pattern, const OwnAxes& axes) {
     std::string key = model.name + '\0' + pattern + '\0';
     key.append(reinterpret_cast<const char*>(axes.steps.data()), axes.steps.size() * sizeof(std::int64_t));

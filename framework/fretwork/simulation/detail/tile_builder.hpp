@@ -33,8 +33,8 @@ struct BuildOptions {
 
 /// Builds tiles, and keeps those that congruent tiles share.
 ///
-/// Congruent tiles are told by their polygons in axes of their own: the origin in the centroid, x along the
-/// first side, coordinates rounded to a grid of about a billionth of the mean tile side. A shared tile is
+/// Congruent tiles are recognized by their polygons in axes of their own: the origin in the centroid, x along
+/// the first side, coordinates rounded to a grid of about a billionth of the mean tile side. A shared tile is
 /// built from the rounded polygon, so it does not depend on which tile came first. A polygon that is not
 /// convex after the rounding (one with a straight corner, say) is built as it is, and not shared.
 class TileBuilder {

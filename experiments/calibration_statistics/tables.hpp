@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the parts of this experiment share.
+// The tables of this experiment, and what they share.
 #pragma once
 
 #include <fretwork/library/library.hpp>
@@ -9,8 +9,8 @@
 
 namespace fretwork::experiments {
 
-/// A calibrated library, read.
-struct Study {
+/// A calibrated library, and which of its calibrations the tables are about.
+struct TableInput {
     const library::Library& library;
     std::vector<library::PatternEntry> patterns;
     reduction::CalibrationOptions options;  ///< of the calibrations that are looked at
@@ -33,10 +33,10 @@ void print_head(const std::vector<std::string>& cells);
 std::string fixed(double value, int digits);
 
 /// How far the largest magnitudes move the tiles.
-void print_displacements(const Study& study);
+void print_displacements(const TableInput& input);
 /// What the policy for samples past the first loss of stability changes.
-void print_policies(const Study& study);
+void print_policies(const TableInput& input);
 /// How the objective depends on the largest magnitudes.
-void print_magnitudes(const Study& study);
+void print_magnitudes(const TableInput& input);
 
 }  // namespace fretwork::experiments
