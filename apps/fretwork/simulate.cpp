@@ -10,6 +10,7 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/file.hpp>
 #include <fretwork/exports/writer_catalogue.hpp>
+#include <fretwork/mechanics/frame_file.hpp>
 #include <fretwork/simulation/load_case_file.hpp>
 #include <fretwork/simulation/project_file.hpp>
 #include <fretwork/simulation/simulate.hpp>

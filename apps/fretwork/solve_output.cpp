@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve_output.hpp"
 
+#include <fretwork/mechanics/solve.hpp>
+
 #include <cstdio>
 
 namespace fretwork::app {
@@ -45,6 +47,19 @@ std::string stability_text(const mechanics::Solution& solution) {
     return "";
 }
 
+/// What the result holds where it is no equilibrium under the full load.
+void print_failure(const mechanics::Result& result) {
+    if (result.solver == mechanics::solver_name(mechanics::Solver::Linear)) {
+        std::printf("rounding leaves %.1e of the load unbalanced: stiffnesses are too far from each other\n",
+                    result.solution.residual);
+    } else if (result.solver == mechanics::solver_name(mechanics::Solver::Newton)) {
+        std::printf("the path ends at %.6g of the load; the result holds the last equilibrium\n",
+                    result.solution.load_factor);
+    } else {
+        std::printf("the result holds the last state, which is no equilibrium\n");
+    }
+}
+
 }  // namespace
 
 base::detail::Json discretization_json(const mechanics::Result& result) {
@@ -72,9 +87,7 @@ void print_solution(const mechanics::Result& result) {
     std::printf("%zu nodes, %s: %s%s\n", result.nodes.size(), result.solver.c_str(),
                 std::string(mechanics::termination_name(solution.termination)).c_str(),
                 stability_text(solution).c_str());
-    if (!solution.converged())
-        std::printf("the path ends at %.6g of the load; the result holds the last equilibrium\n",
-                    solution.load_factor);
+    if (!solution.converged()) print_failure(result);
     std::printf("largest displacement %.6g mm, largest rotation %.6g deg\n",
                 1e3 * summary["largest_displacement"].get<double>(),
                 summary["largest_rotation"].get<double>() * kDegreesPerRadian);

@@ -67,7 +67,7 @@ const std::map<std::string, std::map<std::string, Room>> kRooms = {
       {"elements", {{}}},
       {"structure", {{"sparse"}}},
       {"nonlinear", {{"sparse", "elements", "structure"}}},
-      {"decks", {{}}}}},
+      {"decks", {{"structure"}}}}},
 };
 
 struct SourceFile {

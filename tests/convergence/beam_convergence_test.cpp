@@ -44,18 +44,18 @@ constexpr Section kSquare{.area = 1e-4, .I2 = 1e-9, .I3 = 1e-9, .J = 1.7e-9};
 constexpr Section kFlat{.area = 1e-4, .I2 = 1e-9, .I3 = 4e-9, .J = 3e-9};
 
 // Without the strains' products of twist and bending the order would be two as soon as a path leaves a plane.
-TEST(BeamConvergence, IsOfFourthOrderInAPlane) {
+TEST(BeamConvergence, IsFourthOrderInAPlane) {
     for (const double order : orders({NodeIndex(1), {0.0, 0.0, 4.0}}, kSquare)) EXPECT_GT(order, 3.7);
 }
 
-TEST(BeamConvergence, IsOfFourthOrderInSpaceForEqualBendingStiffnesses) {
+TEST(BeamConvergence, IsFourthOrderInSpaceForEqualBendingStiffnesses) {
     for (const double order : orders({NodeIndex(1), {0.0, 1.5, 2.0}, {0.8, 0.3, 0.2}}, kSquare))
         EXPECT_GT(order, 3.4);
 }
 
 // Where the bending stiffnesses differ, bending in two planes makes the torque vary along a beam, and the
 // element's is constant.
-TEST(BeamConvergence, IsOfSecondOrderInSpaceForOtherSections) {
+TEST(BeamConvergence, IsSecondOrderInSpaceForUnequalBendingStiffnesses) {
     Section sheared = kFlat;
     sheared.shear_area2 = 1e-6;
     sheared.shear_area3 = 2e-6;

@@ -2,8 +2,8 @@
 #include "sample.hpp"
 
 #include <fretwork/mechanics/assembly.hpp>
-#include <fretwork/mechanics/condensation.hpp>
 #include <fretwork/mechanics/elements/beam_element.hpp>
+#include <fretwork/mechanics/linear_element.hpp>
 
 #include <gtest/gtest.h>
 
@@ -37,7 +37,7 @@ std::unique_ptr<const Element> some_linear_element() {
     Random random(7);
     MatrixXd root(18, 18);
     for (double& entry : root.reshaped()) entry = random.next();
-    return linear_element({NodeIndex(0), NodeIndex(1), NodeIndex(2)}, root.transpose() * root);
+    return linear_element({NodeIndex(0), NodeIndex(1), NodeIndex(2)}, {.stiffness = root.transpose() * root});
 }
 
 /// One of each kind, under its name.
@@ -162,7 +162,7 @@ TEST(Element, RestStiffnessIsTheTangentAtRest) {
 }
 
 // Przemieniecki, Theory of Matrix Structural Analysis, eq. (5.116): the textbook element, with shear.
-TEST(BeamElement, RestStiffnessIsTheTextbooks) {
+TEST(BeamElement, RestStiffnessMatchesTheTextbook) {
     const Section section{
         .area = 2e-6, .I2 = 3e-13, .I3 = 5e-13, .J = 4e-13, .shear_area2 = 1e-6, .shear_area3 = 2e-6};
     const Material material{.young_modulus = 1e9, .poisson_ratio = 0.25};
@@ -201,7 +201,7 @@ TEST(BeamElement, RigidMotionProducesNoForce) {
     }
 }
 
-TEST(BeamElement, ResponseTurnsWithTheFrame) {
+TEST(BeamElement, ForceAndTangentRotateWithTheBeam) {
     const auto element = only_element(one_beam());
     Random random(4);
     for (int trial = 0; trial < 20; ++trial) {
@@ -224,7 +224,7 @@ TEST(BeamElement, ResponseTurnsWithTheFrame) {
     }
 }
 
-TEST(BeamElement, ForcesOfABentBeamAreInBalance) {
+TEST(BeamElement, EndForcesAreInEquilibrium) {
     const auto element = only_element(one_beam());
     Random random(5);
     const auto states = random_states(2, 0.5, random);
@@ -238,7 +238,7 @@ TEST(BeamElement, ForcesOfABentBeamAreInBalance) {
     EXPECT_LT(moment.norm(), 1e-12 * (force.norm() * kLength));
 }
 
-TEST(BeamElement, RoundSectionDoesNotSeeHowItsAxesAreChosen) {
+TEST(BeamElement, RoundSectionIsIndependentOfItsAxes) {
     Frame frame = one_beam();
     frame.beams[0].section = circle_section(0.002);
     const auto one = only_element(frame);
@@ -254,7 +254,7 @@ TEST(BeamElement, RoundSectionDoesNotSeeHowItsAxesAreChosen) {
     }
 }
 
-TEST(BeamElement, EndsAreExchangeable) {
+TEST(BeamElement, ExchangingTheEndsChangesNothing) {
     Frame frame = one_beam();
     const auto forward = only_element(frame);
     std::swap(frame.nodes[0], frame.nodes[1]);
@@ -271,7 +271,7 @@ TEST(BeamElement, EndsAreExchangeable) {
     EXPECT_LT((a.force.tail<6>() - b.force.head<6>()).norm(), 1e-11 * a.force.norm());
 }
 
-TEST(BeamElement, MassOfARigidTranslationIsTheBeams) {
+TEST(BeamElement, TranslationHasTheMassOfTheBeam) {
     const auto element = only_element(one_beam());
     MatrixXd mass;
     element->mass(mass);

@@ -30,7 +30,7 @@ CriticalFactors critical_factors(const Frame& frame) {
 
 // 1.088 in Argyris et al., 1.089 by an independent corotational program. The frame hardly bends in its plane
 // before it buckles, so linearized buckling is close.
-TEST(Benchmark, RightAngleFrameBucklesSidewaysUnderATipForce) {
+TEST(Benchmark, RightAngleFrameBucklesLaterallyUnderTipForce) {
     const auto found = critical_factors(verification::right_angle_frame());
     EXPECT_NEAR(found.followed, 1.0, 2e-3);
     EXPECT_NEAR(found.linearized, 1.0, 3e-3);
@@ -46,14 +46,14 @@ TEST(Benchmark, HingedRightAngleFrameBucklesUnderEndMoments) {
 }
 
 // The exact value.
-TEST(Benchmark, AShaftHocklesUnderItsTorque) {
+TEST(Benchmark, ShaftHasItsCriticalTorque) {
     const auto found = critical_factors(verification::hockling_shaft());
     EXPECT_NEAR(found.followed, 1.0, 2e-4);
     EXPECT_NEAR(found.linearized, 1.0, 2e-4);
 }
 
 // The values are of the geometrically exact rod with shear by shooting.
-TEST(Benchmark, AMomentWindsACantileverIntoAHelix) {
+TEST(Benchmark, MomentAndForceWindCantileverIntoHelix) {
     std::vector<double> factors;
     for (int k = 1; k <= 200; ++k) factors.push_back(k / 200.0);
     const auto path = follow_load_path(assemble(verification::helix_cantilever(160)), factors);

@@ -19,7 +19,7 @@ using verification::euler_column;
 // The elastica in elliptic integrals (Timoshenko and Gere, Theory of Elastic Stability, 2.7): with the tip's
 // angle a and k = sin(a / 2), the load is (2 K(k) / pi)^2 of Euler's, the tip stands 2 E / K - 1 above the
 // foot and 2 k / K beside it.
-TEST(Branch, APushedColumnFollowsTheElastica) {
+TEST(Branch, StableBranchOfColumnMatchesElastica) {
     std::vector<double> angles;
     std::vector<double> factors;
     for (const double degrees : {40.0, 60.0, 90.0, 120.0}) {
@@ -48,7 +48,7 @@ TEST(Branch, APushedColumnFollowsTheElastica) {
 
 // A column that bends equally about both axes buckles in any direction: all those shapes are equilibria, and
 // which of them rounding calls stable must not matter.
-TEST(Branch, ASquareColumnFollowsTheElasticaInWhateverDirection) {
+TEST(Branch, StableBranchOfSquareColumnMatchesElasticaInAnyDirection) {
     Frame frame = euler_column(20);
     frame.beams[0].section.I3 = frame.beams[0].section.I2;
     std::vector<double> angles;
@@ -74,7 +74,7 @@ TEST(Branch, ASquareColumnFollowsTheElasticaInWhateverDirection) {
 }
 
 // Both ends are held, and only inner nodes of the beam move when it buckles.
-TEST(Branch, TheLossIsNamedWhereNoNodeOfTheFrameMoves) {
+TEST(Branch, CriticalModeInsideBeamsIsReportedAtNearestNode) {
     Frame frame = euler_column(20);
     frame.loads.clear();
     frame.supports.push_back({NodeIndex(1), {{false, true, true, true, true, true}}});
@@ -90,7 +90,7 @@ TEST(Branch, TheLossIsNamedWhereNoNodeOfTheFrameMoves) {
     EXPECT_EQ(loss.dof, Dof::uz);
 }
 
-TEST(Branch, ThePrimaryPathTellsWhereItBecomesUnstableAndGoesOn) {
+TEST(Branch, PrimaryPathContinuesPastReportedCriticalLoad) {
     const double factors[] = {0.5, 1.5};
     const Assembly assembly = assemble(euler_column(8));
     const auto path = follow_load_path(assembly, factors, {.locate_critical_loads = true});
@@ -106,7 +106,7 @@ TEST(Branch, ThePrimaryPathTellsWhereItBecomesUnstableAndGoesOn) {
     EXPECT_NEAR(path[1].reactions(0, 0), 1.5 * kPi * kPi / 4.0 * 1e3, 1e-6);
 }
 
-TEST(Branch, WhatStaysStableIsNotPushed) {
+TEST(Branch, StablePathIsNotPushed) {
     const Assembly assembly = assemble(sample::star());
     const double factors[] = {0.5, 1.0};
     const auto plain = follow_load_path(assembly, factors);
@@ -118,7 +118,7 @@ TEST(Branch, WhatStaysStableIsNotPushed) {
 }
 
 // A flat wheel pushed in its plane leaves the plane.
-TEST(Branch, AFlatWheelBucklesOutOfItsPlane) {
+TEST(Branch, FlatWheelBucklesOutOfPlane) {
     Frame frame = sample::flat_wheel();
     frame.loads.push_back({NodeIndex(3), {4.0, 0.0, 0.0}});
     frame.loads.push_back({NodeIndex(4), {4.0, 0.0, 0.0}});

@@ -94,7 +94,7 @@ Eigen::Vector3d last_displacement(const std::string& printed) {
     return found;
 }
 
-TEST(CalculixComparison, ABentZigzagIsTheSame) {
+TEST(CalculixComparison, BentZigzagMatchesCalculix) {
     if (std::system("command -v ccx > /dev/null 2>&1") != 0)
         GTEST_SKIP() << "CalculiX (ccx) is not installed";
     const Frame frame = zigzag();

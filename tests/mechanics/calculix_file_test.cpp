@@ -98,8 +98,8 @@ std::string CalculixFile::complaint(const std::string& piece, const std::string&
     return "";
 }
 
-TEST_F(CalculixFile, BeamsOfADeckAreRead) {
-    const auto [frame, labels] = read(kDeck);
+TEST_F(CalculixFile, ReadsBeamsOfDeck) {
+    const auto [frame, labels, source] = read(kDeck);
     EXPECT_THAT(labels, testing::ElementsAre(10, 20, 30, 40));
     ASSERT_EQ(frame.beams.size(), 3u);  // the middle node of the three-node element is a node
     EXPECT_EQ(frame.beams[1].nodes[0], NodeIndex(1));
@@ -119,7 +119,7 @@ TEST_F(CalculixFile, BeamsOfADeckAreRead) {
     EXPECT_EQ(frame.gravity, Eigen::Vector3d(0.0, 0.0, -9.81));
 }
 
-TEST_F(CalculixFile, AWrittenFrameIsReadBack) {
+TEST_F(CalculixFile, WrittenFrameIsReadBack) {
     Frame frame = sample::star();
     frame.beams[1].section = rectangle_section(0.003, 0.002);
     frame.beams[2].normal = Eigen::Vector3d(0.3, 0.1, 1.0);
@@ -142,7 +142,19 @@ TEST_F(CalculixFile, AWrittenFrameIsReadBack) {
               1e-12 * expected.displacements.norm());
 }
 
-TEST_F(CalculixFile, WhatADeckCannotSayIsRefused) {
+TEST_F(CalculixFile, TextIsReadAsTheFileIs) {
+    const std::string text = calculix_text(sample::star());
+    EXPECT_EQ(calculix_text(parse_calculix(text, "somewhere").frame), text);
+    EXPECT_EQ(parse_calculix(text, "somewhere").source, "somewhere");
+    try {
+        parse_calculix("*NODE\n1,0,0,x\n", "somewhere");
+        FAIL();
+    } catch (const base::InputError& error) {
+        EXPECT_THAT(error.what(), testing::StartsWith("somewhere: line 2 "));
+    }
+}
+
+TEST_F(CalculixFile, RefusesToWriteWhatADeckCannotHold) {
     Frame divided = sample::star();
     divided.beams[1].divisions = 2;
     Frame hinged = sample::star();
@@ -152,12 +164,12 @@ TEST_F(CalculixFile, WhatADeckCannotSayIsRefused) {
     EXPECT_FALSE(std::filesystem::exists(path_));
 }
 
-TEST_F(CalculixFile, WithinAStepForcesAddUp) {
+TEST_F(CalculixFile, ForcesWithinOneStepAddUp) {
     EXPECT_EQ(changed("TIP, 3, -2.5", "TIP, 3, -2.5\n40, 3, -0.5").frame.loads[0].force.z(), -3.0);
     EXPECT_EQ(changed("TIP, 3, -2.5", "TIP, 3, -2.5\n*CLOAD\n40, 3, -0.5").frame.loads[0].force.z(), -3.0);
 }
 
-TEST_F(CalculixFile, ALaterStepsForceReplacesThatOfAnEarlierOne) {
+TEST_F(CalculixFile, ForceOfLaterStepReplacesEarlier) {
     EXPECT_EQ(force_after(""), Eigen::Vector3d(0, 0, -2.5));
     EXPECT_EQ(force_after("*CLOAD\nTIP, 3, -4\n"), Eigen::Vector3d(0, 0, -4));
     EXPECT_EQ(force_after("*CLOAD, OP=MOD\nTIP, 2, 1\n"), Eigen::Vector3d(0, 1, -2.5));
@@ -166,7 +178,7 @@ TEST_F(CalculixFile, ALaterStepsForceReplacesThatOfAnEarlierOne) {
     EXPECT_EQ(force_after("*CLOAD\nTIP, 3, 0\n"), Eigen::Vector3d(0, 0, 0));
 }
 
-TEST_F(CalculixFile, ALaterStepsDisplacementReplacesThatOfAnEarlierOne) {
+TEST_F(CalculixFile, DisplacementOfLaterStepReplacesEarlier) {
     const auto after = [&](const std::string& cards) { return changed("", "", "*STEP\n" + cards).frame; };
     Frame frame = after("*BOUNDARY\n40, 2, 2, 0.004\n");
     ASSERT_EQ(frame.prescribed.size(), 1u);
@@ -183,7 +195,7 @@ TEST_F(CalculixFile, ALaterStepsDisplacementReplacesThatOfAnEarlierOne) {
     EXPECT_EQ(frame.supports[0].node, NodeIndex(3));
 }
 
-TEST_F(CalculixFile, GravityOfLaterStepsReplacesThatOfItsDirection) {
+TEST_F(CalculixFile, GravityOfLaterStepReplacesSameDirection) {
     const auto after = [&](const std::string& cards) {
         return changed("", "", "*STEP\n" + cards).frame.gravity;
     };
@@ -192,13 +204,13 @@ TEST_F(CalculixFile, GravityOfLaterStepsReplacesThatOfItsDirection) {
     EXPECT_EQ(after("*DLOAD, OP=NEW\nEALL, GRAV, 1.62, 1, 0, 0\n"), Eigen::Vector3d(1.62, 0, 0));
 }
 
-TEST_F(CalculixFile, ASetHasEachOfItsNodesOnce) {
+TEST_F(CalculixFile, SetHoldsEachNodeOnce) {
     const Frame frame = changed("*NSET, NSET=TIP\n40", "*NSET, NSET=TIP\n40, 40\n*NSET, NSET=TIP\n40").frame;
     ASSERT_EQ(frame.loads.size(), 1u);
     EXPECT_EQ(frame.loads[0].force.z(), -2.5);
 }
 
-TEST_F(CalculixFile, OneNumberOfACircleIsItsRadiusAndTwoAreItsDiameter) {
+TEST_F(CalculixFile, CircleTakesOneNumberAsRadiusAndTwoAsDiameter) {
     const auto circle = [&](const std::string& size) {
         return changed("SECTION=RECT\n.02, .01", "SECTION=CIRC\n" + size).frame.beams[0].section;
     };
@@ -208,12 +220,12 @@ TEST_F(CalculixFile, OneNumberOfACircleIsItsRadiusAndTwoAreItsDiameter) {
                 testing::AllOf(testing::HasSubstr("line 24"), testing::HasSubstr("no ellipse")));
 }
 
-TEST_F(CalculixFile, FortransExponentsAreRead) {
+TEST_F(CalculixFile, ReadsFortranExponents) {
     EXPECT_EQ(changed("1.E9, .25", "1.0D9, 2.5d-1").frame.beams[0].material,
               (Material{.young_modulus = 1e9, .poisson_ratio = 0.25, .density = 1240}));
 }
 
-TEST_F(CalculixFile, ParametersThatAreNotReadAreRefusedByName) {
+TEST_F(CalculixFile, RefusesUnknownParametersByName) {
     using testing::HasSubstr;
     const auto refuses = [&](const std::string& card, const std::string& parameter, const std::string& name) {
         EXPECT_THAT(complaint("\n" + card, "\n" + card + ", " + parameter),
@@ -240,7 +252,7 @@ TEST_F(CalculixFile, ParametersThatAreNotReadAreRefusedByName) {
     EXPECT_EQ(complaint("*BOUNDARY\n", "*BOUNDARY, TYPE=DISPLACEMENT\n"), "");
 }
 
-TEST_F(CalculixFile, WhatIsWrongWithTheFrameIsSaidWithTheDecksNamesForIt) {
+TEST_F(CalculixFile, InvalidFrameIsReportedWithLabelsOfDeck) {
     using testing::HasSubstr;
     using testing::StartsWith;
     const std::string file = path_.string() + ": ";
@@ -257,7 +269,7 @@ TEST_F(CalculixFile, WhatIsWrongWithTheFrameIsSaidWithTheDecksNamesForIt) {
                 testing::AllOf(StartsWith(file), HasSubstr("density")));
 }
 
-TEST_F(CalculixFile, BadDecksAreRefusedByLine) {
+TEST_F(CalculixFile, RefusesBadDecksWithLineNumber) {
     using testing::HasSubstr;
     EXPECT_THAT(complaint("1.E9, .25", "1.E9, .25, 293\n2.E9, .25, 400"),
                 testing::AllOf(HasSubstr("line 21"), HasSubstr("one temperature")));

@@ -3,6 +3,7 @@
 
 #include <fretwork/base/error.hpp>
 #include <fretwork/mechanics/condensation.hpp>
+#include <fretwork/mechanics/linear_element.hpp>
 #include <fretwork/mechanics/linear_solver.hpp>
 #include <fretwork/mechanics/structure/condensing.hpp>
 
@@ -28,7 +29,7 @@ TEST(Condensation, LoadsOnKeptNodesGiveTheDisplacementsOfTheWholeFrame) {
     const Assembly whole = assemble(frame);
     Assembly reduced;
     reduced.nodes.assign(frame.nodes.begin(), frame.nodes.begin() + 6);
-    reduced.elements.push_back(linear_element(tips(), condense(whole, tips())));
+    reduced.elements.push_back(linear_element(tips(), {.stiffness = condense(whole, tips())}));
     reduced.supports = frame.supports;
     reduced.loads = whole.loads.topRows(6);
     reduced.reported_nodes = 6;

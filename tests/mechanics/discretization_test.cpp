@@ -9,7 +9,7 @@
 namespace fretwork::mechanics {
 namespace {
 
-TEST(Discretization, TheEstimateIsOfTheErrorsSize) {
+TEST(Discretization, EstimateIsCloseToTrueError) {
     const double factors[] = {0.5, 1.0};
     for (const Frame& frame : {sample::star(), sample::flat_wheel()}) {
         Frame loaded = frame;
@@ -29,7 +29,7 @@ TEST(Discretization, TheEstimateIsOfTheErrorsSize) {
     }
 }
 
-TEST(Discretization, FromHalfTheDivisionsTheEstimateIsNotTooSmall) {
+TEST(Discretization, EstimateFromHalfTheDivisionsIsNotTooSmall) {
     const double factors[] = {0.5, 1.0};
     for (const Frame& frame : {sample::star(), sample::flat_wheel()}) {
         Frame loaded = refined(frame, 4);
@@ -49,7 +49,7 @@ TEST(Discretization, FromHalfTheDivisionsTheEstimateIsNotTooSmall) {
     }
 }
 
-TEST(Discretization, WhatHasNotConvergedHasNoEstimate) {
+TEST(Discretization, UnconvergedSolutionHasNoEstimate) {
     const double factors[] = {1.0};
     auto solutions = follow_load_path(assemble(sample::star()), factors);
     solutions[0].termination = Termination::Diverged;

@@ -5,6 +5,7 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/file.hpp>
 #include <fretwork/mechanics/frame.hpp>
+#include <fretwork/mechanics/frame_file.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -21,7 +22,7 @@ using testing::HasSubstr;
 constexpr const char* kWhole = R"({ "format": "fretwork/frame/1",
   "nodes": [[0,0,0],[1,0,0],[1,1,0],[1,1,1]],
   "materials": { "pla": { "young_modulus": 1e9, "poisson_ratio": 0.3, "density": 1240 },
-                 "odd": { "young_modulus": 2e9, "shear_modulus": 7e8 } },
+                 "odd": { "young_modulus": 2e9, "shear_modulus": 7e8, "density": 900 } },
   "sections":  { "bar":  { "type": "rectangle", "width": 0.002, "height": 0.004 },
                  "rod":  { "type": "circle", "diameter": 0.002 },
                  "pipe": { "type": "tube", "outer_diameter": 0.004, "inner_diameter": 0.003 },
@@ -63,7 +64,7 @@ class FrameFile : public testing::Test {
     std::filesystem::path path_ = folder_.path() / "frame.json";
 };
 
-TEST_F(FrameFile, EveryKeyArrivesInTheFrame) {
+TEST_F(FrameFile, EveryKeyIsRead) {
     const Frame frame = read(kWhole);
     ASSERT_EQ(frame.beams.size(), 3u);
     EXPECT_EQ(frame.beams[0].section, rectangle_section(0.002, 0.004));
@@ -96,12 +97,23 @@ TEST_F(FrameFile, WrittenFramesAreReadBackEqual) {
     EXPECT_EQ(base::read_text_file(path_), once);
 }
 
+TEST_F(FrameFile, TextIsReadAsTheFileIs) {
+    const Frame frame = parse_frame(kWhole, "somewhere");
+    EXPECT_EQ(frame_text(frame), frame_text(read(kWhole)));
+    try {
+        parse_frame("{}", "somewhere");
+        FAIL();
+    } catch (const base::InputError& error) {
+        EXPECT_THAT(error.what(), testing::StartsWith("somewhere"));
+    }
+}
+
 TEST_F(FrameFile, EqualSectionsAreWrittenOnce) {
     write_frame(sample::star(), path_);
     EXPECT_EQ(base::read_text_file(path_).find("section1"), std::string::npos);
 }
 
-TEST_F(FrameFile, AMissingFileIsNamed) {
+TEST_F(FrameFile, MissingFileIsNamed) {
     try {
         read_frame("/nowhere/frame.json");
         FAIL();
@@ -158,7 +170,7 @@ TEST_F(FrameFile, NamesThatAreNotThereAreRefused) {
                 AllOf(HasSubstr("/beams/1/section"), HasSubstr("pipe")));
 }
 
-TEST_F(FrameFile, StructuresThatCannotStandAreRefusedWithFileAndNode) {
+TEST_F(FrameFile, UnsupportedStructuresAreRefusedWithFileAndNode) {
     EXPECT_THAT(complaint("[1,0,0]", "[0,0,0]"), AllOf(HasSubstr(path_.string()), HasSubstr("/beams/0")));
     EXPECT_THAT(complaint("\"fixed\": [\"ux\",\"uy\",\"uz\",\"rx\",\"ry\",\"rz\"]", "\"fixed\": [\"ux\"]"),
                 AllOf(HasSubstr(path_.string()), HasSubstr("/nodes/0")));

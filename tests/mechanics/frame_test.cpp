@@ -25,7 +25,7 @@ std::string complaint(const Frame& frame) {
     return "";
 }
 
-TEST(Frame, AHeldFrameIsValid) {
+TEST(Frame, SupportedFrameIsValid) {
     EXPECT_EQ(complaint(sample::cantilever()), "");
     EXPECT_EQ(complaint(sample::star()), "");
     EXPECT_EQ(complaint(sample::flat_wheel()), "");
@@ -57,7 +57,7 @@ TEST(Frame, NumbersThatAreNotFiniteAreNamed) {
     EXPECT_THAT(complaint(frame), HasSubstr("/prescribed/0/ux"));
 }
 
-TEST(Frame, BeamsThatCannotBeAreNamed) {
+TEST(Frame, ImpossibleBeamsAreNamed) {
     Frame frame = sample::star();
     frame.nodes.push_back(frame.nodes[0]);
     frame.beams.push_back(sample::beam_between(0, 4));
@@ -81,7 +81,7 @@ TEST(Frame, BeamsThatCannotBeAreNamed) {
     EXPECT_THAT(complaint(frame), HasSubstr("/beams/0/material/poisson_ratio"));
 }
 
-TEST(Frame, AFloatingPartIsNamedByANode) {
+TEST(Frame, FloatingPartIsNamedByANode) {
     Frame frame = sample::star();
     frame.nodes.emplace_back(1, 1, 1);
     frame.nodes.emplace_back(1, 2, 1);
@@ -89,7 +89,7 @@ TEST(Frame, AFloatingPartIsNamedByANode) {
     EXPECT_THAT(complaint(frame), testing::AllOf(HasSubstr("/nodes/4"), HasSubstr("not held enough")));
 }
 
-TEST(Frame, TheMotionThatSupportsLeaveFreeIsNamed) {
+TEST(Frame, FreeRigidMotionIsNamed) {
     Frame frame = sample::cantilever();
     frame.supports = {{NodeIndex(0), DofSet::translations()}, {NodeIndex(1), DofSet::translations()}};
     EXPECT_THAT(complaint(frame), HasSubstr("turn about (1, 0, 0)"));
@@ -97,7 +97,7 @@ TEST(Frame, TheMotionThatSupportsLeaveFreeIsNamed) {
     EXPECT_THAT(complaint(frame), HasSubstr("move along (0, 0, 1)"));
 }
 
-TEST(Frame, APrescribedDisplacementHolds) {
+TEST(Frame, PrescribedDisplacementCountsAsSupport) {
     Frame frame = sample::cantilever();
     frame.supports = {{NodeIndex(0), {{true, true, false, true, true, true}}}};
     frame.prescribed.push_back({NodeIndex(0), Dof::uz, 0.001});
@@ -106,17 +106,18 @@ TEST(Frame, APrescribedDisplacementHolds) {
     EXPECT_THAT(complaint(frame), HasSubstr("prescribed twice"));
 }
 
-TEST(Frame, GravityNeedsAMassSomewhere) {
+TEST(Frame, GravityNeedsTheDensityOfEveryBeam) {
     Frame frame = sample::star();
+    frame.beams[1].material.density = 0.0;
+    EXPECT_EQ(complaint(frame), "");
     frame.gravity = {0.0, 0.0, -9.81};
-    for (Beam& beam : frame.beams) beam.material.density = 0.0;
-    EXPECT_THAT(complaint(frame), testing::AllOf(HasSubstr("/gravity"), HasSubstr("density")));
+    EXPECT_THAT(complaint(frame), testing::AllOf(HasSubstr("/beams/1"), HasSubstr("density")));
     EXPECT_THROW(assemble(frame), base::InputError);
     frame.beams[1].material.density = 1240.0;
     EXPECT_EQ(complaint(frame), "");
 }
 
-TEST(Frame, ANodeWithoutABeamMustBeHeld) {
+TEST(Frame, NodeWithoutBeamMustBeHeld) {
     Frame frame = sample::star();
     frame.nodes.emplace_back(1, 1, 1);
     EXPECT_THAT(complaint(frame), testing::AllOf(HasSubstr("/nodes/4"), HasSubstr("no beam")));

@@ -41,7 +41,7 @@ void eliminate_plainly(MatrixXd& a, int width) {
     }
 }
 
-TEST(DenseLdlt, EveryShapeOfFrontIsEliminatedAsTheTextbookDoes) {
+TEST(DenseLdlt, EliminationMatchesTextbookForEveryShapeOfFront) {
     std::vector<double> scratch;
     for (const int width : {1, 3, 5, 6, 7, 12, 18, 31, 140}) {
         for (const int rows : {0, 1, 2, 3, 6, 9, 13, 24, 47}) {
@@ -56,7 +56,7 @@ TEST(DenseLdlt, EveryShapeOfFrontIsEliminatedAsTheTextbookDoes) {
             const VectorXd diagonal = a.diagonal();
             const Pivots pivots =
                 eliminate({width, rows, panel.data(), rest.data()},
-                          {diagonal.data(), static_cast<std::size_t>(width)}, 1e-14, scratch);
+                          {{diagonal.data(), static_cast<std::size_t>(width)}, 1e-14}, scratch);
             eliminate_plainly(a, width);
             EXPECT_EQ(pivots.zero, -1);
             EXPECT_EQ(pivots.negative, (width + 2) / 3) << width;
@@ -72,13 +72,13 @@ TEST(DenseLdlt, EveryShapeOfFrontIsEliminatedAsTheTextbookDoes) {
     }
 }
 
-TEST(DenseLdlt, AVanishingPivotStopsTheElimination) {
+TEST(DenseLdlt, VanishingPivotStopsElimination) {
     MatrixXd a = MatrixXd::Identity(9, 9);
     a(7, 2) = 1.0;  // row 7 becomes row 2's multiple
     MatrixXd panel = a;
     std::vector<double> scratch;
     const std::vector<double> diagonal(9, 1.0);
-    EXPECT_EQ(eliminate({9, 0, panel.data(), nullptr}, diagonal, 1e-14, scratch).zero, 7);
+    EXPECT_EQ(eliminate({9, 0, panel.data(), nullptr}, {diagonal, 1e-14}, scratch).zero, 7);
 }
 
 /// A matrix with the sparsity of a structure.
@@ -143,7 +143,7 @@ TEST(Ldlt, SolvesWhatItFactorized) {
     }
 }
 
-TEST(Ldlt, SeveralRightSidesAreSolvedAsOne) {
+TEST(Ldlt, SeveralRightSidesGiveTheBitsOfOne) {
     Sample sample(grid(4));
     Ldlt factors(sample.system.unknowns().layout());
     factors.factorize(sample.values);
@@ -176,7 +176,7 @@ TEST(Ldlt, CountsTheNegativeEigenvalues) {
     }
 }
 
-TEST(Ldlt, NamesAVanishingPivotAndRefusesWhatIsNotANumber) {
+TEST(Ldlt, ReportsVanishingPivotAndRefusesNaN) {
     Sample sample(grid(3));
     Ldlt factors(sample.system.unknowns().layout());
     std::vector<double> values(sample.values.size(), 0.0);
@@ -186,7 +186,7 @@ TEST(Ldlt, NamesAVanishingPivotAndRefusesWhatIsNotANumber) {
 }
 
 // The same numbers, again and again: nothing is left over from the factorization before.
-TEST(Ldlt, AnotherFactorizationForgetsTheLast) {
+TEST(Ldlt, RefactorizationIsIndependentOfTheLast) {
     Sample sample(grid(5));
     const VectorXd right_side = random_vector(sample.system.unknowns().equations(), 9);
     Ldlt fresh(sample.system.unknowns().layout());

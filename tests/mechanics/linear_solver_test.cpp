@@ -96,7 +96,7 @@ TEST(LinearSolver, ProppedCantileverMatchesItsClosedForm) {
 }
 
 // A beam on two hinges sags by 5 q l^4 / (384 E I), whatever it is divided into, and hands over no moment.
-TEST(LinearSolver, WeightSagsABeamBetweenHinges) {
+TEST(LinearSolver, HingedBeamUnderOwnWeightMatchesClosedForm) {
     for (const int divisions : {1, 2, 5}) {
         Frame frame = sample::cantilever();
         frame.nodes = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
@@ -116,7 +116,7 @@ TEST(LinearSolver, WeightSagsABeamBetweenHinges) {
     }
 }
 
-TEST(LinearSolver, AHingePassesNoMoment) {
+TEST(LinearSolver, HingePassesNoMoment) {
     // Two cantilevers that meet in a hinge share the load as two springs 3 E I / L^3.
     Frame frame = sample::cantilever();
     frame.nodes.emplace_back(3.0, 0.0, 0.0);
@@ -132,7 +132,7 @@ TEST(LinearSolver, AHingePassesNoMoment) {
     }
 }
 
-TEST(LinearSolver, ABarHingedAtBothEndsIsATrussBar) {
+TEST(LinearSolver, BarHingedAtBothEndsIsATrussBar) {
     // Symmetric two-bar truss: 2 E A / l sin^2 a per unit displacement.
     Frame frame;
     frame.nodes = {{-0.4, 0, 0}, {0, 0, -0.3}, {0.4, 0, 0}};
@@ -152,7 +152,7 @@ TEST(LinearSolver, ABarHingedAtBothEndsIsATrussBar) {
     EXPECT_LT(solution.reactions.rightCols<3>().norm(), 1e-12);
 }
 
-TEST(LinearSolver, APrescribedDisplacementArrivesAndCostsItsReaction) {
+TEST(LinearSolver, PrescribedDisplacementIsReachedWithItsReaction) {
     Frame frame = sample::cantilever();
     frame.prescribed.push_back({NodeIndex(1), Dof::uz, 0.01});
     const Solution solution = solve_linear(assemble(frame));
@@ -162,7 +162,7 @@ TEST(LinearSolver, APrescribedDisplacementArrivesAndCostsItsReaction) {
 }
 
 /// Constant strain states that any mesh of collinear beams must give exactly, unequal lengths included.
-TEST(LinearSolver, PatchesOfUnequalBeamsGiveConstantStrains) {
+TEST(LinearSolver, PatchTestOfUnequalBeamsGivesConstantStrains) {
     Frame frame = sample::cantilever();
     frame.nodes = {{0, 0, 0}, {1, 0, 0}, {0.13, 0, 0}, {0.7, 0, 0}};
     const Beam beam = frame.beams[0];
@@ -196,10 +196,10 @@ TEST(LinearSolver, ReactionsBalanceTheLoads) {
     }
 }
 
-TEST(LinearSolver, WorkOfOneLoadOnTheOthersDisplacementsIsReciprocal) {
+TEST(LinearSolver, WorkOfTwoLoadsIsReciprocal) {
     const Frame frame = sample::flat_wheel();
     const Assembly assembly = assemble(frame);
-    const LinearSolver solver(assembly);
+    LinearSolver solver(assembly);
     sample::Random random(11);
     NodeValues one(12, kDofsPerNode), other(12, kDofsPerNode);
     for (double& value : one.reshaped()) value = random.next();
@@ -208,7 +208,7 @@ TEST(LinearSolver, WorkOfOneLoadOnTheOthersDisplacementsIsReciprocal) {
     EXPECT_NEAR(other.cwiseProduct(solver.solve(one).displacements).sum(), work, 1e-10 * std::abs(work));
 }
 
-TEST(LinearSolver, AFlatFrameTiltedInSpaceGivesTheSameTurned) {
+TEST(LinearSolver, TiltedFlatFrameGivesRotatedSolution) {
     // Flat, it is solved as two decoupled halves; tilted, as one problem.
     Frame frame = sample::flat_wheel();
     frame.loads.push_back({NodeIndex(4), {0.5, -0.3, 0.7}, {0.001, 0.002, 0.003}});
@@ -228,7 +228,7 @@ TEST(LinearSolver, AFlatFrameTiltedInSpaceGivesTheSameTurned) {
     }
 }
 
-TEST(LinearSolver, AFlatFrameOfTurnedSectionsIsNotSplit) {
+TEST(LinearSolver, FlatFrameOfTurnedSectionsIsNotSplit) {
     Frame frame = sample::flat_wheel();
     for (Beam& beam : frame.beams) {
         beam.section = rectangle_section(0.002, 0.004);
@@ -241,7 +241,20 @@ TEST(LinearSolver, AFlatFrameOfTurnedSectionsIsNotSplit) {
     EXPECT_LT(solution.residual, 1e-12);
 }
 
-TEST(LinearSolver, AMechanismIsNamedByItsNode) {
+TEST(LinearSolver, UpdatedSolverGivesBitsOfNewSolver) {
+    Frame frame = sample::flat_wheel();
+    frame.loads.push_back({NodeIndex(4), {0.5, -0.3, 0.7}});
+    LinearSolver solver(assemble(frame));
+    for (Beam& beam : frame.beams) beam.section = rectangle_section(0.003, 0.001);
+    solver.update(assemble(frame));
+    const Solution expected = solve_linear(assemble(frame));
+    EXPECT_EQ(solver.solve().displacements, expected.displacements);
+    for (Beam& beam : frame.beams) beam.normal = Vector3d(0.0, 0.4, 1.0);  // couples the halves
+    solver.update(assemble(frame));
+    EXPECT_EQ(solver.solve().displacements, solve_linear(assemble(frame)).displacements);
+}
+
+TEST(LinearSolver, MechanismIsNamedByItsNode) {
     // A hinge in every component at the only beam of node 1: the node is loose.
     Frame frame = sample::cantilever();
     frame.nodes.emplace_back(2.0, 0.0, 0.0);
@@ -259,7 +272,7 @@ TEST(LinearSolver, AMechanismIsNamedByItsNode) {
 
 // Neither is it taken for a mechanism, nor has rounding eaten more than frame.hpp tells: P L^3 / 3 E I under
 // a force at the tip, and q L^4 / 8 E I under its own weight.
-TEST(LinearSolver, ACantileverOfAsManyElementsAsMayBeIsAsStiffAsOneOfOne) {
+TEST(LinearSolver, CantileverOfMostDivisionsIsAsStiffAsOneElement) {
     const Frame bare = sample::cantilever({.divisions = kMostDivisions});
     Frame pushed = bare;
     pushed.loads.push_back({NodeIndex(1), {0.0, 0.0, 1.0}});
@@ -289,7 +302,7 @@ Frame mechanism_held_by_rounding() {
     return frame;
 }
 
-TEST(LinearSolver, AMechanismThatRoundingHoldsIsRefusedWhetherLoadedOrNot) {
+TEST(LinearSolver, MechanismHeldByRoundingIsRefusedLoadedOrNot) {
     Frame turned = mechanism_held_by_rounding();
     turned.loads.push_back({NodeIndex(1), {0, 0, 0}, {0.001, 0.003, 0.0}});
     EXPECT_THROW(solve_linear(assemble(turned)), base::NumericalError);
@@ -298,6 +311,69 @@ TEST(LinearSolver, AMechanismThatRoundingHoldsIsRefusedWhetherLoadedOrNot) {
     pushed.loads.push_back({NodeIndex(0), {0.1, 0.0, 0.2}});  // straight into the support
     EXPECT_THROW(solve_linear(assemble(pushed)), base::NumericalError);
     EXPECT_THROW(follow_load_path(assemble(pushed), even_load_factors(1)), base::NumericalError);
+}
+
+/// A cantilever of 20 mm bars, of which the last is `length` long: a stiff part beside soft ones.
+Frame with_a_short_last_beam(double length) {
+    Frame frame = sample::cantilever({.section = rectangle_section(0.02, 0.02)});
+    frame.nodes = {{0, 0, 0}, {1.0 - length, 0, 0}, {1, 0, 0}};
+    frame.beams.push_back(frame.beams[0]);
+    frame.beams[1].nodes = {NodeIndex(1), NodeIndex(2)};
+    frame.loads.push_back({NodeIndex(2), {0.0, 0.0, 1.0}});
+    return frame;
+}
+
+// A beam of a millimetre beside one of a metre: the forces that cancel are 1e10 times the load.
+TEST(LinearSolver, ResidualThatRoundingExplainsIsConverged) {
+    const Solution solution = solve_linear(assemble(with_a_short_last_beam(1e-3)));
+    EXPECT_TRUE(solution.converged());
+    EXPECT_GT(solution.residual, 1e-9);
+    EXPECT_NEAR(solution.displacements(2, 2), 1.0 / (3.0 * 1e9 * std::pow(0.02, 4) / 12.0), 1e-6);
+}
+
+TEST(LinearSolver, SolutionWithLargeResidualHasNotConverged) {
+    Frame frame = with_a_short_last_beam(1e-4);
+    const Solution solution = solve_linear(assemble(frame));
+    EXPECT_EQ(solution.termination, Termination::IterationsSpent);
+    EXPECT_GT(solution.residual, 1e-4);
+}
+
+TEST(LinearSolver, DisplacementsTooLargeForANumberAreRefused) {
+    Frame frame = sample::cantilever({.length = 1e60});
+    frame.loads.push_back({NodeIndex(1), {0.0, 0.0, 1.0}});
+    EXPECT_THROW(solve_linear(assemble(frame)), base::NumericalError);
+}
+
+/// Asks to stop as soon as it is told of a step.
+class StopAtFirstStep final : public base::Progress {
+  public:
+    void start(std::string_view, std::size_t) override {}
+    void update(std::size_t) override { source.request_stop(); }
+    void finish() override {}
+    base::Control control() { return {.stop = source.get_token(), .progress = this}; }
+    std::stop_source source;
+};
+
+TEST(LinearSolver, StopsWhenAskedTo) {
+    const Assembly assembly = assemble(sample::flat_wheel());
+    for (const int threads : {1, 2}) {
+        StopAtFirstStep stop;
+        EXPECT_THROW(solve_linear(assembly, {.threads = threads, .control = stop.control()}), base::Stopped);
+    }
+}
+
+TEST(LinearSolver, IsAsItWasAfterAStoppedUpdate) {
+    Frame frame = sample::flat_wheel();
+    frame.loads.push_back({NodeIndex(4), {0.5, -0.3, 0.7}});
+    LinearSolver solver(assemble(frame));
+    const Solution before = solver.solve();
+    for (Beam& beam : frame.beams) beam.section = rectangle_section(0.003, 0.001);
+    StopAtFirstStep stop;
+    EXPECT_THROW(solver.update(assemble(frame), stop.control()), base::Stopped);
+    EXPECT_EQ(solver.solve().displacements, before.displacements);
+    EXPECT_THROW((void)solver.solve({.stop = stop.source.get_token()}), base::Stopped);
+    solver.update(assemble(frame));
+    EXPECT_EQ(solver.solve().displacements, solve_linear(assemble(frame)).displacements);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include "sample.hpp"
 
 #include <fretwork/base/error.hpp>
+#include <fretwork/mechanics/linear_element.hpp>
 #include <fretwork/mechanics/linear_solver.hpp>
 #include <fretwork/mechanics/modes.hpp>
 
@@ -15,7 +16,7 @@ constexpr double kPi = std::numbers::pi;
 
 // Blevins, Formulas for Natural Frequency and Mode Shape: (b L)^2 / 2 pi sqrt(E I / m L^4), b L
 // = 1.87510407, 4.69409113.
-TEST(Modes, FrequenciesOfACantileverAreTheClosedForms) {
+TEST(Modes, FrequenciesOfCantileverMatchClosedForms) {
     const auto modes = vibration_modes(assemble(sample::cantilever({.divisions = 10})), 4);
     ASSERT_EQ(modes.size(), 4u);
     const double mass = 1000.0 * 0.01;
@@ -30,7 +31,7 @@ TEST(Modes, FrequenciesOfACantileverAreTheClosedForms) {
 }
 
 // Euler: clamped and free, pi^2 E I / (4 L^2), for bending about each axis.
-TEST(Modes, BucklingLoadsOfAColumnAreEulers) {
+TEST(Modes, BucklingLoadsOfColumnAreEulers) {
     // So stiff along its axis that it does not shorten before it buckles.
     const Section section{.area = 10.0, .I2 = 1e-6, .I3 = 2e-6, .J = 2.5e-6};
     Frame frame = sample::cantilever({.divisions = 8, .section = section});
@@ -43,7 +44,7 @@ TEST(Modes, BucklingLoadsOfAColumnAreEulers) {
 }
 
 // Rounding of a stiffness of so many divisions moves the factors by more than the tolerance of the iteration.
-TEST(Modes, AFinelyDividedColumnBucklesAsWell) {
+TEST(Modes, BucklingLoadHoldsForFineDivisions) {
     Frame frame = sample::cantilever(
         {.divisions = 500, .section = {.area = 10.0, .I2 = 1e-6, .I3 = 2e-6, .J = 2.5e-6}});
     frame.loads.push_back({NodeIndex(1), {-1.0, 0.0, 0.0}});
@@ -55,7 +56,7 @@ TEST(Modes, AFinelyDividedColumnBucklesAsWell) {
 
 // The frame's nodes do not move, but the inside of the beam does, and nodes turn with it: pi times the
 // amplitude in a length.
-TEST(Modes, AreScaledByWhatMovesInsideOfBeams) {
+TEST(Modes, AreScaledByLargestDisplacementInsideBeamsToo) {
     Frame frame = sample::cantilever({.divisions = 16});
     frame.supports = {{NodeIndex(0), {{true, true, true, true, false, false}}},
                       {NodeIndex(1), {{true, true, true, false, false, false}}}};
@@ -69,7 +70,7 @@ TEST(Modes, AreScaledByWhatMovesInsideOfBeams) {
 }
 
 // In linearized buckling nothing depends on how far the structure bends before.
-TEST(Modes, AForceAcrossAColumnDoesNotChangeItsBucklingLoads) {
+TEST(Modes, TransverseForceDoesNotChangeBucklingLoads) {
     // Every node is held in the plane of the bending: else it would buckle sideways.
     Frame frame;
     const Beam bar = sample::cantilever().beams.front();
@@ -95,7 +96,7 @@ TEST(Modes, AForceAcrossAColumnDoesNotChangeItsBucklingLoads) {
 }
 
 // Euler: pinned at both ends, by a hinge of the beam at one and of the support at the other.
-TEST(Modes, AHingedColumnBucklesAsEulersPinnedOne) {
+TEST(Modes, HingedColumnHasBucklingLoadOfPinnedColumn) {
     Frame frame = sample::cantilever({.divisions = 8});
     frame.beams[0].releases = {{0, {{false, false, false, false, true, true}}}};
     frame.supports.push_back({NodeIndex(1), {{false, true, true, true, false, false}}});
@@ -106,7 +107,7 @@ TEST(Modes, AHingedColumnBucklesAsEulersPinnedOne) {
     EXPECT_NEAR(modes[1].value, kPi * kPi * 2e3, 1e-3 * modes[1].value);
 }
 
-TEST(Modes, APulledColumnDoesNotBuckle) {
+TEST(Modes, ColumnInTensionHasNoBucklingLoad) {
     Frame frame = sample::cantilever({.divisions = 4});
     frame.loads.push_back({NodeIndex(1), {1.0, 0.0, 0.0}});
     EXPECT_TRUE(buckling_modes(assemble(frame), 3).empty());
@@ -114,7 +115,7 @@ TEST(Modes, APulledColumnDoesNotBuckle) {
 
 // Argyris et al. (1979), right-angle frame, and Timoshenko's strip: lateral buckling of a cantilever strip
 // under a tip force, P = 4.0126 sqrt(E I G J) / L^2.
-TEST(Modes, AStripBucklesSideways) {
+TEST(Modes, StripBucklesLaterally) {
     const Section strip{.area = 1e-4, .I2 = 1e-5, .I3 = 1e-9, .J = 4e-9};
     Frame frame = sample::cantilever({.divisions = 16, .section = strip});
     frame.loads.push_back({NodeIndex(1), {0.0, 0.0, -1.0}});
@@ -123,7 +124,7 @@ TEST(Modes, AStripBucklesSideways) {
     EXPECT_NEAR(modes[0].value, 4.0126 * std::sqrt(1.0 * 2.0), 3e-3 * modes[0].value);
 }
 
-TEST(Modes, WhatCannotBeIsRefused) {
+TEST(Modes, BadRequestsAreRefused) {
     EXPECT_THROW(vibration_modes(assemble(sample::star()), 0), base::InputError);
     Frame weightless = sample::cantilever();
     weightless.beams[0].material.density = 0.0;
@@ -178,7 +179,7 @@ std::vector<double> dense_buckling_loads(const Frame& frame) {
     return loads;
 }
 
-TEST(Modes, NoBucklingLoadIsPassedOverForThoseOfTheReversedLoad) {
+TEST(Modes, BucklingLoadsOfReversedLoadHideNone) {
     const std::vector<double> expected = dense_buckling_loads(pushed_grid());
     ASSERT_GT(expected.size(), 30U);
     for (const int count : {1, 2, 5, 30}) {
@@ -189,6 +190,32 @@ TEST(Modes, NoBucklingLoadIsPassedOverForThoseOfTheReversedLoad) {
             EXPECT_NEAR(found[at].value, expected[at], 1e-7 * expected[at]) << i << " of " << count;
         }
     }
+}
+
+/// The only element of a frame as a linear element of the same matrices.
+enum class Mass { Given, Unknown };
+Assembly as_linear_element(Assembly assembly, Mass mass) {
+    const Element& beam = *assembly.elements.front();
+    LinearMatrices matrices;
+    beam.rest_stiffness(matrices.stiffness);
+    if (mass == Mass::Given) beam.mass(matrices.mass);
+    const auto nodes = beam.nodes();
+    assembly.elements.front() = linear_element({nodes.begin(), nodes.end()}, matrices);
+    return assembly;
+}
+
+TEST(Modes, LinearElementVibratesWithTheMassThatItWasGiven) {
+    const Assembly beam = assemble(sample::cantilever());
+    const auto expected = vibration_modes(beam, 2);
+    const auto found = vibration_modes(as_linear_element(assemble(sample::cantilever()), Mass::Given), 2);
+    ASSERT_EQ(found.size(), 2u);
+    for (std::size_t i = 0; i < 2; ++i)
+        EXPECT_NEAR(found[i].value, expected[i].value, 1e-9 * expected[i].value);
+}
+
+TEST(Modes, LinearElementWithoutAMassIsRefused) {
+    EXPECT_THROW(vibration_modes(as_linear_element(assemble(sample::cantilever()), Mass::Unknown), 1),
+                 base::InputError);
 }
 
 }  // namespace

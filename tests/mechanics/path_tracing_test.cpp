@@ -45,7 +45,7 @@ TEST(PathTracing, PassesTheLimitLoadOfWilliamsToggle) {
     EXPECT_TRUE(path.back().stable);
 }
 
-TEST(PathTracing, AgreesWithTheLoadPathWhereThatGoes) {
+TEST(PathTracing, AgreesWithLoadPathBelowLimitLoad) {
     const Assembly assembly = assemble(sample::star());
     const auto traced = trace_path(assembly);
     std::vector<double> factors;

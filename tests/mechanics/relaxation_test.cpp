@@ -31,7 +31,7 @@ TEST(Relaxation, FindsNewtonsEquilibrium) {
 
 // One free displacement that feels its whole mass: where the step back after a peak is not half of the last
 // step, the bar swings between rest and twice its elongation for ever.
-TEST(Relaxation, ABarAlongAnAxisComesToRestAtItsElongation) {
+TEST(Relaxation, PulledBarComesToRestAtItsElongation) {
     for (const double force : {1e-3, -50.0}) {
         Frame frame = sample::cantilever();
         frame.loads.push_back({NodeIndex(1), {force, 0.0, 0.0}});
@@ -87,7 +87,7 @@ std::string complaint(const Frame& frame) {
 }
 
 // Uniform torsion: G J / L times the angle, which one the other way round would give another sign.
-TEST(Relaxation, ATwistOfNearlyHalfATurnIsNotTakenForOneTheOtherWayRound) {
+TEST(Relaxation, TwistJustBelowHalfATurnKeepsItsSense) {
     for (const double angle : {3.1, -3.1}) {
         const Solution found = relax(assemble(twisted_bar(angle)));
         ASSERT_TRUE(found.converged());

@@ -65,7 +65,7 @@ class ResultFile : public testing::Test {
     std::filesystem::path path_ = folder_.path() / "result.json";
 };
 
-TEST_F(ResultFile, WhatIsWrittenIsReadBackExactly) {
+TEST_F(ResultFile, WrittenResultIsReadBackExactly) {
     const Result written = some_result();
     write_result(written, path_);
     const Result read = read_result(path_);
@@ -99,7 +99,18 @@ TEST_F(ResultFile, WhatIsWrittenIsReadBackExactly) {
     EXPECT_TRUE(read.load_steps[0].stability_losses.empty());
 }
 
-TEST_F(ResultFile, ANumberThatIsNotFiniteIsNotWritten) {
+TEST_F(ResultFile, TextIsReadAsTheFileIs) {
+    const std::string text = result_text(some_result());
+    EXPECT_EQ(result_text(parse_result(text, "somewhere")), text);
+    try {
+        parse_result("{}", "somewhere");
+        FAIL();
+    } catch (const base::InputError& error) {
+        EXPECT_THAT(error.what(), testing::StartsWith("somewhere"));
+    }
+}
+
+TEST_F(ResultFile, NumberThatIsNotFiniteIsNotWritten) {
     Result result = some_result();
     write_result(result, path_);
     const std::string before = base::read_text_file(path_);
@@ -119,7 +130,7 @@ TEST_F(ResultFile, BadFilesAreRefusedWithTheirPlace) {
     EXPECT_THAT(complaint("}", ""), HasSubstr("line"));
 }
 
-TEST_F(ResultFile, AMissingFileIsNamed) {
+TEST_F(ResultFile, MissingFileIsNamed) {
     EXPECT_THROW(read_result("/nowhere/result.json"), base::InputError);
 }
 

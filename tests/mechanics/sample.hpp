@@ -96,4 +96,29 @@ inline Frame flat_wheel() {
     return frame;
 }
 
+/// Hexagons: rows of zigzags, each joined to the next one at every second node. Clamped at its left side, and
+/// pulled and lifted at its right one.
+inline Frame honeycomb(int columns, int rows) {
+    constexpr double kSide = 0.01;
+    Frame frame;
+    for (int j = 0; j < rows; ++j) {
+        for (int i = 0; i < columns; ++i) {
+            const double up = (i + j) % 2 == 0 ? 0.5 : 0.0;
+            frame.nodes.emplace_back(0.866 * kSide * i, kSide * (1.5 * j + up), 0.0);
+            const int node = j * columns + i;
+            if (i > 0) frame.beams.push_back(beam_between(node - 1, node));
+            if (j + 1 < rows && up > 0.0) frame.beams.push_back(beam_between(node, node + columns));
+        }
+    }
+    for (int j = 0; j < rows; ++j) {
+        clamp(frame, j * columns);
+        const NodeIndex right((j + 1) * columns - 1);
+        frame.loads.push_back({right, {1e-3, 0.0, 2e-3}, {0.0, 1e-6, 0.0}});
+    }
+    // A partly held rotation, and a prescribed displacement.
+    frame.supports.push_back({NodeIndex(columns / 2), {{false, false, false, true, false, true}}});
+    frame.prescribed.push_back({NodeIndex(columns / 2), Dof::uz, 1e-4});
+    return frame;
+}
+
 }  // namespace fretwork::mechanics::sample

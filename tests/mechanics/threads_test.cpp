@@ -12,34 +12,9 @@
 namespace fretwork::mechanics {
 namespace {
 
-/// Hexagons: rows of zigzags, each joined to the next one at every second node. Clamped at its left side, and
-/// pulled and lifted at its right one.
-Frame honeycomb(int columns, int rows) {
-    constexpr double kSide = 0.01;
-    Frame frame;
-    for (int j = 0; j < rows; ++j) {
-        for (int i = 0; i < columns; ++i) {
-            const double up = (i + j) % 2 == 0 ? 0.5 : 0.0;
-            frame.nodes.emplace_back(0.866 * kSide * i, kSide * (1.5 * j + up), 0.0);
-            const int node = j * columns + i;
-            if (i > 0) frame.beams.push_back(sample::beam_between(node - 1, node));
-            if (j + 1 < rows && up > 0.0) frame.beams.push_back(sample::beam_between(node, node + columns));
-        }
-    }
-    for (int j = 0; j < rows; ++j) {
-        sample::clamp(frame, j * columns);
-        const NodeIndex right((j + 1) * columns - 1);
-        frame.loads.push_back({right, {1e-3, 0.0, 2e-3}, {0.0, 1e-6, 0.0}});
-    }
-    // A partly held rotation, and a prescribed displacement.
-    frame.supports.push_back({NodeIndex(columns / 2), {{false, false, false, true, false, true}}});
-    frame.prescribed.push_back({NodeIndex(columns / 2), Dof::uz, 1e-4});
-    return frame;
-}
-
 /// Some 4,500 beams: enough for threads to start, in all of their places.
 const Frame& large_frame() {
-    static const Frame frame = honeycomb(60, 50);
+    static const Frame frame = sample::honeycomb(60, 50);
     return frame;
 }
 
@@ -48,7 +23,7 @@ bool same_bits(const Solution& a, const Solution& b) {
            a.residual == b.residual && a.iterations == b.iterations && a.stable == b.stable;
 }
 
-TEST(Threads, TheElementsAreManyEnoughAndTheEliminationIsCut) {
+TEST(Threads, SampleIsLargeEnoughToUseThreads) {
     const Assembly assembly = assemble(large_frame());
     const nonlinear::NonlinearSystem system(assembly);
     const sparse::SupernodeTree tree = sparse::supernode_tree(system.unknowns().layout());
@@ -57,7 +32,7 @@ TEST(Threads, TheElementsAreManyEnoughAndTheEliminationIsCut) {
     EXPECT_GT(sparse::plan_elimination(tree, 2).parent.size(), 4U);
 }
 
-TEST(Threads, APlanHoldsEverySupernodeOnceAndAfterItsChildren) {
+TEST(Threads, PlanHoldsEverySupernodeOnceAndAfterItsChildren) {
     const Assembly assembly = assemble(large_frame());
     const nonlinear::NonlinearSystem system(assembly);
     const sparse::SupernodeTree tree = sparse::supernode_tree(system.unknowns().layout());
@@ -100,7 +75,7 @@ TEST(Threads, ChangeNoBitOfANonlinearPath) {
     }
 }
 
-TEST(Threads, MeetTheSameVanishingPivot) {
+TEST(Threads, FindTheSameVanishingPivot) {
     const Assembly assembly = assemble(large_frame());
     nonlinear::NonlinearSystem system(assembly);
     system.evaluate(system.unknowns().rest(), 0.0);

@@ -3,6 +3,7 @@
 #include "support.hpp"
 
 #include <fretwork/base/text.hpp>
+#include <fretwork/mechanics/frame_file.hpp>
 #include <fretwork/mechanics/linear_solver.hpp>
 #include <fretwork/simulation/comparison.hpp>
 #include <fretwork/simulation/simulate.hpp>

@@ -4,15 +4,10 @@
 #include <fretwork/mechanics/frame.hpp>
 
 #include <filesystem>
-#include <vector>
+#include <string>
+#include <string_view>
 
 namespace fretwork::mechanics {
-
-/// A frame from a file in which nodes have labels of their own.
-struct LabelledFrame {
-    Frame frame;
-    std::vector<int> labels;  ///< one for each node of the frame, in the file's order
-};
 
 /// Read the beams of a CalculiX or Abaqus input deck (.inp): *NODE; *ELEMENT of type B31, B31R, B33 (two
 /// nodes), B32 or B32R (the middle node becomes a node of the frame); *NSET and *ELSET, also with GENERATE;
@@ -28,15 +23,18 @@ struct LabelledFrame {
 /// Numbers are taken to be in SI units. A single number for CIRC is Abaqus' radius, two equal ones are
 /// CalculiX' thicknesses, diameters. Sections are shear-rigid with Saint-Venant's torsion constant, where
 /// CalculiX itself takes thick beams to be solids. The direction n1 of a section is its axis 3. Throws
-/// InputError with file and line, or with file and node or element; the frame is valid.
-LabelledFrame read_calculix(const std::filesystem::path& path);
+/// InputError with source and line, or with source and node or element; the frame is valid.
+LabelledFrame parse_calculix(std::string_view text, const std::string& source);
 
-/// Write a frame as such a deck, nodes labelled from 1: one B31 for each beam, *BEAM GENERAL SECTION, which
-/// Abaqus reads, and read_calculix; numbers are rounded to the twenty characters of a deck's fields, 14
-/// digits or more. What a deck has no words for is refused: releases, divisions, shear areas, a given shear
-/// modulus. Throws InputError that names it, or IoError.
-void write_calculix(const Frame& frame, const std::filesystem::path& path);
-/// The text of such a deck.
+/// The text of such a deck for a frame, nodes labelled from 1: one B31 for each beam, *BEAM GENERAL SECTION,
+/// which Abaqus reads, and parse_calculix; numbers are rounded to the twenty characters of a deck's fields,
+/// 14 digits or more. What a deck has no words for is refused: releases, divisions, shear areas, a given
+/// shear modulus. Throws InputError that names it.
 std::string calculix_text(const Frame& frame);
+
+/// Throws as parse_calculix.
+LabelledFrame read_calculix(const std::filesystem::path& path);
+/// Throws as calculix_text, or IoError.
+void write_calculix(const Frame& frame, const std::filesystem::path& path);
 
 }  // namespace fretwork::mechanics

@@ -5,7 +5,6 @@
 
 #include <Eigen/Core>
 
-#include <memory>
 #include <span>
 #include <vector>
 
@@ -17,8 +16,5 @@ namespace fretwork::mechanics {
 /// rank 6n - 6 for a connected frame. Throws NumericalError if the inner nodes can move without strain while
 /// the given ones are held.
 Eigen::MatrixXd condense(const Assembly& assembly, std::span<const NodeIndex> kept);
-
-/// A linear element of any number of nodes with a given stiffness (6n x 6n): a condensed tile.
-std::unique_ptr<const Element> linear_element(std::vector<NodeIndex> nodes, Eigen::MatrixXd stiffness);
 
 }  // namespace fretwork::mechanics

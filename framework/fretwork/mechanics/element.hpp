@@ -34,7 +34,7 @@ struct ElementResponse {
 enum class Demand { Force, Tangent };
 
 /// A part of a structure with any number of nodes: a beam, a condensed tile. Immutable, so that threads may
-/// share it.
+/// share it. Every kind answers all of these questions: none has a default that could be wrong in silence.
 class Element {
   public:
     Element() = default;
@@ -54,22 +54,19 @@ class Element {
     virtual void evaluate(std::span<const NodeState> states, Demand demand,
                           ElementResponse& response) const = 0;
 
-    /// The turn of one end against the other about the element's axis, rad, known up to whole turns; zero for
-    /// an element that has no such axis.
-    [[nodiscard]] virtual double twist(std::span<const NodeState> /*states*/) const { return 0.0; }
+    /// How far the element's ends are turned against each other, rad, where this is known only up to whole
+    /// turns: a path must not let it come to pi. Zero for an element that is right at any such turn, or meant
+    /// for none.
+    [[nodiscard]] virtual double relative_turn(std::span<const NodeState> states) const = 0;
 
     /// Write the geometric stiffness, 6n x 6n: how the internal forces that small displacements cause (6n,
     /// linear) change the stiffness at rest. What the displacements themselves change of the geometry is left
-    /// out, as in linearized buckling. Zero for an element that stays linear.
-    virtual void geometric_stiffness(const Eigen::VectorXd& displacements, Eigen::MatrixXd& stiffness) const {
-        stiffness.setZero(displacements.size(), displacements.size());
-    }
+    /// out, as in linearized buckling.
+    virtual void geometric_stiffness(const Eigen::VectorXd& displacements,
+                                     Eigen::MatrixXd& stiffness) const = 0;
 
-    /// Write the consistent mass at rest, 6n x 6n (kg, kg m, kg m^2); zero for an element without mass.
-    virtual void mass(Eigen::MatrixXd& mass) const {
-        const auto size = static_cast<Eigen::Index>(nodes().size()) * kDofsPerNode;
-        mass.setZero(size, size);
-    }
+    /// Write the consistent mass at rest, 6n x 6n (kg, kg m, kg m^2). Throws InputError if it is not known.
+    virtual void mass(Eigen::MatrixXd& mass) const = 0;
 };
 
 }  // namespace fretwork::mechanics

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
+#include <fretwork/base/task.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/mechanics/equilibrium.hpp>
 #include <fretwork/mechanics/nonlinear/lowest_mode.hpp>
@@ -42,8 +43,8 @@ constexpr double kPush = 0.02;
 /// it is about twice as large.
 constexpr double kNeutral = 0.5;
 
-/// rad: elements that cannot be twisted by more than this are not looked at.
-constexpr double kSafeTwist = 2.5;
+/// rad: elements whose ends cannot be turned against each other by more than this are not looked at.
+constexpr double kSafeTurn = 2.5;
 /// rad: a step turns no node by more than this if it is prescribed how far.
 constexpr double kPrescribedTurn = 0.7;
 
@@ -51,11 +52,14 @@ constexpr double kPrescribedTurn = 0.7;
 constexpr double kCriticalWidth = 1e-6;
 constexpr int kCriticalSteps = 30;
 
+/// Steps of the task that is told.
+constexpr std::size_t kThousand = 1000;
+
 class LoadPath {
   public:
     LoadPath(const Assembly& assembly, const EquilibriumOptions& options)
         : options_(options),
-          system_(assembly, options.threads),
+          system_(assembly, options.threads, options.control),
           newton_(system_, options),
           configuration_(unknowns_.rest()),
           predictor_(unknowns_) {
@@ -68,7 +72,8 @@ class LoadPath {
             structure::constraints_of(assembly).values.rightCols<3>().rowwise().norm().maxCoeff();
     }
 
-    Solution advance_to(double target) {
+    /// @param task  is told the share of the last load factor, in thousandths
+    Solution advance_to(double target, const base::Task& task, double last) {
         double step = target - factor_;
         if (prescribed_turn_ > 0.0) step = std::min(step, kPrescribedTurn / prescribed_turn_);
         shortest_step_ = step / std::pow(2.0, options_.largest_cut_back);
@@ -77,6 +82,7 @@ class LoadPath {
         while (factor_ < target && termination == Termination::Converged) {
             const bool reaches = factor_ + step >= target - 0.5 * shortest_step_;
             termination = try_step(reaches ? target : factor_ + step);
+            task.update(static_cast<std::size_t>(static_cast<double>(kThousand) * factor_ / last));
             if (termination != Termination::Converged && newton_.has_neutral())
                 termination = try_soft_step(reaches ? target : factor_ + step);
             if (termination != Termination::Converged && step > 1.5 * shortest_step_) {
@@ -107,8 +113,8 @@ class LoadPath {
         if (termination != Termination::Converged) return termination;
         unknowns_.unwind(configuration_, trial);
         const Eigen::VectorXd move = unknowns_.step_between(configuration_, trial);
-        const double twist_bound = bound_twist(factor, move, trial);
-        if (twist_bound > std::numbers::pi) return Termination::Diverged;
+        const double turn_bound = bound_relative_turn(factor, move, trial);
+        if (turn_bound > std::numbers::pi) return Termination::Diverged;
         const auto outcome = newton_.factorize();
         const bool crosses = outcome.negative_pivots != outcome_.negative_pivots;
         if (crosses && factor - factor_ > longest_crossing_) return Termination::LimitLoad;
@@ -124,7 +130,7 @@ class LoadPath {
         rate_ = std::move(rate);
         configuration_ = std::move(trial);
         factor_ = factor;
-        twist_bound_ = twist_bound;
+        turn_bound_ = turn_bound;
         outcome_ = outcome;
         if (newton_.has_neutral()) {
             newton_.set_neutral(lowest_mode_here().shape, nonlinear::rounding_shift(system_));
@@ -135,17 +141,17 @@ class LoadPath {
         return Termination::Converged;
     }
 
-    /// A bound on how far elements are twisted at the end of a step; beyond pi if one of them has come so far
-    /// that its twist, known up to whole turns, is not known any more. As long as rotations alone bound it
-    /// below that, no element is asked.
-    [[nodiscard]] double bound_twist(double factor, const Eigen::VectorXd& move,
-                                     const Configuration& trial) const {
+    /// A bound on how far the ends of elements are turned against each other at the end of a step; beyond pi
+    /// if one of them has come so far that its turn, known up to whole turns, is not known any more. As long
+    /// as rotations alone bound it below that, no element is asked.
+    [[nodiscard]] double bound_relative_turn(double factor, const Eigen::VectorXd& move,
+                                             const Configuration& trial) const {
         const double turned =
             std::max(unknowns_.largest_rotation(move), (factor - factor_) * prescribed_turn_);
-        const double bound = twist_bound_ + 2.0 * turned;
-        if (bound < kSafeTwist) return bound;
-        const auto twist = system_.twist(trial, configuration_);
-        return twist.largest_change > 0.5 * std::numbers::pi ? 2.0 * std::numbers::pi : twist.largest;
+        const double bound = turn_bound_ + 2.0 * turned;
+        if (bound < kSafeTurn) return bound;
+        const auto turn = system_.relative_turn(trial, configuration_);
+        return turn.largest_change > 0.5 * std::numbers::pi ? 2.0 * std::numbers::pi : turn.largest;
     }
 
     /// The push has left the path next to a circle of equilibria if it resists one direction much less than
@@ -183,14 +189,14 @@ class LoadPath {
         if (options_.branch == Branch::Stable) {
             Configuration pushed = unstable;
             unknowns_.move(kPush * mode.shape / unknowns_.largest_component(mode.shape), pushed);
-            const Termination found = nonlinear::descend(factor, system_, newton_, options_, pushed);
+            const Termination found = nonlinear::descend(factor, system_, newton_, pushed);
             if (found != Termination::Converged) return found;
             loss.pushed = true;
             unknowns_.unwind(configuration_, pushed);
             configuration_ = std::move(pushed);
             factor_ = factor;
             outcome_ = {};
-            twist_bound_ = std::numbers::pi;  // unknown
+            turn_bound_ = std::numbers::pi;  // unknown
             begin_branch(mode.eigenvalue);
         } else {
             system_.evaluate(unstable, factor);
@@ -278,7 +284,7 @@ class LoadPath {
     Eigen::VectorXd rate_;  ///< of the unknowns in the load factor
     double rest_rate_ = 0.0;
     double prescribed_turn_ = 0.0;  ///< the largest rotation that is prescribed at a node, at the full load
-    double twist_bound_ = 0.0;
+    double turn_bound_ = 0.0;
     nonlinear::PathPredictor predictor_;
     std::vector<StabilityLoss> losses_;
 };
@@ -324,9 +330,10 @@ std::vector<Solution> follow_load_path(const Assembly& assembly, std::span<const
     std::vector<Solution> solutions;
     if (load_factors.empty()) return solutions;
     LoadPath path(assembly, options);
+    const base::Task task(options.control, "load path (thousandths of the load)", kThousand);
     for (const double factor : load_factors) {
         if (solutions.empty() || solutions.back().converged()) {
-            solutions.push_back(path.advance_to(factor));
+            solutions.push_back(path.advance_to(factor, task, load_factors.back()));
         } else {
             solutions.push_back(solutions.back());
             solutions.back().iterations = 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <fretwork/base/control.hpp>
 #include <fretwork/mechanics/assembly.hpp>
 #include <fretwork/mechanics/solution.hpp>
 
@@ -17,15 +18,18 @@ enum class Branch {
 
 /// Options of the geometrically nonlinear solve.
 struct EquilibriumOptions {
-    double relative_residual = 1e-9;  ///< converged below this
-    double largest_rotation_step =
-        0.6;  ///< rad; a Newton step is shortened to it. No line search: the membrane residual must jump
+    /// Converged below this; or, where rounding does not allow that, where steps change nothing any more:
+    /// below 1e-6, or 1e-4 where what is unbalanced is the rounding of stiff parts.
+    double relative_residual = 1e-9;
+    double largest_rotation_step = 0.6;  ///< rad; a Newton step is shortened to it. No line search: the
+                                         ///< residual may grow within a step while membrane forces build up
     int iterations_per_step = 60;
     int largest_cut_back = 10;  ///< a load step is halved at most so often
     bool classify_stability = true;
     Branch branch = Branch::Primary;
     bool locate_critical_loads = false;  ///< fill Solution::stability_losses; Branch::Stable always does
     int threads = 1;  ///< 0: all there are. They change no bit of a result, and small structures use one.
+    base::Control control{};  ///< told how much of the load is reached
     /// Throws InputError if a value makes no sense.
     void validate() const;
 };
@@ -41,13 +45,13 @@ std::vector<double> even_load_factors(int steps);
 /// With Branch::Stable, an equilibrium that has lost its stability is pushed along its lowest mode and let
 /// down to a stable one, and the path goes on from there; each such place is told.
 ///
-/// An element knows the turn of its ends against each other up to whole turns: a path on which one is twisted
-/// by pi ends there as diverged; it needs more divisions.
+/// An element knows the turn of its ends against each other up to whole turns: a path on which this comes
+/// to pi ends there as diverged; it needs more divisions.
 ///
 /// Rotation vectors are continuous along the path: beyond half a turn they go on growing. At nodes with a
 /// held rotation component the reaction's moment is the true moment in space. Throws InputError if the
 /// factors are not ascending, NumericalError that names a node if the structure can move without strain at
-/// rest.
+/// rest, and Stopped.
 std::vector<Solution> follow_load_path(const Assembly& assembly, std::span<const double> load_factors,
                                        const EquilibriumOptions& options = {});
 

@@ -2,11 +2,11 @@
 #pragma once
 
 #include <fretwork/base/index.hpp>
+#include <fretwork/mechanics/section.hpp>
 
 #include <Eigen/Core>
 
 #include <array>
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -46,24 +46,6 @@ struct Material {
     }
     friend bool operator==(const Material&, const Material&) = default;
 };
-
-/// The cross-section of a beam. Local axis 1 runs along the beam, axis 3 is the beam's normal, axis 2 = axis
-/// 3 x axis 1.
-struct Section {
-    double area = 0.0;  ///< m^2
-    double I2 = 0.0;    ///< m^4; bends about axis 2: out of plane, for a beam in a flat pattern
-    double I3 = 0.0;    ///< m^4; bends about axis 3: in the plane
-    double J = 0.0;     ///< m^4; torsion constant
-    std::optional<double>
-        shear_area2{};  ///< m^2, for shear along axis 2; none: shear-rigid (Euler-Bernoulli)
-    std::optional<double> shear_area3{};  ///< m^2, for shear along axis 3; none: shear-rigid
-    friend bool operator==(const Section&, const Section&) = default;
-};
-
-/// `width` lies along local axis 2, `height` along local axis 3 (metres); J is Saint-Venant's series.
-Section rectangle_section(double width, double height);
-Section circle_section(double diameter);
-Section tube_section(double outer_diameter, double inner_diameter);
 
 /// A hinge: the components (in the beam's local axes at rest) that this end does not pass on to its node.
 struct Release {
@@ -119,19 +101,17 @@ struct Frame {
     Eigen::Vector3d gravity = Eigen::Vector3d::Zero();  ///< m/s^2
 };
 
+/// A frame from a file in which nodes have labels of their own.
+struct LabelledFrame {
+    Frame frame;
+    std::vector<int> labels;  ///< one for each node of the frame, in the file's order
+    std::string source{};     ///< the file, for messages
+};
+
 /// Check what a frame must obey on its own: indices in range, finite numbers, positive sections, beams of
-/// some length, no node without a beam or held for certain, every part of the structure held, some mass for
-/// gravity to act on. Throws
-/// InputError or GeometryError that names the node or beam ("/beams/3").
+/// some length, no node without a beam or held for certain, every part of the structure held, a density
+/// of every beam where gravity acts. Throws InputError or GeometryError that names the node or beam
+/// ("/beams/3").
 void validate(const Frame& frame);
-
-/// Read a frame file (design: files, "Frame"). Throws InputError with file and JSON pointer. The frame is
-/// valid.
-Frame read_frame(const std::filesystem::path& path);
-
-/// Write a frame file; equal materials and sections are written once. read_frame gives an equal frame.
-void write_frame(const Frame& frame, const std::filesystem::path& path);
-/// The text of a frame file.
-std::string frame_text(const Frame& frame);
 
 }  // namespace fretwork::mechanics

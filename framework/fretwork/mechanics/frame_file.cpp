@@ -3,7 +3,7 @@
 #include <fretwork/base/file.hpp>
 #include <fretwork/base/json_reader.hpp>
 #include <fretwork/base/text.hpp>
-#include <fretwork/mechanics/frame.hpp>
+#include <fretwork/mechanics/frame_file.hpp>
 #include <fretwork/mechanics/structure/frame_check.hpp>
 
 #include <algorithm>
@@ -271,11 +271,15 @@ void append_conditions(Json& document, const Frame& frame) {
 
 }  // namespace
 
-Frame read_frame(const std::filesystem::path& path) {
-    const JsonReader document = JsonReader::from_file(path);
+Frame parse_frame(std::string_view text, const std::string& source) {
+    const JsonReader document = JsonReader::from_text(text, source);
     Frame frame = FrameReader(document).read();
-    structure::check_frame(frame, {path.string()});
+    structure::check_frame(frame, {source});
     return frame;
+}
+
+Frame read_frame(const std::filesystem::path& path) {
+    return parse_frame(base::read_text_file(path), path.string());
 }
 
 std::string frame_text(const Frame& frame) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
 #include <fretwork/base/parallel.hpp>
 #include <fretwork/mechanics/linear_solver.hpp>
 #include <fretwork/mechanics/structure/factorized_structure.hpp>
@@ -6,6 +7,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace fretwork::mechanics {
@@ -14,9 +16,15 @@ namespace {
 using structure::FactorizedStructure;
 using structure::Subsystem;
 
-/// One refinement is made where the first solution is less accurate than this. Below it, what is left is the
-/// rounding of the stiffness itself, and refinement only exchanges one error for another.
+/// A solution is refined until its residual is below this, at most so many times, and while each refinement
+/// makes it less than half.
 constexpr double kGoodResidual = 1e-9;
+constexpr int kMostRefinements = 3;
+
+/// What rounding of the displacements explains of a residual: this times the forces that cancel at the nodes.
+constexpr double kRoundingShare = 8.0 * std::numeric_limits<double>::epsilon();
+/// Reactions are off by about the residual: beyond this they are not told as a solution.
+constexpr double kLargestResidual = 1e-4;
 
 /// One subsystem of a solve at hand.
 struct Iterate {
@@ -35,20 +43,24 @@ class LinearSolver::Impl {
 
     [[nodiscard]] const FactorizedStructure& structure() const { return structure_; }
 
-    [[nodiscard]] Solution solve(const NodeValues& loads) const {
+    [[nodiscard]] Solution solve(const NodeValues& loads, const base::Control& control) const {
         Solution solution;
         NodeValues displacements = structure_.constraints().values;
         std::vector<Iterate> iterates = start(loads, displacements);
         NodeValues unbalanced;
-        const int least_passes = structure_.corrected_elements() > 0 ? 2 : 1;
-        for (int pass = 1; pass <= 2; ++pass) {
-            correct(iterates, displacements);
+        const int least_refinements = structure_.corrected_elements() > 0 ? 1 : 0;
+        double last = std::numeric_limits<double>::infinity();
+        for (int pass = 0; pass <= kMostRefinements; ++pass) {
+            correct(iterates, displacements, control);
             unbalanced = out_of_balance(loads, displacements, iterates);
             ++solution.iterations;
             solution.residual = relative_residual(loads, unbalanced);
-            if (pass >= least_passes && solution.residual < kGoodResidual) break;
+            if (pass < least_refinements) continue;
+            if (solution.residual < kGoodResidual || !(solution.residual < 0.5 * last)) break;
+            last = solution.residual;
         }
         finish(loads, displacements, unbalanced, solution);
+        judge(loads, iterates, solution);
         return solution;
     }
 
@@ -130,10 +142,11 @@ class LinearSolver::Impl {
             .contains[static_cast<std::size_t>(dof)];
     }
 
-    void correct(std::vector<Iterate>& iterates, NodeValues& displacements) const {
+    void correct(std::vector<Iterate>& iterates, NodeValues& displacements,
+                 const base::Control& control) const {
         for_each(iterates, [&](Iterate& iterate) {
             if (iterate.unbalanced.isZero(0.0)) return;  // loaded in its plane only, or across it
-            iterate.system->solve(iterate.unbalanced);
+            iterate.system->solve(iterate.unbalanced, control);
             iterate.displacements += iterate.unbalanced;
             iterate.system->layout().scatter(iterate.displacements, displacements);
         });
@@ -164,6 +177,33 @@ class LinearSolver::Impl {
         return scale > 0 ? std::sqrt(free) / scale : 0.0;
     }
 
+    /// The forces that cancel at the free dofs, |K| |d| + |F|, relative to what a residual is relative to.
+    [[nodiscard]] double relative_cancellation(const NodeValues& loads, const std::vector<Iterate>& iterates,
+                                               double scale) const {
+        NodeValues forces = loads.cwiseAbs();
+        for (const Iterate& iterate : iterates) {
+            Eigen::VectorXd own;
+            iterate.system->layout().gather(forces, own);
+            own += iterate.system->cancelling_forces(iterate.displacements);
+            iterate.system->layout().scatter(own, forces);
+        }
+        return scale > 0.0 ? structure::force_norm(forces, length_) / scale : 0.0;
+    }
+
+    void judge(const NodeValues& loads, const std::vector<Iterate>& iterates, Solution& solution) const {
+        if (!std::isfinite(solution.displacements.norm()) || !std::isfinite(solution.energy) ||
+            !std::isfinite(solution.residual))
+            throw base::NumericalError(
+                "the displacements under this load are too large for a number: lengths, stiffnesses or loads "
+                "are far from each other");
+        if (solution.residual < kGoodResidual) return;
+        const double scale =
+            structure::force_norm(loads, length_) + structure::force_norm(solution.reactions, length_);
+        const double rounding = kRoundingShare * relative_cancellation(loads, iterates, scale);
+        if (solution.residual > std::min(rounding, kLargestResidual))
+            solution.termination = Termination::IterationsSpent;
+    }
+
     void finish(const NodeValues& loads, const NodeValues& displacements, const NodeValues& unbalanced,
                 Solution& solution) const {
         const NodeValues reactions = reactions_of(unbalanced);
@@ -179,30 +219,31 @@ class LinearSolver::Impl {
 };
 
 LinearSolver::LinearSolver(const Assembly& assembly, const LinearOptions& options)
-    : impl_(std::make_unique<Impl>(FactorizedStructure(assembly, options.threads))) {}
+    : impl_(std::make_unique<Impl>(FactorizedStructure(assembly, options))) {}
 LinearSolver::LinearSolver(LinearSolver&&) noexcept = default;
 LinearSolver& LinearSolver::operator=(LinearSolver&&) noexcept = default;
 LinearSolver::~LinearSolver() = default;
 
-Solution LinearSolver::solve() const {
-    return impl_->solve(impl_->structure().assembly().loads);
+Solution LinearSolver::solve(const base::Control& control) const {
+    return impl_->solve(impl_->structure().assembly().loads, control);
 }
 
-Solution LinearSolver::solve(const NodeValues& loads) const {
-    return impl_->solve(loads);
+Solution LinearSolver::solve(const NodeValues& loads, const base::Control& control) const {
+    return impl_->solve(loads, control);
 }
 
 Eigen::MatrixXd LinearSolver::solve_free(const Eigen::MatrixXd& right_sides) const {
     return impl_->solve_free(right_sides);
 }
 
-FactorChange LinearSolver::update(const Assembly& assembly) {
-    impl_ = std::make_unique<Impl>(FactorizedStructure(impl_->structure(), assembly));
+FactorChange LinearSolver::update(const Assembly& assembly, const base::Control& control) {
+    impl_ = std::make_unique<Impl>(
+        FactorizedStructure(impl_->structure(), assembly, structure::ElementEdit::Cheaper, control));
     return impl_->structure().last_change();
 }
 
 Solution solve_linear(const Assembly& assembly, const LinearOptions& options) {
-    return LinearSolver(assembly, options).solve();
+    return LinearSolver(assembly, options).solve({.stop = options.control.stop});
 }
 
 }  // namespace fretwork::mechanics

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <fretwork/base/control.hpp>
 #include <fretwork/mechanics/assembly.hpp>
 #include <fretwork/mechanics/solution.hpp>
 
@@ -11,6 +12,7 @@ namespace fretwork::mechanics {
 /// Options of the linear solve.
 struct LinearOptions {
     int threads = 1;  ///< 0: all there are. They change no bit of a result.
+    base::Control control{};
 };
 
 /// What an update of a structure did to its factors.
@@ -36,8 +38,12 @@ class LinearSolver {
 
     /// The same structure under its own loads, or under others (one row for each node of the assembly).
     /// Several threads may solve at once.
-    [[nodiscard]] Solution solve() const;
-    [[nodiscard]] Solution solve(const NodeValues& loads) const;
+    ///
+    /// The solution is refined while that helps. It has converged if its residual is below 1e-9, or is no more
+    /// than the rounding of the displacements explains, and 1e-4 at most. Throws NumericalError if a
+    /// displacement is too large for a number; Stopped.
+    [[nodiscard]] Solution solve(const base::Control& control = {}) const;
+    [[nodiscard]] Solution solve(const NodeValues& loads, const base::Control& control = {}) const;
 
     /// Solve K x = g with all held dofs at zero, for several right sides at once: what adjoint gradients
     /// need. Columns have 6 rows a node, in the order of Dof. Forces on held dofs are left aside.
@@ -53,7 +59,7 @@ class LinearSolver {
     /// - anything else: everything.
     /// Elements are compared by address; nothing of the assembly is borrowed but they. Throws as the
     /// constructor, and then nothing has changed.
-    FactorChange update(const Assembly& assembly);
+    FactorChange update(const Assembly& assembly, const base::Control& control = {});
 
   private:
     class Impl;

@@ -26,9 +26,9 @@ double largest_entry(const Eigen::Ref<const MatrixXd>& values) {
 }
 
 /// The factor of the stiffness of a structure at rest, which must not be a mechanism.
-sparse::Ldlt factorize_at_rest(const nonlinear::NonlinearSystem& system) {
+sparse::Ldlt factorize_at_rest(const nonlinear::NonlinearSystem& system, const base::Control& control) {
     sparse::Ldlt factors(system.unknowns().layout());
-    const auto outcome = factors.factorize(system.tangent());
+    const auto outcome = factors.factorize(system.tangent(), control);
     structure::refuse_mechanisms(system.unknowns().assembly(), system.unknowns().layout(), system.tangent(),
                                  factors, outcome);
     return factors;
@@ -55,11 +55,12 @@ void check_count(int count) {
                                ", and must be above zero");
 }
 
-std::vector<double> mass_values(const nonlinear::NonlinearSystem& system) {
+std::vector<double> mass_values(const nonlinear::NonlinearSystem& system, const base::Control& control) {
     std::vector<double> values(system.unknowns().layout().row().size(), 0.0);
     MatrixXd mass;
     const Assembly& assembly = system.unknowns().assembly();
     for (std::size_t e = 0; e < assembly.elements.size(); ++e) {
+        control.check();
         assembly.elements[e]->mass(mass);
         system.unknowns().layout().add(e, mass, values);
     }
@@ -69,13 +70,15 @@ std::vector<double> mass_values(const nonlinear::NonlinearSystem& system) {
 }
 
 /// Minus the geometric stiffness of the linear solution.
-std::vector<double> softening(const nonlinear::NonlinearSystem& system, const VectorXd& linear_rate) {
+std::vector<double> softening(const nonlinear::NonlinearSystem& system, const VectorXd& linear_rate,
+                              const base::Control& control) {
     const Assembly& assembly = system.unknowns().assembly();
     NodeValues table = structure::constraints_of(assembly).values;
     system.unknowns().layout().scatter(linear_rate, table);
     std::vector<double> values(system.unknowns().layout().row().size(), 0.0);
     MatrixXd stiffness;
     for (std::size_t e = 0; e < assembly.elements.size(); ++e) {
+        control.check();
         const auto nodes = assembly.elements[e]->nodes();
         VectorXd displacements(static_cast<Eigen::Index>(nodes.size()) * kDofsPerNode);
         for (std::size_t i = 0; i < nodes.size(); ++i)
@@ -90,14 +93,15 @@ std::vector<double> softening(const nonlinear::NonlinearSystem& system, const Ve
 
 }  // namespace
 
-std::vector<Mode> vibration_modes(const Assembly& assembly, int count) {
+std::vector<Mode> vibration_modes(const Assembly& assembly, int count, const ModeOptions& options) {
     check_count(count);
-    nonlinear::NonlinearSystem system(assembly);
+    nonlinear::NonlinearSystem system(assembly, 1, options.control);
     system.evaluate(system.unknowns().rest(), 0.0);
-    std::vector<double> masses = mass_values(system);
-    const auto pairs = structure::SubspaceIteration(system.unknowns().layout(), system.tangent(),
-                                                    factorize_at_rest(system), std::move(masses))
-                           .largest(count);
+    std::vector<double> masses = mass_values(system, options.control);
+    const auto pairs =
+        structure::SubspaceIteration(system.unknowns().layout(), {system.tangent(), std::move(masses)},
+                                     factorize_at_rest(system, options.control), options.control)
+            .largest(count);
     std::vector<Mode> modes;
     for (Eigen::Index i = 0; i < pairs.values.size(); ++i) {
         if (pairs.values[i] <= 0.0) break;
@@ -107,16 +111,18 @@ std::vector<Mode> vibration_modes(const Assembly& assembly, int count) {
     return modes;
 }
 
-std::vector<Mode> buckling_modes(const Assembly& assembly, int count) {
+std::vector<Mode> buckling_modes(const Assembly& assembly, int count, const ModeOptions& options) {
     check_count(count);
-    nonlinear::NonlinearSystem system(assembly);
+    nonlinear::NonlinearSystem system(assembly, 1, options.control);
     system.evaluate(system.unknowns().rest(), 0.0);
-    sparse::Ldlt factors = factorize_at_rest(system);
+    sparse::Ldlt factors = factorize_at_rest(system, options.control);
     VectorXd rate = system.load_rate();
-    factors.solve(rate);
-    const auto pairs = structure::SubspaceIteration(system.unknowns().layout(), system.tangent(),
-                                                    std::move(factors), softening(system, rate))
-                           .largest_positive(count);
+    factors.solve(rate, options.control);
+    const auto pairs =
+        structure::SubspaceIteration(system.unknowns().layout(),
+                                     {system.tangent(), softening(system, rate, options.control)},
+                                     std::move(factors), options.control)
+            .largest_positive(count);
     std::vector<Mode> modes;
     for (Eigen::Index i = 0; i < pairs.values.size(); ++i)
         modes.push_back(make_mode(system, 1.0 / pairs.values[i], pairs.vectors.col(i)));

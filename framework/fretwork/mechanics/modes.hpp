@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <fretwork/base/control.hpp>
 #include <fretwork/mechanics/assembly.hpp>
 
 #include <vector>
@@ -16,15 +17,20 @@ struct Mode {
     NodeValues inner_shape{};  ///< the assembly's other nodes, as Solution::inner_displacements
 };
 
+/// Options of the search for modes.
+struct ModeOptions {
+    base::Control control{};
+};
+
 /// The modes of the lowest natural frequencies, ascending: consistent masses, prescribed components held. At
-/// most as many as there are equations. Throws InputError if nothing has mass, NumericalError as
-/// LinearSolver.
-std::vector<Mode> vibration_modes(const Assembly& assembly, int count);
+/// most as many as there are equations. Throws InputError if nothing has mass, NumericalError and
+/// Stopped as LinearSolver.
+std::vector<Mode> vibration_modes(const Assembly& assembly, int count, const ModeOptions& options = {});
 
 /// The modes of linearized buckling, ascending in the factor on the loads at which the stiffness, with the
 /// geometric stiffness of the linear solution, becomes singular; positive factors only, so there may be fewer
 /// than wanted, or none. Moments count as if they had a potential (as semi-tangential ones): of moments of
 /// fixed direction the factors are those of the stiffness' symmetric part. Throws as vibration_modes.
-std::vector<Mode> buckling_modes(const Assembly& assembly, int count);
+std::vector<Mode> buckling_modes(const Assembly& assembly, int count, const ModeOptions& options = {});
 
 }  // namespace fretwork::mechanics

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
+#include <fretwork/base/task.hpp>
 #include <fretwork/mechanics/nonlinear/newton.hpp>
 #include <fretwork/mechanics/path_tracing.hpp>
 
@@ -21,7 +22,7 @@ class Tracer {
   public:
     Tracer(const Assembly& assembly, const PathTracingOptions& options)
         : options_(options),
-          system_(assembly, options.equilibrium.threads),
+          system_(assembly, options.equilibrium.threads, options.equilibrium.control),
           newton_(system_, options_.equilibrium),
           configuration_(unknowns_.rest()) {
         system_.evaluate(configuration_, 0.0);
@@ -32,6 +33,8 @@ class Tracer {
     }
 
     std::vector<Solution> run() {
+        const base::Task task(options_.equilibrium.control, "path (points)",
+                              static_cast<std::size_t>(options_.steps));
         std::vector<Solution> path;
         const double shortest = arc_ / std::pow(2.0, options_.equilibrium.largest_cut_back);
         while (static_cast<int>(path.size()) < options_.steps &&
@@ -42,6 +45,7 @@ class Tracer {
                 found = try_step();
             }
             path.push_back(describe());
+            task.update(path.size());
             if (found) continue;
             path.back().termination = Termination::Diverged;
             break;
@@ -79,15 +83,16 @@ class Tracer {
 
     /// The number of iterations, or -1.
     int correct(const Eigen::VectorXd& tangent, double& factor, Configuration& trial) {
+        Eigen::VectorXd move;
         for (int iteration = 0; iteration <= kMostIterations; ++iteration) {
             system_.evaluate(trial, factor);
             if (!std::isfinite(system_.relative_residual())) return -1;
-            if (system_.relative_residual() <= options_.equilibrium.relative_residual) return iteration;
+            if (newton_.is_converged(trial, move)) return iteration;
             if (newton_.factorize().zero_pivot >= 0) return -1;
             const Eigen::VectorXd rate = newton_.solve_tangent(system_.load_rate());
             const Eigen::VectorXd step = newton_.solve_tangent(system_.unbalanced());
             const double load_step = -product(tangent, step) / product(tangent, rate);
-            const Eigen::VectorXd move = step + load_step * rate;
+            move = step + load_step * rate;
             if (!std::isfinite(load_step) ||
                 unknowns_.largest_rotation(move) > options_.equilibrium.largest_rotation_step)
                 return -1;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
+#include <fretwork/base/task.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/mechanics/nonlinear/newton.hpp>
 #include <fretwork/mechanics/relaxation.hpp>
@@ -45,7 +46,7 @@ void refuse_turns_beyond_pi(const Assembly& assembly) {
 class Relaxation {
   public:
     Relaxation(const Assembly& assembly, const RelaxationOptions& options)
-        : options_(options), system_(assembly), configuration_(unknowns_.rest()) {
+        : options_(options), system_(assembly, 1, options.control), configuration_(unknowns_.rest()) {
         unknowns_.prescribe(1.0, configuration_);
         last_peak_ = configuration_;
         velocity_.setZero(unknowns_.equations());
@@ -54,10 +55,14 @@ class Relaxation {
     }
 
     Solution run() {
+        const base::Task task(options_.control, "dynamic relaxation (iterations)",
+                              static_cast<std::size_t>(options_.iterations));
         double last_energy = 0.0;
         Termination termination = Termination::IterationsSpent;
         int iteration = 0;
         for (; iteration < options_.iterations; ++iteration) {
+            options_.control.check();
+            task.update(static_cast<std::size_t>(iteration));
             if (!std::isfinite(system_.relative_residual())) {
                 configuration_ = last_peak_;
                 termination = Termination::Diverged;

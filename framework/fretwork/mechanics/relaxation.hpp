@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <fretwork/base/control.hpp>
 #include <fretwork/mechanics/assembly.hpp>
 #include <fretwork/mechanics/solution.hpp>
 
@@ -15,8 +16,9 @@ enum class RotationalMass {
 /// Options of dynamic relaxation.
 struct RelaxationOptions {
     double relative_residual = 1e-9;  ///< converged below this
-    int iterations = 2000000;         ///< at most
+    int iterations = 200000;          ///< at most; a structure of the size of patterns takes thousands
     RotationalMass rotational_mass = RotationalMass::Natural;
+    base::Control control{};  ///< told the iterations
     /// Throws InputError if a value makes no sense.
     void validate() const;
 };
@@ -31,7 +33,8 @@ struct RelaxationOptions {
 ///
 /// Prescribed displacements are there from the start, in one jump: so no rotation may be prescribed that
 /// turns a node, or one end of an element against its other, by more than pi, which it would take for one the
-/// other way round. Throws InputError that names the node if one does, or if an option makes no sense.
+/// other way round. Throws InputError that names the node if one does, or if an option makes no sense, and
+/// Stopped.
 Solution relax(const Assembly& assembly, const RelaxationOptions& options = {});
 
 }  // namespace fretwork::mechanics

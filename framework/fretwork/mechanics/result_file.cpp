@@ -192,7 +192,11 @@ void write_result(const Result& result, const std::filesystem::path& path) {
 }
 
 Result read_result(const std::filesystem::path& path) {
-    const JsonReader document = JsonReader::from_file(path);
+    return parse_result(base::read_text_file(path), path.string());
+}
+
+Result parse_result(std::string_view text, const std::string& source) {
+    const JsonReader document = JsonReader::from_text(text, source);
     (void)document.at("format").choice({"fretwork/result/1", "fretwork/result/2"});
     document.allow_only({"format",          "program",        "subject",
                          "solver",          "load_factor",    "converged",

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace fretwork::mechanics {
@@ -43,11 +44,14 @@ struct Result {
     double seconds = 0.0;
 };
 
+/// Read the text of a result file. Throws InputError that names `source`, and the place in it.
+Result parse_result(std::string_view text, const std::string& source);
 /// The text of a result file. Throws NumericalError if a value is not finite.
 std::string result_text(const Result& result);
+
+/// Throws as parse_result.
+Result read_result(const std::filesystem::path& path);
 /// Throws IoError, or NumericalError if a value is not finite; then nothing is written.
 void write_result(const Result& result, const std::filesystem::path& path);
-/// Throws InputError with file and JSON pointer.
-Result read_result(const std::filesystem::path& path);
 
 }  // namespace fretwork::mechanics

@@ -29,4 +29,16 @@ std::string_view stability_test_name(StabilityTest test) {
     return "";
 }
 
+Solution end_of_path(std::span<const Solution> path) {
+    Solution end = path.back();
+    end.iterations = 0;
+    end.stability_losses.clear();
+    for (const Solution& solution : path) {
+        end.iterations += solution.iterations;
+        end.stability_losses.insert(end.stability_losses.end(), solution.stability_losses.begin(),
+                                    solution.stability_losses.end());
+    }
+    return end;
+}
+
 }  // namespace fretwork::mechanics

@@ -3,6 +3,7 @@
 
 #include <fretwork/mechanics/frame.hpp>
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -47,5 +48,8 @@ struct Solution {
     int iterations = 0;     ///< linear solves since the last solution of the path
     std::vector<StabilityLoss> stability_losses{};  ///< since the last solution of the path
 };
+
+/// The end of a path (of at least one solution), with the iterations and stability losses of all of it.
+Solution end_of_path(std::span<const Solution> path);
 
 }  // namespace fretwork::mechanics

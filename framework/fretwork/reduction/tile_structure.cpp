@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
-#include <fretwork/mechanics/condensation.hpp>
+#include <fretwork/mechanics/linear_element.hpp>
 #include <fretwork/reduction/tile_structure.hpp>
 
 #include <utility>
@@ -41,8 +41,8 @@ class StiffnessTile final : public TileStructure {
     [[nodiscard]] std::span<const Eigen::Vector3d> inner_nodes() const override { return {}; }
 
     void add_to(StructureParts& surface, const TilePlace& place) const override {
-        surface.elements.push_back(
-            mechanics::linear_element({place.nodes.begin(), place.nodes.end()}, turned(place.turn)));
+        surface.elements.push_back(mechanics::linear_element({place.nodes.begin(), place.nodes.end()},
+                                                             {.stiffness = turned(place.turn)}));
     }
 
   private:

@@ -289,12 +289,12 @@ void Session::Impl::update_conditions() {
     apply(conditions_, assembly_);
 }
 
-void Session::Impl::update_factors(const base::Control&) {
+void Session::Impl::update_factors(const base::Control& control) {
     if (solver_) {
-        work_.factors = factors_of(solver_->update(assembly_));
+        work_.factors = factors_of(solver_->update(assembly_, control));
         return;
     }
-    solver_.emplace(assembly_, mechanics::LinearOptions{.threads = options_.threads});
+    solver_.emplace(assembly_, mechanics::LinearOptions{.threads = options_.threads, .control = control});
     work_.factors = Work::Factors::Anew;
 }
 
@@ -310,9 +310,9 @@ mechanics::Result Session::Impl::make_result() const {
     return result;
 }
 
-void Session::Impl::solve_path(mechanics::Result& result, const base::Control&) const {
+void Session::Impl::solve_path(mechanics::Result& result, const base::Control& control) const {
     const auto factors = mechanics::even_load_factors(options_.load_steps);
-    const mechanics::EquilibriumOptions path_options{.threads = options_.threads};
+    const mechanics::EquilibriumOptions path_options{.threads = options_.threads, .control = control};
     result.load_steps = mechanics::follow_load_path(assembly_, factors, path_options);
     result.solution = result.load_steps.back();
 }
@@ -330,7 +330,7 @@ mechanics::Result Session::Impl::solve(const base::Control& control) {
         solve_path(result, control);
     } else {
         update_factors(control);
-        result.solution = solver_->solve(assembly_.loads);
+        result.solution = solver_->solve(assembly_.loads, control);
     }
     result.seconds = std::chrono::duration<double>(Clock::now() - started).count();
     if (options_.estimate_error)

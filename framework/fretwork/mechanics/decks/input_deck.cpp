@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
-#include <fretwork/base/file.hpp>
 #include <fretwork/base/quantity.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/mechanics/decks/input_deck.hpp>
@@ -8,6 +7,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <utility>
 
 namespace fretwork::mechanics::decks {
 namespace {
@@ -38,8 +38,8 @@ std::string list_of(std::initializer_list<const char*> words) {
 
 }  // namespace
 
-InputDeck::InputDeck(const std::filesystem::path& path) : path_(path.string()) {
-    const auto lines = base::split(base::read_text_file(path), '\n');
+InputDeck::InputDeck(std::string_view text, std::string source) : source_(std::move(source)) {
+    const auto lines = base::split(text, '\n');
     bool continues = false;
     for (std::size_t i = 0; i < lines.size(); ++i) {
         const std::string line = trimmed_upper(lines[i]);
@@ -65,7 +65,7 @@ InputDeck::InputDeck(const std::filesystem::path& path) : path_(path.string()) {
 }
 
 void InputDeck::fail(std::size_t line, const std::string& message) const {
-    throw base::InputError(path_ + ": line " + std::to_string(line) + " " + message);
+    throw base::InputError(source_ + ": line " + std::to_string(line) + " " + message);
 }
 
 double InputDeck::number(std::size_t line, const std::string& word) const {

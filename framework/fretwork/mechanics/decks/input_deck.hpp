@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <filesystem>
 #include <initializer_list>
 #include <limits>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace fretwork::mechanics::decks {
@@ -28,12 +28,13 @@ struct Card {
 };
 
 /// The cards of a CalculiX or Abaqus input deck, and how its words are read. What fails throws InputError
-/// with file and line.
+/// with source and line.
 class InputDeck {
   public:
-    explicit InputDeck(const std::filesystem::path& path);
+    /// @param source  what to call the text in messages
+    InputDeck(std::string_view text, std::string source);
 
-    [[nodiscard]] const std::string& path() const { return path_; }
+    [[nodiscard]] const std::string& source() const { return source_; }
     [[nodiscard]] const std::vector<Card>& cards() const { return cards_; }
 
     [[noreturn]] void fail(std::size_t line, const std::string& message) const;
@@ -60,7 +61,7 @@ class InputDeck {
     [[nodiscard]] const Card::Line& only_line(const Card& card, const std::string& why) const;
 
   private:
-    std::string path_;
+    std::string source_;
     std::vector<Card> cards_;
 };
 

@@ -100,7 +100,7 @@ void BeamElement::evaluate(std::span<const NodeState> states, Demand demand,
     expand_tangent(tangent, response.tangent);
 }
 
-double BeamElement::twist(std::span<const NodeState> states) const {
+double BeamElement::relative_turn(std::span<const NodeState> states) const {
     return BeamDeformation(geometry_.axes, geometry_.length, states).values()[kTwist];
 }
 

@@ -77,14 +77,14 @@ void HingedElement::evaluate(std::span<const NodeState> states, Demand demand,
     add_hinge_curvature(own.force, hinged, response.tangent);
 }
 
-double HingedElement::twist(std::span<const NodeState> states) const {
+double HingedElement::relative_turn(std::span<const NodeState> states) const {
     std::array<NodeState, 2> ends = {states[0], states[1]};
     for (const Hinge& hinge : hinges_) {
         const auto end = static_cast<std::size_t>(hinge.end);
         ends[end] =
             compose(beam_->geometry().axes, states[end], states[static_cast<std::size_t>(hinge.slot)]).state;
     }
-    return beam_->twist(ends);
+    return beam_->relative_turn(ends);
 }
 
 void HingedElement::geometric_stiffness(const Eigen::VectorXd& displacements,

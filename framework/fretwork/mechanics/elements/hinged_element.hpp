@@ -19,7 +19,7 @@ class HingedElement final : public Element {
     [[nodiscard]] std::span<const NodeIndex> nodes() const override { return nodes_; }
     void rest_stiffness(Eigen::MatrixXd& stiffness) const override;
     void evaluate(std::span<const NodeState> states, Demand demand, ElementResponse& response) const override;
-    [[nodiscard]] double twist(std::span<const NodeState> states) const override;
+    [[nodiscard]] double relative_turn(std::span<const NodeState> states) const override;
     void geometric_stiffness(const Eigen::VectorXd& displacements, Eigen::MatrixXd& stiffness) const override;
     void mass(Eigen::MatrixXd& mass) const override;
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
 #include <fretwork/mechanics/elements/linear_element.hpp>
 #include <fretwork/mechanics/elements/rotation.hpp>
 
@@ -8,7 +9,7 @@ namespace fretwork::mechanics::elements {
 
 void LinearElement::evaluate(std::span<const NodeState> states, Demand demand,
                              ElementResponse& response) const {
-    const Eigen::Index size = stiffness_.rows();
+    const Eigen::Index size = matrices_.stiffness.rows();
     const auto count = static_cast<Eigen::Index>(nodes_.size());
     Eigen::VectorXd d(size);
     for (Eigen::Index i = 0; i < count; ++i) {
@@ -16,9 +17,9 @@ void LinearElement::evaluate(std::span<const NodeState> states, Demand demand,
         d.segment<3>(i * kDofsPerNode) = state.displacement;
         d.segment<3>(i * kDofsPerNode + 3) = logarithm(state.rotation);
     }
-    response.force.noalias() = stiffness_ * d;
+    response.force.noalias() = matrices_.stiffness * d;
     response.energy = 0.5 * d.dot(response.force);
-    if (demand == Demand::Tangent) response.tangent = stiffness_;
+    if (demand == Demand::Tangent) response.tangent = matrices_.stiffness;
     for (Eigen::Index i = 0; i < count; ++i) {
         const Eigen::Index at = i * kDofsPerNode + 3;
         const Eigen::Vector3d rotation = d.segment<3>(at);
@@ -34,6 +35,18 @@ void LinearElement::evaluate(std::span<const NodeState> states, Demand demand,
         response.tangent.middleRows<3>(at) =
             (inverse.transpose() * response.tangent.middleRows<3>(at)).eval();
     }
+}
+
+void LinearElement::geometric_stiffness(const Eigen::VectorXd& displacements,
+                                        Eigen::MatrixXd& stiffness) const {
+    stiffness.setZero(displacements.size(), displacements.size());
+}
+
+void LinearElement::mass(Eigen::MatrixXd& mass) const {
+    if (matrices_.mass.size() == 0)
+        throw base::InputError(
+            "natural frequencies need the mass of every element, and a linear element was made without one");
+    mass = matrices_.mass;
 }
 
 }  // namespace fretwork::mechanics::elements

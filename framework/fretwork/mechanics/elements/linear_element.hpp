@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <fretwork/mechanics/element.hpp>
+#include <fretwork/mechanics/linear_element.hpp>
 
 #include <vector>
 
@@ -10,16 +10,21 @@ namespace fretwork::mechanics::elements {
 /// The energy d . K d / 2 in the displacements and total rotation vectors of the nodes.
 class LinearElement final : public Element {
   public:
-    LinearElement(std::vector<NodeIndex> nodes, Eigen::MatrixXd stiffness)
-        : nodes_(std::move(nodes)), stiffness_(std::move(stiffness)) {}
+    LinearElement(std::vector<NodeIndex> nodes, LinearMatrices matrices)
+        : nodes_(std::move(nodes)), matrices_(std::move(matrices)) {}
 
     [[nodiscard]] std::span<const NodeIndex> nodes() const override { return nodes_; }
-    void rest_stiffness(Eigen::MatrixXd& stiffness) const override { stiffness = stiffness_; }
+    void rest_stiffness(Eigen::MatrixXd& stiffness) const override { stiffness = matrices_.stiffness; }
     void evaluate(std::span<const NodeState> states, Demand demand, ElementResponse& response) const override;
+    /// It is meant for small rotations.
+    [[nodiscard]] double relative_turn(std::span<const NodeState>) const override { return 0.0; }
+    /// Zero: its energy has no terms above the second order.
+    void geometric_stiffness(const Eigen::VectorXd& displacements, Eigen::MatrixXd& stiffness) const override;
+    void mass(Eigen::MatrixXd& mass) const override;
 
   private:
     std::vector<NodeIndex> nodes_;
-    Eigen::MatrixXd stiffness_;
+    LinearMatrices matrices_;
 };
 
 }  // namespace fretwork::mechanics::elements

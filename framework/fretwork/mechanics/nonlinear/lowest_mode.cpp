@@ -95,14 +95,14 @@ StabilityLoss describe_loss(const NonlinearSystem& system, LowestMode& mode) {
 }
 
 Termination descend(double load_factor, NonlinearSystem& system, Newton& newton,
-                    const EquilibriumOptions& options, Configuration& configuration) {
+                    Configuration& configuration) {
+    Eigen::VectorXd step;
     for (int iteration = 0; iteration < kMostDownhillSteps; ++iteration) {
         system.evaluate(configuration, load_factor);
         if (!std::isfinite(system.relative_residual())) return Termination::Diverged;
         const bool definite = newton.factorize(rounding_shift(system)).positive_definite();
-        if (definite && system.relative_residual() <= options.relative_residual)
-            return Termination::Converged;
-        Eigen::VectorXd step = system.unbalanced();
+        if (definite && newton.is_converged(configuration, step)) return Termination::Converged;
+        step = system.unbalanced();
         if (definite) {
             step = newton.solve_tangent(step);
         } else {

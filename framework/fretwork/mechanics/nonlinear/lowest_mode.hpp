@@ -29,6 +29,6 @@ StabilityLoss describe_loss(const NonlinearSystem& system, LowestMode& mode);
 /// tangent is positive definite, elsewhere steps with the tangent shifted until it is. On Converged the
 /// system is evaluated there.
 Termination descend(double load_factor, NonlinearSystem& system, Newton& newton,
-                    const EquilibriumOptions& options, Configuration& configuration);
+                    Configuration& configuration);
 
 }  // namespace fretwork::mechanics::nonlinear

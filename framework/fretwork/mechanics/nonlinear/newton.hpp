@@ -22,6 +22,11 @@ class Newton {
     /// there.
     Termination solve(double load_factor, Configuration& configuration);
 
+    /// Whether the configuration of the last evaluation is an equilibrium, as EquilibriumOptions says.
+    /// @param last_step  that led to it; may be empty
+    [[nodiscard]] bool is_converged(const Configuration& configuration,
+                                    const Eigen::VectorXd& last_step) const;
+
     /// Factorize the tangent of the last evaluation, which is at rest. Throws NumericalError that names a
     /// node if the structure can move without strain.
     void factorize_at_rest();
@@ -45,8 +50,6 @@ class Newton {
 
   private:
     [[nodiscard]] Eigen::VectorXd without_neutral_part(Eigen::VectorXd x);
-    [[nodiscard]] bool is_converged(const Configuration& configuration,
-                                    const Eigen::VectorXd& last_step) const;
 
     NonlinearSystem& system_;
     const Unknowns& unknowns_;

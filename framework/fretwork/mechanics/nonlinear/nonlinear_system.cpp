@@ -40,8 +40,9 @@ NodeValues rounding_forces(const Assembly& assembly, double length) {
 
 }  // namespace
 
-NonlinearSystem::NonlinearSystem(const Assembly& assembly, int threads)
+NonlinearSystem::NonlinearSystem(const Assembly& assembly, int threads, const base::Control& control)
     : unknowns_(assembly),
+      control_{.stop = control.stop},
       threads_(assembly.elements.size() < kBatch / 2 ? 1 : base::resolved_thread_count(threads)),
       batch_(threads_ > 1 ? kBatch : 1),
       responses_(batch_) {
@@ -89,10 +90,12 @@ void NonlinearSystem::add_prescribed_rate(std::span<const NodeIndex> nodes, cons
 void NonlinearSystem::add_elements(const Configuration& configuration, Demand demand) {
     for (std::size_t first = 0; first < unknowns_.assembly().elements.size(); first += batch_) {
         const std::size_t count = std::min(batch_, unknowns_.assembly().elements.size() - first);
+        control_.check();
         if (threads_ == 1) {
             evaluate_element(first, configuration, demand, responses_[0]);
         } else {
             base::parallel_for((count + kPiece - 1) / kPiece, threads_, [&](std::size_t piece) {
+                control_.check();
                 const std::size_t end = std::min(count, (piece + 1) * kPiece);
                 for (std::size_t i = piece * kPiece; i < end; ++i)
                     evaluate_element(first + i, configuration, demand, responses_[i]);
@@ -120,12 +123,12 @@ std::span<const NodeState> NonlinearSystem::states_of(const Element& element,
     return states;
 }
 
-NonlinearSystem::Twist NonlinearSystem::twist(const Configuration& configuration,
-                                              const Configuration& last) const {
-    Twist result;
+NonlinearSystem::RelativeTurn NonlinearSystem::relative_turn(const Configuration& configuration,
+                                                             const Configuration& last) const {
+    RelativeTurn result;
     for (const auto& element : unknowns_.assembly().elements) {
-        const double before = element->twist(states_of(*element, last));
-        const double after = element->twist(states_of(*element, configuration));
+        const double before = element->relative_turn(states_of(*element, last));
+        const double after = element->relative_turn(states_of(*element, configuration));
         result.largest = std::max(result.largest, std::abs(after));
         result.largest_change = std::max(result.largest_change, std::abs(after - before));
     }

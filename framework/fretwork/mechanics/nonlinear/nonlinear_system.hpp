@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <fretwork/base/control.hpp>
 #include <fretwork/mechanics/nonlinear/unknowns.hpp>
 #include <fretwork/mechanics/solution.hpp>
 #include <fretwork/mechanics/sparse/ldlt.hpp>
@@ -17,7 +18,8 @@ namespace fretwork::mechanics::nonlinear {
 class NonlinearSystem {
   public:
     /// @param threads  that evaluate the elements where these are many; 0: all there are
-    explicit NonlinearSystem(const Assembly& assembly, int threads = 1);
+    /// @param control  stops evaluations
+    explicit NonlinearSystem(const Assembly& assembly, int threads = 1, const base::Control& control = {});
 
     [[nodiscard]] const Unknowns& unknowns() const { return unknowns_; }
 
@@ -32,9 +34,10 @@ class NonlinearSystem {
     [[nodiscard]] const Eigen::VectorXd& unbalanced() const { return unbalanced_; }
     /// Norm of the unbalanced forces over that of loads and reactions.
     [[nodiscard]] double relative_residual() const { return relative_residual_; }
-    /// Whether the unbalanced forces are no more than what rounding makes of elements near rest.
-    [[nodiscard]] bool is_rounding() const {
-        return (unbalanced_.cwiseAbs().array() <= rounding_.array()).all();
+    /// Whether the unbalanced forces are no more than what rounding makes of elements whose nodes have moved
+    /// by no more than some times the characteristic length.
+    [[nodiscard]] bool is_rounding(double moved = 1.0) const {
+        return (unbalanced_.cwiseAbs().array() <= std::max(moved, 1.0) * rounding_.array()).all();
     }
     /// The rate of the unbalanced forces in the load factor while the unknowns rest.
     [[nodiscard]] const Eigen::VectorXd& load_rate() const { return load_rate_; }
@@ -46,13 +49,14 @@ class NonlinearSystem {
     /// False if external moments act: their direction stays fixed in space, so they have no potential. The
     /// moments of gravity stand for forces, which have one.
     [[nodiscard]] bool is_conservative() const { return skew_.empty() || !unknowns_.assembly().has_moments; }
-    /// How elements are twisted, and how much more than in another configuration near it: the largest of
-    /// each.
-    struct Twist {
+    /// How far the ends of elements are turned against each other, and how much farther than in another
+    /// configuration near it: the largest of each.
+    struct RelativeTurn {
         double largest = 0.0;
         double largest_change = 0.0;
     };
-    [[nodiscard]] Twist twist(const Configuration& configuration, const Configuration& last) const;
+    [[nodiscard]] RelativeTurn relative_turn(const Configuration& configuration,
+                                             const Configuration& last) const;
     /// True forces and moments of the supports.
     [[nodiscard]] NodeValues reactions() const;
 
@@ -79,6 +83,7 @@ class NonlinearSystem {
     Eigen::VectorXd rounding_;                ///< what an equation's force may come to at rest
     std::vector<int> moment_nodes_;           ///< with applied moments and at least two free rotations
     std::vector<Eigen::Matrix3d> spin_maps_;  ///< of the vector nodes
+    base::Control control_;
     int threads_;
     std::size_t batch_;  ///< elements that are evaluated before they are added
     std::vector<ElementResponse> responses_;

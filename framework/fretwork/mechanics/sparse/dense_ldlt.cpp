@@ -153,22 +153,30 @@ FRETWORK_CLONES Pivots eliminate_block(const Front& front, int first, const doub
     return pivots;
 }
 
-/// rest = -L D L^T over the panel's first columns, rest -= L D L^T over later ones: [from, to).
-FRETWORK_CLONES void update_rest(const Front& front, Index from, Index to, double* packed) {
-    const Index stride = front.width + front.rows;
-    const Index depth = to - from;
-    const double* left = front.panel + front.width + from * stride;
+/// Columns [from, to) of the panel, those that the rest meets at a time.
+struct Depth {
+    Index from;
+    Index to;
+};
+
+FRETWORK_CLONES void pack_rest(const Front& front, Depth depth, double* packed) {
     for (Index column = 0; column < front.rows; column += kBlock)
-        pack(front, front.width + column, from, to, packed + column * depth);
-    // A strip of rows meets all columns in turn while it is in the nearest cache.
-    constexpr Index kStrip = 16;
-    for (Index row = 0; row < front.rows; row += kStrip) {
-        const Index end = std::min<Index>(row + kStrip, front.rows);
-        for (Index column = 0; column < end; column += kBlock) {
-            const int count = static_cast<int>(std::min<Index>(kBlock, front.rows - column));
-            subtract_rows({front.rest + column * front.rows, front.rows, end, count}, row,
-                          {left, stride, packed + column * depth, depth, from == 0});
-        }
+        pack(front, front.width + column, depth.from, depth.to, packed + column * (depth.to - depth.from));
+}
+
+/// A strip of the rest's rows meets all columns in turn while it is in the nearest cache.
+constexpr Index kStrip = 16;
+
+/// rest = -L D L^T over the panel's first columns, rest -= L D L^T over later ones, in one strip of rows.
+FRETWORK_CLONES void update_strip(const Front& front, Index row, Depth depth, const double* packed) {
+    const Index stride = front.width + front.rows;
+    const Index count_of_columns = depth.to - depth.from;
+    const double* left = front.panel + front.width + depth.from * stride;
+    const Index end = std::min<Index>(row + kStrip, front.rows);
+    for (Index column = 0; column < end; column += kBlock) {
+        const int count = static_cast<int>(std::min<Index>(kBlock, front.rows - column));
+        subtract_rows({front.rest + column * front.rows, front.rows, end, count}, row,
+                      {left, stride, packed + column * count_of_columns, count_of_columns, depth.from == 0});
     }
 }
 
@@ -238,8 +246,8 @@ void require_finite(std::span<const double> diagonal) {
         throw base::NumericalError("the stiffness holds a number that is not finite");
 }
 
-Pivots eliminate(const Front& front, std::span<const double> diagonal, double zero_share,
-                 std::vector<double>& scratch) {
+Pivots eliminate(const Front& front, const ZeroPivot& zero, std::vector<double>& scratch,
+                 const base::Control& control) {
     const Index blocks = (front.rows + kBlock - 1) / kBlock;
     const Index depth = std::min(front.width, kDepth);
     const Index packed_size = std::max<Index>(front.width, depth * blocks) * kBlock;
@@ -247,17 +255,24 @@ Pivots eliminate(const Front& front, std::span<const double> diagonal, double ze
         scratch.resize(static_cast<std::size_t>(packed_size + front.width));
     double* least_pivot = scratch.data() + packed_size;
     for (int j = 0; j < front.width; ++j)
-        least_pivot[j] = zero_share * std::abs(diagonal[static_cast<std::size_t>(j)]);
+        least_pivot[j] = zero.share * std::abs(zero.diagonal[static_cast<std::size_t>(j)]);
     Pivots pivots;
     for (int first = 0; first < front.width; first += kBlock) {
+        control.check();
         const Pivots found = eliminate_block(front, first, least_pivot, scratch.data());
         pivots.negative += found.negative;
         pivots.weak = pivots.weak || found.weak;
         pivots.zero = found.zero;
         if (found.zero >= 0) return pivots;
     }
-    for (Index from = 0; from < front.width; from += kDepth)
-        update_rest(front, from, std::min<Index>(from + kDepth, front.width), scratch.data());
+    for (Index from = 0; from < front.width; from += kDepth) {
+        const Depth columns{from, std::min<Index>(from + kDepth, front.width)};
+        pack_rest(front, columns, scratch.data());
+        for (Index row = 0; row < front.rows; row += kStrip) {
+            control.check();
+            update_strip(front, row, columns, scratch.data());
+        }
+    }
     return pivots;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <fretwork/base/control.hpp>
+
 #include <limits>
 #include <span>
 #include <vector>
@@ -31,12 +33,17 @@ struct Pivots {
     bool weak = false;  ///< a pivot was less than kWeakPivot times what would have stopped it
 };
 
+/// Which pivots are taken for zero: those that are not above `share` times the column's entry in `diagonal`.
+struct ZeroPivot {
+    std::span<const double> diagonal;
+    double share = 0.0;
+};
+
 /// Eliminate the front's columns: F = L D L^T in the panel, and rest = -L D L^T of the rows below. There is
-/// no exchange of pivots: a column whose pivot is not above `zero_share` times its entry in `diagonal` ends
-/// it. `scratch` is grown as needed. The kernels are compiled for several instruction sets; the machine picks
-/// one.
-Pivots eliminate(const Front& front, std::span<const double> diagonal, double zero_share,
-                 std::vector<double>& scratch);
+/// no exchange of pivots: a pivot that counts as zero ends it. `scratch` is grown as needed. The kernels are
+/// compiled for several instruction sets; the machine picks one. Throws Stopped.
+Pivots eliminate(const Front& front, const ZeroPivot& zero, std::vector<double>& scratch,
+                 const base::Control& control = {});
 
 /// x = L^-1 x for the panel's own columns, and below += L x for the rows below them.
 void substitute_forward(const Front& front, double* x, double* below);

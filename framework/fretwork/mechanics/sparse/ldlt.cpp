@@ -62,14 +62,14 @@ Front Ldlt::front_of(std::size_t supernode) const {
             storage_.get() + analysis_->plan.rest_start[supernode]};
 }
 
-Ldlt::Outcome Ldlt::factorize(std::span<const double> values) {
+Ldlt::Outcome Ldlt::factorize(std::span<const double> values, const base::Control& control) {
     for (int i = 0; i < analysis_->layout->equations(); ++i) {
         diagonal_[at(i)] = values[at(analysis_->layout->column_start()[at(i)])];
     }
     require_finite(diagonal_);
     pivots_.assign(pivots_.size(), {});
     base::parallel_tree(analysis_->plan.parent, analysis_->threads,
-                        [&](std::size_t task) { eliminate_task(task, values); });
+                        [&](std::size_t task) { eliminate_task(task, values, control); });
     Outcome outcome;
     for (std::size_t s = 0; s < pivots_.size() && outcome.zero_pivot < 0; ++s) {
         outcome.negative_pivots += pivots_[s].negative;
@@ -79,10 +79,11 @@ Ldlt::Outcome Ldlt::factorize(std::span<const double> values) {
     return outcome;
 }
 
-void Ldlt::eliminate_task(std::size_t task, std::span<const double> values) {
+void Ldlt::eliminate_task(std::size_t task, std::span<const double> values, const base::Control& control) {
     // A thread's own, and kept by the caller's: small systems are factorized a thousand times a second.
     thread_local std::vector<double> scratch;
     for (const int supernode : analysis_->plan.supernodes_of(task)) {
+        control.check();
         const auto s = at(supernode);
         const Supernode& own = analysis_->tree.supernodes[s];
         const Front front = front_of(s);
@@ -99,7 +100,7 @@ void Ldlt::eliminate_task(std::size_t task, std::span<const double> values) {
         assemble(own, values, front);
         for (const int child : children) add_to_panel(at(child), front);
         const auto diagonal = std::span(diagonal_).subspan(at(own.first), at(own.width));
-        pivots_[s] = eliminate(front, diagonal, kZeroPivot, scratch);
+        pivots_[s] = eliminate(front, {diagonal, kZeroPivot}, scratch, control);
         if (pivots_[s].zero >= 0) continue;
         for (const int child : children) add_to_rest(at(child), front);
     }
@@ -168,19 +169,25 @@ void Ldlt::substitute_back_in(std::size_t supernode, Columns columns, std::vecto
     }
 }
 
-void Ldlt::solve_columns(Columns columns) const {
+void Ldlt::solve_columns(Columns columns, const base::Control& control) const {
     std::vector<double> scratch(at(analysis_->most_rows));
     const std::size_t supernodes = analysis_->tree.supernodes.size();
-    for (std::size_t s = 0; s < supernodes; ++s) substitute_forward_in(s, columns, scratch);
-    for (std::size_t s = supernodes; s-- > 0;) substitute_back_in(s, columns, scratch);
+    for (std::size_t s = 0; s < supernodes; ++s) {
+        control.check();
+        substitute_forward_in(s, columns, scratch);
+    }
+    for (std::size_t s = supernodes; s-- > 0;) {
+        control.check();
+        substitute_back_in(s, columns, scratch);
+    }
 }
 
-void Ldlt::solve(Eigen::VectorXd& right_side) const {
-    solve_columns({right_side.data(), 1});
+void Ldlt::solve(Eigen::VectorXd& right_side, const base::Control& control) const {
+    solve_columns({right_side.data(), 1}, control);
 }
 
-void Ldlt::solve(Eigen::MatrixXd& right_sides) const {
-    solve_columns({right_sides.data(), right_sides.cols()});
+void Ldlt::solve(Eigen::MatrixXd& right_sides, const base::Control& control) const {
+    solve_columns({right_sides.data(), right_sides.cols()}, control);
 }
 
 std::vector<std::size_t> Ldlt::path_from(std::span<const int> equations) const {

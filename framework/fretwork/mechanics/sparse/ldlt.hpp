@@ -31,13 +31,13 @@ class Ldlt {
         [[nodiscard]] bool positive_definite() const { return zero_pivot < 0 && negative_pivots == 0; }
     };
     /// Factorize the matrix with these values, in the order of the layout's rows. Throws NumericalError if a
-    /// diagonal entry is not finite.
-    Outcome factorize(std::span<const double> values);
+    /// diagonal entry is not finite, and Stopped: then there are no factors until the next factorization.
+    Outcome factorize(std::span<const double> values, const base::Control& control = {});
 
     /// Solve with the last factorization, in place, for one right side or several columns of them. Several
-    /// threads may do so at once.
-    void solve(Eigen::VectorXd& right_side) const;
-    void solve(Eigen::MatrixXd& right_sides) const;
+    /// threads may do so at once. Throws Stopped.
+    void solve(Eigen::VectorXd& right_side, const base::Control& control = {}) const;
+    void solve(Eigen::MatrixXd& right_sides, const base::Control& control = {}) const;
 
     /// U^T A^-1 U for a positive definite A and columns that are zero but at some equations. Only the
     /// supernodes above these take part, which makes it far cheaper than to solve.
@@ -67,7 +67,7 @@ class Ldlt {
     static std::shared_ptr<const Analysis> analyse(const SystemLayout& layout, int threads);
     explicit Ldlt(std::shared_ptr<const Analysis> analysis);
 
-    void eliminate_task(std::size_t task, std::span<const double> values);
+    void eliminate_task(std::size_t task, std::span<const double> values, const base::Control& control);
     void assemble(const Supernode& supernode, std::span<const double> values, const Front& front) const;
     void add_to_panel(std::size_t child, const Front& front) const;
     void add_to_rest(std::size_t child, const Front& front) const;
@@ -76,7 +76,7 @@ class Ldlt {
         double* values;
         Eigen::Index count;
     };
-    void solve_columns(Columns columns) const;
+    void solve_columns(Columns columns, const base::Control& control) const;
     void substitute_forward_in(std::size_t supernode, Columns columns, std::vector<double>& scratch) const;
     void substitute_back_in(std::size_t supernode, Columns columns, std::vector<double>& scratch) const;
     /// The supernodes from these equations up to the roots, ascending.

@@ -92,7 +92,7 @@ class Part {
         std::vector<double> scratch;
         const sparse::Pivots pivots =
             sparse::eliminate({inner_, kept, panel_.data(), rest.data()},
-                              {diagonal.data(), node_of_inner_.size()}, sparse::kZeroPivot, scratch);
+                              {{diagonal.data(), node_of_inner_.size()}, sparse::kZeroPivot}, scratch);
         if (pivots.zero >= 0 || pivots.negative > 0)
             refuse_inner_mechanism(task_.assembly, node_of_inner_[at(std::max(pivots.zero, 0))]);
         kept_ += rest;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/parallel.hpp>
+#include <fretwork/base/task.hpp>
 #include <fretwork/mechanics/structure/coupling.hpp>
 #include <fretwork/mechanics/structure/factorized_structure.hpp>
 #include <fretwork/mechanics/structure/plane_split.hpp>
@@ -12,6 +13,9 @@ namespace {
 /// A multiplication of a correction counts so many of a factorization, whose dense kernel is faster and
 /// whose factors solve faster (bench/edits_bench: repainted).
 constexpr double kCorrectionCost = 2.0;
+
+/// Elements that are added between two looks at whether to stop.
+constexpr std::size_t kElementsAtATime = 256;
 
 bool connect_the_same(const Element& a, const Element& b) {
     return std::ranges::equal(a.nodes(), b.nodes());
@@ -47,30 +51,30 @@ bool is_cheaper(std::span<const Subsystem> systems,
 
 }  // namespace
 
-FactorizedStructure::FactorizedStructure(const Assembly& assembly, int threads)
+FactorizedStructure::FactorizedStructure(const Assembly& assembly, const LinearOptions& options)
     : assembly_(assembly),
-      threads_(base::resolved_thread_count(threads)),
-      connections_(connections_of(assembly)),
+      threads_(base::resolved_thread_count(options.threads)),
+      connections_(connections_of(assembly, options.control)),
       constraints_(constraints_of(assembly)) {
-    build();
+    build(options.control);
 }
 
 FactorizedStructure::FactorizedStructure(const FactorizedStructure& before, const Assembly& assembly,
-                                         ElementEdit edit)
+                                         ElementEdit edit, const base::Control& control)
     : assembly_(assembly), threads_(before.threads_), constraints_(constraints_of(assembly)) {
     const bool connected_the_same = connect_the_same(before.assembly_, assembly);
-    connections_ = connected_the_same ? before.connections_ : connections_of(assembly);
+    connections_ = connected_the_same ? before.connections_ : connections_of(assembly, control);
     // Where an element has coupled the halves, it may be the one that has gone.
     const bool may_split = !before.split_ && is_flat(assembly);
     if (connected_the_same && !may_split && before.constraints_.held == constraints_.held) {
-        take_over(before, edit);
+        take_over(before, edit, control);
     } else {
-        build();
+        build(control);
     }
 }
 
 std::shared_ptr<const FactorizedStructure::Connections> FactorizedStructure::connections_of(
-    const Assembly& assembly) {
+    const Assembly& assembly, const base::Control& control) {
     auto connections = std::make_shared<Connections>();
     connections->graph = coupling_graph(assembly);
     const std::vector<DofSet> all(assembly.nodes.size(), DofSet::all());
@@ -79,13 +83,17 @@ std::shared_ptr<const FactorizedStructure::Connections> FactorizedStructure::con
 }
 
 /// Lay out, assemble and factorize.
-void FactorizedStructure::build() {
+void FactorizedStructure::build(const base::Control& control) {
+    const base::Task task(control, "linear system", 3);
     lay_out(is_flat(assembly_) ? Split::Tried : Split::Refused);
-    if (!add_elements()) {
+    task.update(1);
+    if (!add_elements(control)) {
         lay_out(Split::Refused);
-        add_elements();
+        add_elements(control);
     }
-    factorize();
+    task.update(2);
+    factorize(control);
+    task.update(3);
 }
 
 void FactorizedStructure::lay_out(Split split) {
@@ -104,9 +112,10 @@ void FactorizedStructure::lay_out(Split split) {
 }
 
 /// False if an element couples what was to be solved apart.
-bool FactorizedStructure::add_elements() {
+bool FactorizedStructure::add_elements(const base::Control& control) {
     Eigen::MatrixXd stiffness;
     for (std::size_t e = 0; e < assembly_.elements.size(); ++e) {
+        if (e % kElementsAtATime == 0) control.check();
         assembly_.elements[e]->rest_stiffness(stiffness);
         if (split_ && !decouples(stiffness)) return false;
         for (Subsystem& system : systems_) system.add(e, stiffness);
@@ -114,8 +123,8 @@ bool FactorizedStructure::add_elements() {
     return true;
 }
 
-void FactorizedStructure::factorize() {
-    for (Subsystem& system : systems_) system.factorize(assembly_);
+void FactorizedStructure::factorize(const base::Control& control) {
+    for (Subsystem& system : systems_) system.factorize(assembly_, control);
     factorized_ = assembly_.elements;
     corrected_elements_ = 0;
     last_change_ = FactorChange::Anew;
@@ -123,13 +132,17 @@ void FactorizedStructure::factorize() {
 }
 
 /// From a structure that is connected and held in the same way.
-void FactorizedStructure::take_over(const FactorizedStructure& before, ElementEdit edit) {
+void FactorizedStructure::take_over(const FactorizedStructure& before, ElementEdit edit,
+                                    const base::Control& control) {
     split_ = before.split_;
     if (before.assembly_.elements == assembly_.elements) return share(before);
     if (correct(before, edit)) return;
     for (const Subsystem& system : before.systems_) systems_.push_back(system.cleared());
-    if (!add_elements()) return build();
-    factorize();
+    const base::Task task(control, "linear system", 2);
+    if (!add_elements(control)) return build({.stop = control.stop});
+    task.update(1);
+    factorize(control);
+    task.update(2);
 }
 
 void FactorizedStructure::share(const FactorizedStructure& before) {

@@ -29,13 +29,13 @@ enum class ElementEdit {
 /// holds, and nothing of the caller's assembly is borrowed but its immutable elements.
 class FactorizedStructure {
   public:
-    /// Throws NumericalError that names a node if the structure, as held, can move without strain.
-    FactorizedStructure(const Assembly& assembly, int threads);
+    /// Throws NumericalError that names a node if the structure, as held, can move without strain; Stopped.
+    FactorizedStructure(const Assembly& assembly, const LinearOptions& options);
     /// The same for a structure that differs from another in whatever way. Where only loads and prescribed
     /// values do, its factors are shared; where elements are replaced by others of the same nodes, see
     /// ElementEdit; where supports are, the elimination order.
     FactorizedStructure(const FactorizedStructure& before, const Assembly& assembly,
-                        ElementEdit edit = ElementEdit::Cheaper);
+                        ElementEdit edit = ElementEdit::Cheaper, const base::Control& control = {});
 
     [[nodiscard]] const Assembly& assembly() const { return assembly_; }
     [[nodiscard]] const Constraints& constraints() const { return constraints_; }
@@ -56,12 +56,13 @@ class FactorizedStructure {
     /// Whether halves in and out of the plane are tried.
     enum class Split { Tried, Refused };
 
-    static std::shared_ptr<const Connections> connections_of(const Assembly& assembly);
-    void build();
+    static std::shared_ptr<const Connections> connections_of(const Assembly& assembly,
+                                                             const base::Control& control);
+    void build(const base::Control& control);
     void lay_out(Split split);
-    bool add_elements();
-    void factorize();
-    void take_over(const FactorizedStructure& before, ElementEdit edit);
+    bool add_elements(const base::Control& control);
+    void factorize(const base::Control& control);
+    void take_over(const FactorizedStructure& before, ElementEdit edit, const base::Control& control);
     void share(const FactorizedStructure& before);
     bool correct(const FactorizedStructure& before, ElementEdit edit);
     void keep_held_entries();

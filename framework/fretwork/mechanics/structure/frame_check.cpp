@@ -174,10 +174,12 @@ class FrameCheck {
     /// Beams without a mass among others are somebody's wish; nothing but such beams is a slip.
     void check_gravity() const {
         if (!frame_.gravity.allFinite()) fail("/gravity", "is not finite");
-        const bool has_mass =
-            std::ranges::any_of(frame_.beams, [](const Beam& beam) { return beam.material.density > 0.0; });
-        if (!has_mass && !frame_.gravity.isZero(0.0))
-            fail("/gravity", "there is no mass for it to act on: give the materials a density");
+        if (frame_.gravity.isZero(0.0)) return;
+        const auto massless = std::ranges::find_if(
+            frame_.beams, [](const Beam& beam) { return !(beam.material.density > 0.0); });
+        if (massless != frame_.beams.end())
+            fail(beam_place(static_cast<std::size_t>(massless - frame_.beams.begin())),
+                 "has no density, and gravity acts on the frame: give its material one");
     }
 
     const Frame& frame_;

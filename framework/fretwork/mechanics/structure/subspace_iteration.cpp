@@ -67,12 +67,14 @@ class Settling {
 
 }  // namespace
 
-SubspaceIteration::SubspaceIteration(const sparse::SystemLayout& layout, std::span<const double> stiffness,
-                                     sparse::Ldlt factors, std::vector<double> operand)
+SubspaceIteration::SubspaceIteration(const sparse::SystemLayout& layout, Matrices matrices,
+                                     sparse::Ldlt factors, const base::Control& control)
     : layout_(layout),
-      stiffness_(stiffness.begin(), stiffness.end()),
-      operand_(std::move(operand)),
-      factors_(std::move(factors)) {}
+      stiffness_(matrices.stiffness),
+      operand_(std::move(matrices.operand)),
+      factors_(std::move(factors)),
+      control_(control),
+      task_(control, "modes (iterations)", kMostIterations) {}
 
 SubspaceIteration::Pairs SubspaceIteration::largest(int count) {
     factorize_shifted(0.0);
@@ -176,10 +178,10 @@ void SubspaceIteration::factorize_shifted(double shift) {
     std::vector<double> values(stiffness_.size());
     std::ranges::transform(stiffness_, operand_, values.begin(),
                            [shift](double k, double a) { return k - shift * a; });
-    outcome_ = factors_.factorize(values);
+    outcome_ = factors_.factorize(values, control_);
 }
 
-MatrixXd SubspaceIteration::times(const std::vector<double>& matrix, const MatrixXd& vectors) const {
+MatrixXd SubspaceIteration::times(std::span<const double> matrix, const MatrixXd& vectors) const {
     MatrixXd result(vectors.rows(), vectors.cols());
     for (Eigen::Index i = 0; i < vectors.cols(); ++i) {
         VectorXd product = VectorXd::Zero(vectors.rows());
@@ -190,8 +192,9 @@ MatrixXd SubspaceIteration::times(const std::vector<double>& matrix, const Matri
 }
 
 SubspaceIteration::Pairs SubspaceIteration::step(const MatrixXd& basis, double shift) {
+    task_.update(std::min<std::size_t>(++iterations_, kMostIterations));
     MatrixXd image = times(operand_, basis);
-    factors_.solve(image);
+    factors_.solve(image, control_);
     return project(std::move(image), shift);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <fretwork/base/task.hpp>
 #include <fretwork/mechanics/sparse/ldlt.hpp>
 #include <fretwork/mechanics/sparse/system_layout.hpp>
 
@@ -20,11 +21,15 @@ class SubspaceIteration {
         Eigen::MatrixXd vectors;
     };
 
-    /// @param stiffness  K, positive definite
-    /// @param factors    of K
-    /// @param operand    A
-    SubspaceIteration(const sparse::SystemLayout& layout, std::span<const double> stiffness,
-                      sparse::Ldlt factors, std::vector<double> operand);
+    struct Matrices {
+        std::span<const double> stiffness;  ///< K, positive definite; used while this lives
+        std::vector<double> operand;        ///< A
+    };
+
+    /// @param factors  of K
+    /// @param control  told the iterations
+    SubspaceIteration(const sparse::SystemLayout& layout, Matrices matrices, sparse::Ldlt factors,
+                      const base::Control& control = {});
 
     /// The `count` eigenvalues of largest size, largest first; fewer if there are fewer equations.
     Pairs largest(int count);
@@ -40,16 +45,18 @@ class SubspaceIteration {
     [[nodiscard]] int count_below(double& factor);
     void append_slice(const Slice& slice, Pairs& found);
     void factorize_shifted(double shift);
-    [[nodiscard]] Eigen::MatrixXd times(const std::vector<double>& matrix,
-                                        const Eigen::MatrixXd& vectors) const;
+    [[nodiscard]] Eigen::MatrixXd times(std::span<const double> matrix, const Eigen::MatrixXd& vectors) const;
     [[nodiscard]] Pairs step(const Eigen::MatrixXd& basis, double shift);
     [[nodiscard]] Pairs project(Eigen::MatrixXd vectors, double shift) const;
 
     const sparse::SystemLayout& layout_;
-    std::vector<double> stiffness_;
+    std::span<const double> stiffness_;
     std::vector<double> operand_;
     sparse::Ldlt factors_;
     sparse::Ldlt::Outcome outcome_;
+    base::Control control_;
+    base::Task task_;
+    std::size_t iterations_ = 0;
 };
 
 }  // namespace fretwork::mechanics::structure

@@ -2,6 +2,9 @@
 #include <fretwork/mechanics/structure/mechanism.hpp>
 #include <fretwork/mechanics/structure/subsystem.hpp>
 
+#include <algorithm>
+#include <cmath>
+
 namespace fretwork::mechanics::structure {
 
 Subsystem::Subsystem(sparse::SystemLayout layout, int threads)
@@ -21,8 +24,8 @@ void Subsystem::add(std::size_t element, const Eigen::MatrixXd& stiffness) {
     layout_->add(element, stiffness, numbers_->values);
 }
 
-void Subsystem::factorize(const Assembly& assembly) {
-    const sparse::Ldlt::Outcome outcome = numbers_->factors.factorize(numbers_->values);
+void Subsystem::factorize(const Assembly& assembly, const base::Control& control) {
+    const sparse::Ldlt::Outcome outcome = numbers_->factors.factorize(numbers_->values, control);
     refuse_mechanisms(assembly, *layout_, numbers_->values, numbers_->factors, outcome);
 }
 
@@ -57,6 +60,14 @@ Eigen::VectorXd Subsystem::internal_forces(const Eigen::VectorXd& x) const {
     Eigen::VectorXd forces = Eigen::VectorXd::Zero(x.size());
     sparse::add_product(*layout_, numbers_->values, x, forces);
     if (correction_) correction_->add_product(x, forces);
+    return forces;
+}
+
+Eigen::VectorXd Subsystem::cancelling_forces(const Eigen::VectorXd& x) const {
+    std::vector<double> values(numbers_->values.size());
+    std::ranges::transform(numbers_->values, values.begin(), [](double value) { return std::abs(value); });
+    Eigen::VectorXd forces = Eigen::VectorXd::Zero(x.size());
+    sparse::add_product(*layout_, values, x.cwiseAbs(), forces);
     return forces;
 }
 

@@ -26,7 +26,7 @@ class Subsystem {
     /// Add an element's stiffness, and factorize the sum. Only before the equations are copied.
     void add(std::size_t element, const Eigen::MatrixXd& stiffness);
     /// Throws NumericalError that names a node of the assembly if the structure can move without strain.
-    void factorize(const Assembly& assembly);
+    void factorize(const Assembly& assembly, const base::Control& control);
 
     /// The rows and columns of an element that are equations here.
     [[nodiscard]] sparse::MatrixChange change_at(std::span<const NodeIndex> nodes,
@@ -41,15 +41,17 @@ class Subsystem {
 
     /// Solve in place.
     template <class Dense>
-    void solve(Dense& right_side) const {
+    void solve(Dense& right_side, const base::Control& control = {}) const {
         if (correction_) {
             correction_->solve(numbers_->factors, right_side);
         } else {
-            numbers_->factors.solve(right_side);
+            numbers_->factors.solve(right_side, control);
         }
     }
     /// The stiffness times x.
     [[nodiscard]] Eigen::VectorXd internal_forces(const Eigen::VectorXd& x) const;
+    /// The forces that cancel in it, |K| |x|, with the stiffness as factorized.
+    [[nodiscard]] Eigen::VectorXd cancelling_forces(const Eigen::VectorXd& x) const;
 
   private:
     struct Numbers {

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
-#include <fretwork/base/file.hpp>
-#include <fretwork/mechanics/calculix_file.hpp>
+#include <fretwork/mechanics/decks/deck_writer.hpp>
 #include <fretwork/mechanics/structure/frame_check.hpp>
 
 #include <algorithm>
 #include <cstdio>
 
-namespace fretwork::mechanics {
+namespace fretwork::mechanics::decks {
 namespace {
 
 /// A deck's fields have at most twenty characters; CalculiX does not survive longer ones.
@@ -133,14 +132,10 @@ class Writer {
 
 }  // namespace
 
-std::string calculix_text(const Frame& frame) {
+std::string deck_text(const Frame& frame) {
     validate(frame);
     check_writable(frame);
     return Writer(frame).run();
 }
 
-void write_calculix(const Frame& frame, const std::filesystem::path& path) {
-    base::write_file_atomically(path, calculix_text(frame));
-}
-
-}  // namespace fretwork::mechanics
+}  // namespace fretwork::mechanics::decks

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/base/control.hpp>
+
+#include <cstddef>
+#include <string_view>
+
+namespace fretwork::base {
+
+/// A task that its listener hears of: begun when this is made, over when it goes, also by an exception.
+class Task {
+  public:
+    Task(const Control& control, std::string_view name, std::size_t steps) : progress_(control.progress) {
+        if (progress_ != nullptr) progress_->start(name, steps);
+    }
+    Task(const Task&) = delete;
+    Task& operator=(const Task&) = delete;
+    ~Task() {
+        if (progress_ != nullptr) progress_->finish();
+    }
+    void update(std::size_t done) const {
+        if (progress_ != nullptr) progress_->update(done);
+    }
+
+  private:
+    Progress* progress_;
+};
+
+}  // namespace fretwork::base

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/mechanics/element.hpp>
+
+#include <Eigen/Core>
+
+#include <memory>
+#include <vector>
+
+namespace fretwork::mechanics {
+
+/// What defines a linear element of n nodes; 6n x 6n, in the order of its nodes.
+struct LinearMatrices {
+    Eigen::MatrixXd stiffness;  ///< symmetric
+    Eigen::MatrixXd mass{};     ///< at rest; empty: not known, and natural frequencies are refused
+};
+
+/// A linear element of any number of nodes, such as a condensed tile. Throws InputError if a matrix has
+/// another size than the nodes need.
+std::unique_ptr<const Element> linear_element(std::vector<NodeIndex> nodes, LinearMatrices matrices);
+
+}  // namespace fretwork::mechanics

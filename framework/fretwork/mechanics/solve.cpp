@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/base/text.hpp>
+#include <fretwork/mechanics/calculix_file.hpp>
+#include <fretwork/mechanics/frame_file.hpp>
+#include <fretwork/mechanics/linear_solver.hpp>
+#include <fretwork/mechanics/solve.hpp>
+
+#include <chrono>
+#include <numeric>
+#include <string>
+#include <utility>
+
+namespace fretwork::mechanics {
+namespace {
+
+/// Equilibria on the way to the full load where none are asked for: enough that the path is followed and not
+/// jumped from.
+constexpr int kDefaultSteps = 10;
+
+constexpr std::pair<Solver, std::string_view> kSolvers[] = {
+    {Solver::Linear, "linear"},
+    {Solver::Newton, "newton"},
+    {Solver::DynamicRelaxation, "dynamic-relaxation"}};
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+EquilibriumOptions path_options(const SolveOptions& options) {
+    EquilibriumOptions path;
+    path.branch = options.branch.value_or(Branch::Primary);
+    path.locate_critical_loads = options.locate_critical_loads;
+    path.threads = options.threads.value_or(0);
+    path.control = options.control;
+    return path;
+}
+
+std::vector<double> load_factors(const SolveOptions& options) {
+    return even_load_factors(options.steps.value_or(kDefaultSteps));
+}
+
+/// The solutions of the path, or the only one.
+std::vector<Solution> equilibria(const Assembly& assembly, const SolveOptions& options) {
+    switch (options.solver) {
+        case Solver::Linear:
+            return {
+                solve_linear(assembly, {.threads = options.threads.value_or(0), .control = options.control})};
+        case Solver::Newton:
+            return follow_load_path(assembly, load_factors(options), path_options(options));
+        case Solver::DynamicRelaxation:
+            break;
+    }
+    RelaxationOptions relaxation;
+    relaxation.rotational_mass = options.rotational_mass.value_or(RotationalMass::Natural);
+    relaxation.control = options.control;
+    return {relax(assembly, relaxation)};
+}
+
+std::vector<Result::Node> reported_nodes(const Assembly& assembly) {
+    std::vector<Result::Node> nodes;
+    for (int i = 0; i < assembly.reported_nodes; ++i) {
+        const auto place = static_cast<std::size_t>(i);
+        nodes.push_back({assembly.labels.empty() ? i : assembly.labels[place], assembly.nodes[place], false});
+    }
+    return nodes;
+}
+
+void add_modes(const Assembly& assembly, const SolveOptions& options, Result& result) {
+    const ModeOptions modes{.control = options.control};
+    if (options.vibration_modes > 0)
+        result.vibration_modes = vibration_modes(assembly, options.vibration_modes, modes);
+    if (options.buckling_modes > 0)
+        result.buckling_modes = buckling_modes(assembly, options.buckling_modes, modes);
+}
+
+/// The result so far, with all solutions of the path.
+Result solve_since(Clock::time_point start, const Assembly& assembly, const SolveOptions& options) {
+    Result result;
+    result.solver = solver_name(options.solver);
+    result.nodes = reported_nodes(assembly);
+    result.load_steps = equilibria(assembly, options);
+    result.solution = end_of_path(result.load_steps);
+    result.seconds = seconds_since(start);
+    return result;
+}
+
+void finish(const Assembly& assembly, const SolveOptions& options, Result& result) {
+    if (!options.steps) result.load_steps.clear();
+    add_modes(assembly, options, result);
+}
+
+Result solve_frame(const LabelledFrame& input, const SolveOptions& options) {
+    const Clock::time_point start = Clock::now();
+    const Assembly assembly = assemble(input.frame, {options.lumped_gravity, input.labels});
+    Result result = solve_since(start, assembly, options);
+    if (options.estimate_error)
+        result.discretization_error = estimate_discretization_error(input.frame, load_factors(options),
+                                                                    result.load_steps, path_options(options))
+                                          .back();
+    finish(assembly, options, result);
+    return result;
+}
+
+void require(bool good, const std::string& message) {
+    if (!good) throw base::InputError(message);
+}
+
+}  // namespace
+
+std::string_view solver_name(Solver solver) {
+    for (const auto& [known, name] : kSolvers) {
+        if (known == solver) return name;
+    }
+    return "";
+}
+
+std::vector<std::string_view> solver_names() {
+    std::vector<std::string_view> names;
+    for (const auto& [known, name] : kSolvers) names.push_back(name);
+    return names;
+}
+
+Solver find_solver(std::string_view name) {
+    for (const auto& [solver, its_name] : kSolvers) {
+        if (its_name == name) return solver;
+    }
+    const auto names = solver_names();
+    const std::vector<std::string> known(names.begin(), names.end());
+    throw base::InputError(base::unknown_name_message("solver", std::string(name), known));
+}
+
+void SolveOptions::validate() const {
+    const auto only_with = [&](bool is_given, const char* option, Solver owner) {
+        require(!is_given || solver == owner, std::string(option) + " works with the solver " +
+                                                  std::string(solver_name(owner)) + ", not with " +
+                                                  std::string(solver_name(solver)));
+    };
+    only_with(steps.has_value(), "steps", Solver::Newton);
+    only_with(branch.has_value(), "branch", Solver::Newton);
+    only_with(estimate_error, "estimate-error", Solver::Newton);
+    only_with(rotational_mass.has_value(), "masses", Solver::DynamicRelaxation);
+    require(!threads || solver != Solver::DynamicRelaxation,
+            "threads: dynamic-relaxation works on one thread");
+    require(!estimate_error || !lumped_gravity,
+            "estimate-error works with consistent gravity, not with lumped-gravity");
+    require(steps.value_or(1) >= 1,
+            "steps is " + std::to_string(steps.value_or(1)) + ", and must be above zero");
+    require(threads.value_or(0) >= 0,
+            "threads is " + std::to_string(threads.value_or(0)) + ", and must not be negative");
+    require(vibration_modes >= 0 && buckling_modes >= 0, "the number of modes must not be negative");
+}
+
+LabelledFrame read_structure(const std::filesystem::path& path) {
+    if (path.extension() == ".inp") return read_calculix(path);
+    LabelledFrame input{read_frame(path), {}, path.string()};
+    input.labels.resize(input.frame.nodes.size());
+    std::iota(input.labels.begin(), input.labels.end(), 0);
+    return input;
+}
+
+Result solve(const Assembly& assembly, const SolveOptions& options) {
+    options.validate();
+    require(!options.estimate_error, "a discretization error is estimated for a frame only");
+    require(!options.lumped_gravity, "lumped-gravity is for a frame: an assembly has its loads");
+    Result result = solve_since(Clock::now(), assembly, options);
+    finish(assembly, options, result);
+    return result;
+}
+
+Result solve(const LabelledFrame& frame, const SolveOptions& options) {
+    options.validate();
+    try {
+        return solve_frame(frame, options);
+    } catch (const base::NumericalError& error) {
+        if (frame.source.empty()) throw;
+        throw base::NumericalError(frame.source + ": " + error.what());
+    }
+}
+
+}  // namespace fretwork::mechanics
