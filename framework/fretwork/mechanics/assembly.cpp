@@ -37,7 +37,10 @@ class Assembler {
         assembly_.prescribed = frame_.prescribed;
         assembly_.elements.reserve(frame_.beams.size());
         loads_.resize(frame_.nodes.size(), NodeLoad::Zero());
-        for (const Beam& beam : frame_.beams) add_beam(beam);
+        for (const Beam& beam : frame_.beams) {
+            options_.control.check();
+            add_beam(beam);
+        }
         assembly_.has_moments =
             std::ranges::any_of(frame_.loads, [](const NodalLoad& load) { return !load.moment.isZero(0.0); });
         for (const NodalLoad& load : frame_.loads) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <fretwork/base/control.hpp>
 #include <fretwork/mechanics/element.hpp>
 #include <fretwork/mechanics/frame.hpp>
 
@@ -29,6 +30,7 @@ struct Assembly {
 struct AssemblyOptions {
     bool lumped_gravity = false;     ///< half of a beam's weight on each end, without the consistent moments
     std::vector<int> node_labels{};  ///< how messages call the frame's nodes; empty: by their places, from 0
+    base::Control control{};
 };
 
 /// Turn every beam into corotational Euler-Bernoulli (or, with shear areas, Timoshenko) elements. Throws as

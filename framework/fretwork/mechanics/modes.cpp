@@ -27,7 +27,7 @@ double largest_entry(const Eigen::Ref<const MatrixXd>& values) {
 
 /// The factor of the stiffness of a structure at rest, which must not be a mechanism.
 sparse::Ldlt factorize_at_rest(const nonlinear::NonlinearSystem& system, const base::Control& control) {
-    sparse::Ldlt factors(system.unknowns().layout());
+    sparse::Ldlt factors(system.unknowns().layout(), 1, control);
     const auto outcome = factors.factorize(system.tangent(), control);
     structure::refuse_mechanisms(system.unknowns().assembly(), system.unknowns().layout(), system.tangent(),
                                  factors, outcome);

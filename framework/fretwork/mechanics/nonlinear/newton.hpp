@@ -16,7 +16,7 @@ class Newton {
         : system_(system),
           unknowns_(system.unknowns()),
           options_(options),
-          factors_(unknowns_.layout(), options.threads) {}
+          factors_(unknowns_.layout(), options.threads, options.control) {}
 
     /// Bring a configuration to equilibrium under this load factor. On Converged the system is evaluated
     /// there.

@@ -41,7 +41,7 @@ NodeValues rounding_forces(const Assembly& assembly, double length) {
 }  // namespace
 
 NonlinearSystem::NonlinearSystem(const Assembly& assembly, int threads, const base::Control& control)
-    : unknowns_(assembly),
+    : unknowns_(assembly, {.stop = control.stop}),
       control_{.stop = control.stop},
       threads_(assembly.elements.size() < kBatch / 2 ? 1 : base::resolved_thread_count(threads)),
       batch_(threads_ > 1 ? kBatch : 1),

@@ -34,10 +34,9 @@ class NonlinearSystem {
     [[nodiscard]] const Eigen::VectorXd& unbalanced() const { return unbalanced_; }
     /// Norm of the unbalanced forces over that of loads and reactions.
     [[nodiscard]] double relative_residual() const { return relative_residual_; }
-    /// Whether the unbalanced forces are no more than what rounding makes of elements whose nodes have moved
-    /// by no more than some times the characteristic length.
-    [[nodiscard]] bool is_rounding(double moved = 1.0) const {
-        return (unbalanced_.cwiseAbs().array() <= std::max(moved, 1.0) * rounding_.array()).all();
+    /// Whether the unbalanced forces are no more than what rounding makes of elements near rest.
+    [[nodiscard]] bool is_rounding() const {
+        return (unbalanced_.cwiseAbs().array() <= rounding_.array()).all();
     }
     /// The rate of the unbalanced forces in the load factor while the unknowns rest.
     [[nodiscard]] const Eigen::VectorXd& load_rate() const { return load_rate_; }

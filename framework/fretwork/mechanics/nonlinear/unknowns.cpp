@@ -14,19 +14,21 @@ std::size_t at(int index) {
 }
 
 std::unique_ptr<sparse::SystemLayout> lay_out(const Assembly& assembly,
-                                              const structure::Constraints& constraints) {
+                                              const structure::Constraints& constraints,
+                                              const base::Control& control) {
     const std::vector<sparse::Components> free = structure::other_components(constraints.held);
     const sparse::NodeGraph graph = structure::coupling_graph(assembly);
-    return std::make_unique<sparse::SystemLayout>(graph, free, sparse::elimination_order(graph, free));
+    return std::make_unique<sparse::SystemLayout>(graph, free,
+                                                  sparse::elimination_order(graph, free, control), control);
 }
 
 }  // namespace
 
-Unknowns::Unknowns(const Assembly& assembly)
+Unknowns::Unknowns(const Assembly& assembly, const base::Control& control)
     : assembly_(assembly),
       constraints_(structure::constraints_of(assembly)),
       length_(structure::characteristic_length(assembly)),
-      layout_(lay_out(assembly, constraints_)),
+      layout_(lay_out(assembly, constraints_, control)),
       vector_slot_(assembly.nodes.size(), -1),
       has_prescribed_(!constraints_.values.isZero(0.0)) {
     for (int node = 0; node < static_cast<int>(assembly.nodes.size()); ++node) {

@@ -23,7 +23,8 @@ struct Configuration {
 /// total rotation vector, the unknowns are the others.
 class Unknowns {
   public:
-    explicit Unknowns(const Assembly& assembly);
+    /// Throws Stopped.
+    explicit Unknowns(const Assembly& assembly, const base::Control& control = {});
 
     [[nodiscard]] const sparse::SystemLayout& layout() const { return *layout_; }
     [[nodiscard]] const Assembly& assembly() const { return assembly_; }

@@ -31,11 +31,11 @@ std::vector<int> entry_places(const SystemLayout& layout, const SupernodeTree& t
 
 }  // namespace
 
-std::shared_ptr<const Ldlt::Analysis> Ldlt::analyse(const SystemLayout& layout, int threads) {
+std::shared_ptr<const Ldlt::Analysis> Ldlt::analyse(const SystemLayout& layout, int threads, const base::Control& control) {
     auto analysis = std::make_shared<Analysis>();
     analysis->layout = &layout;
     analysis->threads = base::resolved_thread_count(threads);
-    analysis->tree = supernode_tree(layout);
+    analysis->tree = supernode_tree(layout, control);
     analysis->plan = plan_elimination(analysis->tree, analysis->threads);
     analysis->entry_place = entry_places(layout, analysis->tree);
     for (const Supernode& supernode : analysis->tree.supernodes)
@@ -50,7 +50,8 @@ Ldlt::Ldlt(std::shared_ptr<const Analysis> analysis)
       diagonal_(at(analysis_->layout->equations())),
       pivots_(analysis_->tree.supernodes.size()) {}
 
-Ldlt::Ldlt(const SystemLayout& layout, int threads) : Ldlt(analyse(layout, threads)) {}
+Ldlt::Ldlt(const SystemLayout& layout, int threads, const base::Control& control)
+    : Ldlt(analyse(layout, threads, control)) {}
 
 Ldlt Ldlt::another() const {
     return Ldlt(analysis_);

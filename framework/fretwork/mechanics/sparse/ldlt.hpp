@@ -18,7 +18,7 @@ namespace fretwork::mechanics::sparse {
 class Ldlt {
   public:
     /// @param threads  that factorize() uses where it is worth them; 0: all there are. They change no bit.
-    explicit Ldlt(const SystemLayout& layout, int threads = 1);
+    explicit Ldlt(const SystemLayout& layout, int threads = 1, const base::Control& control = {});
     /// Room for the factors of another matrix of the same layout; what was found about the layout is shared.
     [[nodiscard]] Ldlt another() const;
 
@@ -64,7 +64,7 @@ class Ldlt {
         std::vector<int> entry_place;  ///< of the layout's entries: rows of their columns in the fronts
         int most_rows = 0;             ///< of any supernode
     };
-    static std::shared_ptr<const Analysis> analyse(const SystemLayout& layout, int threads);
+    static std::shared_ptr<const Analysis> analyse(const SystemLayout& layout, int threads, const base::Control& control);
     explicit Ldlt(std::shared_ptr<const Analysis> analysis);
 
     void eliminate_task(std::size_t task, std::span<const double> values, const base::Control& control);

@@ -5,6 +5,9 @@
 #include <cholmod.h>
 
 #include <algorithm>
+#include <chrono>
+#include <future>
+#include <thread>
 #include <utility>
 
 namespace fretwork::mechanics::sparse {
@@ -73,6 +76,18 @@ std::vector<int> permutation_of(Pattern& pattern) {
     return order;
 }
 
+/// The libraries that order cannot be asked to stop. So they work on a thread of their own, which is left to
+/// itself when the caller is asked to; it owns all that it uses.
+std::vector<int> permutation_unless_stopped(Pattern pattern, const base::Control& control) {
+    constexpr auto kPause = std::chrono::milliseconds(10);
+    std::packaged_task<std::vector<int>()> task(
+        [own = std::move(pattern)]() mutable { return permutation_of(own); });
+    std::future<std::vector<int>> order = task.get_future();
+    std::thread(std::move(task)).detach();
+    while (order.wait_for(kPause) != std::future_status::ready) control.check();
+    return order.get();
+}
+
 }  // namespace
 
 NodeGraph node_graph(int nodes, Cliques cliques) {
@@ -97,7 +112,8 @@ NodeGraph node_graph(int nodes, Cliques cliques) {
     return graph;
 }
 
-std::vector<int> elimination_order(const NodeGraph& graph, std::span<const Components> free) {
+std::vector<int> elimination_order(const NodeGraph& graph, std::span<const Components> free,
+                                   const base::Control& control) {
     std::vector<int> nodes;
     std::vector<int> number(static_cast<std::size_t>(graph.nodes), -1);
     for (int i = 0; i < graph.nodes; ++i) {
@@ -107,7 +123,9 @@ std::vector<int> elimination_order(const NodeGraph& graph, std::span<const Compo
     }
     if (nodes.empty()) return {};
     Pattern pattern = upper_pattern(graph, nodes, number);
-    std::vector<int> order = permutation_of(pattern);
+    std::vector<int> order = nodes.size() > kManyNodes && control.stop.stop_possible()
+                                 ? permutation_unless_stopped(std::move(pattern), control)
+                                 : permutation_of(pattern);
     for (int& place : order) place = nodes[static_cast<std::size_t>(place)];
     return order;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <fretwork/base/control.hpp>
 #include <fretwork/mechanics/sparse/blocks.hpp>
 
 #include <cstddef>
@@ -39,6 +40,8 @@ NodeGraph node_graph(int nodes, Cliques cliques);
 
 /// An order of elimination with little fill of the nodes that have unknowns; the others do not appear. The
 /// graph of nodes is ordered, not that of unknowns: it is up to six times smaller and gives better orders.
-std::vector<int> elimination_order(const NodeGraph& graph, std::span<const Components> free);
+/// Throws Stopped; a thread that still orders a large graph then ends by itself, within seconds.
+std::vector<int> elimination_order(const NodeGraph& graph, std::span<const Components> free,
+                                   const base::Control& control = {});
 
 }  // namespace fretwork::mechanics::sparse

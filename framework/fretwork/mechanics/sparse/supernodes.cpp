@@ -48,9 +48,10 @@ class BlockElimination {
           first_child_(marked_),
           sibling_(marked_) {}
 
-    BlockFactor run() {
+    BlockFactor run(const base::Control& control) {
         factor_.start.push_back(0);
         for (int block = 0; block < blocks_.count(); ++block) {
+            control.check();
             marked_[at(block)] = block;
             add_matrix_rows(block);
             for (int child = first_child_[at(block)]; child >= 0; child = sibling_[at(child)])
@@ -220,11 +221,12 @@ void place_in_parents(SupernodeTree& tree) {
 
 }  // namespace
 
-SupernodeTree supernode_tree(const SystemLayout& layout) {
+SupernodeTree supernode_tree(const SystemLayout& layout, const base::Control& control) {
     const Blocks blocks = blocks_of(layout);
-    const BlockFactor factor = BlockElimination(layout, blocks).run();
+    const BlockFactor factor = BlockElimination(layout, blocks).run(control);
     SupernodeTree tree;
     for (const Group& group : Grouping(blocks, factor).run()) {
+        control.check();
         tree.supernodes.push_back({.first = blocks.first[at(group.first)],
                                    .width = static_cast<int>(group.width),
                                    .rows = static_cast<int>(group.rows),

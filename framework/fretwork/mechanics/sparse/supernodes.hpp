@@ -31,6 +31,7 @@ struct SupernodeTree {
 
 /// The elimination in the layout's order. Small supernodes are merged with their parents where few zeros come
 /// in: larger dense blocks are faster.
-SupernodeTree supernode_tree(const SystemLayout& layout);
+/// Throws Stopped.
+SupernodeTree supernode_tree(const SystemLayout& layout, const base::Control& control = {});
 
 }  // namespace fretwork::mechanics::sparse

@@ -13,11 +13,11 @@ std::size_t at(int index) {
 }  // namespace
 
 SystemLayout::SystemLayout(const NodeGraph& graph, std::span<const Components> free,
-                           std::span<const int> order)
+                           std::span<const int> order, const base::Control& control)
     : cliques_(graph.cliques) {
     number_equations(free, order);
-    lay_out_columns(graph, order);
-    place_cliques();
+    lay_out_columns(graph, order, control);
+    place_cliques(control);
 }
 
 void SystemLayout::number_equations(std::span<const Components> free, std::span<const int> order) {
@@ -37,11 +37,13 @@ void SystemLayout::number_equations(std::span<const Components> free, std::span<
     }
 }
 
-void SystemLayout::lay_out_columns(const NodeGraph& graph, std::span<const int> order) {
+void SystemLayout::lay_out_columns(const NodeGraph& graph, std::span<const int> order,
+                                   const base::Control& control) {
     column_start_.reserve(node_of_.size() + 1);
     column_start_.push_back(0);
     std::vector<int> rows;
     for (const int node : order) {
+        control.check();
         const NodeUnknowns& own = unknowns_[at(node)];
         rows.clear();
         for (int k = graph.start[at(node)]; k < graph.start[at(node) + 1]; ++k) {
@@ -66,9 +68,10 @@ int SystemLayout::block_offset(int column_node, int row_node) const {
     return static_cast<int>(std::lower_bound(begin, end, unknowns_[at(row_node)].first_equation) - begin);
 }
 
-void SystemLayout::place_cliques() {
+void SystemLayout::place_cliques(const base::Control& control) {
     pair_start_.reserve(cliques_.size());
     for (std::size_t clique = 0; clique < cliques_.size(); ++clique) {
+        control.check();
         const auto nodes = cliques_[clique];
         pair_start_.push_back(pair_offset_.size());
         for (std::size_t i = 0; i < nodes.size(); ++i) {

@@ -16,7 +16,9 @@ class SystemLayout {
   public:
     /// @param free   the components of each node that are unknowns: the equations
     /// @param order  the nodes that have any, in their order of elimination
-    SystemLayout(const NodeGraph& graph, std::span<const Components> free, std::span<const int> order);
+    /// Throws Stopped.
+    SystemLayout(const NodeGraph& graph, std::span<const Components> free, std::span<const int> order,
+                 const base::Control& control = {});
 
     [[nodiscard]] int equations() const { return static_cast<int>(node_of_.size()); }
     [[nodiscard]] const std::vector<int>& column_start() const { return column_start_; }
@@ -47,8 +49,8 @@ class SystemLayout {
         std::array<int, kBlockSize> component{};
     };
     void number_equations(std::span<const Components> free, std::span<const int> order);
-    void lay_out_columns(const NodeGraph& graph, std::span<const int> order);
-    void place_cliques();
+    void lay_out_columns(const NodeGraph& graph, std::span<const int> order, const base::Control& control);
+    void place_cliques(const base::Control& control);
     [[nodiscard]] int block_offset(int column_node, int row_node) const;
     void add_diagonal(int node, const Eigen::Ref<const Eigen::MatrixXd>& block,
                       std::span<double> values) const;

@@ -78,17 +78,17 @@ std::shared_ptr<const FactorizedStructure::Connections> FactorizedStructure::con
     auto connections = std::make_shared<Connections>();
     connections->graph = coupling_graph(assembly);
     const std::vector<DofSet> all(assembly.nodes.size(), DofSet::all());
-    connections->order = sparse::elimination_order(connections->graph, components(all));
+    connections->order = sparse::elimination_order(connections->graph, components(all), control);
     return connections;
 }
 
 /// Lay out, assemble and factorize.
 void FactorizedStructure::build(const base::Control& control) {
     const base::Task task(control, "linear system", 3);
-    lay_out(is_flat(assembly_) ? Split::Tried : Split::Refused);
+    lay_out(is_flat(assembly_) ? Split::Tried : Split::Refused, control);
     task.update(1);
     if (!add_elements(control)) {
-        lay_out(Split::Refused);
+        lay_out(Split::Refused, control);
         add_elements(control);
     }
     task.update(2);
@@ -96,7 +96,7 @@ void FactorizedStructure::build(const base::Control& control) {
     task.update(3);
 }
 
-void FactorizedStructure::lay_out(Split split) {
+void FactorizedStructure::lay_out(Split split, const base::Control& control) {
     split_ = split == Split::Tried;
     systems_.clear();
     const auto parts =
@@ -106,8 +106,8 @@ void FactorizedStructure::lay_out(Split split) {
         for (sparse::Components& components : free) {
             for (std::size_t d = 0; d < kDofsPerNode; ++d) components[d] = components[d] && part.contains[d];
         }
-        sparse::SystemLayout layout(connections_->graph, free, connections_->order);
-        if (layout.equations() > 0) systems_.emplace_back(std::move(layout), threads_);
+        sparse::SystemLayout layout(connections_->graph, free, connections_->order, control);
+        if (layout.equations() > 0) systems_.emplace_back(std::move(layout), threads_, control);
     }
 }
 

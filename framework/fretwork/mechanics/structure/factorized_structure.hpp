@@ -59,7 +59,7 @@ class FactorizedStructure {
     static std::shared_ptr<const Connections> connections_of(const Assembly& assembly,
                                                              const base::Control& control);
     void build(const base::Control& control);
-    void lay_out(Split split);
+    void lay_out(Split split, const base::Control& control);
     bool add_elements(const base::Control& control);
     void factorize(const base::Control& control);
     void take_over(const FactorizedStructure& before, ElementEdit edit, const base::Control& control);

@@ -7,10 +7,10 @@
 
 namespace fretwork::mechanics::structure {
 
-Subsystem::Subsystem(sparse::SystemLayout layout, int threads)
+Subsystem::Subsystem(sparse::SystemLayout layout, int threads, const base::Control& control)
     : layout_(std::make_shared<const sparse::SystemLayout>(std::move(layout))),
       numbers_(std::make_shared<Numbers>(std::vector<double>(layout_->row().size(), 0.0),
-                                         sparse::Ldlt(*layout_, threads))) {}
+                                         sparse::Ldlt(*layout_, threads, control))) {}
 
 Subsystem Subsystem::cleared() const {
     Subsystem result;

@@ -15,7 +15,7 @@ namespace fretwork::mechanics::structure {
 class Subsystem {
   public:
     /// Equations without stiffness yet.
-    Subsystem(sparse::SystemLayout layout, int threads);
+    Subsystem(sparse::SystemLayout layout, int threads, const base::Control& control);
     /// The same equations without stiffness: layout and symbolic analysis are shared.
     [[nodiscard]] Subsystem cleared() const;
 
