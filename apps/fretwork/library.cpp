@@ -2,6 +2,7 @@
 // fretwork library: look into a pattern library, merge shards, write its tables and meshes.
 #include "file_options.hpp"
 #include "library_show.hpp"
+#include "pattern_choice.hpp"
 #include "verbs.hpp"
 
 #include <fretwork/base/detail/json_text.hpp>
@@ -42,6 +43,7 @@ struct Options {
     std::string meshes;
     std::string svg;
     std::string chart;
+    std::string patterns = "all";
     bool ply = false;
     bool json = false;
 };
@@ -163,16 +165,19 @@ void write_files(const Options& options) {
         throw base::InputError("library export", "",
                                "needs --csv DIR, --meshes DIR, --svg FILE or --chart FILE");
     }
+    const bool uses_patterns = !options.meshes.empty() || !options.svg.empty();
+    if (options.patterns != "all" && !uses_patterns)
+        throw base::InputError("--patterns", "", "is for --svg and --meshes, and neither is given");
     const Library library = open_library(options);
     if (!options.csv.empty()) library.export_csv(options.csv);
+    const std::vector<library::PatternEntry> wanted = wanted_patterns(library, options.patterns);
     if (!options.meshes.empty()) {
-        exports::export_meshes(library, options.meshes,
+        exports::export_meshes(library, wanted, options.meshes,
                                options.ply ? exports::MeshKind::Ply : exports::MeshKind::Obj);
     }
     if (!options.svg.empty()) {
         std::vector<exports::ReducedPattern> patterns;
-        for (const library::PatternEntry& entry : library.patterns())
-            patterns.push_back(reduced_pattern(library, entry));
+        for (const library::PatternEntry& entry : wanted) patterns.push_back(reduced_pattern(library, entry));
         write_drawing(library, patterns, options.svg);
     }
     if (!options.chart.empty()) base::write_file_atomically(options.chart, property_chart(library));
@@ -213,7 +218,10 @@ void add_library(CLI::App& app, ExitCode&) {
     exporting->add_option("--csv", options->csv, "Folder for the tables, one CSV file each");
     exporting->add_option("--meshes", options->meshes,
                           "Folder for the edge mesh and the reduced model's geometry of each pattern");
-    exporting->add_option("--svg", options->svg, "Sheet of all patterns with their reduced models");
+    exporting->add_option("--svg", options->svg, "Sheet of the patterns with their reduced models");
+    exporting->add_option(
+        "--patterns", options->patterns,
+        "Which patterns --svg and --meshes write: all, ids with commas between, or sample:N");
     exporting->add_option(
         "--chart", options->chart,
         "Property chart as SVG: stiffness against mass, bending against in-plane stiffness");

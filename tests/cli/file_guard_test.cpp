@@ -27,10 +27,10 @@ const std::set<std::string> kOtherTexts = {
     "--forbid",     "--edge-length", "--shard",       "--model",  "--optimizer", "--name",       "--problems",
     "--optimizers", "--policy",      "--solver",      "--branch", "--masses",    "pattern"};
 
-/// --patterns of `calibrate` lists ids; that of `tile` may be a file.
+/// --patterns lists ids; that of `tile` may be a file.
 bool is_other_text(const CLI::App& verb, const CLI::Option& option) {
     return kOtherTexts.contains(option.get_name()) ||
-           (verb.get_name() == "calibrate" && option.get_name() == "--patterns") ||
+           (verb.get_name() != "tile" && option.get_name() == "--patterns") ||
            (verb.get_name() == "known" && option.get_name() == "--patterns") ||
            (verb.get_name() == "export" && option.get_name() == "--case");
 }

@@ -27,7 +27,7 @@ TEST(LibraryMeshes, AreTheFanAndTheReducedModelOfEachPattern) {
     const TemporaryFolder folder;
     const auto library = calibrated_library(folder.path() / "lib.db");
     const auto meshes = folder.path() / "meshes";
-    EXPECT_EQ(export_meshes(library, meshes, MeshKind::Obj), library.pattern_count() + 1);
+    EXPECT_EQ(export_meshes(library, library.patterns(), meshes, MeshKind::Obj), library.pattern_count() + 1);
     // The fan: 6 interface nodes, 6 radial ones, the center; 2 edges a sector. The reduced model: a ring and
     // 6 links.
     const std::string fan = base::read_text_file(meshes / "0-1+1-6.obj");
@@ -54,14 +54,18 @@ TEST(LibraryMeshes, LieInTheSettingsHexagon) {
 
 TEST(LibraryMeshes, AreWrittenAsPlyToo) {
     const TemporaryFolder folder;
-    export_meshes(calibrated_library(folder.path() / "lib.db"), folder.path() / "meshes", MeshKind::Ply);
+    const auto library = calibrated_library(folder.path() / "lib.db");
+    const auto all = library.patterns();
+    EXPECT_EQ(export_meshes(library, std::span(all).first(1), folder.path() / "meshes", MeshKind::Ply), 2U);
     EXPECT_TRUE(base::read_text_file(folder.path() / "meshes" / "0-1+1-6.ply").starts_with("ply\n"));
 }
 
 TEST(LibraryMeshes, AFolderThatCannotBeMadeIsReported) {
     const TemporaryFolder folder;
     const auto library = calibrated_library(folder.path() / "lib.db");
-    EXPECT_THROW(export_meshes(library, folder.path() / "lib.db" / "meshes", MeshKind::Obj), base::IoError);
+    EXPECT_THROW(
+        export_meshes(library, library.patterns(), folder.path() / "lib.db" / "meshes", MeshKind::Obj),
+        base::IoError);
 }
 
 }  // namespace

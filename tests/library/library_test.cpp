@@ -270,6 +270,7 @@ TEST_F(LibraryTest, ExportedTablesAreEqualForEqualContentAndReadBackExactly) {
     backward.export_csv(path("b") / "nested");
     EXPECT_EQ(folder_content(path("a")), folder_content(path("b") / "nested"));
 
+    EXPECT_TRUE(base::read_text_file(path("a") / "behaviour.csv").starts_with("pattern_id,mirror,"));
     const auto lines = base::split(base::read_text_file(path("a") / "response.csv"), '\n');
     EXPECT_EQ(lines.front(), "pattern_id,scenario,step,node,ux,uy,uz,rx,ry,rz");
     EXPECT_THAT(lines, SizeIs(1 + 2 * 5 * 9 * 6 + 1));  // header, converged samples, end of the last line

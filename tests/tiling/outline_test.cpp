@@ -101,6 +101,15 @@ TEST(OutlineJson, ReadsBoundaryAndHoles) {
     EXPECT_NEAR(area_of(outline), 0.3 * 0.2 - 0.5 * 0.1 * 0.1, 1e-15);
 }
 
+TEST(OutlineJson, ReadsBackWhatWasWritten) {
+    const TemporaryFolder folder;
+    const Outline outline = read_outline(example_outline("example_b.svg"));
+    write_outline(outline, folder.path() / "o.json");
+    const Outline read = read_outline(folder.path() / "o.json");
+    EXPECT_EQ(read.boundary, outline.boundary);
+    EXPECT_EQ(read.holes, outline.holes);
+}
+
 TEST(OutlineJson, ComplaintsNameFileAndPlace) {
     const TemporaryFolder folder;
     const auto refuse = [&](const std::string& content) {

@@ -21,8 +21,8 @@ LineSet pattern_lines(const pattern::NodeLayout& layout, const pattern::Pattern&
     return lines;
 }
 
-std::size_t export_meshes(const library::Library& library, const std::filesystem::path& folder,
-                          MeshKind kind) {
+std::size_t export_meshes(const library::Library& library, std::span<const library::PatternEntry> patterns,
+                          const std::filesystem::path& folder, MeshKind kind) {
     std::error_code error;
     std::filesystem::create_directories(folder, error);
     if (error) throw base::IoError(folder.string() + ": cannot be made: " + error.message());
@@ -33,7 +33,7 @@ std::size_t export_meshes(const library::Library& library, const std::filesystem
                                     kind == MeshKind::Obj ? obj_text(lines) : ply_text(lines));
         ++files;
     };
-    for (const library::PatternEntry& entry : library.patterns()) {
+    for (const library::PatternEntry& entry : patterns) {
         write(entry.id, pattern_lines(library.layout(), entry.pattern, library.setting()));
         for (const reduction::Calibration& best : library.best_calibrations(entry.id)) {
             if (best.parameters.empty()) continue;  // its beams, if it has any, are the pattern's

@@ -5,6 +5,7 @@
 #include <fretwork/library/library.hpp>
 
 #include <filesystem>
+#include <span>
 #include <string_view>
 
 namespace fretwork::exports {
@@ -16,10 +17,10 @@ LineSet pattern_lines(const pattern::NodeLayout& layout, const pattern::Pattern&
 /// Kinds of files for meshes of lines.
 enum class MeshKind { Obj, Ply };
 
-/// Write each pattern of a library as an edge mesh in the setting's polygon (`<id>.obj`), and, where it is
+/// Write patterns of a library, each as an edge mesh in the setting's polygon (`<id>.obj`), and, where it is
 /// calibrated, the geometry of its best reduced model of the paper (`<id>.paper6.obj`). The folder is made if
 /// it is missing. Returns the number of files. Throws IoError.
-std::size_t export_meshes(const library::Library& library, const std::filesystem::path& folder,
-                          MeshKind kind);
+std::size_t export_meshes(const library::Library& library, std::span<const library::PatternEntry> patterns,
+                          const std::filesystem::path& folder, MeshKind kind);
 
 }  // namespace fretwork::exports

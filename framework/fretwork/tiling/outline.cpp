@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
+#include <fretwork/base/file.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/tiling/detail/outline_check.hpp>
 #include <fretwork/tiling/detail/outline_readers.hpp>
@@ -52,7 +53,11 @@ Outline outline_of_loops(const std::filesystem::path& path) {
     return detail::outline_of(read_loops(path));
 }
 
-constexpr std::array<Reader, 6> kReaders = {{{".json", detail::read_json_outline},
+Outline read_json(const std::filesystem::path& path) {
+    return parse_outline(base::read_text_file(path), path.string());
+}
+
+constexpr std::array<Reader, 6> kReaders = {{{".json", read_json},
                                              {".svg", outline_of_loops<detail::read_svg_loops>},
                                              {".dxf", outline_of_loops<detail::read_dxf_loops>},
                                              {".obj", outline_of_loops<detail::read_obj_loops>},

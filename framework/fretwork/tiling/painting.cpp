@@ -107,8 +107,8 @@ void paint_uniformly(Tessellation& tessellation, const std::string& pattern) {
     for (Tile& tile : tessellation.tiles) tile.pattern = 0;
 }
 
-Painting read_painting(const std::filesystem::path& path, const pattern::NodeLayout& layout) {
-    const auto file = base::JsonReader::from_file(path);
+Painting parse_painting(std::string_view text, const std::string& source, const pattern::NodeLayout& layout) {
+    const auto file = base::JsonReader::from_text(text, source);
     file.expect_format("painting");
     file.allow_only({"format", "layout", "patterns", "tiles"});
     if (const auto name = file.at("layout"); name.string() != layout.name())
@@ -124,14 +124,22 @@ Painting read_painting(const std::filesystem::path& path, const pattern::NodeLay
     return painting;
 }
 
-void write_painting(const Painting& painting, const pattern::NodeLayout& layout,
-                    const std::filesystem::path& path) {
+std::string painting_text(const Painting& painting, const pattern::NodeLayout& layout) {
     base::detail::Json json;
     json["format"] = "fretwork/painting/1";
     json["layout"] = layout.name();
     json["patterns"] = painting.patterns;
     if (!painting.tiles.empty()) json["tiles"] = painting.tiles;
-    base::write_file_atomically(path, base::detail::json_text(json));
+    return base::detail::json_text(json);
+}
+
+Painting read_painting(const std::filesystem::path& path, const pattern::NodeLayout& layout) {
+    return parse_painting(base::read_text_file(path), path.string(), layout);
+}
+
+void write_painting(const Painting& painting, const pattern::NodeLayout& layout,
+                    const std::filesystem::path& path) {
+    base::write_file_atomically(path, painting_text(painting, layout));
 }
 
 void paint(Tessellation& tessellation, const Painting& painting) {

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace fretwork::tiling {
@@ -31,16 +32,21 @@ struct Painting {
     std::vector<int> tiles;
 };
 
-/// Read a painting:
+/// Parse a painting:
 ///
 ///     { "format": "fretwork/painting/1", "layout": "paper7",
 ///       "patterns": ["0-1+1-6", "0-5+5-6"], "tiles": [0, 0, 1, 0] }
 ///
-/// `tiles` has one entry for each tile, in their order, and may be left out. Throws InputError with file and
-/// JSON pointer; the patterns are checked as by make_palette.
+/// `tiles` has one entry for each tile, in their order, and may be left out. Throws InputError with source
+/// and JSON pointer; the patterns are checked as by make_palette.
+///
+/// @param source  what to call the text in messages
+Painting parse_painting(std::string_view text, const std::string& source, const pattern::NodeLayout& layout);
+/// The painting as JSON; parse_painting gives an equal painting.
+std::string painting_text(const Painting& painting, const pattern::NodeLayout& layout);
+/// Read a painting file, as parse_painting.
 Painting read_painting(const std::filesystem::path& path, const pattern::NodeLayout& layout);
-
-/// Write a painting file; read_painting gives an equal painting.
+/// Throws IoError; then the file is as it was.
 void write_painting(const Painting& painting, const pattern::NodeLayout& layout,
                     const std::filesystem::path& path);
 

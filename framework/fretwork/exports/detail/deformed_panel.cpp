@@ -82,7 +82,7 @@ void draw_rest(SvgCanvas& canvas, const View& view, const DeformedViewOptions& o
     canvas.segments(segments_of(options.rest, view.rest), rest_style(view.box));
 }
 
-/// The last lines of every legend. Returns nothing to add: `line` is the first free one.
+/// The last lines of every legend. `line` is the first free one.
 void draw_notes(SvgCanvas& canvas, const DeformedViewOptions& options, int line) {
     const double text = text_height(canvas.box().width());
     if (!options.rest.lines.empty()) {

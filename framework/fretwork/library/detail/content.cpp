@@ -64,18 +64,12 @@ std::string csv_cell(const Statement& row, int column) {
     }
 }
 
-std::string csv_header(const Table& table) {
-    std::string line;
-    for (const char c : content_columns(table)) {
-        if (c != ' ') line += c;
-    }
-    return line + "\n";
-}
-
-void write_csv(const Database& database, const Table& table, const std::filesystem::path& path) {
+void write_csv(const Database& database, const std::string& query, const std::filesystem::path& path) {
     base::AtomicFile file(path);
-    file.write(csv_header(table));
-    Statement rows(database, sorted_rows_query(table));
+    Statement rows(database, query);
+    for (int column = 0; column < rows.column_count(); ++column)
+        file.write((column > 0 ? "," : "") + rows.column_name(column));
+    file.write("\n");
     while (rows.step()) {
         for (int column = 0; column < rows.column_count(); ++column) {
             if (column > 0) file.write(",");
@@ -124,9 +118,10 @@ void export_csv(Database& database, const std::filesystem::path& folder) {
         if (is_json_table(table)) {
             write_json(database, std::string(table.name), folder);
         } else {
-            write_csv(database, table, folder / (std::string(table.name) + ".csv"));
+            write_csv(database, sorted_rows_query(table), folder / (std::string(table.name) + ".csv"));
         }
     }
+    write_csv(database, "SELECT * FROM behaviour ORDER BY pattern_id", folder / "behaviour.csv");
 }
 
 }  // namespace fretwork::library::detail

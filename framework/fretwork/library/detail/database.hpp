@@ -62,6 +62,9 @@ class Statement {
     void run();
     void reset();
 
+    [[nodiscard]] std::string column_name(int column) const {
+        return sqlite3_column_name(handle_.get(), column);
+    }
     [[nodiscard]] int column_count() const { return sqlite3_column_count(handle_.get()); }
     [[nodiscard]] int type(int column) const { return sqlite3_column_type(handle_.get(), column); }
     /// The text stays until the next step.

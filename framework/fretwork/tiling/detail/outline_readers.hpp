@@ -26,8 +26,6 @@ std::vector<Loop> read_dxf_loops(const std::filesystem::path& path);
 std::vector<Loop> read_obj_loops(const std::filesystem::path& path);
 std::vector<Loop> read_ply_loops(const std::filesystem::path& path);
 std::vector<Loop> read_off_loops(const std::filesystem::path& path);
-/// The holes come after the boundary.
-Outline read_json_outline(const std::filesystem::path& path);
 
 /// The outermost loop is the boundary, those inside it are holes. Throws GeometryError that names the loops
 /// if two of them lie side by side, or one lies in a hole.
