@@ -2,12 +2,29 @@
 # Every library that the project builds on, in one place. Versions, licences and reasons: third_party_notes.md.
 find_package(Threads REQUIRED)
 find_package(nlohmann_json 3.11 REQUIRED)                      # base: JSON
+find_library(NETTLE_LIBRARY nettle REQUIRED)                   # base: SHA-256 (Debian ships no CMake package)
+find_path(NETTLE_INCLUDE_DIR nettle/sha2.h REQUIRED)
+if(NOT TARGET nettle::nettle)
+  add_library(nettle::nettle UNKNOWN IMPORTED)
+  set_target_properties(nettle::nettle PROPERTIES IMPORTED_LOCATION "${NETTLE_LIBRARY}"
+                                                  INTERFACE_INCLUDE_DIRECTORIES "${NETTLE_INCLUDE_DIR}")
+endif()
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)                    # mechanics and after: matrices
 find_package(CHOLMOD REQUIRED)                                 # mechanics: elimination orders
 find_package(Ceres 2.1 REQUIRED)                               # optimization: least squares
 find_package(NLopt 2.7 REQUIRED)                               # optimization: methods to compare with
-find_package(pagmo 2.18 REQUIRED)                              # optimization: likewise
 find_package(Boost 1.74 REQUIRED)                              # pattern: Boost.Graph, Boost.Multiprecision (headers)
+find_package(pagmo 2.18 REQUIRED)                              # optimization: likewise
+# Its archive and not its shared library: to load that takes a program 20 ms and 24 MB, whatever it does then.
+find_library(PAGMO_ARCHIVE libpagmo.a REQUIRED)
+find_library(BOOST_SERIALIZATION_ARCHIVE libboost_serialization.a REQUIRED)
+find_package(TBB REQUIRED)
+if(NOT TARGET pagmo::archive)
+  add_library(pagmo::archive UNKNOWN IMPORTED)
+  set_target_properties(pagmo::archive PROPERTIES IMPORTED_LOCATION "${PAGMO_ARCHIVE}")
+  target_link_libraries(pagmo::archive INTERFACE NLopt::nlopt "${BOOST_SERIALIZATION_ARCHIVE}" TBB::tbb Boost::boost
+                                                 Eigen3::Eigen Threads::Threads)
+endif()
 
 if(NOT FRETWORK_ONLY_LIGHT_STAGES)
   find_package(CGAL 5.5 REQUIRED)                              # pattern: exact predicates; tiling: remeshing

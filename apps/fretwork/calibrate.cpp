@@ -4,8 +4,8 @@
 #include "pattern_choice.hpp"
 #include "verbs.hpp"
 
-#include <fretwork/base/detail/json_text.hpp>
 #include <fretwork/base/error.hpp>
+#include <fretwork/base/internal/json_text.hpp>
 #include <fretwork/library/fill.hpp>
 #include <fretwork/library/statistics.hpp>
 #include <fretwork/optimization/optimizer_catalogue.hpp>
@@ -19,7 +19,7 @@
 namespace fretwork::app {
 namespace {
 
-using base::detail::Json;
+using base::Json;
 using library::CalibrationStatistics;
 using library::FillReport;
 using library::Library;
@@ -102,7 +102,7 @@ void print_json(const Result& result) {
                            {"samples_beyond_limit_load", s.limit_load},
                            {"samples_unstable", s.unstable},
                            {"seconds", result.seconds}};
-    std::fputs(base::detail::json_text(document).c_str(), stdout);
+    std::fputs(base::json_text(document).c_str(), stdout);
 }
 
 ExitCode calibrate(Options options) {

@@ -3,9 +3,10 @@
 #include "file_options.hpp"
 #include "verbs.hpp"
 
-#include <fretwork/base/detail/json_text.hpp>
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/file_lock.hpp>
+#include <fretwork/base/internal/json_text.hpp>
+#include <fretwork/base/text.hpp>
 #include <fretwork/simulation/conditions.hpp>
 #include <fretwork/simulation/load_case_file.hpp>
 #include <fretwork/simulation/project.hpp>
@@ -56,12 +57,14 @@ void add_to_project(const Options& options) {
 
 void list(const Options& options) {
     const Project project = simulation::read_project(options.project);
-    base::detail::Json json = base::detail::Json::array();
+    base::Json json = base::Json::array();
     for (const LoadCase& load_case : project.load_cases) {
         json.push_back({{"name", load_case.name}, {"description", load_case.description}});
-        if (!options.json) std::printf("%-20s %s\n", load_case.name.c_str(), load_case.description.c_str());
+        if (!options.json)
+            std::printf("%-20s %s\n", base::printable(load_case.name).c_str(),
+                        base::printable(load_case.description).c_str());
     }
-    if (options.json) std::fputs(base::detail::json_text(json).c_str(), stdout);
+    if (options.json) std::fputs(base::json_text(json).c_str(), stdout);
 }
 
 }  // namespace

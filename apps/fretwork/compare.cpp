@@ -3,7 +3,7 @@
 #include "file_options.hpp"
 #include "verbs.hpp"
 
-#include <fretwork/base/detail/json_text.hpp>
+#include <fretwork/base/internal/json_text.hpp>
 #include <fretwork/simulation/comparison.hpp>
 
 #include <cstdio>
@@ -22,7 +22,7 @@ struct Options {
     bool json = false;
 };
 
-base::detail::Json to_json(const std::string& name, const simulation::Comparison& comparison) {
+base::Json to_json(const std::string& name, const simulation::Comparison& comparison) {
     return {{"example", name},
             {"width_m", comparison.width},
             {"height_m", comparison.height},
@@ -54,7 +54,7 @@ ExitCode run(const Options& options) {
     const std::string name =
         options.name.empty() ? std::filesystem::path(options.full).stem().string() : options.name;
     if (options.json) {
-        std::fputs(base::detail::json_text(to_json(name, comparison)).c_str(), stdout);
+        std::fputs(base::json_text(to_json(name, comparison)).c_str(), stdout);
     } else {
         std::printf("%s\n%s\n", simulation::comparison_header().c_str(),
                     simulation::comparison_row(name, comparison).c_str());

@@ -66,9 +66,10 @@ std::optional<pattern::SamenessReport> PatternFiles::finish(const pattern::Samen
 
 /// One that is there keeps its setting; a new one gets the paper's, until it is calibrated with another.
 void PatternFiles::add_to_library() const {
-    auto library = std::filesystem::exists(paths_.library)
-                       ? library::Library::open(paths_.library, library::Access::ReadWrite)
-                       : library::Library::create(paths_.library, layout_, reduction::paper_setting());
+    auto library =
+        std::filesystem::exists(paths_.library)
+            ? library::Library::open(paths_.library, library::Access::ReadWrite)
+            : library::Library::open_or_create(paths_.library, layout_, reduction::paper_setting(), kept_);
     library.check_layout(layout_);
     library.add_patterns(kept_);
 }

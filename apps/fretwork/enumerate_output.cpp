@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "enumerate_output.hpp"
 
-#include <fretwork/base/detail/json_text.hpp>
+#include <fretwork/base/internal/json_text.hpp>
 #include <fretwork/base/text.hpp>
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 namespace fretwork::app {
 namespace {
 
-using base::detail::Json;
+using base::Json;
 using pattern::NodeLayout;
 
 /// Numbers of any size: beyond 2^53 as text, since JSON readers keep no more.
@@ -22,7 +22,7 @@ Json json_count(pattern::GraphCount count) {
 }
 
 void print(const Json& document) {
-    std::fputs(base::detail::json_text(document).c_str(), stdout);
+    std::fputs(base::json_text(document).c_str(), stdout);
 }
 
 /// The census as columns under their names, each as wide as it needs.

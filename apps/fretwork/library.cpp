@@ -5,9 +5,9 @@
 #include "pattern_choice.hpp"
 #include "verbs.hpp"
 
-#include <fretwork/base/detail/json_text.hpp>
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/file.hpp>
+#include <fretwork/base/internal/json_text.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/exports/library_meshes.hpp>
 #include <fretwork/exports/property_chart.hpp>
@@ -23,7 +23,7 @@
 namespace fretwork::app {
 namespace {
 
-using base::detail::Json;
+using base::Json;
 using library::Library;
 using library::PatternSummary;
 
@@ -54,7 +54,7 @@ Library open_library(const Options& options) {
 }
 
 void print(const Json& document) {
-    std::fputs(base::detail::json_text(document).c_str(), stdout);
+    std::fputs(base::json_text(document).c_str(), stdout);
 }
 
 // ---- list ----
@@ -97,7 +97,7 @@ void print_list(const std::vector<PatternSummary>& summaries) {
 void print_totals(const Library& library, const std::vector<PatternSummary>& summaries) {
     const auto count = [&](auto&& predicate) { return std::ranges::count_if(summaries, predicate); };
     std::printf("\n%zu patterns of the layout %s: %td with responses, %td calibrated, %td with failures\n",
-                summaries.size(), library.layout().name().c_str(),
+                summaries.size(), base::printable(library.layout().name()).c_str(),
                 count([](const PatternSummary& s) { return s.samples > 0; }),
                 count([](const PatternSummary& s) { return s.calibrations > 0; }),
                 count([](const PatternSummary& s) { return s.failures > 0; }));
@@ -120,16 +120,14 @@ exports::ReducedPattern reduced_pattern(const Library& library, const library::P
     return {entry.pattern, library.best_fit(entry.id)};
 }
 
-void write_drawing(const Library& library, const std::vector<exports::ReducedPattern>& patterns,
-                   const std::string& path) {
-    base::write_file_atomically(path,
-                                exports::reduced_sheet_svg(library.layout(), patterns, library.setting()));
-}
-
 void show(const Options& options) {
     const Library library = open_library(options);
     const library::PatternEntry entry = library.find_pattern(options.pattern);
-    if (!options.svg.empty()) write_drawing(library, {reduced_pattern(library, entry)}, options.svg);
+    if (!options.svg.empty()) {
+        const exports::ReducedPattern drawn = reduced_pattern(library, entry);
+        base::write_file_atomically(
+            options.svg, exports::reduced_sheet_svg(library.layout(), {&drawn, 1}, library.setting()));
+    }
     options.json ? print_pattern_json(library, entry) : print_pattern(library, entry);
 }
 
@@ -145,6 +143,12 @@ void merge(const Options& options) {
     } else {
         print_totals(merged, merged.summaries());
     }
+}
+
+std::string pattern_sheet(const Library& library, std::span<const library::PatternEntry> wanted) {
+    std::vector<exports::ReducedPattern> patterns;
+    for (const library::PatternEntry& entry : wanted) patterns.push_back(reduced_pattern(library, entry));
+    return exports::reduced_sheet_svg(library.layout(), patterns, library.setting());
 }
 
 std::string property_chart(const Library& library) {
@@ -169,18 +173,18 @@ void write_files(const Options& options) {
     if (options.patterns != "all" && !uses_patterns)
         throw base::InputError("--patterns", "", "is for --svg and --meshes, and neither is given");
     const Library library = open_library(options);
-    if (!options.csv.empty()) library.export_csv(options.csv);
     const std::vector<library::PatternEntry> wanted = wanted_patterns(library, options.patterns);
+    base::FileBatch drawings;
+    if (!options.svg.empty()) drawings.add(options.svg, pattern_sheet(library, wanted));
+    if (!options.chart.empty()) drawings.add(options.chart, property_chart(library));
+    std::vector<base::FolderBatch> folders;
+    if (!options.csv.empty()) library.export_csv(folders.emplace_back(options.csv).path());
     if (!options.meshes.empty()) {
-        exports::export_meshes(library, wanted, options.meshes,
-                               options.ply ? exports::MeshKind::Ply : exports::MeshKind::Obj);
+        exports::add_meshes(library, wanted, options.ply ? exports::MeshKind::Ply : exports::MeshKind::Obj,
+                            folders.emplace_back(options.meshes));
     }
-    if (!options.svg.empty()) {
-        std::vector<exports::ReducedPattern> patterns;
-        for (const library::PatternEntry& entry : wanted) patterns.push_back(reduced_pattern(library, entry));
-        write_drawing(library, patterns, options.svg);
-    }
-    if (!options.chart.empty()) base::write_file_atomically(options.chart, property_chart(library));
+    for (base::FolderBatch& folder : folders) folder.commit();
+    drawings.commit();
 }
 
 using Action = void (*)(const Options&);

@@ -2,7 +2,7 @@
 #include "library_show.hpp"
 #include "solve_output.hpp"
 
-#include <fretwork/base/detail/json_text.hpp>
+#include <fretwork/base/internal/json_text.hpp>
 #include <fretwork/base/text.hpp>
 
 #include <cstdio>
@@ -13,7 +13,7 @@
 namespace fretwork::app {
 namespace {
 
-using base::detail::Json;
+using base::Json;
 using library::CalibrationRecord;
 using library::Library;
 
@@ -98,8 +98,9 @@ Json show_json(const Library& library, const library::PatternEntry& entry) {
 
 void print_response(const reduction::Response& response) {
     const ScenarioSummary summary = summarize(response);
-    std::printf("  %-8s %2zu of %2zu converged, %6.2f mm at %.3g N", summary.name.c_str(), summary.converged,
-                summary.samples, 1e3 * summary.largest_displacement, summary.largest_magnitude);
+    std::printf("  %-8s %2zu of %2zu converged, %6.2f mm at %.3g N", base::printable(summary.name).c_str(),
+                summary.converged, summary.samples, 1e3 * summary.largest_displacement,
+                summary.largest_magnitude);
     if (summary.discretization_error) std::printf(", to about %.1g", *summary.discretization_error);
     if (summary.first_unstable_step > 0)
         std::printf(", unstable from step %d on", summary.first_unstable_step);
@@ -126,7 +127,7 @@ std::string parameters_text(const reduction::Calibration& calibration) {
 void print_calibration(const CalibrationRecord& record) {
     const reduction::Calibration& calibration = record.calibration;
     std::printf("  %s by %s, seed %llu, %d starts: E = %.4f after %ld evaluations%s\n",
-                calibration.model.c_str(), calibration.optimizer.c_str(),
+                base::printable(calibration.model).c_str(), base::printable(calibration.optimizer).c_str(),
                 static_cast<unsigned long long>(calibration.seed), calibration.starts, calibration.objective,
                 calibration.evaluations, calibration.converged ? "" : ", not converged");
     if (calibration.parameters.empty()) return;
@@ -148,24 +149,28 @@ std::string_view unit_of(std::string_view property) {
 }  // namespace
 
 void print_pattern_json(const Library& library, const library::PatternEntry& entry) {
-    std::fputs(base::detail::json_text(show_json(library, entry)).c_str(), stdout);
+    std::fputs(base::json_text(show_json(library, entry)).c_str(), stdout);
 }
 
 void print_pattern(const Library& library, const library::PatternEntry& entry) {
-    std::printf("%s of the layout %s: %d edges\n", entry.id.c_str(), library.layout().name().c_str(),
-                entry.pattern.edge_count());
+    // All is read before anything is printed: a damaged library gives no half of a page.
     const auto responses = library.responses(entry.id);
+    const auto calibrations = library.calibrations(entry.id);
+    const auto properties = library.properties(entry.id);
+    const auto failures = failures_of(library, entry);
+    std::printf("%s of the layout %s: %d edges\n", entry.id.c_str(),
+                base::printable(library.layout().name()).c_str(), entry.pattern.edge_count());
     std::printf("responses:%s\n", responses.empty() ? " none" : "");
     for (const reduction::Response& response : responses) print_response(response);
-    const auto calibrations = library.calibrations(entry.id);
     std::printf("calibrations:%s\n", calibrations.empty() ? " none" : "");
     for (const CalibrationRecord& record : calibrations) print_calibration(record);
-    const auto properties = library.properties(entry.id);
     std::printf("as an endless plate:%s\n", properties.empty() ? " unknown" : "");
     for (const auto& [name, value] : properties)
-        std::printf("  %-20s %.6g%s\n", name.c_str(), value, std::string(unit_of(name)).c_str());
-    for (const library::Failure& failure : failures_of(library, entry))
-        std::printf("failed, %s: %s\n", failure.stage.c_str(), failure.reason.c_str());
+        std::printf("  %-20s %.6g%s\n", base::printable(name).c_str(), value,
+                    std::string(unit_of(name)).c_str());
+    for (const library::Failure& failure : failures)
+        std::printf("failed, %s: %s\n", base::printable(failure.stage).c_str(),
+                    base::printable(failure.reason).c_str());
 }
 
 }  // namespace fretwork::app

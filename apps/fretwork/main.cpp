@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <new>
 #include <string>
 #include <vector>
@@ -16,16 +17,13 @@
 namespace fretwork::app {
 namespace {
 
-/// One line, whatever a message may hold: it may quote a file, which must not drive the terminal.
-void complain(const std::string& message) {
-    std::string line;
-    for (const char c : message) {
-        const auto code = static_cast<unsigned char>(c);
-        char escaped[5];
-        std::snprintf(escaped, sizeof escaped, "\\x%02x", code);
-        line += c == '\n' ? " " : code < 0x20 || code == 0x7f ? escaped : std::string(1, c);
-    }
-    std::fprintf(stderr, "fretwork: %s\n", line.c_str());
+/// One line of at most 300 characters, whatever a message quotes.
+void complain(std::string message) {
+    constexpr std::string_view kStart = "fretwork: ";
+    constexpr std::size_t kLongestLine = 300;
+    std::ranges::replace(message, '\n', ' ');
+    const std::string line = base::shortened(base::printable(message), kLongestLine - kStart.size());
+    std::fprintf(stderr, "%s%s\n", std::string(kStart).c_str(), line.c_str());
 }
 
 /// `fflush` is where a full disk is reported.
@@ -71,6 +69,8 @@ int main(int argc, char** argv) {
         app::complain(stopped.what());
         return static_cast<int>(app::ExitCode::DidNotSucceed);
     } catch (const base::Error& error) {
+        app::complain(error.what());
+    } catch (const std::filesystem::filesystem_error& error) {
         app::complain(error.what());
     } catch (const std::bad_alloc&) {
         app::complain("out of memory");

@@ -4,9 +4,9 @@
 #include "interrupt.hpp"
 #include "verbs.hpp"
 
-#include <fretwork/base/detail/json_text.hpp>
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/file.hpp>
+#include <fretwork/base/internal/json_text.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/study/known_value.hpp>
 #include <fretwork/study/landscape.hpp>
@@ -20,7 +20,7 @@
 namespace fretwork::app {
 namespace {
 
-using base::detail::Json;
+using base::Json;
 using study::Contender;
 
 constexpr const char* kExamples = R"(
@@ -44,7 +44,7 @@ struct Options {
 };
 
 void print(const Json& document) {
-    std::fputs(base::detail::json_text(document).c_str(), stdout);
+    std::fputs(base::json_text(document).c_str(), stdout);
 }
 
 // ---- list ----

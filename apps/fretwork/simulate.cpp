@@ -6,9 +6,9 @@
 #include "solve_output.hpp"
 #include "verbs.hpp"
 
-#include <fretwork/base/detail/json_text.hpp>
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/file.hpp>
+#include <fretwork/base/internal/json_text.hpp>
 #include <fretwork/exports/writer_catalogue.hpp>
 #include <fretwork/mechanics/frame_file.hpp>
 #include <fretwork/simulation/load_case_file.hpp>
@@ -58,18 +58,18 @@ double largest_rotation(const mechanics::Result& result) {
 
 void print_json(const mechanics::Result& result) {
     const auto& solution = result.solution;
-    const base::detail::Json json = {{"model", result.subject->model},
-                                     {"load_case", result.subject->load_case},
-                                     {"solver", result.solver},
-                                     {"converged", solution.converged()},
-                                     {"stable", solution.stable},
-                                     {"termination", mechanics::termination_name(solution.termination)},
-                                     {"largest_displacement", largest_displacement(result)},
-                                     {"largest_rotation", largest_rotation(result)},
-                                     {"iterations", solution.iterations},
-                                     {"discretization_error", discretization_json(result)},
-                                     {"seconds", result.seconds}};
-    std::fputs(base::detail::json_text(json).c_str(), stdout);
+    const base::Json json = {{"model", result.subject->model},
+                             {"load_case", result.subject->load_case},
+                             {"solver", result.solver},
+                             {"converged", solution.converged()},
+                             {"stable", solution.stable},
+                             {"termination", mechanics::termination_name(solution.termination)},
+                             {"largest_displacement", largest_displacement(result)},
+                             {"largest_rotation", largest_rotation(result)},
+                             {"iterations", solution.iterations},
+                             {"discretization_error", discretization_json(result)},
+                             {"seconds", result.seconds}};
+    std::fputs(base::json_text(json).c_str(), stdout);
 }
 
 void print(const mechanics::Result& result) {

@@ -8,13 +8,13 @@
 namespace fretwork::app {
 namespace {
 
-base::detail::Json summary_of(const mechanics::Result& result) {
+base::Json summary_of(const mechanics::Result& result) {
     const mechanics::Solution& solution = result.solution;
-    base::detail::Json frequencies = base::detail::Json::array();
+    base::Json frequencies = base::Json::array();
     for (const mechanics::Mode& mode : result.vibration_modes) frequencies.push_back(mode.value);
-    base::detail::Json buckling = base::detail::Json::array();
+    base::Json buckling = base::Json::array();
     for (const mechanics::Mode& mode : result.buckling_modes) buckling.push_back(mode.value);
-    base::detail::Json critical = base::detail::Json::array();
+    base::Json critical = base::Json::array();
     for (const mechanics::StabilityLoss& loss : solution.stability_losses)
         critical.push_back(loss.load_factor);
     return {{"solver", result.solver},
@@ -62,9 +62,9 @@ void print_failure(const mechanics::Result& result) {
 
 }  // namespace
 
-base::detail::Json discretization_json(const mechanics::Result& result) {
+base::Json discretization_json(const mechanics::Result& result) {
     const auto& error = result.discretization_error;
-    return error && error->known ? base::detail::Json(error->share) : base::detail::Json(nullptr);
+    return error && error->known ? base::Json(error->share) : base::Json(nullptr);
 }
 
 std::string discretization_text(const mechanics::DiscretizationError& error) {
@@ -78,7 +78,7 @@ std::string discretization_text(const mechanics::DiscretizationError& error) {
 }
 
 void print_solution_json(const mechanics::Result& result) {
-    std::fputs(base::detail::json_text(summary_of(result)).c_str(), stdout);
+    std::fputs(base::json_text(summary_of(result)).c_str(), stdout);
 }
 
 void print_solution(const mechanics::Result& result) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <fretwork/base/detail/json_text.hpp>
+#include <fretwork/base/internal/json_text.hpp>
 #include <fretwork/mechanics/result_file.hpp>
 
 #include <numbers>
@@ -17,7 +17,7 @@ void print_solution_json(const mechanics::Result& result);
 inline constexpr double kDegreesPerRadian = 180.0 / std::numbers::pi;
 
 /// The share, or null if there is none.
-base::detail::Json discretization_json(const mechanics::Result& result);
+base::Json discretization_json(const mechanics::Result& result);
 /// A line about how far a solution is from that of endlessly fine divisions.
 std::string discretization_text(const mechanics::DiscretizationError& error);
 

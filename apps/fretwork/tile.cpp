@@ -5,7 +5,6 @@
 #include "tile_painting.hpp"
 #include "verbs.hpp"
 
-#include <fretwork/base/detail/json_text.hpp>
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/file_lock.hpp>
 #include <fretwork/base/quantity.hpp>
@@ -144,17 +143,17 @@ std::vector<std::string> names_of(const std::vector<simulation::LoadCase>& load_
 }
 
 void print_json(const tiling::TessellationReport& report, const Project& project) {
-    const base::detail::Json json = {{"tiles", report.tiles},
-                                     {"interface_nodes", project.tessellation.interface_nodes.size()},
-                                     {"patterns", project.tessellation.patterns.size()},
-                                     {"hexagon_share", report.hexagon_share},
-                                     {"inner_hexagon_share", report.inner_hexagon_share},
-                                     {"mean_side", report.mean_side},
-                                     {"sd_side", report.sd_side},
-                                     {"smallest_side", report.smallest_side},
-                                     {"covered_share", report.covered_share},
-                                     {"load_cases_kept", names_of(project.load_cases)}};
-    std::fputs(base::detail::json_text(json).c_str(), stdout);
+    const base::Json json = {{"tiles", report.tiles},
+                             {"interface_nodes", project.tessellation.interface_nodes.size()},
+                             {"patterns", project.tessellation.patterns.size()},
+                             {"hexagon_share", report.hexagon_share},
+                             {"inner_hexagon_share", report.inner_hexagon_share},
+                             {"mean_side", report.mean_side},
+                             {"sd_side", report.sd_side},
+                             {"smallest_side", report.smallest_side},
+                             {"covered_share", report.covered_share},
+                             {"load_cases_kept", names_of(project.load_cases)}};
+    std::fputs(base::json_text(json).c_str(), stdout);
 }
 
 void print(const tiling::TessellationReport& report, const Project& project, const Options& options) {

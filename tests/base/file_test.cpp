@@ -74,6 +74,60 @@ TEST(File, AFailedWriteLeavesTheOldFileAndNothingElse) {
     EXPECT_EQ(entries(folder.path()), 1U);
 }
 
+TEST(File, ADeviceWithoutAnEndIsRefused) {
+    for (const char* device : {"/dev/zero", "/dev/null"})
+        EXPECT_THAT(complaint_of([&] { read_text_file(device); }), HasSubstr("is a device"));
+}
+
+TEST(File, WritingThroughALinkReplacesWhatItLeadsTo) {
+    const TemporaryFolder folder;
+    const auto target = folder.file("target", "old");
+    std::filesystem::create_symlink("target", folder.path() / "link");
+    std::filesystem::create_symlink("link", folder.path() / "link of link");
+    std::filesystem::create_symlink("not there yet", folder.path() / "dangling");
+    write_file_atomically(folder.path() / "link of link", "new");
+    write_file_atomically(folder.path() / "dangling", "made");
+    EXPECT_TRUE(std::filesystem::is_symlink(folder.path() / "link of link"));
+    EXPECT_TRUE(std::filesystem::is_symlink(folder.path() / "link"));
+    EXPECT_EQ(read_text_file(target), "new");
+    EXPECT_EQ(read_text_file(folder.path() / "not there yet"), "made");
+}
+
+TEST(File, ACircleOfLinksIsRefused) {
+    const TemporaryFolder folder;
+    std::filesystem::create_symlink("b", folder.path() / "a");
+    std::filesystem::create_symlink("a", folder.path() / "b");
+    EXPECT_THROW((void)read_text_file(folder.path() / "a"), InputError);
+}
+
+TEST(FolderBatch, MakesItsFolderWithAllFilesOrNone) {
+    const TemporaryFolder folder;
+    const auto made = folder.path() / "new" / "nested";
+    {
+        FolderBatch given_up(made);
+        given_up.add("a", "1");
+    }
+    EXPECT_EQ(entries(folder.path()), 0U);
+    FolderBatch batch(made);
+    batch.add("a", "1");
+    batch.add("b", "2");
+    batch.commit();
+    EXPECT_EQ(entries(made), 2U);
+    EXPECT_EQ(read_text_file(made / "b"), "2");
+}
+
+TEST(FolderBatch, KeepsTheOtherFilesOfItsFolder) {
+    const TemporaryFolder folder;
+    (void)folder.file("mine", "kept");
+    (void)folder.file("a", "old");
+    FolderBatch batch(folder.path());
+    batch.add("a", "new");
+    EXPECT_EQ(read_text_file(folder.path() / "a"), "old");
+    batch.commit();
+    EXPECT_EQ(read_text_file(folder.path() / "a"), "new");
+    EXPECT_EQ(read_text_file(folder.path() / "mine"), "kept");
+}
+
 TEST(FileBatch, WritesAllOrNothing) {
     const TemporaryFolder folder;
     FileBatch fails;

@@ -48,6 +48,31 @@ TEST(JsonReader, ARepeatedKeyIsRefused) {
     EXPECT_NO_THROW(parsed(R"({"a": {"b": 1}, "c": {"b": 2}})"));
 }
 
+TEST(JsonReader, ARepeatedKeyAmongManyIsFoundAndItsPlaceNamed) {
+    std::string text = "{\"list\": [1, {";
+    for (int i = 0; i < 1000; ++i) text += "\"k" + std::to_string(i) + "\": 0, ";
+    EXPECT_EQ(complaint_of([&] { parsed(text + "\"k500\": 1}]}"); }),
+              "test.json: /list/1: the key 'k500' appears twice in one object");
+    EXPECT_NO_THROW(parsed(text + "\"k1000\": 1}]}"));
+}
+
+// Functions that call themselves would run out of stack on it.
+TEST(JsonReader, ADeepNestIsRefused) {
+    EXPECT_NO_THROW(parsed(std::string(100, '[') + std::string(100, ']')));
+    EXPECT_THAT(complaint_of([] { parsed(std::string(1'000'000, '[')); }),
+                HasSubstr("nested more than 100 deep"));
+}
+
+TEST(JsonReader, ATooLargeNumberIsNamedWithItsLine) {
+    EXPECT_THAT(complaint_of([] { parsed("{\"a\":\n 1e999}"); }), StartsWith("test.json: line 2, column "));
+}
+
+TEST(JsonReader, OutlivesTheReaderThatItCameFrom) {
+    const auto inner = [] { return parsed(R"({"a": [5]})").at("a").elements()[0]; }();
+    EXPECT_EQ(inner.number(), 5);
+    EXPECT_EQ(inner.pointer(), "/a/0");
+}
+
 TEST(JsonReader, AnUnknownKeyIsRefusedWithTheNearestKnownOne) {
     const auto json = parsed(R"({"lenght": 1})");
     EXPECT_EQ(complaint_of([&] {
@@ -96,6 +121,11 @@ TEST(JsonReader, PointersEscapeTheirSpecialCharacters) {
 TEST(JsonReader, LongValuesAreShortenedInMessages) {
     const auto json = parsed("{\"a\": \"" + std::string(5000, 'x') + "\"}");
     EXPECT_LT(complaint_of([&] { (void)json.at("a").number(); }).size(), 200U);
+    EXPECT_LT(complaint_of([&] { json.allow_only({"b"}); }).size(), 200U);
+    const std::string key(5000, 'k');
+    EXPECT_LT(complaint_of([&] { parsed("{\"" + key + "\": 1}").allow_only({"b"}); }).size(), 300U);
+    EXPECT_LT(complaint_of([&] { parsed("{\"a\": " + key + "}"); }).size(), 300U);
+    EXPECT_LT(complaint_of([&] { parsed("{\"a\": 1" + std::string(5000, '0') + "}"); }).size(), 300U);
 }
 
 }  // namespace

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "support.hpp"
 
-#include <fretwork/base/detail/json_text.hpp>
+#include <fretwork/base/internal/json_text.hpp>
 
 #include <limits>
 
-namespace fretwork::base::detail {
+namespace fretwork::base {
 namespace {
 
 TEST(JsonText, ReadsBackAsTheSameDocument) {
@@ -23,6 +23,16 @@ TEST(JsonText, PutsARowOfNumbersOnOneLine) {
     EXPECT_EQ(json_text(document), "{\n  \"rows\": [\n    [1, 2, 3],\n    [4, 5, 6]\n  ]\n}\n");
 }
 
+// C0, C1, a mark that turns the direction of writing, and DEL; an umlaut is no danger.
+TEST(JsonText, EscapesWhatATerminalObeys) {
+    const Json document = "a\x1b[31m\xc2\x9b\xe2\x80\xae\x7f\xc3\xa4";
+    const std::string text = json_text(document);
+    for (const char* harmful : {"\x1b", "\xc2\x9b", "\xe2\x80\xae", "\x7f"})
+        EXPECT_THAT(text, testing::Not(testing::HasSubstr(harmful)));
+    EXPECT_EQ(Json::parse(text), document);
+    EXPECT_EQ(json_text(Json("\xc3\xa4")), "\"\xc3\xa4\"\n");
+}
+
 TEST(JsonText, RefusesNumbersThatAreNotFinite) {
     Json document;
     document["bad"] = {1.0, std::numeric_limits<double>::quiet_NaN()};
@@ -30,4 +40,4 @@ TEST(JsonText, RefusesNumbersThatAreNotFinite) {
 }
 
 }  // namespace
-}  // namespace fretwork::base::detail
+}  // namespace fretwork::base

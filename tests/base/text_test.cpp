@@ -19,12 +19,29 @@ TEST(Split, IsUndoneByJoin) {
     for (const std::string text : {"", "a", "a,b", ",a,,b,"}) EXPECT_EQ(join(split(text, ','), ","), text);
 }
 
-TEST(NearestName, FindsASlipOfThePenAndNothingFar) {
+TEST(NearestName, FindsTyposAndNothingFar) {
     const std::vector<std::string> names = {"bending", "dome", "saddle"};
     EXPECT_EQ(nearest_name("bendign", names), "bending");
     EXPECT_EQ(nearest_name("sadle", names), "saddle");
     EXPECT_EQ(nearest_name("torsion", names), std::nullopt);
     EXPECT_EQ(nearest_name("x", {}), std::nullopt);
+}
+
+TEST(Text, PrintableShowsWhatATerminalWouldObey) {
+    EXPECT_EQ(printable("plain, \xc3\xa4 and \xe2\x82\xac"), "plain, \xc3\xa4 and \xe2\x82\xac");
+    EXPECT_EQ(printable("a\x1b[31m\nb\x7f"), "a\\x1b[31m\\x0ab\\x7f");
+    EXPECT_EQ(printable("\xc2\x9b|\xe2\x80\xae|\xe2\x81\xa6"), "\\u{009b}|\\u{202e}|\\u{2066}");
+    EXPECT_EQ(printable("\xff|\xc3|\xe2\x80"), "\\xff|\\xc3|\\xe2\\x80") << "no UTF-8";
+    EXPECT_EQ(printable("\xc0\x9b"), "\\xc0\\x9b") << "an overlong form";
+}
+
+TEST(Text, ShortenedKeepsStartAndEnd) {
+    EXPECT_EQ(shortened("0123456789", 10), "0123456789");
+    EXPECT_EQ(shortened("0123456789abcdef", 10), "0123...def");
+    std::string umlauts;
+    for (int i = 0; i < 20; ++i) umlauts += "\xc3\xa4";
+    EXPECT_EQ(shortened(umlauts, 20), umlauts);
+    EXPECT_EQ(shortened(umlauts, 10), umlauts.substr(0, 8) + "..." + umlauts.substr(0, 6));
 }
 
 }  // namespace

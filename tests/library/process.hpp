@@ -22,8 +22,8 @@ inline int status_of(const std::function<void()>& work) {
     return status;
 }
 
-/// Kill a child process that does `work` after so many microseconds.
-inline void kill_after(useconds_t delay, const std::function<void()>& work) {
+/// Kill a process of its own that does `work` after so many microseconds. False if it had ended before.
+inline bool kill_after(useconds_t delay, const std::function<void()>& work) {
     const pid_t child = ::fork();
     if (child == 0) {
         work();
@@ -31,7 +31,9 @@ inline void kill_after(useconds_t delay, const std::function<void()>& work) {
     }
     ::usleep(delay);
     ::kill(child, SIGKILL);
-    ::waitpid(child, nullptr, 0);
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    return WIFSIGNALED(status);
 }
 
 /// Limit the files of this process to `bytes`. A write beyond raises SIGXFSZ, whose handler decides.

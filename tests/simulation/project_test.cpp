@@ -112,7 +112,7 @@ TEST(ProjectFile, RefusesInconsistentContentWithItsPlace) {
                 HasSubstr("/tessellation"));
     EXPECT_THAT(complaint_after("\"other\"", "\"cantilever\""), HasSubstr("the name of two load cases"));
     EXPECT_THAT(complaint_after("fretwork/project/2", "fretwork/project/9"),
-                HasSubstr("unknown choice 'fretwork/project/9'"));
+                HasSubstr("\"fretwork/project/2\" or \"fretwork/project/1\""));
     EXPECT_THAT(complaint_after("\"1/3\"", "\"1/0\""), HasSubstr("/layout"));
 }
 

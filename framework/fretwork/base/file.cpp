@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/detail/open_file.hpp>
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/file.hpp>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
-#include <fstream>
-#include <sstream>
+#include <new>
 #include <sys/stat.h>
 #include <system_error>
 #include <unistd.h>
@@ -14,93 +15,52 @@
 namespace fretwork::base {
 namespace {
 
-[[noreturn]] void fail_to_write(const std::filesystem::path& path, int error_number) {
-    throw IoError(path.string() + ": cannot be written: " + std::strerror(error_number));
+/// Neither a folder nor a device that gives no end; a terminal is somebody who writes.
+void check_readable(const std::filesystem::path& path, int descriptor, const struct stat& status) {
+    if (S_ISDIR(status.st_mode)) throw InputError(path.string(), "", "is a folder, where a file is needed");
+    if (S_ISBLK(status.st_mode) || (S_ISCHR(status.st_mode) && ::isatty(descriptor) == 0))
+        throw InputError(path.string(), "", "is a device, where a file is needed");
 }
 
-/// A file that vanishes again unless it is renamed into place. Devices and pipes (/dev/stdout) cannot be
-/// replaced, only written.
-class TemporaryFile {
-  public:
-    explicit TemporaryFile(std::filesystem::path target) : target_(std::move(target)) {
-        std::error_code ignored;
-        if (std::filesystem::exists(target_, ignored) &&
-            !std::filesystem::is_regular_file(target_, ignored)) {
-            descriptor_ = ::open(target_.c_str(), O_WRONLY | O_CLOEXEC);
-        } else {
-            path_ = target_.string() + ".XXXXXX";
-            descriptor_ = ::mkstemp(path_.data());
-        }
-        if (descriptor_ >= 0) return;
-        const int error_number = errno;
-        path_.clear();
-        fail_to_write(target_, error_number);
+/// @param expected  the size as the file system tells it; 0 for pipes, which may have no end
+std::string read_to_end(int descriptor, const std::filesystem::path& path, std::size_t expected) {
+    constexpr std::size_t kMostOfPipe = std::size_t{1} << 30U;
+    constexpr std::size_t kPiece = 1U << 16U;
+    std::string content(expected + kPiece, '\0');
+    std::size_t size = 0;
+    for (;;) {
+        const ssize_t got = ::read(descriptor, content.data() + size, content.size() - size);
+        if (got < 0 && errno == EINTR) continue;
+        if (got < 0)
+            throw InputError(path.string(), "", std::string("cannot be read: ") + std::strerror(errno));
+        if (got == 0) break;
+        size += static_cast<std::size_t>(got);
+        if (size > std::max(2 * expected, kMostOfPipe))
+            throw InputError(path.string(), "",
+                             "does not end within 1 GiB, which is all that is read of a pipe");
+        if (size == content.size()) content.resize(2 * size);
     }
-    TemporaryFile(const TemporaryFile&) = delete;
-    TemporaryFile& operator=(const TemporaryFile&) = delete;
-    ~TemporaryFile() {
-        if (descriptor_ >= 0) ::close(descriptor_);
-        if (!path_.empty()) ::unlink(path_.c_str());
-    }
-
-    void write(std::string_view content) const {
-        while (!content.empty()) {
-            const ssize_t written = ::write(descriptor_, content.data(), content.size());
-            if (written < 0 && errno == EINTR) continue;
-            if (written < 0) fail_to_write(target_, errno);
-            content.remove_prefix(static_cast<std::size_t>(written));
-        }
-    }
-
-    /// Devices and pipes have no disk to wait for.
-    void synchronize() const {
-        if (!path_.empty() && ::fsync(descriptor_) != 0) fail_to_write(target_, errno);
-    }
-
-    void move_into_place() {
-        if (path_.empty()) return close_device();
-        if (::fchmod(descriptor_, wanted_mode()) != 0) fail_to_write(target_, errno);
-        const int closed = ::close(descriptor_);
-        descriptor_ = -1;
-        if (closed != 0 || ::rename(path_.c_str(), target_.c_str()) != 0) fail_to_write(target_, errno);
-        path_.clear();
-    }
-
-  private:
-    void close_device() {
-        const int closed = ::close(descriptor_);
-        descriptor_ = -1;
-        if (closed != 0) fail_to_write(target_, errno);
-    }
-
-    /// mkstemp makes files that only their owner may read; a result is as open as the umask allows, or as it
-    /// was.
-    [[nodiscard]] mode_t wanted_mode() const {
-        struct stat existing {};
-        if (::stat(target_.c_str(), &existing) == 0) return existing.st_mode & 0777U;
-        const mode_t mask = ::umask(0);
-        ::umask(mask);
-        return 0666U & ~mask;
-    }
-
-    std::filesystem::path target_;
-    std::string path_;
-    int descriptor_ = -1;
-};
+    content.resize(size);
+    return content;
+}
 
 }  // namespace
 
 std::string read_text_file(const std::filesystem::path& path) {
-    std::error_code ignored;
-    if (std::filesystem::is_directory(path, ignored)) {
-        throw InputError(path.string(), "", "is a folder, where a file is needed");
+    const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    if (descriptor < 0)
+        throw InputError(path.string(), "", std::string("cannot be read: ") + std::strerror(errno));
+    const detail::OpenFile file(descriptor);
+    struct stat status {};
+    if (::fstat(descriptor, &status) != 0)
+        throw InputError(path.string(), "", std::string("cannot be read: ") + std::strerror(errno));
+    check_readable(path, descriptor, status);
+    try {
+        return read_to_end(descriptor, path, static_cast<std::size_t>(status.st_size));
+    } catch (const std::bad_alloc&) {
+        throw InputError(path.string(), "",
+                         "is too large for the memory: " + std::to_string(status.st_size) + " bytes");
     }
-    std::ifstream stream(path, std::ios::binary);
-    if (!stream) throw InputError(path.string(), "", std::string("cannot be read: ") + std::strerror(errno));
-    std::ostringstream content;
-    content << stream.rdbuf();
-    if (stream.bad()) throw InputError(path.string(), "", "cannot be read to its end");
-    return std::move(content).str();
 }
 
 std::filesystem::path link_target(std::filesystem::path path) {
@@ -112,59 +72,6 @@ std::filesystem::path link_target(std::filesystem::path path) {
         path = path.parent_path() / target;
     }
     return path;
-}
-
-struct AtomicFile::Impl {
-    explicit Impl(const std::filesystem::path& target) : file(target) { buffer.reserve(kBufferSize); }
-    void flush() {
-        file.write(buffer);
-        buffer.clear();
-    }
-    static constexpr std::size_t kBufferSize = 1U << 16U;
-    TemporaryFile file;
-    std::string buffer;
-};
-
-AtomicFile::AtomicFile(std::filesystem::path path) {
-    std::error_code ignored;
-    if (std::filesystem::is_directory(path, ignored)) {
-        throw IoError(path.string() + ": is a folder, where a file is to be written");
-    }
-    impl_ = std::make_unique<Impl>(path);
-}
-AtomicFile::AtomicFile(AtomicFile&&) noexcept = default;
-AtomicFile& AtomicFile::operator=(AtomicFile&&) noexcept = default;
-AtomicFile::~AtomicFile() = default;
-
-void AtomicFile::write(std::string_view content) {
-    impl_->buffer += content;
-    if (impl_->buffer.size() >= Impl::kBufferSize) impl_->flush();
-}
-
-void AtomicFile::flush() {
-    impl_->flush();
-    impl_->file.synchronize();
-}
-
-void AtomicFile::commit() {
-    flush();
-    impl_->file.move_into_place();
-}
-
-void FileBatch::add(const std::filesystem::path& path, std::string_view content) {
-    files_.emplace_back(path).write(content);
-}
-
-void FileBatch::commit() {
-    for (AtomicFile& file : files_) file.flush();
-    for (AtomicFile& file : files_) file.commit();
-    files_.clear();
-}
-
-void write_file_atomically(const std::filesystem::path& path, std::string_view content) {
-    AtomicFile file(path);
-    file.write(content);
-    file.commit();
 }
 
 }  // namespace fretwork::base

@@ -9,16 +9,17 @@
 
 namespace fretwork::base {
 
-/// Read a whole file. Throws InputError if it is missing, a folder, or unreadable.
+/// Read a whole file. Throws InputError if it is missing, a folder, a device, unreadable, or longer than 4
+/// GiB.
 std::string read_text_file(const std::filesystem::path& path);
 
 /// The file that is read or written under this name: where a chain of symbolic links ends, which may be a
 /// file that is not there yet.
 std::filesystem::path link_target(std::filesystem::path path);
 
-/// Put `content` in the place of `path`, all of it or nothing: a temporary file beside it is written, flushed
-/// to the disk and renamed. Throws IoError (folder missing, no permission, disk full), and then `path` is as
-/// it was.
+/// Put `content` in the place of `path`, all of it or nothing: a scratch file beside it is written, flushed
+/// to the disk and renamed. A symbolic link stays, and the file that it leads to is replaced. Throws IoError
+/// (folder missing, no permission, disk full), and then `path` is as it was.
 void write_file_atomically(const std::filesystem::path& path, std::string_view content);
 
 /// The same for content that comes piece by piece and may be large. What is never committed leaves no trace;
@@ -53,6 +54,28 @@ class FileBatch {
 
   private:
     std::vector<AtomicFile> files_;
+};
+
+/// Many files of one folder, which is made if it is not there: they appear in it when they are committed, and
+/// wait for the disk once. If a file cannot be written, the folder is as it was.
+class FolderBatch {
+  public:
+    /// Throws IoError.
+    explicit FolderBatch(std::filesystem::path folder);
+    FolderBatch(FolderBatch&&) noexcept;
+    FolderBatch& operator=(FolderBatch&&) noexcept;
+    ~FolderBatch();
+
+    /// Where the files are until they are committed; others than those that are added may be written here.
+    [[nodiscard]] const std::filesystem::path& path() const;
+    /// Throws IoError.
+    void add(const std::string& name, std::string_view content);
+    /// Throws IoError.
+    void commit();
+
+  private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace fretwork::base

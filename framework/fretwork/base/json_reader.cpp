@@ -1,235 +1,203 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/detail/json_document.hpp>
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/file.hpp>
 #include <fretwork/base/json_reader.hpp>
 #include <fretwork/base/text.hpp>
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 namespace fretwork::base {
 
-using Json = nlohmann::ordered_json;
+using detail::JsonValue;
 
-struct JsonReader::Value {
-    std::shared_ptr<const Json> document;
-    std::shared_ptr<const std::string> source;
-    const Json* json;
-    std::string pointer;
-
-    [[nodiscard]] std::shared_ptr<const Value> child(const Json& member, const std::string& key) const {
-        return std::make_shared<const Value>(Value{document, source, &member, pointer + "/" + key});
-    }
+struct JsonReader::Document {
+    std::string source;
+    JsonValue root;
 };
 
-namespace {
-
-/// RFC 6901: '~' and '/' are escaped in a pointer.
-std::string escaped(const std::string& key) {
-    std::string text;
-    for (const char c : key) text += c == '~' ? "~0" : c == '/' ? "~1" : std::string(1, c);
-    return text;
-}
-
-std::string line_and_column(std::string_view text, std::size_t byte) {
-    const std::string_view before = text.substr(0, std::min(byte == 0 ? 0 : byte - 1, text.size()));
-    const auto line = std::count(before.begin(), before.end(), '\n') + 1;
-    const std::size_t line_start = before.rfind('\n') == std::string_view::npos ? 0 : before.rfind('\n') + 1;
-    return "line " + std::to_string(line) + ", column " + std::to_string(before.size() - line_start + 1);
-}
-
-/// nlohmann keeps the last of two equal keys without a word; a strict reader may not.
-class RepeatedKeys {
-  public:
-    bool operator()(int, Json::parse_event_t event, Json& parsed) {
-        if (event == Json::parse_event_t::object_start) open_.emplace_back();
-        if (event == Json::parse_event_t::object_end) open_.pop_back();
-        if (event == Json::parse_event_t::key && !open_.back().insert(parsed.get<std::string>()).second) {
-            repeated_ = parsed.get<std::string>();
-        }
-        return true;
+struct JsonReader::Access {
+    static const JsonValue& value(const JsonReader& reader) {
+        return *static_cast<const JsonValue*>(reader.value_);
     }
-    [[nodiscard]] const std::optional<std::string>& repeated() const { return repeated_; }
+    static JsonReader child(const JsonReader& reader, const JsonValue& value) {
+        return {reader.document_, &value};
+    }
+    static const JsonValue::object_t& object(const JsonReader& reader) {
+        if (!reader.is_object()) refuse(reader, "an object");
+        return value(reader).get_ref<const JsonValue::object_t&>();
+    }
+    static const JsonValue::array_t& array(const JsonReader& reader) {
+        if (!reader.is_array()) refuse(reader, "an array");
+        return value(reader).get_ref<const JsonValue::array_t&>();
+    }
+    static const JsonValue::array_t& array(const JsonReader& reader, std::size_t count) {
+        const auto& values = array(reader);
+        if (values.size() != count) {
+            reader.fail("has " + std::to_string(values.size()) + " elements, where " + std::to_string(count) +
+                        " are needed");
+        }
+        return values;
+    }
+    [[noreturn]] static void refuse(const JsonReader& reader, const std::string& wanted) {
+        reader.fail("is " + description(value(reader)) + ", where " + wanted + " is needed");
+    }
 
   private:
-    std::vector<std::set<std::string>> open_;
-    std::optional<std::string> repeated_;
+    /// The value itself, unless it is too much for a message.
+    static std::string description(const JsonValue& json) {
+        constexpr std::size_t kMostShown = 60;
+        constexpr std::size_t kFew = 8;
+        if (json.is_array() && json.size() > kFew) return "an array of " + std::to_string(json.size());
+        if (json.is_object() && json.size() > kFew)
+            return "an object with " + std::to_string(json.size()) + " keys";
+        return shortened(json.dump(-1, ' ', false, JsonValue::error_handler_t::replace), kMostShown);
+    }
 };
-
-/// "[json.exception.parse_error.101] parse error at line 1, column 2: syntax error ..." says the place once
-/// too often.
-std::string parse_complaint(const std::string& what) {
-    const std::size_t start = what.find(": ");
-    return start == std::string::npos ? what : what.substr(start + 2);
-}
-
-std::string shortened(const Json& json) {
-    constexpr std::size_t kMost = 60;
-    const std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
-    return text.size() <= kMost ? text : text.substr(0, kMost) + "...";
-}
-
-}  // namespace
 
 JsonReader JsonReader::from_file(const std::filesystem::path& path) {
     return from_text(read_text_file(path), path.string());
 }
 
 JsonReader JsonReader::from_text(std::string_view text, std::string source) {
-    RepeatedKeys keys;
-    try {
-        auto document = std::make_shared<const Json>(Json::parse(text, std::ref(keys)));
-        if (keys.repeated())
-            throw InputError(source, "", "the key '" + *keys.repeated() + "' appears twice in one object");
-        const Json* json = document.get();
-        auto name = std::make_shared<const std::string>(std::move(source));
-        return JsonReader(
-            std::make_shared<const Value>(Value{std::move(document), std::move(name), json, ""}));
-    } catch (const Json::parse_error& error) {
-        throw InputError(source, line_and_column(text, error.byte),
-                         "malformed JSON: " + parse_complaint(error.what()));
-    } catch (const Json::out_of_range&) {
-        throw InputError(source, "", "holds a number that is too large for double precision (above 1.8e308)");
-    } catch (const Json::exception& error) {
-        throw InputError(source, "", std::string("malformed JSON: ") + parse_complaint(error.what()));
-    }
+    JsonValue root = detail::parse_json(text, source);
+    auto document = std::make_shared<const Document>(Document{std::move(source), std::move(root)});
+    const JsonValue* value = &document->root;
+    return {std::move(document), value};
 }
 
 void JsonReader::fail(const std::string& message) const {
-    throw InputError(source(), value_->pointer.empty() ? "/" : value_->pointer, message);
+    constexpr std::size_t kMostShown = 80;
+    const std::string place = shortened(pointer(), kMostShown);
+    throw InputError(source(), place.empty() ? "/" : place, message);
 }
 
-void JsonReader::expect_format(std::string_view kind) const {
-    const std::string wanted = "fretwork/" + std::string(kind) + "/1";
-    if (at("format").string() != wanted)
-        at("format").fail("is " + at("format").text() + ", where \"" + wanted + "\" is needed");
+void JsonReader::expect_format(std::string_view kind, int newest) const {
+    const JsonReader format = at("format");
+    const std::string given = format.string();
+    std::vector<std::string> known;
+    for (int number = newest; number >= 1; --number) {
+        known.push_back("\"fretwork/" + std::string(kind) + "/" + std::to_string(number) + "\"");
+        if ("\"" + given + "\"" == known.back()) return;
+    }
+    Access::refuse(format, join(known, " or "));
 }
 
 void JsonReader::allow_only(std::initializer_list<std::string_view> keys) const {
-    const std::vector<std::string> known(keys.begin(), keys.end());
-    for (const auto& [key, member] : members()) {
-        if (std::find(known.begin(), known.end(), key) == known.end()) {
-            member.fail(unknown_name_message("key", key, known));
-        }
+    for (const auto& [key, member] : Access::object(*this)) {
+        if (std::ranges::find(keys, key) != keys.end()) continue;
+        const std::vector<std::string> known(keys.begin(), keys.end());
+        Access::child(*this, member).fail(unknown_name_message("key", key, known));
     }
 }
 
 std::optional<JsonReader> JsonReader::find(std::string_view key) const {
-    if (!is_object()) fail("is " + shortened(*value_->json) + ", where an object is needed");
-    const std::string name(key);
-    const auto member = value_->json->find(name);
-    if (member == value_->json->end()) return std::nullopt;
-    return JsonReader(value_->child(*member, escaped(name)));
+    for (const auto& [name, member] : Access::object(*this)) {
+        if (name == key) return Access::child(*this, member);
+    }
+    return std::nullopt;
 }
 
 JsonReader JsonReader::at(std::string_view key) const {
-    if (auto member = find(key)) return *member;
+    if (auto member = find(key)) return *std::move(member);
     fail("the key '" + std::string(key) + "' is missing");
 }
 
 std::vector<std::pair<std::string, JsonReader>> JsonReader::members() const {
-    if (!is_object()) fail("is " + shortened(*value_->json) + ", where an object is needed");
+    const auto& object = Access::object(*this);
     std::vector<std::pair<std::string, JsonReader>> list;
-    for (const auto& [key, member] : value_->json->items()) {
-        list.emplace_back(key, JsonReader(value_->child(member, escaped(key))));
-    }
+    list.reserve(object.size());
+    for (const auto& [key, member] : object) list.emplace_back(key, Access::child(*this, member));
     return list;
 }
 
 std::vector<JsonReader> JsonReader::elements() const {
-    if (!is_array()) fail("is " + shortened(*value_->json) + ", where an array is needed");
+    const auto& array = Access::array(*this);
     std::vector<JsonReader> list;
-    list.reserve(value_->json->size());
-    for (std::size_t i = 0; i < value_->json->size(); ++i) {
-        list.push_back(JsonReader(value_->child((*value_->json)[i], std::to_string(i))));
-    }
+    list.reserve(array.size());
+    for (const JsonValue& element : array) list.push_back(Access::child(*this, element));
     return list;
 }
 
 std::vector<JsonReader> JsonReader::elements(std::size_t count) const {
-    auto list = elements();
-    if (list.size() != count) {
-        fail("has " + std::to_string(list.size()) + " elements, where " + std::to_string(count) +
-             " are needed");
-    }
-    return list;
+    (void)Access::array(*this, count);
+    return elements();
 }
 
 bool JsonReader::is_object() const {
-    return value_->json->is_object();
+    return Access::value(*this).is_object();
 }
 bool JsonReader::is_array() const {
-    return value_->json->is_array();
+    return Access::value(*this).is_array();
 }
 bool JsonReader::is_number() const {
-    return value_->json->is_number();
+    return Access::value(*this).is_number();
 }
 bool JsonReader::is_string() const {
-    return value_->json->is_string();
+    return Access::value(*this).is_string();
 }
 
 double JsonReader::number() const {
-    if (!is_number()) fail("is " + shortened(*value_->json) + ", where a number is needed");
-    const auto value = value_->json->get<double>();
-    if (!std::isfinite(value)) fail("is " + shortened(*value_->json) + ", where a finite number is needed");
+    if (!is_number()) Access::refuse(*this, "a number");
+    const auto value = Access::value(*this).get<double>();
+    if (!std::isfinite(value)) Access::refuse(*this, "a finite number");
     return value;
 }
 
 double JsonReader::positive_number() const {
     const double value = number();
-    if (!(value > 0)) fail("is " + text() + ", where a number above zero is needed");
+    if (!(value > 0)) Access::refuse(*this, "a number above zero");
     return value;
 }
 
 std::vector<double> JsonReader::numbers(std::size_t count) const {
     std::vector<double> list;
-    for (const JsonReader& element : elements(count)) list.push_back(element.number());
+    list.reserve(count);
+    for (const JsonValue& element : Access::array(*this, count))
+        list.push_back(Access::child(*this, element).number());
     return list;
 }
 
 long long JsonReader::integer(long long low, long long high) const {
-    const std::string wanted = "a whole number from " + std::to_string(low) + " to " + std::to_string(high);
-    if (!value_->json->is_number_integer())
-        fail("is " + shortened(*value_->json) + ", where " + wanted + " is needed");
+    const JsonValue& json = Access::value(*this);
     // An unsigned value above the signed range would turn negative.
-    const bool too_large =
-        value_->json->is_number_unsigned() &&
-        value_->json->get<unsigned long long>() > static_cast<unsigned long long>(std::max(high, 0LL));
-    const auto value = value_->json->get<long long>();
-    if (too_large || value < low || value > high) fail("is " + text() + ", where " + wanted + " is needed");
-    return value;
+    const bool is_too_large =
+        json.is_number_unsigned() &&
+        json.get<unsigned long long>() > static_cast<unsigned long long>(std::max(high, 0LL));
+    const bool fits = json.is_number_integer() && !is_too_large && json.get<long long>() >= low &&
+                      json.get<long long>() <= high;
+    if (!fits)
+        Access::refuse(*this, "a whole number from " + std::to_string(low) + " to " + std::to_string(high));
+    return json.get<long long>();
 }
 
 bool JsonReader::boolean() const {
-    if (!value_->json->is_boolean())
-        fail("is " + shortened(*value_->json) + ", where true or false is needed");
-    return value_->json->get<bool>();
+    const JsonValue& json = Access::value(*this);
+    if (!json.is_boolean()) Access::refuse(*this, "true or false");
+    return json.get<bool>();
 }
 
 std::string JsonReader::string() const {
-    if (!is_string()) fail("is " + shortened(*value_->json) + ", where a text is needed");
-    return value_->json->get<std::string>();
+    if (!is_string()) Access::refuse(*this, "a text");
+    return Access::value(*this).get<std::string>();
 }
 
 std::string JsonReader::choice(std::initializer_list<std::string_view> choices) const {
     std::string value = string();
+    if (std::ranges::find(choices, value) != choices.end()) return value;
     const std::vector<std::string> known(choices.begin(), choices.end());
-    if (std::find(known.begin(), known.end(), value) == known.end())
-        fail(unknown_name_message("choice", value, known));
-    return value;
+    fail(unknown_name_message("choice", value, known));
 }
 
 std::string JsonReader::text() const {
-    return value_->json->dump(-1, ' ', false, Json::error_handler_t::replace);
+    return Access::value(*this).dump(-1, ' ', false, JsonValue::error_handler_t::replace);
 }
 std::string JsonReader::source() const {
-    return *value_->source;
+    return document_->source;
 }
 std::string JsonReader::pointer() const {
-    return value_->pointer;
+    return detail::pointer_of(document_->root, Access::value(*this));
 }
 
 }  // namespace fretwork::base

@@ -17,6 +17,9 @@ namespace fretwork::base {
 /// Reading is strict: whatever is not asked for is an error. Every complaint is an InputError that names the
 /// source, the JSON pointer, the value, and what would be valid. Numbers are finite; a key that appears twice
 /// is refused.
+///
+/// A reader is a handle and cheap to copy; it keeps the document alive. The pointer is looked for when a
+/// message needs it.
 class JsonReader {
   public:
     /// Throws InputError (missing file, malformed JSON with line and column, repeated key).
@@ -25,7 +28,7 @@ class JsonReader {
     static JsonReader from_text(std::string_view text, std::string source);
 
     /// The document's `"format"` must be "fretwork/<kind>/1".
-    void expect_format(std::string_view kind) const;
+    void expect_format(std::string_view kind, int newest = 1) const;
     /// This must be an object with no other keys than these.
     void allow_only(std::initializer_list<std::string_view> keys) const;
 
@@ -65,9 +68,12 @@ class JsonReader {
     [[noreturn]] void fail(const std::string& message) const;
 
   private:
-    struct Value;
-    explicit JsonReader(std::shared_ptr<const Value> value) : value_(std::move(value)) {}
-    std::shared_ptr<const Value> value_;
+    struct Document;
+    struct Access;  ///< to the value as the parser's type, which users do not see
+    JsonReader(std::shared_ptr<const Document> document, const void* value)
+        : document_(std::move(document)), value_(value) {}
+    std::shared_ptr<const Document> document_;
+    const void* value_;  ///< one of the document's
 };
 
 }  // namespace fretwork::base

@@ -1,87 +1,35 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/sha256.hpp>
 
-#include <algorithm>
-#include <bit>
+#include <array>
+#include <nettle/sha2.h>
 
 namespace fretwork::base {
-namespace {
 
-constexpr std::size_t kBlock = 64;
+struct Sha256::State {
+    sha256_ctx context;
+};
 
-/// FIPS 180-4, Section 4.2.2: the fractional parts of the cube roots of the first 64 primes.
-constexpr std::array<std::uint32_t, 64> kRoundConstants = {
-    0x428a2f98, 0x71374491, 0xb5c0fbcf, 0xe9b5dba5, 0x3956c25b, 0x59f111f1, 0x923f82a4, 0xab1c5ed5,
-    0xd807aa98, 0x12835b01, 0x243185be, 0x550c7dc3, 0x72be5d74, 0x80deb1fe, 0x9bdc06a7, 0xc19bf174,
-    0xe49b69c1, 0xefbe4786, 0x0fc19dc6, 0x240ca1cc, 0x2de92c6f, 0x4a7484aa, 0x5cb0a9dc, 0x76f988da,
-    0x983e5152, 0xa831c66d, 0xb00327c8, 0xbf597fc7, 0xc6e00bf3, 0xd5a79147, 0x06ca6351, 0x14292967,
-    0x27b70a85, 0x2e1b2138, 0x4d2c6dfc, 0x53380d13, 0x650a7354, 0x766a0abb, 0x81c2c92e, 0x92722c85,
-    0xa2bfe8a1, 0xa81a664b, 0xc24b8b70, 0xc76c51a3, 0xd192e819, 0xd6990624, 0xf40e3585, 0x106aa070,
-    0x19a4c116, 0x1e376c08, 0x2748774c, 0x34b0bcb5, 0x391c0cb3, 0x4ed8aa4a, 0x5b9cca4f, 0x682e6ff3,
-    0x748f82ee, 0x78a5636f, 0x84c87814, 0x8cc70208, 0x90befffa, 0xa4506ceb, 0xbef9a3f7, 0xc67178f2};
-
-std::array<std::uint32_t, 64> message_schedule(const unsigned char* block) {
-    std::array<std::uint32_t, 64> words{};
-    for (std::size_t i = 0; i < 16; ++i) {
-        for (std::size_t byte = 0; byte < 4; ++byte) words[i] = words[i] << 8U | block[4 * i + byte];
-    }
-    for (std::size_t i = 16; i < words.size(); ++i) {
-        const std::uint32_t a = words[i - 15];
-        const std::uint32_t b = words[i - 2];
-        const std::uint32_t sigma0 = std::rotr(a, 7) ^ std::rotr(a, 18) ^ a >> 3U;
-        const std::uint32_t sigma1 = std::rotr(b, 17) ^ std::rotr(b, 19) ^ b >> 10U;
-        words[i] = words[i - 16] + sigma0 + words[i - 7] + sigma1;
-    }
-    return words;
+Sha256::Sha256() : state_(std::make_unique<State>()) {
+    sha256_init(&state_->context);
 }
-
-}  // namespace
-
-void Sha256::process_block(const unsigned char* block) {
-    const auto words = message_schedule(block);
-    auto [a, b, c, d, e, f, g, h] = state_;
-    for (std::size_t i = 0; i < words.size(); ++i) {
-        const std::uint32_t sum1 = std::rotr(e, 6) ^ std::rotr(e, 11) ^ std::rotr(e, 25);
-        const std::uint32_t first = h + sum1 + ((e & f) ^ (~e & g)) + kRoundConstants[i] + words[i];
-        const std::uint32_t sum0 = std::rotr(a, 2) ^ std::rotr(a, 13) ^ std::rotr(a, 22);
-        const std::uint32_t second = sum0 + ((a & b) ^ (a & c) ^ (b & c));
-        h = g;
-        g = f;
-        f = e;
-        e = d + first;
-        d = c;
-        c = b;
-        b = a;
-        a = first + second;
-    }
-    const std::array<std::uint32_t, 8> change = {a, b, c, d, e, f, g, h};
-    for (std::size_t i = 0; i < state_.size(); ++i) state_[i] += change[i];
-}
+Sha256::Sha256(Sha256&&) noexcept = default;
+Sha256& Sha256::operator=(Sha256&&) noexcept = default;
+Sha256::~Sha256() = default;
 
 void Sha256::update(std::string_view bytes) {
-    while (!bytes.empty()) {
-        const std::size_t filled = length_ % kBlock;
-        const std::size_t taken = std::min(kBlock - filled, bytes.size());
-        std::copy_n(bytes.begin(), taken, pending_.begin() + static_cast<std::ptrdiff_t>(filled));
-        length_ += taken;
-        bytes.remove_prefix(taken);
-        if (length_ % kBlock == 0) process_block(pending_.data());
-    }
+    sha256_update(&state_->context, bytes.size(), reinterpret_cast<const std::uint8_t*>(bytes.data()));
 }
 
 std::string Sha256::hexadecimal() const {
-    Sha256 padded = *this;
-    const std::uint64_t bits = length_ * 8;
-    padded.update("\x80");
-    while (padded.length_ % kBlock != kBlock - 8) padded.update(std::string_view("\0", 1));
-    for (int shift = 56; shift >= 0; shift -= 8) {
-        const char byte = static_cast<char>(bits >> static_cast<unsigned>(shift) & 0xffU);
-        padded.update(std::string_view(&byte, 1));
-    }
+    constexpr std::string_view kDigits = "0123456789abcdef";
+    sha256_ctx copy = state_->context;  // the digest ends a context
+    std::array<std::uint8_t, SHA256_DIGEST_SIZE> digest{};
+    sha256_digest(&copy, digest.size(), digest.data());
     std::string text;
-    for (const std::uint32_t word : padded.state_) {
-        for (int shift = 28; shift >= 0; shift -= 4)
-            text += "0123456789abcdef"[word >> static_cast<unsigned>(shift) & 0xfU];
+    for (const std::uint8_t byte : digest) {
+        text += kDigits[byte >> 4U];
+        text += kDigits[byte & 0xfU];
     }
     return text;
 }

@@ -24,6 +24,47 @@ std::size_t edit_distance(std::string_view left, std::string_view right) {
     return row.back();
 }
 
+/// A character of UTF-8, and how many bytes it takes; no code where the bytes are none.
+struct Character {
+    std::optional<char32_t> code;
+    std::size_t bytes = 1;
+};
+
+/// The first character of a text that is not empty. Overlong forms and surrogates are none.
+Character first_character(std::string_view text) {
+    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+    if (byte(0) < 0x80) return {byte(0), 1};
+    const std::size_t length = byte(0) >= 0xf0 ? 4 : byte(0) >= 0xe0 ? 3 : 2;
+    constexpr std::array<char32_t, 5> kLeast = {0, 0, 0x80, 0x800, 0x10000};
+    if (byte(0) < 0xc2 || byte(0) > 0xf4 || text.size() < length) return {};
+    char32_t code = byte(0) & (0xffU >> (length + 1));
+    for (std::size_t i = 1; i < length; ++i) {
+        if ((byte(i) & 0xc0U) != 0x80) return {};
+        code = code << 6U | (byte(i) & 0x3fU);
+    }
+    if (code < kLeast[length] || code > 0x10ffff || (code >= 0xd800 && code < 0xe000)) return {};
+    return {code, length};
+}
+
+/// Characters that a terminal obeys or that hide what is written: C0 and C1 controls, line and paragraph
+/// separators, marks of direction, characters of no width, and tags.
+bool is_harmful(char32_t code) {
+    struct Range {
+        char32_t first, last;
+    };
+    constexpr Range kHarmful[] = {{0x00, 0x1f},     {0x7f, 0x9f},      {0xad, 0xad},     {0x61c, 0x61c},
+                                  {0x200b, 0x200f}, {0x2028, 0x202e},  {0x2060, 0x206f}, {0xfeff, 0xfeff},
+                                  {0xfff9, 0xfffb}, {0xe0000, 0xe007f}};
+    return std::ranges::any_of(kHarmful, [&](const Range& r) { return r.first <= code && code <= r.last; });
+}
+
+std::string hexadecimal(unsigned long number, std::size_t digits) {
+    std::array<char, 16> buffer{};
+    const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), number, 16);
+    const std::string text(buffer.data(), result.ptr);
+    return std::string(digits - std::min(digits, text.size()), '0') + text;
+}
+
 }  // namespace
 
 std::string format_number(double value) {
@@ -58,7 +99,38 @@ std::string csv_field(std::string_view text) {
     return quoted + "\"";
 }
 
+std::string printable(std::string_view text) {
+    std::string shown;
+    while (!text.empty()) {
+        const Character character = first_character(text);
+        if (!character.code || (*character.code < 0x80 && is_harmful(*character.code))) {
+            shown += "\\x" + hexadecimal(static_cast<unsigned char>(text.front()), 2);
+        } else if (is_harmful(*character.code)) {
+            shown += "\\u{" + hexadecimal(*character.code, 4) + "}";
+        } else {
+            shown += text.substr(0, character.bytes);
+        }
+        text.remove_prefix(character.bytes);
+    }
+    return shown;
+}
+
+std::string shortened(std::string_view text, std::size_t most) {
+    constexpr std::string_view kGap = "...";
+    std::vector<std::size_t> starts;
+    for (std::size_t at = 0; at < text.size(); at += first_character(text.substr(at)).bytes)
+        starts.push_back(at);
+    if (starts.size() <= most) return std::string(text);
+    const std::size_t kept = most - kGap.size();
+    const std::size_t tail = kept / 2;
+    return std::string(text.substr(0, starts[kept - tail]))
+        .append(kGap)
+        .append(text.substr(starts[starts.size() - tail]));
+}
+
 std::optional<std::string> nearest_name(std::string_view word, std::span<const std::string> candidates) {
+    constexpr std::size_t kLongestName = 200;  // the distance takes time with the product of the lengths
+    if (word.size() > kLongestName) return std::nullopt;
     const std::size_t limit = std::max<std::size_t>(1, word.size() / 3);
     std::optional<std::string> nearest;
     std::size_t smallest = limit + 1;
@@ -74,7 +146,8 @@ std::optional<std::string> nearest_name(std::string_view word, std::span<const s
 
 std::string unknown_name_message(std::string_view kind, std::string_view word,
                                  std::span<const std::string> candidates) {
-    const std::string start = "unknown " + std::string(kind) + " '" + std::string(word) + "'; ";
+    constexpr std::size_t kMostShown = 60;
+    const std::string start = "unknown " + std::string(kind) + " '" + shortened(word, kMostShown) + "'; ";
     if (const auto nearest = nearest_name(word, candidates))
         return start + "did you mean '" + *nearest + "'?";
     return start + "there is: " + join(candidates, ", ");

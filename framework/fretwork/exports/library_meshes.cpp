@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fretwork/base/error.hpp>
-#include <fretwork/base/file.hpp>
 #include <fretwork/exports/library_meshes.hpp>
 #include <fretwork/exports/line_files.hpp>
 #include <fretwork/pattern/fan.hpp>
 #include <fretwork/reduction/paper6_tile.hpp>
-
-#include <system_error>
 
 namespace fretwork::exports {
 
@@ -23,14 +19,18 @@ LineSet pattern_lines(const pattern::NodeLayout& layout, const pattern::Pattern&
 
 std::size_t export_meshes(const library::Library& library, std::span<const library::PatternEntry> patterns,
                           const std::filesystem::path& folder, MeshKind kind) {
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    if (error) throw base::IoError(folder.string() + ": cannot be made: " + error.message());
+    base::FolderBatch files(folder);
+    const std::size_t count = add_meshes(library, patterns, kind, files);
+    files.commit();
+    return count;
+}
+
+std::size_t add_meshes(const library::Library& library, std::span<const library::PatternEntry> patterns,
+                       MeshKind kind, base::FolderBatch& batch) {
     const std::string ending = kind == MeshKind::Obj ? ".obj" : ".ply";
     std::size_t files = 0;
     const auto write = [&](const std::string& name, const LineSet& lines) {
-        base::write_file_atomically(folder / (name + ending),
-                                    kind == MeshKind::Obj ? obj_text(lines) : ply_text(lines));
+        batch.add(name + ending, kind == MeshKind::Obj ? obj_text(lines) : ply_text(lines));
         ++files;
     };
     for (const library::PatternEntry& entry : patterns) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <fretwork/base/file.hpp>
 #include <fretwork/exports/line_set.hpp>
 #include <fretwork/library/library.hpp>
 
@@ -22,5 +23,8 @@ enum class MeshKind { Obj, Ply };
 /// it is missing. Returns the number of files. Throws IoError.
 std::size_t export_meshes(const library::Library& library, std::span<const library::PatternEntry> patterns,
                           const std::filesystem::path& folder, MeshKind kind);
+/// The same as part of a batch, which its caller commits.
+std::size_t add_meshes(const library::Library& library, std::span<const library::PatternEntry> patterns,
+                       MeshKind kind, base::FolderBatch& batch);
 
 }  // namespace fretwork::exports

@@ -72,15 +72,19 @@ void collect_calibrations(const Database& database, SummariesById& by_id) {
     }
 }
 
-/// False if the file has appeared meanwhile, which is then untouched.
-bool make_file(const std::filesystem::path& path, const pattern::NodeLayout& layout,
-               const reduction::Setting& setting) {
+/// Make a file in the place of the draft, and move it to its own. False if the file has appeared meanwhile,
+/// which is then untouched.
+template <class Make>
+bool make_file(const std::filesystem::path& path, Make&& make) {
     const detail::Draft draft(path);
-    {
-        Database database(draft.path(), Database::Mode::CreateOrWrite);
-        initialize(database, layout, setting);
-    }
+    draft.fill([&] { make(draft.path()); });
     return draft.move_into_place();
+}
+
+void make_tables(const std::filesystem::path& path, const pattern::NodeLayout& layout,
+                 const reduction::Setting& setting) {
+    Database database(path, Database::Mode::CreateOrWrite);
+    initialize(database, layout, setting);
 }
 
 }  // namespace
@@ -117,7 +121,7 @@ Library Library::create(const std::filesystem::path& path, const pattern::NodeLa
         initialize(database, layout, setting);
         return Library(std::make_unique<Impl>(std::move(database)));
     }
-    if (!make_file(path, layout, setting))
+    if (!make_file(path, [&](const auto& draft) { make_tables(draft, layout, setting); }))
         throw base::IoError(path.string() + ": another process has made it meanwhile");
     return open(path, Access::ReadWrite);
 }
@@ -141,12 +145,16 @@ Library Library::open(const std::filesystem::path& path, Access access) {
 }
 
 Library Library::open_or_create(const std::filesystem::path& path, const pattern::NodeLayout& layout,
-                                const reduction::Setting& setting) {
+                                const reduction::Setting& setting,
+                                std::span<const pattern::Pattern> patterns) {
     // A process that was killed while it made the file has left an empty one; and another one may make it
     // at the same time.
     std::error_code ignored;
     if (!std::filesystem::exists(path, ignored)) {
-        (void)make_file(path, layout, setting);
+        (void)make_file(path, [&](const auto& draft) {
+            make_tables(draft, layout, setting);
+            if (!patterns.empty()) open(draft, Access::ReadWrite).add_patterns(patterns);
+        });
     } else if (std::filesystem::is_regular_file(path, ignored) &&
                detail::is_empty(Database(path, Database::Mode::Write))) {
         return create(path, layout, setting);

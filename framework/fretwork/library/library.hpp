@@ -96,9 +96,11 @@ class Library {
     /// A file of schema 3 is changed to this version's schema when it is opened for writing; else it is read
     /// as it is. Throws InputError if the file is missing, is no library, or is one of another version.
     static Library open(const std::filesystem::path& path, Access access = Access::ReadOnly);
-    /// Open the file for writing if there is one, and check its layout and setting; else create it.
+    /// Open the file for writing if there is one, and check its layout and setting; else create it with these
+    /// patterns in it: a new file that cannot hold all of them is not made.
     static Library open_or_create(const std::filesystem::path& path, const pattern::NodeLayout& layout,
-                                  const reduction::Setting& setting);
+                                  const reduction::Setting& setting,
+                                  std::span<const pattern::Pattern> patterns = {});
     Library(Library&&) noexcept;
     Library& operator=(Library&&) noexcept;
     ~Library();

@@ -79,7 +79,7 @@ void drop_settled_failures(Database& output) {
         "|| c.starts || ' budget ' || c.budget)");
 }
 
-void add_input(Database& output, const std::filesystem::path& input) {
+void attach_and_copy(Database& output, const std::filesystem::path& input) {
     Statement(output, "ATTACH ? AS other").bind_all(std::filesystem::absolute(input).string()).run();
     {
         Transaction transaction(output, Transaction::Kind::Write);
@@ -91,6 +91,18 @@ void add_input(Database& output, const std::filesystem::path& input) {
         transaction.commit();
     }
     output.execute("DETACH other");
+}
+
+/// The output is new and sound, so what SQLite says of the two is about the input.
+void add_input(Database& output, const std::filesystem::path& input) {
+    try {
+        attach_and_copy(output, input);
+    } catch (const base::InputError& error) {
+        std::string message = error.what();
+        const std::string blamed = output.path().string();
+        if (message.starts_with(blamed)) message.replace(0, blamed.size(), input.string());
+        throw base::InputError(message);
+    }
 }
 
 void merge_into(const std::filesystem::path& path, std::span<const std::filesystem::path> inputs) {
@@ -115,8 +127,10 @@ void merge(const std::filesystem::path& output, std::span<const std::filesystem:
         other.check_setting(first.setting());
     }
     const detail::Draft draft(output);
-    Library::create(draft.path(), first.layout(), first.setting());
-    merge_into(draft.path(), inputs);
+    draft.fill([&] {
+        Library::create(draft.path(), first.layout(), first.setting());
+        merge_into(draft.path(), inputs);
+    });
     if (!draft.move_into_place())
         throw base::IoError(output.string() + ": another process has made it meanwhile");
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fretwork/base/detail/json_text.hpp>
 #include <fretwork/base/file.hpp>
+#include <fretwork/base/internal/json_text.hpp>
 #include <fretwork/base/json_reader.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/mechanics/frame_file.hpp>
@@ -12,8 +12,8 @@
 namespace fretwork::mechanics {
 namespace {
 
+using base::Json;
 using base::JsonReader;
-using base::detail::Json;
 
 Eigen::Vector3d read_vector(const JsonReader& reader) {
     const std::vector<double> v = reader.numbers(3);
@@ -288,7 +288,7 @@ std::string frame_text(const Frame& frame) {
     for (const Eigen::Vector3d& node : frame.nodes) document["nodes"].push_back(vector_json(node));
     append_beams(document, frame);
     append_conditions(document, frame);
-    return base::detail::json_text(document);
+    return base::json_text(document);
 }
 
 void write_frame(const Frame& frame, const std::filesystem::path& path) {

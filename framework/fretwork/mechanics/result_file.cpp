@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fretwork/base/detail/json_text.hpp>
 #include <fretwork/base/file.hpp>
+#include <fretwork/base/internal/json_text.hpp>
 #include <fretwork/base/json_reader.hpp>
 #include <fretwork/base/provenance.hpp>
 #include <fretwork/mechanics/result_file.hpp>
@@ -10,8 +10,8 @@
 namespace fretwork::mechanics {
 namespace {
 
+using base::Json;
 using base::JsonReader;
-using base::detail::Json;
 
 constexpr Termination kTerminations[] = {Termination::Converged, Termination::LimitLoad,
                                          Termination::Diverged, Termination::IterationsSpent};
@@ -184,7 +184,7 @@ std::string result_text(const Result& result) {
     if (result.discretization_error) json["discretization_error"] = error_json(*result.discretization_error);
     for (const Mode& mode : result.buckling_modes)
         json["buckling_modes"].push_back({{"load_factor", mode.value}, {"shape", rows_json(mode.shape)}});
-    return base::detail::json_text(json);
+    return base::json_text(json);
 }
 
 void write_result(const Result& result, const std::filesystem::path& path) {
@@ -197,7 +197,7 @@ Result read_result(const std::filesystem::path& path) {
 
 Result parse_result(std::string_view text, const std::string& source) {
     const JsonReader document = JsonReader::from_text(text, source);
-    (void)document.at("format").choice({"fretwork/result/1", "fretwork/result/2"});
+    document.expect_format("result", 2);
     document.allow_only({"format",          "program",        "subject",
                          "solver",          "load_factor",    "converged",
                          "stable",          "stability",      "termination",

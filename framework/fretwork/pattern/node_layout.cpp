@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fretwork/base/detail/json_text.hpp>
 #include <fretwork/base/error.hpp>
+#include <fretwork/base/internal/json_text.hpp>
 #include <fretwork/base/json_reader.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/pattern/detail/embedded_layouts.hpp>
@@ -103,8 +103,8 @@ NodeLayout read_layout(const JsonReader& json) {
     return NodeLayout(std::move(description));
 }
 
-base::detail::Json write_shares(std::span<const Rational> shares) {
-    base::detail::Json json = base::detail::Json::array();
+base::Json write_shares(std::span<const Rational> shares) {
+    base::Json json = base::Json::array();
     for (const Rational& share : shares) json.push_back(share.text());
     return json;
 }
@@ -147,15 +147,15 @@ NodeLayout parse_node_layout(std::string_view text, std::string source) {
 
 std::string node_layout_text(const NodeLayout& layout) {
     const NodeLayoutDescription& description = layout.description();
-    base::detail::Json json = {{"format", "fretwork/layout/1"},
-                               {"name", description.name},
-                               {"center", description.center},
-                               {"corners", description.corners},
-                               {"radial", write_shares(description.radial)},
-                               {"face", base::detail::Json::array()},
-                               {"interface", write_shares(description.interface)}};
+    base::Json json = {{"format", "fretwork/layout/1"},
+                       {"name", description.name},
+                       {"center", description.center},
+                       {"corners", description.corners},
+                       {"radial", write_shares(description.radial)},
+                       {"face", base::Json::array()},
+                       {"interface", write_shares(description.interface)}};
     for (const auto& place : description.face) json["face"].push_back(write_shares(place));
-    return base::detail::json_text(json);
+    return base::json_text(json);
 }
 
 std::vector<std::string> layout_names() {

@@ -10,8 +10,8 @@
 namespace fretwork::reduction {
 namespace {
 
+using base::Json;
 using base::JsonReader;
-using base::detail::Json;
 
 /// More interface nodes than any polygon of a setting has.
 constexpr int kLargestInterfaceNode = 999;
@@ -119,7 +119,7 @@ Scenario parse_scenario(std::string_view text, std::string source) {
 std::string scenario_text(const Scenario& scenario) {
     Json json = detail::scenario_json(scenario);
     json["format"] = "fretwork/scenario/1";
-    return base::detail::json_text(json);
+    return base::json_text(json);
 }
 
 Scenario read_scenario(const std::filesystem::path& path) {

@@ -10,8 +10,8 @@
 namespace fretwork::reduction {
 namespace {
 
+using base::Json;
 using base::JsonReader;
-using base::detail::Json;
 
 mechanics::Material read_material(const JsonReader& json) {
     json.allow_only({"young_modulus", "poisson_ratio", "density", "shear_modulus"});
@@ -165,7 +165,7 @@ void write_setting(const Setting& setting, const std::filesystem::path& path) {
 }
 
 std::string setting_text(const Setting& setting) {
-    return base::detail::json_text(setting_json(setting));
+    return base::json_text(setting_json(setting));
 }
 
 std::string setting_difference(const Setting& wanted, const Setting& present) {

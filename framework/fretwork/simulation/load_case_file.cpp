@@ -8,8 +8,8 @@
 namespace fretwork::simulation {
 namespace {
 
+using base::Json;
 using base::JsonReader;
-using base::detail::Json;
 using mechanics::Dof;
 using mechanics::kDofNames;
 
@@ -195,7 +195,7 @@ LoadCase parse_load_case(std::string_view text, const std::string& source) {
 }
 
 std::string load_case_text(const LoadCase& load_case) {
-    return base::detail::json_text(detail::load_case_to_json(load_case));
+    return base::json_text(detail::load_case_to_json(load_case));
 }
 
 void write_load_case(const LoadCase& load_case, const std::filesystem::path& path) {

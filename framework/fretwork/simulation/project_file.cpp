@@ -9,8 +9,8 @@
 namespace fretwork::simulation {
 namespace {
 
+using base::Json;
 using base::JsonReader;
-using base::detail::Json;
 using pattern::Point2;
 using tiling::Tessellation;
 using tiling::Tile;
@@ -149,7 +149,7 @@ void read_tile_models(const JsonReader& json, Project& project) {
 }
 
 Project project_from_json(const JsonReader& json) {
-    (void)json.at("format").choice({"fretwork/project/1", "fretwork/project/2"});
+    json.expect_format("project", 2);
     json.allow_only(
         {"format", "layout", "setting", "library", "outline", "tessellation", "load_cases", "tile_models"});
     Project project;
@@ -193,7 +193,7 @@ std::string project_text(const Project& project) {
     json["tessellation"] = tessellation_json(project.tessellation);
     for (const Project::TileModelChoice& choice : project.tile_models)
         json["tile_models"].push_back({{"model", choice.model}, {"tiles", indices_json(choice.tiles)}});
-    return base::detail::json_text(json);
+    return base::json_text(json);
 }
 
 void write_project(const Project& project, const std::filesystem::path& path) {

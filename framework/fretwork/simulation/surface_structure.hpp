@@ -23,8 +23,8 @@ const reduction::TileModel& tile_model(const Surface& surface, const ModelChoice
 /// Whether any tile of the surface has a model that is made for large displacements.
 reduction::Displacements displacements(const Surface& surface, const ModelChoice& choice);
 
-/// The calibrated parameters of a tile's pattern for a tile model, in the order of its row; none for a model to
-/// which nothing is fitted. Throws InputError that names a tile without a pattern, or a pattern without a
+/// The calibrated parameters of a tile's pattern for a tile model, in the order of its row; none for a model
+/// to which nothing is fitted. Throws InputError that names a tile without a pattern, or a pattern without a
 /// calibration.
 std::vector<double> tile_parameters(const Surface& surface, tiling::TileIndex tile,
                                     const reduction::TileModel& model);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fretwork/base/detail/json_text.hpp>
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/file.hpp>
+#include <fretwork/base/internal/json_text.hpp>
 #include <fretwork/base/json_reader.hpp>
 #include <fretwork/tiling/outline.hpp>
 
@@ -19,8 +19,8 @@ pattern::Polygon read_polygon(const base::JsonReader& json) {
     return polygon;
 }
 
-base::detail::Json polygon_json(const pattern::Polygon& polygon) {
-    auto points = base::detail::Json::array();
+base::Json polygon_json(const pattern::Polygon& polygon) {
+    auto points = base::Json::array();
     for (const pattern::Point2& point : polygon) points.push_back({point.x, point.y});
     return points;
 }
@@ -44,12 +44,12 @@ Outline parse_outline(std::string_view text, const std::string& source) {
 }
 
 std::string outline_text(const Outline& outline) {
-    base::detail::Json json;
+    base::Json json;
     json["format"] = "fretwork/outline/1";
     json["boundary"] = polygon_json(outline.boundary);
-    json["holes"] = base::detail::Json::array();
+    json["holes"] = base::Json::array();
     for (const pattern::Polygon& hole : outline.holes) json["holes"].push_back(polygon_json(hole));
-    return base::detail::json_text(json);
+    return base::json_text(json);
 }
 
 void write_outline(const Outline& outline, const std::filesystem::path& path) {

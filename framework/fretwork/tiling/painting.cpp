@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fretwork/base/detail/json_text.hpp>
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/file.hpp>
+#include <fretwork/base/internal/json_text.hpp>
 #include <fretwork/base/json_reader.hpp>
 #include <fretwork/pattern/judge.hpp>
 #include <fretwork/pattern/pattern.hpp>
@@ -125,12 +125,12 @@ Painting parse_painting(std::string_view text, const std::string& source, const 
 }
 
 std::string painting_text(const Painting& painting, const pattern::NodeLayout& layout) {
-    base::detail::Json json;
+    base::Json json;
     json["format"] = "fretwork/painting/1";
     json["layout"] = layout.name();
     json["patterns"] = painting.patterns;
     if (!painting.tiles.empty()) json["tiles"] = painting.tiles;
-    return base::detail::json_text(json);
+    return base::json_text(json);
 }
 
 Painting read_painting(const std::filesystem::path& path, const pattern::NodeLayout& layout) {

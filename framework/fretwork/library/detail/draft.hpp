@@ -2,37 +2,51 @@
 #pragma once
 
 #include <fretwork/base/error.hpp>
+#include <fretwork/base/file.hpp>
+#include <fretwork/base/scratch.hpp>
 
 #include <cerrno>
 #include <cstdio>
 #include <fcntl.h>
 #include <filesystem>
-#include <random>
 #include <string>
 #include <system_error>
 #include <unistd.h>
 
 namespace fretwork::library::detail {
 
-/// A temporary file beside the output, removed unless it is moved into its place. Several processes may make
-/// the same output at once: each has a draft of its own, and only the first to finish gives the output.
+/// A library in a scratch folder beside the output, with its journal, that vanishes unless it is moved into
+/// its place. Several processes may make the same output at once: each has a draft of its own, and only the
+/// first to finish gives the output.
 class Draft {
   public:
+    /// Throws IoError that names the output.
     explicit Draft(const std::filesystem::path& output)
-        : output_(output), path_(output.string() + ".making-" + own_suffix()) {
-        remove();
-    }
-    Draft(const Draft&) = delete;
-    Draft& operator=(const Draft&) = delete;
-    ~Draft() { remove(); }
+        : output_(output),
+          target_(base::link_target(output)),
+          scratch_(target_, base::Scratch::Kind::Folder),
+          path_(scratch_.path() / target_.filename()) {}
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+    /// Run what fills the draft: its complaints about the draft name the output, which people know.
+    template <class Action>
+    void fill(Action&& action) const {
+        try {
+            action();
+        } catch (const base::InputError& error) {
+            throw base::InputError(in_the_name_of_output(error.what()));
+        } catch (const base::IoError& error) {
+            throw base::IoError(in_the_name_of_output(error.what()));
+        }
+    }
+
     /// False, and nothing is touched, if the output has appeared meanwhile. Throws IoError.
     [[nodiscard]] bool move_into_place() const {
-        if (::renameat2(AT_FDCWD, path_.c_str(), AT_FDCWD, output_.c_str(), RENAME_NOREPLACE) == 0)
+        if (::renameat2(AT_FDCWD, path_.c_str(), AT_FDCWD, target_.c_str(), RENAME_NOREPLACE) == 0)
             return true;
         // Some network disks cannot rename so, but link: a link never replaces, either.
         if (errno == EINVAL || errno == ENOSYS) {
-            if (::link(path_.c_str(), output_.c_str()) == 0) return true;
+            if (::link(path_.c_str(), target_.c_str()) == 0) return true;
         }
         if (errno == EEXIST) return false;
         throw base::IoError(output_.string() + ": cannot be written: " +
@@ -40,17 +54,15 @@ class Draft {
     }
 
   private:
-    /// Processes of several machines may share the folder, so their numbers alone would not do.
-    static std::string own_suffix() {
-        std::random_device random;
-        return std::to_string(::getpid()) + "-" + std::to_string(random());
+    [[nodiscard]] std::string in_the_name_of_output(std::string message) const {
+        const std::string draft = path_.string();
+        const std::size_t place = message.find(draft);
+        return place == std::string::npos ? message : message.replace(place, draft.size(), output_.string());
     }
-    void remove() const {
-        std::error_code ignored;
-        std::filesystem::remove(path_, ignored);
-        std::filesystem::remove(path_.string() + "-journal", ignored);
-    }
+
     std::filesystem::path output_;
+    std::filesystem::path target_;  ///< where the output's links lead
+    base::Scratch scratch_;
     std::filesystem::path path_;
 };
 

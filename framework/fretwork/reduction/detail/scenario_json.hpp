@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <fretwork/base/detail/json_text.hpp>
+#include <fretwork/base/internal/json_text.hpp>
 #include <fretwork/base/json_reader.hpp>
 #include <fretwork/reduction/scenario.hpp>
 
@@ -9,6 +9,6 @@ namespace fretwork::reduction::detail {
 
 /// Read a scenario document or the same object inside a setting. Throws InputError with its place.
 Scenario read_scenario(const base::JsonReader& json);
-base::detail::Json scenario_json(const Scenario& scenario);
+base::Json scenario_json(const Scenario& scenario);
 
 }  // namespace fretwork::reduction::detail

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fretwork/base/detail/json_text.hpp>
 #include <fretwork/base/error.hpp>
+#include <fretwork/base/internal/json_text.hpp>
+#include <fretwork/base/text.hpp>
 
 #include <algorithm>
 #include <cmath>
 
-namespace fretwork::base::detail {
+namespace fretwork::base {
 namespace {
 
 class Layout {
@@ -27,10 +28,28 @@ class Layout {
             throw NumericalError("a result holds a number that is not finite" +
                                  (key_.empty() ? "" : ", under '" + key_ + "'"));
         }
-        text_ += value.dump();
+        text_ += value.is_string() ? quoted(value) : value.dump();
+    }
+
+    static std::string quoted(const Json& text) {
+        const auto& content = text.get_ref<const std::string&>();
+        const bool is_harmless = printable(content) == content;
+        return text.dump(-1, ' ', !is_harmless, Json::error_handler_t::replace);
+    }
+
+    /// Most of a large document is rows of numbers: one call for each row.
+    void append_numbers(const Json& array) {
+        for (const char c : array.dump()) {
+            text_ += c;
+            if (c == ',') text_ += ' ';
+        }
     }
 
     void append_plain_array(const Json& array) {
+        const auto is_finite_number = [](const Json& v) {
+            return v.is_number() && (!v.is_number_float() || std::isfinite(v.get<double>()));
+        };
+        if (std::all_of(array.begin(), array.end(), is_finite_number)) return append_numbers(array);
         text_ += "[";
         for (std::size_t i = 0; i < array.size(); ++i) {
             if (i > 0) text_ += ", ";
@@ -57,7 +76,7 @@ class Layout {
             if (!first) text_ += ",";
             first = false;
             new_line(depth + 1);
-            text_ += Json(key).dump() + ": ";
+            text_ += quoted(key) + ": ";
             key_ = key;
             append(member, depth + 1);
         }
@@ -79,4 +98,4 @@ std::string json_text(const Json& document) {
     return std::move(layout).take() + "\n";
 }
 
-}  // namespace fretwork::base::detail
+}  // namespace fretwork::base

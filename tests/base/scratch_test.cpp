@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "support.hpp"
+
+#include <fretwork/base/scratch.hpp>
+
+#include <csignal>
+#include <sys/wait.h>
+
+namespace fretwork::base {
+namespace {
+
+using test::TemporaryFolder;
+
+std::size_t entries(const std::filesystem::path& folder) {
+    return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(folder), {}));
+}
+
+class OfBothKinds : public testing::TestWithParam<Scratch::Kind> {};
+INSTANTIATE_TEST_SUITE_P(Scratch, OfBothKinds, testing::Values(Scratch::Kind::File, Scratch::Kind::Folder));
+
+TEST_P(OfBothKinds, VanishesUnlessItWasMoved) {
+    const TemporaryFolder folder;
+    const auto target = folder.path() / "x";
+    { const Scratch scratch(target, GetParam()); }
+    EXPECT_EQ(entries(folder.path()), 0U);
+    {
+        Scratch scratch(target, GetParam());
+        std::filesystem::rename(scratch.path(), target);
+        scratch.release();
+    }
+    EXPECT_TRUE(std::filesystem::exists(target));
+}
+
+TEST_P(OfBothKinds, OfALivingProcessIsLeftAlone) {
+    const TemporaryFolder folder;
+    const Scratch first(folder.path() / "x", GetParam());
+    const Scratch second(folder.path() / "x", GetParam());
+    EXPECT_NE(first.path(), second.path());
+    EXPECT_EQ(entries(folder.path()), 2U);
+}
+
+TEST_P(OfBothKinds, OfAKilledProcessIsRemovedByTheNext) {
+    const TemporaryFolder folder;
+    const pid_t child = ::fork();
+    if (child == 0) {
+        const Scratch left(folder.path() / "x", GetParam());
+        if (GetParam() == Scratch::Kind::Folder) write_file_atomically(left.path() / "inner", "text");
+        ::raise(SIGKILL);
+    }
+    int status = 0;
+    ASSERT_EQ(::waitpid(child, &status, 0), child);
+    ASSERT_TRUE(WIFSIGNALED(status));
+    ASSERT_EQ(entries(folder.path()), 1U) << "the killed process must have left something";
+    const Scratch next(folder.path() / "other", GetParam());
+    EXPECT_EQ(entries(folder.path()), 1U);
+    EXPECT_TRUE(std::filesystem::exists(next.path()));
+}
+
+TEST(Scratch, NamesTheTargetWhereItCannotBeMade) {
+    EXPECT_THAT(test::complaint_of([] { Scratch("nowhere/x", Scratch::Kind::File); }),
+                testing::StartsWith("nowhere/x: cannot be written: "));
+}
+
+TEST(Scratch, LeavesFilesOfOthersAlone) {
+    const TemporaryFolder folder;
+    (void)folder.file(".fretwork-notes.txt", "mine");
+    (void)folder.file("fretwork-123456", "mine");
+    const Scratch scratch(folder.path() / "x", Scratch::Kind::File);
+    EXPECT_EQ(entries(folder.path()), 3U);
+}
+
+}  // namespace
+}  // namespace fretwork::base
