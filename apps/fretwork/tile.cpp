@@ -7,6 +7,7 @@
 
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/file_lock.hpp>
+#include <fretwork/base/internal/json_text.hpp>
 #include <fretwork/base/quantity.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/library/library.hpp>

@@ -27,7 +27,7 @@ class JsonReader {
     /// @param source  what to call the text in messages
     static JsonReader from_text(std::string_view text, std::string source);
 
-    /// The document's `"format"` must be "fretwork/<kind>/1".
+    /// The document's `"format"` must be "fretwork/<kind>/N", with N from 1 to `newest`.
     void expect_format(std::string_view kind, int newest = 1) const;
     /// This must be an object with no other keys than these.
     void allow_only(std::initializer_list<std::string_view> keys) const;

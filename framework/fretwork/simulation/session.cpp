@@ -3,6 +3,7 @@
 #include <fretwork/mechanics/discretization.hpp>
 #include <fretwork/mechanics/equilibrium.hpp>
 #include <fretwork/mechanics/linear_solver.hpp>
+#include <fretwork/mechanics/solve.hpp>
 #include <fretwork/simulation/detail/joined_tiles.hpp>
 #include <fretwork/simulation/session.hpp>
 #include <fretwork/tiling/painting.hpp>
@@ -311,10 +312,13 @@ mechanics::Result Session::Impl::make_result() const {
 }
 
 void Session::Impl::solve_path(mechanics::Result& result, const base::Control& control) const {
-    const auto factors = mechanics::even_load_factors(options_.load_steps);
-    const mechanics::EquilibriumOptions path_options{.threads = options_.threads, .control = control};
-    result.load_steps = mechanics::follow_load_path(assembly_, factors, path_options);
-    result.solution = result.load_steps.back();
+    mechanics::Result path = mechanics::solve(assembly_, {.solver = mechanics::Solver::Newton,
+                                                          .steps = options_.load_steps,
+                                                          .threads = options_.threads,
+                                                          .locate_critical_loads = false,
+                                                          .control = control});
+    result.load_steps = std::move(path.load_steps);
+    result.solution = std::move(path.solution);
 }
 
 mechanics::Result Session::Impl::solve(const base::Control& control) {
