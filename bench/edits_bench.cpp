@@ -181,7 +181,7 @@ void moved_support(benchmark::State& state) {
 void repainted(benchmark::State& state, structure::ElementEdit edit) {
     const Case c(state);
     Assembly assembly = painted(c.lattice, c.threads);
-    const structure::FactorizedStructure before(assembly, c.threads);
+    const structure::FactorizedStructure before(assembly, {.threads = c.threads});
     const auto tiles = static_cast<std::size_t>(state.range(2));
     const std::size_t first = c.lattice.tiles.size() / 2;
     for (std::size_t t = first; t < first + tiles; ++t)

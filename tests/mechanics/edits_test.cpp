@@ -215,7 +215,7 @@ TEST(LinearSolverEdits, CorrectedAndNewFactorsAgree) {
     const EditedGrid before(Extent::Spatial);
     EditedGrid grid = before;
     for (const std::size_t beam : {3U, 50U, 51U, 200U}) grid.change_beam(beam, 0.004);
-    const structure::FactorizedStructure factorized(before.assembly(), 1);
+    const structure::FactorizedStructure factorized(before.assembly(), {.threads = 1});
     const structure::FactorizedStructure corrected(factorized, grid.assembly(),
                                                    structure::ElementEdit::Correct);
     const structure::FactorizedStructure anew(factorized, grid.assembly(), structure::ElementEdit::Refactor);

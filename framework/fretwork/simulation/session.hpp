@@ -2,6 +2,7 @@
 #pragma once
 
 #include <fretwork/base/control.hpp>
+#include <fretwork/mechanics/linear_solver.hpp>
 #include <fretwork/mechanics/result_file.hpp>
 #include <fretwork/simulation/load_case.hpp>
 #include <fretwork/simulation/simulation_options.hpp>
@@ -74,7 +75,8 @@ class Session {
     /// What the last solve() computed anew, and what it reused.
     struct Work {
         std::size_t tiles_built = 0;  ///< shared ones once
-        enum class Factors { Kept, Updated, Anew } factors = Factors::Anew;
+        using Factors = mechanics::FactorChange;
+        Factors factors = Factors::Anew;  ///< of a linear solution
     };
     [[nodiscard]] const Work& last_work() const;
 

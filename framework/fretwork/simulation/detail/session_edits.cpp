@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/simulation/detail/session_impl.hpp>
+#include <fretwork/tiling/painting.hpp>
+
+#include <algorithm>
+
+namespace fretwork::simulation {
+namespace {
+
+using tiling::TileIndex;
+
+void require_tiles(const Surface& surface, std::span<const TileIndex> tiles) {
+    const auto count = std::ssize(surface.tessellation.tiles);
+    for (const TileIndex tile : tiles) {
+        if (tile.value >= 0 && tile.value < count) continue;
+        throw base::InputError("there is no tile " + std::to_string(tile.value) + "; they run from 0 to " +
+                               std::to_string(count - 1));
+    }
+}
+
+}  // namespace
+
+Conditions Session::Impl::resolved(const LoadCase& load_case) {
+    const bool is_weighed = !load_case.gravity.isZero(0) && surface_.setting.material.density > 0.0;
+    if (is_weighed && !tile_masses_) tile_masses_ = tile_masses(surface_);
+    return resolve(load_case, surface_, is_weighed ? *tile_masses_ : std::vector<double>{});
+}
+
+/// The place of a pattern in the palette, or that behind its end.
+std::size_t Session::Impl::palette_entry(const std::string& id) const {
+    const std::vector<std::string>& palette = surface_.tessellation.patterns;
+    return static_cast<std::size_t>(std::ranges::find(palette, id) - palette.begin());
+}
+
+void Session::Impl::paint(std::span<const TileIndex> tiles, const std::string& wanted) {
+    require_tiles(surface_, tiles);
+    const std::string id = tiling::make_palette(surface_.layout, std::vector{wanted}).front();
+    const std::size_t entry = palette_entry(id);
+    const bool is_new = entry == surface_.patterns.size();
+    const auto calibrations = !is_new               ? surface_.calibrations[entry]
+                              : calibration_source_ ? calibration_source_(id)
+                                                    : std::vector<reduction::Calibration>{};
+    for (const TileIndex tile : tiles)
+        (void)detail::calibrated_parameters(calibrations, id, tile_model(surface_, choice(), tile));
+    if (is_new) {
+        surface_.tessellation.patterns.push_back(id);
+        surface_.patterns.push_back(pattern::parse_pattern_id(surface_.layout, id));
+        surface_.calibrations.push_back(calibrations);
+    }
+    for (const TileIndex tile : tiles)
+        surface_.tessellation.tiles[static_cast<std::size_t>(tile)].pattern = static_cast<int>(entry);
+    invalidate_tiles(tiles);
+    weigh_anew();
+}
+
+void Session::Impl::turn(std::span<const TileIndex> tiles, int vertices) {
+    require_tiles(surface_, tiles);
+    for (const TileIndex index : tiles) {
+        tiling::Tile& tile = surface_.tessellation.tiles[static_cast<std::size_t>(index)];
+        const auto sides = std::ssize(tile.vertices);
+        const auto by = (vertices % sides + sides) % sides;
+        const auto interface_nodes_a_side = std::ssize(tile.interface_nodes) / sides;
+        std::ranges::rotate(tile.vertices, tile.vertices.begin() + by);
+        std::ranges::rotate(tile.interface_nodes, tile.interface_nodes.begin() + by * interface_nodes_a_side);
+    }
+    invalidate_tiles(tiles);
+    weigh_anew();
+}
+
+void Session::Impl::set_tile_model(std::span<const TileIndex> tiles, const std::string& name) {
+    require_tiles(surface_, tiles);
+    const reduction::TileModel& model =
+        reduction::find_tile_model(name.empty() ? options_.model : name, options_.models);
+    for (const TileIndex tile : tiles) (void)tile_parameters(surface_, tile, model);
+    surface_.tile_models.resize(surface_.tessellation.tiles.size());
+    for (const TileIndex tile : tiles) surface_.tile_models[static_cast<std::size_t>(tile)] = name;
+    invalidate_tiles(tiles);
+}
+
+void Session::Impl::set_model(const std::string& name) {
+    SimulationOptions edited = options_;
+    edited.model = name;
+    check(surface_, edited);
+    const ModelChoice wanted{name, options_.models};
+    for (std::size_t t = 0; t < surface_.tessellation.tiles.size(); ++t) {
+        const TileIndex tile(t);
+        (void)tile_parameters(surface_, tile, tile_model(surface_, wanted, tile));
+    }
+    options_.model = name;
+    invalidate_all_tiles();
+}
+
+void Session::Impl::set_setting(const reduction::Setting& setting) {
+    setting.validate();
+    reduction::Setting before = std::exchange(surface_.setting, setting);
+    try {
+        (void)resolve(load_case_, surface_, {});
+    } catch (const base::Error&) {
+        surface_.setting = std::move(before);
+        throw;
+    }
+    builder_.forget();
+    invalidate_all_tiles();
+    weigh_anew();
+}
+
+void Session::Impl::set_calibrations(std::vector<std::vector<reduction::Calibration>> calibrations) {
+    if (calibrations.size() != surface_.patterns.size())
+        throw base::InputError("there are calibrations of " + std::to_string(calibrations.size()) +
+                               " patterns, where the surface has " +
+                               std::to_string(surface_.patterns.size()));
+    surface_.calibrations = std::move(calibrations);
+    builder_.forget();
+    invalidate_all_tiles();
+}
+
+void Session::Impl::set_load_case(const LoadCase& load_case) {
+    conditions_ = resolved(load_case);
+    load_case_ = load_case;
+}
+
+void Session::Impl::invalidate_tiles(std::span<const TileIndex> tiles) {
+    changed_tiles_.insert(tiles.begin(), tiles.end());
+}
+
+void Session::Impl::invalidate_all_tiles() {
+    tiles_.clear();
+    changed_tiles_.clear();
+}
+
+void Session::Impl::weigh_anew() {
+    tile_masses_.reset();
+    if (!load_case_.gravity.isZero(0)) conditions_ = resolved(load_case_);
+}
+
+}  // namespace fretwork::simulation

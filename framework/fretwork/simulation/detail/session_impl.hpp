@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/mechanics/linear_solver.hpp>
+#include <fretwork/simulation/detail/joined_tiles.hpp>
+#include <fretwork/simulation/session.hpp>
+
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace fretwork::simulation {
+
+/// What Session hides: the surface, what was computed of it, and which of that is out of date.
+class Session::Impl {
+  public:
+    Impl(Surface surface, LoadCase load_case, SimulationOptions options, CalibrationSource calibrations)
+        : surface_(std::move(surface)),
+          load_case_(std::move(load_case)),
+          options_(std::move(options)),
+          calibration_source_(std::move(calibrations)) {
+        check(surface_, options_);
+        conditions_ = resolved(load_case_);
+    }
+
+    [[nodiscard]] const Surface& surface() const { return surface_; }
+    [[nodiscard]] const LoadCase& load_case() const { return load_case_; }
+    [[nodiscard]] const SimulationOptions& options() const { return options_; }
+    [[nodiscard]] const Work& last_work() const { return work_; }
+
+    void paint(std::span<const tiling::TileIndex> tiles, const std::string& id);
+    void turn(std::span<const tiling::TileIndex> tiles, int vertices);
+    void set_tile_model(std::span<const tiling::TileIndex> tiles, const std::string& name);
+    void set_model(const std::string& name);
+    void set_setting(const reduction::Setting& setting);
+    void set_calibrations(std::vector<std::vector<reduction::Calibration>> calibrations);
+    void set_load_case(const LoadCase& load_case);
+
+    mechanics::Result solve(const base::Control& control);
+    Eigen::MatrixXd solve_adjoint(const Eigen::MatrixXd& rows);
+
+  private:
+    [[nodiscard]] ModelChoice choice() const { return {options_.model, options_.models}; }
+    [[nodiscard]] Conditions resolved(const LoadCase& load_case);
+    [[nodiscard]] std::size_t palette_entry(const std::string& id) const;
+    void invalidate_tiles(std::span<const tiling::TileIndex> tiles);
+    void invalidate_all_tiles();
+    void weigh_anew();
+
+    void update_tiles(const base::Control& control);
+    void build_all(const base::Control& control);
+    void join();
+    bool replace_elements(std::span<const tiling::TileIndex> tiles, std::span<const detail::BuiltTile> built);
+    void update_conditions();
+    void update_factors(const base::Control& control);
+    [[nodiscard]] bool is_nonlinear() const;
+    [[nodiscard]] mechanics::Result make_result() const;
+    void solve_path(mechanics::Result& result, const base::Control& control) const;
+
+    Surface surface_;
+    LoadCase load_case_;
+    SimulationOptions options_;
+    CalibrationSource calibration_source_;
+    Conditions conditions_;
+    std::optional<std::vector<double>> tile_masses_;
+
+    detail::TileBuilder builder_;
+    std::vector<detail::BuiltTile> tiles_;       ///< empty: all are to be built
+    std::set<tiling::TileIndex> changed_tiles_;  ///< of those that were built
+    detail::JoinedTiles joined_;
+    mechanics::Assembly assembly_;
+    std::size_t tile_supports_ = 0;  ///< of the assembly: those inside of tiles come first
+    std::optional<mechanics::LinearSolver> solver_;
+    Work work_;
+};
+
+}  // namespace fretwork::simulation

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/mechanics/discretization.hpp>
+#include <fretwork/mechanics/equilibrium.hpp>
+#include <fretwork/mechanics/solve.hpp>
+#include <fretwork/simulation/detail/session_impl.hpp>
+
+#include <algorithm>
+#include <chrono>
+
+namespace fretwork::simulation {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using tiling::TileIndex;
+
+}  // namespace
+
+void Session::Impl::build_all(const base::Control& control) {
+    tiles_ = builder_.build_all(surface_, choice(), {options_.threads, control});
+    changed_tiles_.clear();
+    join();
+}
+
+void Session::Impl::join() {
+    joined_ = detail::join_tiles(surface_, tiles_);
+    assembly_ = reduction::assemble(joined_.parts);
+    tile_supports_ = assembly_.supports.size();
+}
+
+/// False if a tile has other nodes now, or beams: then the structure is joined anew.
+bool Session::Impl::replace_elements(std::span<const TileIndex> tiles,
+                                     std::span<const detail::BuiltTile> built) {
+    std::vector<mechanics::Elements> replacements;
+    const std::size_t first = assembly_.elements.size() - joined_.parts.elements.size();
+    for (std::size_t i = 0; i < tiles.size(); ++i) {
+        auto elements = detail::replacement(joined_, surface_, tiles[i], built[i]);
+        if (!elements) return false;
+        replacements.push_back(std::move(*elements));
+    }
+    for (std::size_t i = 0; i < tiles.size(); ++i) {
+        const auto start = joined_.starts[static_cast<std::size_t>(tiles[i])].element;
+        std::ranges::copy(replacements[i],
+                          assembly_.elements.begin() + static_cast<std::ptrdiff_t>(first + start));
+    }
+    return true;
+}
+
+void Session::Impl::update_tiles(const base::Control& control) {
+    if (tiles_.empty()) return build_all(control);
+    if (changed_tiles_.empty()) return;
+    const std::vector<TileIndex> tiles(changed_tiles_.begin(), changed_tiles_.end());
+    std::vector<detail::BuiltTile> built =
+        builder_.build({surface_, choice(), tiles}, {options_.threads, control});
+    const bool has_the_same_nodes = replace_elements(tiles, built);
+    for (std::size_t i = 0; i < tiles.size(); ++i)
+        tiles_[static_cast<std::size_t>(tiles[i])] = std::move(built[i]);
+    changed_tiles_.clear();
+    if (!has_the_same_nodes) join();
+}
+
+void Session::Impl::update_conditions() {
+    assembly_.supports.resize(tile_supports_);
+    apply(conditions_, assembly_);
+}
+
+void Session::Impl::update_factors(const base::Control& control) {
+    if (solver_) {
+        work_.factors = solver_->update(assembly_, control);
+        return;
+    }
+    solver_.emplace(assembly_, mechanics::LinearOptions{.threads = options_.threads, .control = control});
+    work_.factors = Work::Factors::Anew;
+}
+
+bool Session::Impl::is_nonlinear() const {
+    return simulation::is_nonlinear(surface_, options_);
+}
+
+mechanics::Result Session::Impl::make_result() const {
+    mechanics::Result result;
+    const auto interface_count = static_cast<int>(surface_.tessellation.interface_nodes.size());
+    for (int i = 0; i < assembly_.reported_nodes; ++i)
+        result.nodes.push_back({i, assembly_.nodes[static_cast<std::size_t>(i)], i < interface_count});
+    return result;
+}
+
+void Session::Impl::solve_path(mechanics::Result& result, const base::Control& control) const {
+    mechanics::Result path = mechanics::solve(assembly_, {.solver = mechanics::Solver::Newton,
+                                                          .steps = options_.load_steps,
+                                                          .threads = options_.threads,
+                                                          .locate_critical_loads = false,
+                                                          .control = control});
+    result.load_steps = std::move(path.load_steps);
+    result.solution = std::move(path.solution);
+}
+
+mechanics::Result Session::Impl::solve(const base::Control& control) {
+    check(surface_, options_);
+    const auto started = Clock::now();
+    const std::size_t built_before = builder_.built_count();
+    update_tiles(control);
+    update_conditions();
+    work_ = {.tiles_built = builder_.built_count() - built_before};
+    mechanics::Result result = make_result();
+    result.solver = is_nonlinear() ? "newton" : "linear";
+    if (is_nonlinear()) {
+        solve_path(result, control);
+    } else {
+        update_factors(control);
+        result.solution = solver_->solve(assembly_.loads, control);
+    }
+    result.seconds = std::chrono::duration<double>(Clock::now() - started).count();
+    if (options_.estimate_error)
+        result.discretization_error =
+            mechanics::estimate_discretization_error(surface_frame(surface_, choice(), conditions_),
+                                                     mechanics::even_load_factors(options_.load_steps),
+                                                     result.load_steps, {.threads = options_.threads})
+                .back();
+    if (options_.load_steps == 1) result.load_steps.clear();
+    return result;
+}
+
+Eigen::MatrixXd Session::Impl::solve_adjoint(const Eigen::MatrixXd& rows) {
+    update_tiles({});
+    update_conditions();
+    update_factors({});
+    const auto nodes = static_cast<Eigen::Index>(assembly_.nodes.size());
+    if (rows.rows() != nodes * mechanics::kDofsPerNode)
+        throw base::InputError("the right sides have " + std::to_string(rows.rows()) +
+                               " rows, where six are needed for each of the " + std::to_string(nodes) +
+                               " nodes");
+    return solver_->solve_free(rows);
+}
+
+}  // namespace fretwork::simulation
