@@ -30,9 +30,10 @@ struct Options {
     bool json = false;
 };
 
-/// Every selection of the load case must pick something on this project's tessellation.
+/// Every selection of the load case must pick something on this project's tessellation, painted or not: so
+/// the masses of the tiles are left out.
 void check_on(const Project& project, const LoadCase& load_case) {
-    (void)simulation::resolve(load_case, simulation::make_surface(project, nullptr));
+    (void)simulation::resolve(load_case, simulation::make_surface(project, nullptr), {});
 }
 
 void add_to_project(const Options& options) {
