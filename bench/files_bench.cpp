@@ -5,7 +5,7 @@
 #include <fretwork/mechanics/frame_file.hpp>
 #include <fretwork/mechanics/linear_solver.hpp>
 #include <fretwork/mechanics/result_file.hpp>
-#include <fretwork/simulation/project.hpp>
+#include <fretwork/simulation/project_file.hpp>
 #include <fretwork/tiling/tessellate.hpp>
 
 #include <benchmark/benchmark.h>

@@ -9,6 +9,7 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/file.hpp>
 #include <fretwork/base/internal/json_text.hpp>
+#include <fretwork/base/text.hpp>
 #include <fretwork/exports/writer_catalogue.hpp>
 #include <fretwork/mechanics/frame_file.hpp>
 #include <fretwork/simulation/load_case_file.hpp>
@@ -74,8 +75,8 @@ void print_json(const mechanics::Result& result) {
 
 void print(const mechanics::Result& result) {
     const auto& solution = result.solution;
-    std::printf("%s model, load case '%s', %s: %s%s\n", result.subject->model.c_str(),
-                result.subject->load_case.c_str(), result.solver.c_str(),
+    std::printf("%s model, load case '%s', %s: %s%s\n", base::printable(result.subject->model).c_str(),
+                base::printable(result.subject->load_case).c_str(), result.solver.c_str(),
                 std::string(mechanics::termination_name(solution.termination)).c_str(),
                 solution.stable ? "" : ", unstable");
     std::printf("largest displacement %.4g mm, largest rotation %.4g deg, %.3g s\n",

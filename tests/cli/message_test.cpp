@@ -62,8 +62,10 @@ TEST_F(Messages, PassOnNothingThatATerminalObeys) {
 }
 
 TEST_F(Messages, NamesOfAProjectAreShownAndNotObeyed) {
-    ASSERT_EQ(
-        run("fretwork tile experiments/outlines/specimen.svg --edge-length 60mm --out p.json").exit_code, 0);
+    ASSERT_EQ(run("fretwork tile experiments/outlines/specimen.svg --edge-length 60mm --patterns 0-1+1-6 "
+                  "--out p.json")
+                  .exit_code,
+              0);
     std::string load_case = base::read_text_file(folder_.path() / "experiments/cases/own_weight.json");
     const std::string key = "\"name\": \"";
     load_case.insert(load_case.find(key) + key.size(), kHarmful);

@@ -56,8 +56,10 @@ class TwoAtOnce : public testing::Test {
 
 TEST_F(TwoAtOnce, LoadCasesThatManyProcessesAddAreAllKept) {
     constexpr int kProcesses = 16;
-    ASSERT_EQ(
-        run("fretwork tile experiments/outlines/specimen.svg --edge-length 60mm --out p.json").exit_code, 0);
+    ASSERT_EQ(run("fretwork tile experiments/outlines/specimen.svg --edge-length 60mm --patterns 0-1+1-6 "
+                  "--out p.json")
+                  .exit_code,
+              0);
     const std::string load_case = base::read_text_file(folder_.path() / "experiments/cases/own_weight.json");
     for (int i = 0; i < kProcesses; ++i) {
         std::string copy = load_case;
