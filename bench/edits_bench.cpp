@@ -4,6 +4,7 @@
 // Each row ends with displacements under a load.
 #include <fretwork/base/parallel.hpp>
 #include <fretwork/mechanics/condensation.hpp>
+#include <fretwork/mechanics/linear_element.hpp>
 #include <fretwork/mechanics/linear_solver.hpp>
 #include <fretwork/mechanics/structure/factorized_structure.hpp>
 
@@ -104,7 +105,7 @@ Assembly painted(const Lattice& lattice, int threads) {
     assembly.elements.resize(lattice.tiles.size());
     base::parallel_for(lattice.tiles.size(), threads, [&](std::size_t t) {
         const double bar = 0.002 * (1.0 + 0.3 * std::sin(static_cast<double>(t)));
-        assembly.elements[t] = linear_element(lattice.tiles[t], condensed(bar));
+        assembly.elements[t] = linear_element(lattice.tiles[t], {.stiffness = condensed(bar)});
     });
     return assembly;
 }
@@ -185,7 +186,7 @@ void repainted(benchmark::State& state, structure::ElementEdit edit) {
     const auto tiles = static_cast<std::size_t>(state.range(2));
     const std::size_t first = c.lattice.tiles.size() / 2;
     for (std::size_t t = first; t < first + tiles; ++t)
-        assembly.elements[t] = linear_element(c.lattice.tiles[t], condensed(0.003));
+        assembly.elements[t] = linear_element(c.lattice.tiles[t], {.stiffness = condensed(0.003)});
     std::size_t corrected = 0;
     for (auto _ : state) {
         const structure::FactorizedStructure after(before, assembly, edit);
@@ -202,8 +203,9 @@ void repainted_tile(benchmark::State& state) {
     Assembly assembly = painted(c.lattice, c.threads);
     LinearSolver solver(assembly, {.threads = c.threads});
     const std::size_t tile = c.lattice.tiles.size() / 2;
-    const std::shared_ptr<const Element> kinds[] = {linear_element(c.lattice.tiles[tile], condensed(0.003)),
-                                                    linear_element(c.lattice.tiles[tile], condensed(0.0025))};
+    const std::shared_ptr<const Element> kinds[] = {
+        linear_element(c.lattice.tiles[tile], {.stiffness = condensed(0.003)}),
+        linear_element(c.lattice.tiles[tile], {.stiffness = condensed(0.0025)})};
     std::size_t turn = 0;
     double residual = 0.0;
     bool updated = false;
