@@ -20,8 +20,8 @@ struct TessellationOptions {
     int relaxation_iterations = 50;  ///< towards a centroidal tessellation
     int lattice_angles = 12;         ///< so many triangular lattices are tried beside the remeshed triangles
     int threads = 0;                 ///< 0: all there are; the result does not depend on it
-    /// Looked at many times in every iteration; the longest stretches without a look, a few O(n log n) passes
-    /// of CGAL and sorting, take about a microsecond a tile.
+    /// Looked at in every loop; but some calls of CGAL and of the standard library work on the whole outline
+    /// without a look: README.md says how long that takes.
     base::Control control{};
     /// Throws InputError if a value makes no sense.
     void validate() const;
