@@ -5,6 +5,7 @@
 #include <fretwork/base/internal/json_text.hpp>
 #include <fretwork/base/text.hpp>
 
+#include <algorithm>
 #include <cstdio>
 #include <string>
 #include <string_view>
@@ -108,18 +109,24 @@ void print_response(const reduction::Response& response) {
     std::printf("\n");
 }
 
+/// The unit of a parameter; none for a model that this program does not have.
+std::string unit_of_parameter(const std::string& model_name, const std::string& name) {
+    const auto& models = reduction::tile_models();
+    const auto model = std::ranges::find(models, model_name, &reduction::TileModel::name);
+    if (model == models.end()) return "";
+    return model->parameters[reduction::parameter_index(*model, name)].unit;
+}
+
 /// "A 4.1e-06 m^2, theta 5.73 deg, .."
 std::string parameters_text(const reduction::Calibration& calibration) {
-    const reduction::TileModel& model = reduction::find_tile_model(calibration.model);
-    const std::vector<double> values = reduction::parameter_values(calibration, model);
     std::vector<std::string> texts;
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        const reduction::TileParameter& parameter = model.parameters[i];
-        const bool is_angle = parameter.unit == "rad";
+    for (const auto& [name, value] : calibration.parameters) {
+        const std::string unit = unit_of_parameter(calibration.model, name);
+        const bool is_angle = unit == "rad";
         char text[64];
-        std::snprintf(text, sizeof text, "%.4g %s", is_angle ? values[i] * kDegreesPerRadian : values[i],
-                      is_angle ? "deg" : parameter.unit.c_str());
-        texts.push_back(parameter.name + " " + text);
+        std::snprintf(text, sizeof text, "%.4g %s", is_angle ? value * kDegreesPerRadian : value,
+                      is_angle ? "deg" : unit.c_str());
+        texts.push_back(name + " " + text);
     }
     return base::join(texts, ", ");
 }

@@ -95,6 +95,13 @@ void add_drawings(const Options& options, const Surface& surface, const mechanic
     for (const std::string& path : options.drawings) files.add(path, exports::find_writer(path).text(scene));
 }
 
+/// Every beam of every tile, whatever models the tiles have.
+std::string full_frame_text(Surface surface, const LoadCase& load_case) {
+    surface.tile_models.clear();
+    const auto conditions = simulation::resolve(load_case, surface);
+    return mechanics::frame_text(simulation::surface_frame(surface, {}, conditions));
+}
+
 ExitCode run(Options options) {
     if (options.linear) options.simulation.analysis = simulation::Analysis::Linear;
     const Project project = simulation::read_project(options.project);
@@ -103,15 +110,11 @@ ExitCode run(Options options) {
     simulation::check(surface, options.simulation);
     const LoadCase load_case = chosen_load_case(project, options.load_case);
     LongWork work;
+    base::FileBatch files;
+    if (!options.frame_out.empty()) files.add(options.frame_out, full_frame_text(surface, load_case));
     const mechanics::Result result =
         simulation::simulate(surface, load_case, options.simulation, work.control());
-    base::FileBatch files;
     files.add(options.out, mechanics::result_text(result));
-    if (!options.frame_out.empty()) {
-        const auto conditions = simulation::resolve(load_case, surface);
-        files.add(options.frame_out,
-                  mechanics::frame_text(simulation::surface_frame(surface, {}, conditions)));
-    }
     add_drawings(options, surface, result, files);
     files.commit();
     options.json ? print_json(result) : print(result);

@@ -16,9 +16,9 @@
 namespace fretwork::library {
 namespace {
 
+using fretwork::test::TemporaryFolder;
 using reduction::NamedValue;
 using test::sample_calibration;
-using fretwork::test::TemporaryFolder;
 using testing::ElementsAre;
 using testing::IsEmpty;
 

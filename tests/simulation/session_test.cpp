@@ -149,6 +149,25 @@ TEST(Session, GivesTheAnswerOfTheFinalProjectAfterAnyEdits) {
     }
 }
 
+TEST(Session, FailsAgainWhereASolveFailed) {
+    Surface surface = sample_surface();
+    reduction::Calibration calibration;
+    calibration.model = "paper6";
+    calibration.parameters = {{"A", 4e-6},  {"I2", 1e-12},  {"I3", 1e-12},
+                              {"J", 1e-12}, {"theta", 0.1}, {"R", 0.01}};
+    surface.calibrations.assign(surface.patterns.size(), {calibration});
+    Session session(surface, cantilever({0, 0, -0.1}), {.model = "paper6"});
+    (void)session.solve();
+    calibration.parameters[0].value = 0.0;
+    session.set_calibrations(
+        std::vector<std::vector<reduction::Calibration>>(surface.patterns.size(), {calibration}));
+    EXPECT_THROW((void)session.solve(), base::InputError) << "beams without an area";
+    EXPECT_THROW((void)session.solve(), base::InputError) << "not the answer before the edit";
+    reduction::Setting setting = surface.setting;
+    setting.section.area = 0.0;
+    EXPECT_THROW(session.set_setting(setting), base::InputError);
+}
+
 TEST(Session, AnEditThatIsRefusedChangesNothing) {
     Session session(sample_surface(), cantilever({0.1, 0.05, -0.2}), condensed());
     const auto before = session.solve();

@@ -77,6 +77,9 @@ class LinearSolver::Impl {
             system.solve(unbalanced);
             result(rows, Eigen::all) = x + unbalanced;
         });
+        if (!result.allFinite())
+            throw base::NumericalError(
+                "the displacements under these right sides are too large for a number");
         return result;
     }
 

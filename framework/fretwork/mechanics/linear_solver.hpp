@@ -39,8 +39,8 @@ class LinearSolver {
     /// The same structure under its own loads, or under others (one row for each node of the assembly).
     /// Several threads may solve at once.
     ///
-    /// The solution is refined while that helps. It has converged if its residual is below 1e-9, or is no more
-    /// than the rounding of the displacements explains, and 1e-4 at most. Throws NumericalError if a
+    /// The solution is refined while that helps. It has converged if its residual is below 1e-9, or is no
+    /// more than the rounding of the displacements explains, and 1e-4 at most. Throws NumericalError if a
     /// displacement is too large for a number; Stopped.
     [[nodiscard]] Solution solve(const base::Control& control = {}) const;
     [[nodiscard]] Solution solve(const NodeValues& loads, const base::Control& control = {}) const;

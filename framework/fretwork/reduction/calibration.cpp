@@ -89,11 +89,11 @@ Calibration calibrate(const TileModel& model, const CalibrationInput& input,
                       const CalibrationOptions& options) {
     options.validate();
     const Objective objective(input.responses, input.setting);
-    if (model.parameters.empty()) return compare(model, input, objective);
     if (objective.sample_count() == 0) {
         throw base::NumericalError(
             "no sample of the responses can be used: none converged to a state to fit");
     }
+    if (model.parameters.empty()) return compare(model, input, objective);
     if (model.problem) return fit(model, *model.problem(objective, input.setting), objective, options);
     const ModelTile tile(model, input.layout, input.pattern, input.setting);
     return fit(model, DifferenceProblem(model, tile, objective, input.setting), objective, options);

@@ -41,6 +41,13 @@ void Setting::validate(const std::string& source) const {
         if (!makes_sense) throw base::InputError(source, place, what);
     };
     require(std::isfinite(tile_side) && tile_side > 0.0, "/tile_side", "must be a length above zero");
+    const auto is_positive = [](double value) { return std::isfinite(value) && value > 0.0; };
+    require(is_positive(section.area), "/section/area", "must be above zero");
+    require(is_positive(section.I2) && is_positive(section.I3) && is_positive(section.J), "/section",
+            "needs I2, I3 and J above zero");
+    require(is_positive(material.young_modulus), "/material/young_modulus", "must be above zero");
+    require(std::isfinite(material.density) && material.density >= 0.0, "/material/density",
+            "must not be negative");
     require(sides >= 3, "/sides", "a polygon has at least 3 sides");
     require(divisions >= 1, "/divisions", "at least 1 is needed");
     require(magnitudes >= 1, "/magnitudes", "at least 1 is needed");

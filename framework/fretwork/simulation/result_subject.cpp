@@ -29,9 +29,10 @@ std::ptrdiff_t first_place(const Tile& tile) {
     return std::ranges::min_element(tile.vertices) - tile.vertices.begin();
 }
 
-std::string tessellation_hash(const Tessellation& tessellation) {
+std::string tessellation_hash(const Surface& surface) {
+    const Tessellation& tessellation = surface.tessellation;
     base::Sha256 hash;
-    hash.update(tessellation.layout + ":");
+    hash.update(pattern::node_layout_text(surface.layout));
     update(hash, tessellation.vertices);
     update(hash, tessellation.interface_nodes);
     for (const Tile& tile : tessellation.tiles) {
@@ -92,7 +93,7 @@ mechanics::ResultSubject result_subject(const Surface& surface, const LoadCase& 
             .is_reference = is_reference(surface, options),
             .load_case = load_case.name,
             .load_case_text = load_case_text(load_case),
-            .tessellation_hash = tessellation_hash(surface.tessellation),
+            .tessellation_hash = tessellation_hash(surface),
             .painting_hash = painting_hash(surface.tessellation),
             .setting_hash = base::sha256(reduction::setting_text(surface.setting))};
 }
@@ -112,7 +113,7 @@ std::string subject_difference(const mechanics::ResultSubject& left, const mecha
 
 std::string subject_difference(const mechanics::ResultSubject& result, const Surface& surface) {
     mechanics::ResultSubject own = result;
-    own.tessellation_hash = tessellation_hash(surface.tessellation);
+    own.tessellation_hash = tessellation_hash(surface);
     own.painting_hash = painting_hash(surface.tessellation);
     own.setting_hash = base::sha256(reduction::setting_text(surface.setting));
     return subject_difference(result, own);

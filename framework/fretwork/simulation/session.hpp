@@ -27,7 +27,7 @@ using CalibrationSource = std::function<std::vector<reduction::Calibration>(cons
 /// nothing: the same bits where the factors were made anew, and within rounding where they were updated. An
 /// edit that throws has changed nothing.
 ///
-/// Not from several threads at once.
+/// Not from several threads at once. SimulationOptions::models must live as long as the session.
 class Session {
   public:
     /// `calibrations` may be empty: then only the surface's own patterns have any. Throws InputError if the
@@ -45,7 +45,8 @@ class Session {
     /// Paint tiles with a pattern, given by its id. Invalid: these tiles, and with gravity the loads. Throws
     /// InputError as make_palette does, or if the tile model needs a calibration that is not there.
     void paint(std::span<const tiling::TileIndex> tiles, const std::string& pattern);
-    /// Turn the patterns of tiles: their first vertex moves on by so many. Invalid: these tiles.
+    /// Turn the patterns of tiles: their first vertex moves on by so many. Invalid: these tiles and, since
+    /// their elements list their nodes in another order, the factors with their order of elimination.
     void turn(std::span<const tiling::TileIndex> tiles, int vertices);
     /// Give tiles a tile model of their own; "" takes it back. Invalid: these tiles.
     void set_tile_model(std::span<const tiling::TileIndex> tiles, const std::string& model);
@@ -54,6 +55,7 @@ class Session {
     /// Other material, section or scenarios. Invalid: all tiles and, with gravity, the loads. Calibrations
     /// stay: they are the caller's to replace.
     void set_setting(const reduction::Setting& setting);
+    /// Other calibrations, for each pattern of the surface in turn. Invalid: all tiles.
     void set_calibrations(std::vector<std::vector<reduction::Calibration>> calibrations);
 
     /// Invalid: the loads; the factors if other dofs are held than before.
@@ -63,8 +65,10 @@ class Session {
     void set_load(std::size_t entry, const LoadCase::Load& load);
     void set_prescribed(std::size_t entry, const LoadCase::PrescribedDisplacement& displacement);
 
-    /// The equilibrium of the surface as it is now. Throws NumericalError if the structure is not held, and
-    /// base::Stopped; then all edits are kept, and the next call goes on.
+    /// The equilibrium of the surface as it is now. A linear one is answered by the kept factors; a nonlinear
+    /// one is followed from rest. The result has no subject: result_subject() gives it. Throws InputError if
+    /// an edit has left what cannot be built, NumericalError if the structure is not held, and base::Stopped;
+    /// then all edits are kept, and the next call goes on.
     mechanics::Result solve(const base::Control& control = {});
 
     /// The linear displacements under nodal loads g, one column each (6n rows: node by node of the result's n

@@ -20,8 +20,8 @@ struct SimulationOptions {
     int threads = 0;              ///< 0: all there are. They change no bit of the result.
 };
 
-/// Whether equilibrium is sought in the deformed state: the analysis says so, or a tile model of the surface
-/// is made for large displacements. Throws InputError if there is no such model.
+/// Whether equilibrium is sought in the deformed state: a tile model of the surface is made for large
+/// displacements, and the analysis is that of the model. Throws InputError if there is no such model.
 bool is_nonlinear(const Surface& surface, const SimulationOptions& options);
 
 /// Throws InputError if a value makes no sense, or does not go with the others on this surface.

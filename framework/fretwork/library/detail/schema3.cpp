@@ -16,9 +16,13 @@ constexpr const char* kKey = "pattern_id, model, optimizer, seed, starts, budget
 
 std::string schema3_parameters(const std::string& database_name) {
     std::vector<std::string> selections;
+    selections.reserve(kParameters.size());
     for (const std::string name : kParameters) {
-        selections.push_back("SELECT " + std::string(kKey) + ", '" + name + "' AS name, " + name +
-                             " AS value FROM " + database_name + ".calibration WHERE optimizer <> 'none'");
+        std::string& query = selections.emplace_back("SELECT ");
+        query.append(kKey).append(", '").append(name).append("' AS name, ").append(name);
+        query.append(" AS value FROM ")
+            .append(database_name)
+            .append(".calibration WHERE optimizer <> 'none'");
     }
     return base::join(selections, " UNION ALL ");
 }
@@ -43,6 +47,7 @@ void migrate_schema3(Database& database) {
 
 std::string schema3_calibrations() {
     std::vector<std::string> columns;
+    columns.reserve(kParameters.size());
     for (const std::string name : kParameters) {
         columns.push_back(
             "coalesce((SELECT value FROM calibration_parameter AS p WHERE p.pattern_id = c.pattern_id AND "

@@ -31,7 +31,8 @@ std::vector<int> entry_places(const SystemLayout& layout, const SupernodeTree& t
 
 }  // namespace
 
-std::shared_ptr<const Ldlt::Analysis> Ldlt::analyse(const SystemLayout& layout, int threads, const base::Control& control) {
+std::shared_ptr<const Ldlt::Analysis> Ldlt::analyse(const SystemLayout& layout, int threads,
+                                                    const base::Control& control) {
     auto analysis = std::make_shared<Analysis>();
     analysis->layout = &layout;
     analysis->threads = base::resolved_thread_count(threads);

@@ -64,7 +64,8 @@ class Ldlt {
         std::vector<int> entry_place;  ///< of the layout's entries: rows of their columns in the fronts
         int most_rows = 0;             ///< of any supernode
     };
-    static std::shared_ptr<const Analysis> analyse(const SystemLayout& layout, int threads, const base::Control& control);
+    static std::shared_ptr<const Analysis> analyse(const SystemLayout& layout, int threads,
+                                                   const base::Control& control);
     explicit Ldlt(std::shared_ptr<const Analysis> analysis);
 
     void eliminate_task(std::size_t task, std::span<const double> values, const base::Control& control);

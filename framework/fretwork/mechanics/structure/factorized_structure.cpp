@@ -65,7 +65,8 @@ FactorizedStructure::FactorizedStructure(const FactorizedStructure& before, cons
     const bool connected_the_same = connect_the_same(before.assembly_, assembly);
     connections_ = connected_the_same ? before.connections_ : connections_of(assembly, control);
     // Where an element has coupled the halves, it may be the one that has gone.
-    const bool may_split = !before.split_ && is_flat(assembly);
+    const bool has_other_elements = before.assembly_.elements != assembly.elements;
+    const bool may_split = !before.split_ && has_other_elements && is_flat(assembly);
     if (connected_the_same && !may_split && before.constraints_.held == constraints_.held) {
         take_over(before, edit, control);
     } else {

@@ -171,7 +171,7 @@ class FrameCheck {
         }
     }
 
-    /// Beams without a mass among others are somebody's wish; nothing but such beams is a slip.
+    /// Gravity needs the density of every beam: one without would be forgotten silently.
     void check_gravity() const {
         if (!frame_.gravity.allFinite()) fail("/gravity", "is not finite");
         if (frame_.gravity.isZero(0.0)) return;

@@ -23,8 +23,9 @@ void require_tiles(const Surface& surface, std::span<const TileIndex> tiles) {
 
 Conditions Session::Impl::resolved(const LoadCase& load_case) {
     const bool is_weighed = !load_case.gravity.isZero(0) && surface_.setting.material.density > 0.0;
-    if (is_weighed && !tile_masses_) tile_masses_ = tile_masses(surface_);
-    return resolve(load_case, surface_, is_weighed ? *tile_masses_ : std::vector<double>{});
+    if (!is_weighed) return resolve(load_case, surface_, {});
+    if (!tile_masses_) tile_masses_ = tile_masses(surface_);
+    return resolve(load_case, surface_, tile_masses_.value());
 }
 
 /// The place of a pattern in the palette, or that behind its end.
@@ -73,8 +74,15 @@ void Session::Impl::set_tile_model(std::span<const TileIndex> tiles, const std::
     const reduction::TileModel& model =
         reduction::find_tile_model(name.empty() ? options_.model : name, options_.models);
     for (const TileIndex tile : tiles) (void)tile_parameters(surface_, tile, model);
+    std::vector<std::string> before = surface_.tile_models;
     surface_.tile_models.resize(surface_.tessellation.tiles.size());
     for (const TileIndex tile : tiles) surface_.tile_models[static_cast<std::size_t>(tile)] = name;
+    try {
+        check(surface_, options_);  // steps, say, of a surface that is linear now
+    } catch (const base::Error&) {
+        surface_.tile_models = std::move(before);
+        throw;
+    }
     invalidate_tiles(tiles);
 }
 

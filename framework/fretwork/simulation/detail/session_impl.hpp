@@ -51,10 +51,10 @@ class Session::Impl {
 
     void update_tiles(const base::Control& control);
     void build_all(const base::Control& control);
-    void join();
+    void join(std::vector<detail::BuiltTile> tiles);
     bool replace_elements(std::span<const tiling::TileIndex> tiles, std::span<const detail::BuiltTile> built);
     void update_conditions();
-    void update_factors(const base::Control& control);
+    const mechanics::LinearSolver& updated_solver(const base::Control& control);
     [[nodiscard]] bool is_nonlinear() const;
     [[nodiscard]] mechanics::Result make_result() const;
     void solve_path(mechanics::Result& result, const base::Control& control) const;

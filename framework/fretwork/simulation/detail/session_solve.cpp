@@ -17,15 +17,17 @@ using tiling::TileIndex;
 }  // namespace
 
 void Session::Impl::build_all(const base::Control& control) {
-    tiles_ = builder_.build_all(surface_, choice(), {options_.threads, control});
-    changed_tiles_.clear();
-    join();
+    join(builder_.build_all(surface_, choice(), {options_.threads, control}));
 }
 
-void Session::Impl::join() {
-    joined_ = detail::join_tiles(surface_, tiles_);
-    assembly_ = reduction::assemble(joined_.parts);
+/// Changes nothing if it throws.
+void Session::Impl::join(std::vector<detail::BuiltTile> tiles) {
+    detail::JoinedTiles joined = detail::join_tiles(surface_, tiles);
+    assembly_ = reduction::assemble(joined.parts);
     tile_supports_ = assembly_.supports.size();
+    joined_ = std::move(joined);
+    tiles_ = std::move(tiles);
+    changed_tiles_.clear();
 }
 
 /// False if a tile has other nodes now, or beams: then the structure is joined anew.
@@ -53,10 +55,12 @@ void Session::Impl::update_tiles(const base::Control& control) {
     std::vector<detail::BuiltTile> built =
         builder_.build({surface_, choice(), tiles}, {options_.threads, control});
     const bool has_the_same_nodes = replace_elements(tiles, built);
+    std::vector<detail::BuiltTile> all = tiles_;
     for (std::size_t i = 0; i < tiles.size(); ++i)
-        tiles_[static_cast<std::size_t>(tiles[i])] = std::move(built[i]);
+        all[static_cast<std::size_t>(tiles[i])] = std::move(built[i]);
+    if (!has_the_same_nodes) return join(std::move(all));
+    tiles_ = std::move(all);
     changed_tiles_.clear();
-    if (!has_the_same_nodes) join();
 }
 
 void Session::Impl::update_conditions() {
@@ -64,13 +68,14 @@ void Session::Impl::update_conditions() {
     apply(conditions_, assembly_);
 }
 
-void Session::Impl::update_factors(const base::Control& control) {
-    if (solver_) {
-        work_.factors = solver_->update(assembly_, control);
-        return;
+const mechanics::LinearSolver& Session::Impl::updated_solver(const base::Control& control) {
+    if (!solver_) {
+        work_.factors = Work::Factors::Anew;
+        return solver_.emplace(assembly_,
+                               mechanics::LinearOptions{.threads = options_.threads, .control = control});
     }
-    solver_.emplace(assembly_, mechanics::LinearOptions{.threads = options_.threads, .control = control});
-    work_.factors = Work::Factors::Anew;
+    work_.factors = solver_->update(assembly_, control);
+    return *solver_;
 }
 
 bool Session::Impl::is_nonlinear() const {
@@ -97,6 +102,9 @@ void Session::Impl::solve_path(mechanics::Result& result, const base::Control& c
 
 mechanics::Result Session::Impl::solve(const base::Control& control) {
     check(surface_, options_);
+    // A surface that is no frame is refused before the work.
+    std::optional<mechanics::Frame> frame;
+    if (options_.estimate_error) frame = surface_frame(surface_, choice(), conditions_);
     const auto started = Clock::now();
     const std::size_t built_before = builder_.built_count();
     update_tiles(control);
@@ -107,16 +115,16 @@ mechanics::Result Session::Impl::solve(const base::Control& control) {
     if (is_nonlinear()) {
         solve_path(result, control);
     } else {
-        update_factors(control);
-        result.solution = solver_->solve(assembly_.loads, control);
+        result.solution = updated_solver(control).solve(assembly_.loads, control);
     }
     result.seconds = std::chrono::duration<double>(Clock::now() - started).count();
-    if (options_.estimate_error)
+    if (frame) {
+        const auto factors = mechanics::even_load_factors(options_.load_steps);
         result.discretization_error =
-            mechanics::estimate_discretization_error(surface_frame(surface_, choice(), conditions_),
-                                                     mechanics::even_load_factors(options_.load_steps),
-                                                     result.load_steps, {.threads = options_.threads})
+            mechanics::estimate_discretization_error(*frame, factors, result.load_steps,
+                                                     {.threads = options_.threads, .control = control})
                 .back();
+    }
     if (options_.load_steps == 1) result.load_steps.clear();
     return result;
 }
@@ -124,13 +132,12 @@ mechanics::Result Session::Impl::solve(const base::Control& control) {
 Eigen::MatrixXd Session::Impl::solve_adjoint(const Eigen::MatrixXd& rows) {
     update_tiles({});
     update_conditions();
-    update_factors({});
     const auto nodes = static_cast<Eigen::Index>(assembly_.nodes.size());
     if (rows.rows() != nodes * mechanics::kDofsPerNode)
         throw base::InputError("the right sides have " + std::to_string(rows.rows()) +
                                " rows, where six are needed for each of the " + std::to_string(nodes) +
                                " nodes");
-    return solver_->solve_free(rows);
+    return updated_solver({}).solve_free(rows);
 }
 
 }  // namespace fretwork::simulation
