@@ -3,9 +3,11 @@
 #include "file_options.hpp"
 #include "verbs.hpp"
 
+#include <fretwork/base/error.hpp>
 #include <fretwork/base/internal/json_text.hpp>
 #include <fretwork/simulation/comparison.hpp>
 
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -46,6 +48,8 @@ void tell_without_subject(const std::string& file, const mechanics::Result& resu
 }
 
 ExitCode run(const Options& options) {
+    if (options.tolerance && !std::isfinite(*options.tolerance))
+        throw base::InputError("--tolerance", "", "is no finite number");
     const auto full = mechanics::read_result(options.full);
     const auto reduced = mechanics::read_result(options.reduced);
     tell_without_subject(options.full, full);

@@ -69,15 +69,6 @@ void name_library(Project& project, const Options& options, const Library* libra
 
 /// What stays in a project that is tiled anew must fit the new tiles.
 void check_what_stays(const Project& project, const Options& options) {
-    for (const auto& [model, tiles] : project.tile_models) {
-        for (const tiling::TileIndex tile : tiles) {
-            if (static_cast<std::size_t>(tile.value) < project.tessellation.tiles.size()) continue;
-            throw base::InputError(options.out, "/tile_models",
-                                   "has the model '" + model + "' for tile " + std::to_string(tile.value) +
-                                       ", which is not there on the new tiles; nothing is written: choose "
-                                       "another --out");
-        }
-    }
     for (const simulation::LoadCase& load_case : project.load_cases) {
         try {
             simulation::check_selections(load_case, project.tessellation);
@@ -110,6 +101,15 @@ void warn_of_numbers(const Project& before, const Project& tiled) {
         count);
 }
 
+/// The numbers of tiles mean others on other tiles.
+void drop_tile_models(Project& before, const Project& tiled) {
+    if (before.tile_models.empty()) return;
+    if (before.tessellation.interface_nodes == tiled.tessellation.interface_nodes) return;
+    before.tile_models.clear();
+    std::fputs("fretwork: the tile models of single tiles are dropped, for the tiles are others now\n",
+               stderr);
+}
+
 /// Put the new tiles into the project that is there, or into a new one, and write it.
 Project write(Project tiled, const Options& options, const Library* library) {
     std::optional<base::FileLock> lock;
@@ -118,6 +118,7 @@ Project write(Project tiled, const Options& options, const Library* library) {
         lock.emplace(options.out);
         project = simulation::read_project(options.out);
         warn_of_numbers(project, tiled);
+        drop_tile_models(project, tiled);
     }
     project.layout = std::move(tiled.layout);
     project.outline = std::move(tiled.outline);

@@ -47,7 +47,8 @@ std::string read_to_end(int descriptor, const std::filesystem::path& path, std::
 }  // namespace
 
 std::string read_text_file(const std::filesystem::path& path) {
-    const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    // Without waiting for the writer of a pipe, which is refused anyway.
+    const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
     if (descriptor < 0)
         throw InputError(path.string(), "", std::string("cannot be read: ") + std::strerror(errno));
     const detail::OpenFile file(descriptor);

@@ -80,35 +80,34 @@ std::optional<LowRankUpdate> LowRankUpdate::make(const Ldlt& factors, std::vecto
 
 /// @param form  U^T A^-1 U
 bool LowRankUpdate::factorize_inner(const Eigen::MatrixXd& form) {
-    const auto factorize = [](Eigen::LLT<Eigen::MatrixXd>& factors, Eigen::MatrixXd matrix) {
+    const auto factorize = [](std::optional<Eigen::LLT<Eigen::MatrixXd>>& factors, Eigen::MatrixXd matrix) {
         if (matrix.size() == 0) return true;
         matrix.diagonal().array() += 1.0;
-        factors.compute(matrix);
-        return factors.info() == Eigen::Success;
+        return factors.emplace(matrix).info() == Eigen::Success;
     };
     if (!factorize(stiffer_, form.topLeftCorner(plus_, plus_))) return false;
     coupling_ = form.bottomLeftCorner(minus_, plus_);
     Eigen::MatrixXd softer = -form.bottomRightCorner(minus_, minus_);
     if (plus_ > 0 && minus_ > 0) {  // Eigen's triangular solver takes no empty matrix
-        const Eigen::MatrixXd half = stiffer_.matrixL().solve(coupling_.transpose());
+        const Eigen::MatrixXd half = stiffer_->matrixL().solve(coupling_.transpose());
         softer += half.transpose() * half;
     }
     if (!factorize(softer_, std::move(softer))) return false;  // not positive definite any more
     const auto pivots = [](const Eigen::LLT<Eigen::MatrixXd>& factors) -> Eigen::ArrayXd {
         return factors.matrixLLT().diagonal().array().square();
     };
-    return (plus_ == 0 || (pivots(stiffer_) < kStiffest).all()) &&
-           (minus_ == 0 || (pivots(softer_) > kSoftest).all());
+    return (plus_ == 0 || (pivots(*stiffer_) < kStiffest).all()) &&
+           (minus_ == 0 || (pivots(*softer_) > kSoftest).all());
 }
 
 /// (S + U^T A^-1 U)^-1 times some columns, eliminated by blocks.
 Eigen::MatrixXd LowRankUpdate::inner_solution(const Eigen::MatrixXd& projected) const {
-    if (minus_ == 0) return stiffer_.solve(projected);
-    if (plus_ == 0) return -softer_.solve(projected);
+    if (minus_ == 0) return stiffer_->solve(projected);
+    if (plus_ == 0) return -softer_->solve(projected);
     Eigen::MatrixXd result(projected.rows(), projected.cols());
-    const Eigen::MatrixXd plus = stiffer_.solve(projected.topRows(plus_));
-    result.bottomRows(minus_) = -softer_.solve(projected.bottomRows(minus_) - coupling_ * plus);
-    result.topRows(plus_) = plus - stiffer_.solve(coupling_.transpose() * result.bottomRows(minus_));
+    const Eigen::MatrixXd plus = stiffer_->solve(projected.topRows(plus_));
+    result.bottomRows(minus_) = -softer_->solve(projected.bottomRows(minus_) - coupling_ * plus);
+    result.topRows(plus_) = plus - stiffer_->solve(coupling_.transpose() * result.bottomRows(minus_));
     return result;
 }
 
