@@ -32,10 +32,11 @@ UnitDisplacements ModelTile::displacements(std::span<const double> parameters) c
 
 std::vector<Response> ModelTile::responses(std::span<const double> parameters) const {
     std::vector<Response> responses;
+    const mechanics::Assembly tile = assemble(parts(parameters));
     for (const Scenario& scenario : setting_.scenarios) {
-        mechanics::Assembly tile = assemble(parts(parameters));
-        apply_scenario(scenario, tile);
-        responses.push_back(follow_scenario(tile, scenario, setting_));
+        mechanics::Assembly loaded = tile;
+        apply_scenario(scenario, loaded);
+        responses.push_back(follow_scenario(loaded, scenario, setting_));
     }
     return responses;
 }

@@ -121,9 +121,13 @@ void check_selections(const LoadCase& load_case, const tiling::Tessellation& tes
         (void)picked(load_case.loads[i].where, "loads", i);
 }
 
+bool needs_masses(const LoadCase& load_case, const Surface& surface) {
+    return !load_case.gravity.isZero(0) && surface.setting.material.density > 0.0;
+}
+
 Conditions resolve(const LoadCase& load_case, const Surface& surface) {
-    const bool is_weighed = !load_case.gravity.isZero(0) && surface.setting.material.density > 0.0;
-    return resolve(load_case, surface, is_weighed ? tile_masses(surface) : std::vector<double>{});
+    return resolve(load_case, surface,
+                   needs_masses(load_case, surface) ? tile_masses(surface) : std::vector<double>{});
 }
 
 Conditions resolve(const LoadCase& load_case, const Surface& surface, std::span<const double> tile_masses) {

@@ -22,6 +22,8 @@ struct Conditions {
 Conditions resolve(const LoadCase& load_case, const Surface& surface);
 /// The same with the masses of the tiles known already; without gravity they may be left out.
 Conditions resolve(const LoadCase& load_case, const Surface& surface, std::span<const double> tile_masses);
+/// Whether there is gravity in the load case, and mass for it to act on.
+bool needs_masses(const LoadCase& load_case, const Surface& surface);
 
 /// The loads as one row for each of `nodes` nodes, of which the first are the interface nodes.
 mechanics::NodeValues load_rows(const Conditions& conditions, std::size_t nodes);

@@ -20,8 +20,6 @@ class Subsystem {
     [[nodiscard]] Subsystem cleared() const;
 
     [[nodiscard]] const sparse::SystemLayout& layout() const { return *layout_; }
-    /// True if the factors are those of another stiffness, with a correction of low rank.
-    [[nodiscard]] bool is_corrected() const { return correction_.has_value(); }
 
     /// Add an element's stiffness, and factorize the sum. Only before the equations are copied.
     void add(std::size_t element, const Eigen::MatrixXd& stiffness);

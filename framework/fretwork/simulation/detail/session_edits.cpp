@@ -22,8 +22,7 @@ void require_tiles(const Surface& surface, std::span<const TileIndex> tiles) {
 }  // namespace
 
 Conditions Session::Impl::resolved(const LoadCase& load_case) {
-    const bool is_weighed = !load_case.gravity.isZero(0) && surface_.setting.material.density > 0.0;
-    if (!is_weighed) return resolve(load_case, surface_, {});
+    if (!needs_masses(load_case, surface_)) return resolve(load_case, surface_, {});
     if (!tile_masses_) tile_masses_ = tile_masses(surface_);
     return resolve(load_case, surface_, tile_masses_.value());
 }

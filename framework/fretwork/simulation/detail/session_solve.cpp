@@ -54,13 +54,18 @@ void Session::Impl::update_tiles(const base::Control& control) {
     const std::vector<TileIndex> tiles(changed_tiles_.begin(), changed_tiles_.end());
     std::vector<detail::BuiltTile> built =
         builder_.build({surface_, choice(), tiles}, {options_.threads, control});
-    const bool has_the_same_nodes = replace_elements(tiles, built);
-    std::vector<detail::BuiltTile> all = tiles_;
-    for (std::size_t i = 0; i < tiles.size(); ++i)
-        all[static_cast<std::size_t>(tiles[i])] = std::move(built[i]);
-    if (!has_the_same_nodes) return join(std::move(all));
-    tiles_ = std::move(all);
-    changed_tiles_.clear();
+    const auto put_into = [&](std::vector<detail::BuiltTile>& all) {
+        for (std::size_t i = 0; i < tiles.size(); ++i)
+            all[static_cast<std::size_t>(tiles[i])] = std::move(built[i]);
+    };
+    if (replace_elements(tiles, built)) {
+        put_into(tiles_);
+        changed_tiles_.clear();
+    } else {
+        std::vector<detail::BuiltTile> all = tiles_;
+        put_into(all);
+        join(std::move(all));
+    }
 }
 
 void Session::Impl::update_conditions() {
