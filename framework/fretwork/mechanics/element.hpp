@@ -33,6 +33,20 @@ struct ElementResponse {
 /// What is wanted of an element.
 enum class Demand { Force, Tangent };
 
+/// The stresses of one element in a mixed iteration, in memory of the caller.
+struct ElementStresses {
+    std::span<const double> given;  ///< stand in the geometric terms, in place of the element's own
+    std::span<double> own;          ///< out: s = K e(x)
+    std::span<double> slopes;  ///< out, only where the tangent is asked for: B = de/dx along small motions
+                               ///< of the nodes, stress_count() x 6n, column by column
+};
+
+/// What an element answers where stresses are given: the true energy and force B^T s, and a tangent
+/// B^T K B + sum of given_i d2e_i/dx2.
+struct MixedResponse : ElementResponse {
+    Eigen::VectorXd given_force;  ///< 6n: B^T given
+};
+
 /// A part of a structure with any number of nodes: a beam, a condensed tile. Immutable, so that threads may
 /// share it. Every kind answers all of these questions: none has a default that could be wrong in silence.
 class Element {
@@ -53,6 +67,24 @@ class Element {
     /// caller owns the buffers.
     virtual void evaluate(std::span<const NodeState> states, Demand demand,
                           ElementResponse& response) const = 0;
+
+    /// The number of stresses of an element whose energy is e . K e / 2, with strains e(x) of its nodes'
+    /// states and a constant stiffness K: s = K e. Zero for an element that is not, or whose strains are
+    /// linear.
+    [[nodiscard]] virtual Eigen::Index stress_count() const = 0;
+
+    /// Write the response with given stresses, and the element's own: as in evaluate(), the caller owns the
+    /// buffers. With its own stresses given this is evaluate(); so it is always where stress_count() is zero,
+    /// and then given_force is the force.
+    ///
+    /// Newton's method with stresses that are extrapolated from the last iteration, s + K B dx, takes far
+    /// longer steps than with those of the current displacements, in which membrane stiffness shows as huge
+    /// stresses. [Magisano2017]
+    virtual void evaluate_mixed(std::span<const NodeState> states, Demand demand,
+                                const ElementStresses& stresses, MixedResponse& response) const = 0;
+
+    /// Write the stresses K e of these strains, stress_count() of each.
+    virtual void stresses_of(std::span<const double> strains, std::span<double> stresses) const = 0;
 
     /// How far the element's ends are turned against each other, rad, where this is known only up to whole
     /// turns: a path must not let it come to pi. Zero for an element that is right at any such turn, or meant

@@ -31,6 +31,15 @@ void expand_force(const MotionVector& motion, Eigen::VectorXd& force) {
     force.segment<3>(9) = motion.segment<3>(kSpin2);
 }
 
+/// From columns of motions to those of the nodes' small motions.
+void expand_slopes(const DeformationSlopes& motion, std::span<double> slopes) {
+    Eigen::Map<Eigen::Matrix<double, kBeamDeformations, 2 * kDofsPerNode>> out(slopes.data());
+    out.middleCols<3>(0) = -motion.middleCols<3>(kChord);
+    out.middleCols<3>(3) = motion.middleCols<3>(kSpin1);
+    out.middleCols<3>(6) = motion.middleCols<3>(kChord);
+    out.middleCols<3>(9) = motion.middleCols<3>(kSpin2);
+}
+
 /// The motions that small displacements and rotations of the two nodes are.
 MotionVector motion_of(const Eigen::VectorXd& displacements) {
     MotionVector motion;
@@ -63,7 +72,7 @@ BeamElement::BeamElement(const Geometry& geometry, const Section& section, const
 /// rotations. With u and r the rows' parts at end 1, those at end 2 are -u, and r with the sign of a sway or
 /// a bow.
 void BeamElement::rest_stiffness(Eigen::MatrixXd& stiffness) const {
-    const BeamVector& k = energy_.rest_hessian();
+    const BeamVector& k = energy_.stiffness();
     const double l = geometry_.length;
     const Matrix3d along1 = geometry_.axes.col(0) * geometry_.axes.col(0).transpose();
     const Matrix3d along2 = geometry_.axes.col(1) * geometry_.axes.col(1).transpose();
@@ -95,9 +104,34 @@ void BeamElement::evaluate(std::span<const NodeState> states, Demand demand,
     if (demand == Demand::Force) return;
     MotionMatrix tangent = deformation.curvature(state.gradient);
     // Lazy: Eigen's blocked product is slower on matrices as small as these.
-    const DeformationSlopes scaled = energy_.hessian(d, state).lazyProduct(slopes);
+    const DeformationSlopes scaled = energy_.hessian(d, state, state.stress).lazyProduct(slopes);
     tangent += slopes.transpose().lazyProduct(scaled);
     expand_tangent(tangent, response.tangent);
+}
+
+void BeamElement::evaluate_mixed(std::span<const NodeState> states, Demand demand,
+                                 const ElementStresses& stresses, MixedResponse& response) const {
+    const BeamDeformation deformation(geometry_.axes, geometry_.length, states);
+    const BeamVector d = deformation.values();
+    const DeformationSlopes slopes = deformation.slopes();
+    const BeamEnergy::State state = energy_.evaluate(d);
+    const Eigen::Map<const BeamVector> given(stresses.given.data());
+    const BeamVector given_gradient = state.strain_slopes.transpose().lazyProduct(given);
+    Eigen::Map<BeamVector>(stresses.own.data()) = state.stress;
+    response.energy = state.value;
+    expand_force(slopes.transpose().lazyProduct(state.gradient), response.force);
+    expand_force(slopes.transpose().lazyProduct(given_gradient), response.given_force);
+    if (demand == Demand::Force) return;
+    MotionMatrix tangent = deformation.curvature(given_gradient);
+    const DeformationSlopes scaled = energy_.hessian(d, state, given).lazyProduct(slopes);
+    tangent += slopes.transpose().lazyProduct(scaled);
+    expand_tangent(tangent, response.tangent);
+    expand_slopes(state.strain_slopes.lazyProduct(slopes), stresses.slopes);
+}
+
+void BeamElement::stresses_of(std::span<const double> strains, std::span<double> stresses) const {
+    Eigen::Map<BeamVector>(stresses.data()) =
+        energy_.stiffness().cwiseProduct(Eigen::Map<const BeamVector>(strains.data()));
 }
 
 double BeamElement::relative_turn(std::span<const NodeState> states) const {
@@ -109,11 +143,11 @@ void BeamElement::geometric_stiffness(const Eigen::VectorXd& displacements,
     const std::array<NodeState, 2> at_rest{};
     const BeamDeformation rest(geometry_.axes, geometry_.length, at_rest);
     const DeformationSlopes slopes = rest.slopes();
-    BeamEnergy::State state = energy_.evaluate(BeamVector::Zero());
-    state.stress = energy_.rest_hessian().cwiseProduct(slopes * motion_of(displacements));
-    BeamMatrix hessian = energy_.hessian(BeamVector::Zero(), state);
-    hessian.diagonal() -= energy_.rest_hessian();
-    expand_tangent(rest.curvature(state.stress) + slopes.transpose() * hessian * slopes, stiffness);
+    const BeamEnergy::State state = energy_.evaluate(BeamVector::Zero());
+    const BeamVector stress = energy_.stiffness().cwiseProduct(slopes * motion_of(displacements));
+    BeamMatrix hessian = energy_.hessian(BeamVector::Zero(), state, stress);
+    hessian.diagonal() -= energy_.stiffness();
+    expand_tangent(rest.curvature(stress) + slopes.transpose() * hessian * slopes, stiffness);
 }
 
 void BeamElement::mass(Eigen::MatrixXd& mass) const {

@@ -25,6 +25,10 @@ class BeamElement final : public Element {
     [[nodiscard]] std::span<const NodeIndex> nodes() const override { return geometry_.nodes; }
     void rest_stiffness(Eigen::MatrixXd& stiffness) const override;
     void evaluate(std::span<const NodeState> states, Demand demand, ElementResponse& response) const override;
+    [[nodiscard]] Eigen::Index stress_count() const override { return kBeamDeformations; }
+    void evaluate_mixed(std::span<const NodeState> states, Demand demand, const ElementStresses& stresses,
+                        MixedResponse& response) const override;
+    void stresses_of(std::span<const double> strains, std::span<double> stresses) const override;
     [[nodiscard]] double relative_turn(std::span<const NodeState> states) const override;
     void geometric_stiffness(const Eigen::VectorXd& displacements, Eigen::MatrixXd& stiffness) const override;
     void mass(Eigen::MatrixXd& mass) const override;

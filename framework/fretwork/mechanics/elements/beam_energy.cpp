@@ -135,8 +135,7 @@ void BeamEnergy::add_shear_terms(const BeamVector& d, const BeamVector& stress, 
     h(kSway2, kBow3) -= kThird * stress_across * shear2_;
 }
 
-BeamMatrix BeamEnergy::hessian(const BeamVector& d, const State& state) const {
-    const BeamVector& stress = state.stress;
+BeamMatrix BeamEnergy::hessian(const BeamVector& d, const State& state, const BeamVector& stress) const {
     const BeamMatrix scaled = stiffness_.asDiagonal() * state.strain_slopes;
     BeamMatrix h = state.strain_slopes.transpose().lazyProduct(scaled);
     h(kBow2, kBow2) += stress[kElongation] * bow_shortening_;

@@ -56,9 +56,10 @@ class BeamEnergy {
         BeamVector stress;         ///< stiffness * strain
     };
     [[nodiscard]] State evaluate(const BeamVector& d) const;
-    [[nodiscard]] BeamMatrix hessian(const BeamVector& d, const State& state) const;
-    /// The Hessian at rest, which is diagonal.
-    [[nodiscard]] const BeamVector& rest_hessian() const { return stiffness_; }
+    /// @param stress  in the terms of the strains' second derivatives: the state's own, or another
+    [[nodiscard]] BeamMatrix hessian(const BeamVector& d, const State& state, const BeamVector& stress) const;
+    /// Stress over strain; and the diagonal of the Hessian at rest, which is all of it.
+    [[nodiscard]] const BeamVector& stiffness() const { return stiffness_; }
 
   private:
     [[nodiscard]] BeamVector strains(const BeamVector& d) const;

@@ -54,37 +54,51 @@ void HingedElement::mass(Eigen::MatrixXd& mass) const {
     mass = map.transpose() * own * map;
 }
 
-void HingedElement::evaluate(std::span<const NodeState> states, Demand demand,
-                             ElementResponse& response) const {
-    const Matrix3d& axes = beam_->geometry().axes;
-    std::array<NodeState, 2> ends = {states[0], states[1]};
-    Eigen::MatrixXd map = rest_map();
-    std::array<HingedEnd, 2> hinged;
+HingedElement::Hung HingedElement::hang(std::span<const NodeState> states) const {
+    Hung hung{{states[0], states[1]}, {}, rest_map()};
     for (const Hinge& hinge : hinges_) {
         const auto end = static_cast<std::size_t>(hinge.end);
-        hinged[end] = compose(axes, states[end], states[static_cast<std::size_t>(hinge.slot)]);
-        ends[end] = hinged[end].state;
-        map.block<3, 3>(6 * hinge.end, 6 * hinge.end + 3) = -cross_matrix(hinged[end].arm);
+        HingedEnd& hinged = hung.hinged[end];
+        hinged = compose(beam_->geometry().axes, states[end], states[static_cast<std::size_t>(hinge.slot)]);
+        hung.ends[end] = hinged.state;
+        hung.map.block<3, 3>(6 * hinge.end, 6 * hinge.end + 3) = -cross_matrix(hinged.arm);
         for (Eigen::Index part = 0; part < 2; ++part)
-            map.block<3, 3>(6 * hinge.end + 3 * part, 6 * hinge.slot + 3 * part) = hinged[end].turned_axes;
+            hung.map.block<3, 3>(6 * hinge.end + 3 * part, 6 * hinge.slot + 3 * part) = hinged.turned_axes;
     }
+    return hung;
+}
+
+void HingedElement::evaluate(std::span<const NodeState> states, Demand demand,
+                             ElementResponse& response) const {
+    const Hung hung = hang(states);
     ElementResponse own;
-    beam_->evaluate(ends, demand, own);
+    beam_->evaluate(hung.ends, demand, own);
     response.energy = own.energy;
-    response.force = map.transpose() * own.force;
+    response.force = hung.map.transpose() * own.force;
     if (demand == Demand::Force) return;
-    response.tangent = map.transpose() * own.tangent * map;
-    add_hinge_curvature(own.force, hinged, response.tangent);
+    response.tangent = hung.map.transpose() * own.tangent * hung.map;
+    add_hinge_curvature(own.force, hung.hinged, response.tangent);
+}
+
+void HingedElement::evaluate_mixed(std::span<const NodeState> states, Demand demand,
+                                   const ElementStresses& stresses, MixedResponse& response) const {
+    const Hung hung = hang(states);
+    Eigen::Matrix<double, Eigen::Dynamic, kBeamDofs> slopes(stress_count(), kBeamDofs);
+    MixedResponse own;
+    beam_->evaluate_mixed(
+        hung.ends, demand,
+        {stresses.given, stresses.own, {slopes.data(), static_cast<std::size_t>(slopes.size())}}, own);
+    response.energy = own.energy;
+    response.force = hung.map.transpose() * own.force;
+    response.given_force = hung.map.transpose() * own.given_force;
+    if (demand == Demand::Force) return;
+    response.tangent = hung.map.transpose() * own.tangent * hung.map;
+    add_hinge_curvature(own.given_force, hung.hinged, response.tangent);
+    Eigen::Map<Eigen::MatrixXd>(stresses.slopes.data(), slopes.rows(), size()) = slopes * hung.map;
 }
 
 double HingedElement::relative_turn(std::span<const NodeState> states) const {
-    std::array<NodeState, 2> ends = {states[0], states[1]};
-    for (const Hinge& hinge : hinges_) {
-        const auto end = static_cast<std::size_t>(hinge.end);
-        ends[end] =
-            compose(beam_->geometry().axes, states[end], states[static_cast<std::size_t>(hinge.slot)]).state;
-    }
-    return beam_->relative_turn(ends);
+    return beam_->relative_turn(hang(states).ends);
 }
 
 void HingedElement::geometric_stiffness(const Eigen::VectorXd& displacements,

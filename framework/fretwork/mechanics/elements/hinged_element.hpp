@@ -19,6 +19,12 @@ class HingedElement final : public Element {
     [[nodiscard]] std::span<const NodeIndex> nodes() const override { return nodes_; }
     void rest_stiffness(Eigen::MatrixXd& stiffness) const override;
     void evaluate(std::span<const NodeState> states, Demand demand, ElementResponse& response) const override;
+    [[nodiscard]] Eigen::Index stress_count() const override { return beam_->stress_count(); }
+    void evaluate_mixed(std::span<const NodeState> states, Demand demand, const ElementStresses& stresses,
+                        MixedResponse& response) const override;
+    void stresses_of(std::span<const double> strains, std::span<double> stresses) const override {
+        beam_->stresses_of(strains, stresses);
+    }
     [[nodiscard]] double relative_turn(std::span<const NodeState> states) const override;
     void geometric_stiffness(const Eigen::VectorXd& displacements, Eigen::MatrixXd& stiffness) const override;
     void mass(Eigen::MatrixXd& mass) const override;
@@ -35,6 +41,13 @@ class HingedElement final : public Element {
         NodeState state;
     };
     static HingedEnd compose(const Eigen::Matrix3d& axes, const NodeState& node, const NodeState& hinge);
+    /// The beam's ends where the nodes are, and the way from small motions of the nodes to theirs.
+    struct Hung {
+        std::array<NodeState, 2> ends;
+        std::array<HingedEnd, 2> hinged;
+        Eigen::MatrixXd map;
+    };
+    [[nodiscard]] Hung hang(std::span<const NodeState> states) const;
     [[nodiscard]] Eigen::MatrixXd rest_map() const;
     /// Add what the forces on the beam's ends contribute, since these move with the frame's nodes to second
     /// order.

@@ -37,6 +37,12 @@ void LinearElement::evaluate(std::span<const NodeState> states, Demand demand,
     }
 }
 
+void LinearElement::evaluate_mixed(std::span<const NodeState> states, Demand demand, const ElementStresses&,
+                                   MixedResponse& response) const {
+    evaluate(states, demand, response);
+    response.given_force = response.force;
+}
+
 void LinearElement::geometric_stiffness(const Eigen::VectorXd& displacements,
                                         Eigen::MatrixXd& stiffness) const {
     stiffness.setZero(displacements.size(), displacements.size());

@@ -16,6 +16,11 @@ class LinearElement final : public Element {
     [[nodiscard]] std::span<const NodeIndex> nodes() const override { return nodes_; }
     void rest_stiffness(Eigen::MatrixXd& stiffness) const override { stiffness = matrices_.stiffness; }
     void evaluate(std::span<const NodeState> states, Demand demand, ElementResponse& response) const override;
+    /// Its strains would be the displacements themselves, linear but for rotations it is not meant for.
+    [[nodiscard]] Eigen::Index stress_count() const override { return 0; }
+    void evaluate_mixed(std::span<const NodeState> states, Demand demand, const ElementStresses& stresses,
+                        MixedResponse& response) const override;
+    void stresses_of(std::span<const double>, std::span<double>) const override {}
     /// It is meant for small rotations.
     [[nodiscard]] double relative_turn(std::span<const NodeState>) const override { return 0.0; }
     /// Zero: its energy has no terms above the second order.
