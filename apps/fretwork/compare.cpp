@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fretwork compare: how far a reduced result is from the full one, as a row of the paper's Table 3.
 #include "file_options.hpp"
+#include "surface_result.hpp"
 #include "verbs.hpp"
 
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/internal/json_text.hpp>
+#include <fretwork/base/quantity.hpp>
+#include <fretwork/base/text.hpp>
 #include <fretwork/simulation/comparison.hpp>
 
 #include <cmath>
@@ -41,27 +44,37 @@ base::Json to_json(const std::string& name, const simulation::Comparison& compar
             {"reduced_model_seconds", comparison.reduced_seconds}};
 }
 
-void tell_without_subject(const std::string& file, const mechanics::Result& result) {
-    if (result.subject) return;
-    std::fprintf(stderr, "fretwork: %s does not say what it is a result of (an older program made it)\n",
-                 file.c_str());
+/// A refusal names the files, which the stage does not know.
+simulation::Comparison compare(const Options& options, const mechanics::Result& full,
+                               const mechanics::Result& reduced) {
+    try {
+        return simulation::compare(full, reduced);
+    } catch (const base::InputError& error) {
+        throw base::InputError(options.full + " and " + options.reduced, "", error.what());
+    }
+}
+
+/// CLI11's own check of numbers that are not negative names the largest double where it refuses infinity.
+CLI::Validator tolerance_check() {
+    const auto check = [](const std::string& text) {
+        const auto number = base::read_number<double>(text);
+        const bool is_valid = number && std::isfinite(*number) && *number >= 0.0;
+        return is_valid ? std::string() : "'" + text + "' is no tolerance: a finite number not below zero is";
+    };
+    return {check, "NUMBER", "tolerance"};
 }
 
 ExitCode run(const Options& options) {
-    if (options.tolerance && !std::isfinite(*options.tolerance))
-        throw base::InputError("--tolerance", "", "is no finite number");
-    const auto full = mechanics::read_result(options.full);
-    const auto reduced = mechanics::read_result(options.reduced);
-    tell_without_subject(options.full, full);
-    tell_without_subject(options.reduced, reduced);
-    const simulation::Comparison comparison = simulation::compare(full, reduced);
+    const auto full = read_surface_result(options.full);
+    const auto reduced = read_surface_result(options.reduced);
+    const simulation::Comparison comparison = compare(options, full, reduced);
     const std::string name =
         options.name.empty() ? std::filesystem::path(options.full).stem().string() : options.name;
     if (options.json) {
         std::fputs(base::json_text(to_json(name, comparison)).c_str(), stdout);
     } else {
         std::printf("%s\n%s\n", simulation::comparison_header().c_str(),
-                    simulation::comparison_row(name, comparison).c_str());
+                    simulation::comparison_row(base::printable(name), comparison).c_str());
     }
     if (options.tolerance && !(comparison.relative_l2_error <= *options.tolerance)) {
         std::fprintf(stderr, "fretwork: the relative error %.4g is above the tolerance %.4g\n",
@@ -83,7 +96,7 @@ void add_compare(CLI::App& app, ExitCode& exit_code) {
     verb->add_option("--name", options->name, "First column (default: the first file's name)");
     verb->add_option("--tolerance", options->tolerance,
                      "Exit with 1 if the relative L2 error of the translations is above it")
-        ->check(CLI::NonNegativeNumber);
+        ->check(tolerance_check());
     verb->add_flag("--json", options->json, "Print JSON");
     declare_files(*verb, {input("full"), input("reduced")});
     verb->footer("Example: fretwork compare full.json reduced.json");

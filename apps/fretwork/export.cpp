@@ -2,16 +2,15 @@
 // fretwork export: a project, and what was computed of it, as a drawing or a file for other programs.
 #include "file_options.hpp"
 #include "project_library.hpp"
+#include "surface_result.hpp"
 #include "verbs.hpp"
 
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/file.hpp>
 #include <fretwork/exports/writer_catalogue.hpp>
-#include <fretwork/simulation/project_file.hpp>
 #include <fretwork/simulation/result_subject.hpp>
 
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 
@@ -27,14 +26,9 @@ struct Options {
     double scale = 1.0;
 };
 
-/// A result of this surface. One of an older program is taken at its word, and that is told.
 mechanics::Result read_own_result(const std::string& file, const simulation::Surface& surface) {
-    mechanics::Result result = mechanics::read_result(file);
-    if (!result.subject) {
-        std::fprintf(stderr, "fretwork: %s does not say what it is a result of (an older program made it)\n",
-                     file.c_str());
-        return result;
-    }
+    mechanics::Result result = read_surface_result(file);
+    if (!result.subject) return result;
     const std::string difference = simulation::subject_difference(*result.subject, surface);
     if (!difference.empty())
         throw base::InputError(file, "", "is no result of this project: they differ in " + difference);
@@ -42,7 +36,7 @@ mechanics::Result read_own_result(const std::string& file, const simulation::Sur
 }
 
 exports::Scene make_scene(const Options& options) {
-    const simulation::Project project = simulation::read_project(options.project);
+    const simulation::Project project = read_checked_project(options.project);
     const auto library = open_project_library(options.project, project, options.library);
     exports::Scene scene{simulation::make_surface(project, library ? &*library : nullptr)};
     if (!options.load_case.empty()) {

@@ -78,25 +78,34 @@ void check_place(const NamedFile& file) {
                                "cannot be written: folder " + folder.string() + ": " + std::strerror(errno));
 }
 
-/// What is there now, in words; nothing if it is none of ours, or of the kind that it should be.
-std::string other_kind(const fs::path& path, const FileKind& kind) {
-    const FileContent present = content_of(path);
+/// What is there now, in words, if it is of another kind than it should be; else nothing.
+std::string other_kind(const FileContent& present, const FileKind& kind) {
     if (present.is_database)
         return kind.name == kLibraryFile.name ? "" : "a pattern library or another database";
     if (present.format.empty() || present.format == kind.format) return "";
     return (present.format == "outline" ? "an " : "a ") + present.format;
 }
 
+/// Whether nothing is lost that a person has made: an older output of ours, or an empty file.
+bool may_be_replaced(const FileContent& present, const FileKind& kind) {
+    if (present.start.empty()) return true;
+    if (present.is_database) return kind.name == kLibraryFile.name;
+    if (!present.format.empty()) return present.format == kind.format;
+    return kind.is_ours != nullptr && kind.is_ours(present.start);
+}
+
 void check_replaced(const fs::path& path, const FileKind& kind) {
-    const std::string present = other_kind(path, kind);
-    if (present.empty()) return;
-    throw base::InputError(
-        path.string(), "",
-        "is " + present + ", and would be replaced by " + std::string(kind.name) + "; name another file");
+    const FileContent present = content_of(path);
+    if (may_be_replaced(present, kind)) return;
+    const std::string other = other_kind(present, kind);
+    const std::string what = other.empty() ? "no file that fretwork has made" : other;
+    throw base::InputError(path.string(), "",
+                           "is " + what + ", and would be replaced by " + std::string(kind.name) +
+                               "; name another file" + (other.empty() ? ", or remove it first" : ""));
 }
 
 void check_updated(const fs::path& path, const FileKind& kind) {
-    const std::string present = other_kind(path, kind);
+    const std::string present = other_kind(content_of(path), kind);
     if (present.empty()) return;
     throw base::InputError(path.string(), "",
                            "is " + present + ", where " + std::string(kind.name) + " is needed");
@@ -110,12 +119,29 @@ void check_output(const NamedFile& file) {
                                   : check_replaced(file.path, file.kind);
 }
 
-bool is_made_in_folder(const fs::path& path, const FileKind& folder) {
+/// How a command names the files that it makes in a folder.
+enum class MadeName { None, ByEnding, Whole };
+
+MadeName made_name(const fs::path& path, const FileKind& folder) {
     const std::string name = path.filename().string();
     for (const std::string& made : words(folder.endings)) {
-        if (name == made || (made.front() == '.' && name.ends_with(made))) return true;
+        if (name == made) return MadeName::Whole;
+        if (made.front() == '.' && name.ends_with(made)) return MadeName::ByEnding;
     }
-    return false;
+    return MadeName::None;
+}
+
+bool is_made_in_folder(const fs::path& path, const FileKind& folder) {
+    return made_name(path, folder) != MadeName::None;
+}
+
+/// Where only the ending is known, the other files of the folder stay; databases do not have these endings.
+void check_in_folder(const fs::path& path, const FileKind& folder) {
+    const std::string format = path.stem().string();
+    const FileKind kind{"a file of this command", "", format, folder.is_ours};
+    if (made_name(path, folder) == MadeName::Whole) return check_replaced(path, kind);
+    if (made_name(path, folder) == MadeName::ByEnding && content_of(path).is_database)
+        check_replaced(path, kind);
 }
 
 void check_folder(const NamedFile& folder) {
@@ -123,10 +149,8 @@ void check_folder(const NamedFile& folder) {
     if (!is_folder(folder.path))
         throw base::InputError(folder.path.string(), "", "is a file, where a folder is needed");
     std::error_code ignored;
-    for (const auto& entry : fs::directory_iterator(folder.path, ignored)) {
-        if (is_made_in_folder(entry.path(), folder.kind))
-            check_replaced(entry.path(), {"a file of this command", "", entry.path().stem().native()});
-    }
+    for (const auto& entry : fs::directory_iterator(folder.path, ignored))
+        check_in_folder(entry.path(), folder.kind);
 }
 
 bool lies_in(const NamedFile& file, const NamedFile& folder) {

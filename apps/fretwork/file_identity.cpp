@@ -82,16 +82,18 @@ bool is_device(const fs::path& path) {
 
 FileContent content_of(const fs::path& path) {
     constexpr std::string_view kDatabase("SQLite format 3\0", 16);
+    constexpr std::size_t kFirstLines = 512;
     std::error_code ignored;
     if (!fs::is_regular_file(path, ignored)) return {};
     std::ifstream stream(path, std::ios::binary);
-    std::string start(kDatabase.size(), '\0');
-    stream.read(start.data(), static_cast<std::streamsize>(start.size()));
-    if (start == kDatabase) return {.is_database = true};
+    FileContent content{.start = std::string(kFirstLines, '\0')};
+    stream.read(content.start.data(), kFirstLines);
+    content.start.resize(static_cast<std::size_t>(stream.gcount()));
+    content.is_database = content.start.starts_with(kDatabase);
     stream.clear();
     stream.seekg(0);
-    if ((stream >> std::ws).peek() != '{') return {};
-    return {.format = format_in(stream)};
+    if (!content.is_database && (stream >> std::ws).peek() == '{') content.format = format_in(stream);
+    return content;
 }
 
 }  // namespace fretwork::app

@@ -17,6 +17,7 @@ bool is_device(const std::filesystem::path& path);
 struct FileContent {
     bool is_database = false;  ///< SQLite, as every pattern library is
     std::string format{};      ///< K of a JSON file that says "fretwork/K/N"; else empty
+    std::string start{};       ///< its first lines; empty: nothing is there, or nothing is in it
 };
 
 /// Of a file that is missing or cannot be read, nothing is known.

@@ -13,18 +13,31 @@ struct FileKind {
     std::string_view name;     ///< for people: "a project"
     std::string_view endings;  ///< those that a new file may have, with spaces between; empty: any
     std::string_view format;   ///< JSON files of this kind say "fretwork/<format>/N"; empty: it is not JSON
+    /// Whether a text that begins like this was made by this program; null: texts of this kind are JSON, or
+    /// none.
+    bool (*is_ours)(std::string_view start) = nullptr;
 };
+
+/// Drawings, meshes and decks say so.
+bool says_who_made_it(std::string_view start);
+/// Tables have one of our headers.
+bool is_our_table(std::string_view start);
+/// Lists begin with the id of a pattern.
+bool is_list_of_patterns(std::string_view start);
 
 inline constexpr FileKind kProjectFile{"a project", ".json", "project"};
 inline constexpr FileKind kResultFile{"a result", ".json", "result"};
 inline constexpr FileKind kFrameFile{"a frame", ".json", "frame"};
 inline constexpr FileKind kLibraryFile{"a pattern library", ".db .sqlite .sqlite3", ""};
-inline constexpr FileKind kTableFile{"a table", ".csv", ""};
-inline constexpr FileKind kListFile{"a list", ".txt .csv", ""};
-inline constexpr FileKind kSvgFile{"a drawing", ".svg", ""};
-inline constexpr FileKind kVtuFile{"a file for ParaView", ".vtu", ""};
-inline constexpr FileKind kDeckFile{"an input deck", ".inp", ""};
-inline constexpr FileKind kExportFile{"a drawing or a mesh", "", ""};
+inline constexpr FileKind kTableFile{"a table", ".csv", "", is_our_table};
+inline constexpr FileKind kListFile{"a list", ".txt .csv", "", is_list_of_patterns};
+inline constexpr FileKind kSvgFile{"a drawing", ".svg", "", says_who_made_it};
+inline constexpr FileKind kVtuFile{"a file for ParaView", ".vtu", "", says_who_made_it};
+inline constexpr FileKind kDeckFile{"an input deck", ".inp", "", says_who_made_it};
+/// Drawings, meshes, and tables of nodes.
+inline constexpr FileKind kExportFile{"a drawing or a mesh", "", "", [](std::string_view start) {
+                                          return says_who_made_it(start) || is_our_table(start);
+                                      }};
 
 /// What a command does to a file that an option names.
 enum class FileRole {
@@ -58,7 +71,7 @@ inline DeclaredFile update(const char* option, FileKind kind) {
 }
 /// @param files  the endings or names of the files that are made, with spaces between
 inline DeclaredFile output_folder(const char* option, std::string_view files) {
-    return {option, FileRole::OutputFolder, {"a folder", files, ""}};
+    return {option, FileRole::OutputFolder, {"a folder", files, "", is_our_table}};
 }
 
 /// Say which options of a verb name files, all of them in one place: what is declared is checked before any

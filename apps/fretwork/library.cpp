@@ -34,6 +34,11 @@ Examples:
   fretwork library merge all.db shard1.db shard2.db
   fretwork library export --library lib.db --csv tables --meshes meshes --chart chart.svg)";
 
+/// What `export --csv` writes.
+constexpr const char* kTables =
+    "behaviour.csv calibration.csv calibration_error.csv calibration_parameter.csv failure.csv pattern.csv "
+    "property.csv response.csv response_state.csv scenario.csv layout.json setting.json";
+
 struct Options {
     std::string library;
     std::string pattern;
@@ -233,9 +238,8 @@ void add_library(CLI::App& app, ExitCode&) {
     declare_files(*verb, {input("--library")});
     declare_files(*showing, {output("--svg", kSvgFile)});
     declare_files(*merging, {output("output", kLibraryFile), input("inputs")});
-    declare_files(*exporting, {output_folder("--csv", ".csv layout.json setting.json"),
-                               output_folder("--meshes", ".obj .ply"), output("--svg", kSvgFile),
-                               output("--chart", kSvgFile)});
+    declare_files(*exporting, {output_folder("--csv", kTables), output_folder("--meshes", ".obj .ply"),
+                               output("--svg", kSvgFile), output("--chart", kSvgFile)});
 }
 
 }  // namespace fretwork::app

@@ -2,6 +2,8 @@
 #include "project_library.hpp"
 
 #include <fretwork/base/error.hpp>
+#include <fretwork/reduction/tile_model.hpp>
+#include <fretwork/simulation/project_file.hpp>
 
 #include <filesystem>
 
@@ -26,6 +28,18 @@ std::optional<library::Library> open_project_library(const std::string& project_
                 " has changed since the project was made; name it with --library to use it as it is now");
     }
     return library;
+}
+
+simulation::Project read_checked_project(const std::string& file) {
+    simulation::Project project = simulation::read_project(file);
+    for (std::size_t i = 0; i < project.tile_models.size(); ++i) {
+        try {
+            (void)reduction::find_tile_model(project.tile_models[i].model);
+        } catch (const base::InputError& error) {
+            throw base::InputError(file, "/tile_models/" + std::to_string(i) + "/model", error.what());
+        }
+    }
+    return project;
 }
 
 }  // namespace fretwork::app

@@ -19,4 +19,8 @@ std::optional<library::Library> open_project_library(const std::string& project_
                                                      const simulation::Project& project,
                                                      const std::string& wanted);
 
+/// Read a project, and check that there are the tile models that it names for single tiles. Throws InputError
+/// that names the file and the place.
+simulation::Project read_checked_project(const std::string& file);
+
 }  // namespace fretwork::app

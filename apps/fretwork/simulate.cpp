@@ -13,7 +13,6 @@
 #include <fretwork/exports/writer_catalogue.hpp>
 #include <fretwork/mechanics/frame_file.hpp>
 #include <fretwork/simulation/load_case_file.hpp>
-#include <fretwork/simulation/project_file.hpp>
 #include <fretwork/simulation/simulate.hpp>
 
 #include <cstdio>
@@ -102,9 +101,19 @@ std::string full_frame_text(Surface surface, const LoadCase& load_case) {
     return mechanics::frame_text(simulation::surface_frame(surface, {}, conditions));
 }
 
+/// What is impossible numerically names the project.
+mechanics::Result simulate(const Options& options, const Surface& surface, const LoadCase& load_case,
+                           const base::Control& control) {
+    try {
+        return simulation::simulate(surface, load_case, options.simulation, control);
+    } catch (const base::NumericalError& error) {
+        throw base::NumericalError(options.project + ": " + error.what());
+    }
+}
+
 ExitCode run(Options options) {
     if (options.linear) options.simulation.analysis = simulation::Analysis::Linear;
-    const Project project = simulation::read_project(options.project);
+    const Project project = read_checked_project(options.project);
     const auto library = open_project_library(options.project, project, options.library);
     const Surface surface = simulation::make_surface(project, library ? &*library : nullptr);
     simulation::check(surface, options.simulation);
@@ -112,8 +121,7 @@ ExitCode run(Options options) {
     LongWork work;
     base::FileBatch files;
     if (!options.frame_out.empty()) files.add(options.frame_out, full_frame_text(surface, load_case));
-    const mechanics::Result result =
-        simulation::simulate(surface, load_case, options.simulation, work.control());
+    const mechanics::Result result = simulate(options, surface, load_case, work.control());
     files.add(options.out, mechanics::result_text(result));
     add_drawings(options, surface, result, files);
     files.commit();

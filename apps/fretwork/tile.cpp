@@ -2,6 +2,7 @@
 // fretwork tile: an outline becomes a project, tiled and painted.
 #include "file_options.hpp"
 #include "interrupt.hpp"
+#include "project_library.hpp"
 #include "tile_painting.hpp"
 #include "verbs.hpp"
 
@@ -39,9 +40,11 @@ struct Options {
     bool json = false;
 };
 
+/// The library that is named; else that of the project which is tiled anew, if it has one.
 std::optional<Library> open_library(const Options& options) {
-    if (options.library.empty()) return std::nullopt;
-    return Library::open(options.library);
+    if (!options.library.empty()) return Library::open(options.library);
+    if (!std::filesystem::exists(options.out)) return std::nullopt;
+    return open_project_library(options.out, simulation::read_project(options.out), "");
 }
 
 pattern::NodeLayout chosen_layout(const Options& options, const Library* library) {
@@ -62,7 +65,7 @@ void name_library(Project& project, const Options& options, const Library* libra
     if (!library) return;
     const auto folder = std::filesystem::absolute(options.out).parent_path();
     project.library_path =
-        std::filesystem::absolute(options.library).lexically_relative(folder).generic_string();
+        std::filesystem::absolute(library->path()).lexically_relative(folder).generic_string();
     project.library_hash = library->content_hash();
     project.setting = library->setting();
 }
@@ -154,6 +157,7 @@ void print_json(const tiling::TessellationReport& report, const Project& project
                              {"sd_side", report.sd_side},
                              {"smallest_side", report.smallest_side},
                              {"covered_share", report.covered_share},
+                             {"library", project.library_path},
                              {"load_cases_kept", names_of(project.load_cases)}};
     std::fputs(base::json_text(json).c_str(), stdout);
 }
@@ -167,6 +171,8 @@ void print(const tiling::TessellationReport& report, const Project& project, con
     std::printf("covers %.2f %% of the outline\n", 100 * report.covered_share);
     if (!project.load_cases.empty())
         std::printf("the project keeps its load cases: %zu\n", project.load_cases.size());
+    if (options.library.empty() && !project.library_path.empty())
+        std::printf("the project keeps its library: %s\n", base::printable(project.library_path).c_str());
     std::printf("%s\n", options.out.c_str());
 }
 
@@ -204,10 +210,12 @@ void add_tile(CLI::App& app, ExitCode&) {
                      "With random:SEED, patterns to choose from: ids with commas between, or a painting file "
                      "(default: those "
                      "that the library has calibrated)");
-    verb->add_option("--library", options->library, "Pattern library that the project is to use");
+    verb->add_option("--library", options->library,
+                     "Pattern library that the project is to use (default: that of the project at --out)");
     verb->add_option("--layout", options->layout,
                      "Node layout: a name or a file (default: the library's, or paper7)");
-    verb->add_option("--out", options->out, "Project file to write; one that is there keeps its load cases")
+    verb->add_option("--out", options->out,
+                     "Project file to write; one that is there keeps its load cases and its library")
         ->required();
     verb->add_flag("--json", options->json, "Print JSON");
     declare_files(*verb, {input("outline"), input("--patterns"), input("--palette"), input("--library"),

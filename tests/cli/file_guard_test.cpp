@@ -284,9 +284,41 @@ TEST_F(DataLoss, IsRefused) {
         0);
 }
 
-TEST_F(DataLoss, OldOutputsAreReplacedAsPeopleExpect) {
-    EXPECT_EQ(run("echo old >sheet.svg && fretwork enumerate --edges 2 --svg sheet.svg").exit_code, 0);
-    EXPECT_THAT(base::read_text_file(folder_.path() / "sheet.svg"), HasSubstr("<svg"));
+TEST_F(DataLoss, WhatAPersonHasMadeIsNeverReplaced) {
+    run("fretwork tile outline.svg --edge-length 60mm --out p.json");
+    for (const char* name : {"a.svg", "a.obj", "a.ply", "a.csv", "a.vtu"})
+        (void)folder_.file(name, "drawn by hand\n");
+    (void)folder_.file("notes.txt", "0 things to do\n");
+    (void)folder_.file("foreign.json", "{\"rows\": [1]}");
+    (void)folder_.file("pattern.csv", "mine,too\n");
+    (void)folder_.file("frame.json", "{}");
+    for (const std::string command :
+         {"fretwork export p.json --to a.svg", "fretwork export p.json --to a.obj",
+          "fretwork export p.json --to a.ply", "fretwork export p.json --to a.csv",
+          "fretwork export p.json --to a.vtu", "fretwork enumerate --edges 2 --svg a.svg",
+          "fretwork enumerate --edges 2 --census a.csv", "fretwork enumerate --edges 2 --list notes.txt",
+          "fretwork solve frame.json --out foreign.json", "fretwork library export --library L.db --csv ."}) {
+        const auto outcome = run(command);
+        EXPECT_EQ(outcome.exit_code, 2) << command;
+        EXPECT_THAT(outcome.err, HasSubstr("is no file that fretwork has made, and would be replaced"))
+            << command;
+    }
+    EXPECT_EQ(run("grep -l 'drawn by hand' a.* | wc -l").out, "5\n");
+}
+
+TEST_F(DataLoss, OldOutputsAndEmptyFilesAreReplacedAsPeopleExpect) {
+    run("fretwork tile outline.svg --edge-length 60mm --patterns 0-1+1-6 --out p.json");
+    run("touch s.svg c.csv e.obj");
+    const std::string outputs =
+        "fretwork enumerate --edges 2 --svg s.svg --census c.csv --classes k.csv --list i.txt && "
+        "fretwork export p.json --to e.svg --to e.obj --to e.ply --to e.csv --to e.vtu && "
+        "fretwork simulate p.json --case experiments/cases/cantilever.json --model full --out r.json "
+        "--frame-out f.json --vtu r.vtu --svg r.svg && "
+        "fretwork solve f.json --solver linear --out l.json --deck d.inp --vtu l.vtu";
+    for (int time = 0; time < 2; ++time) {
+        const auto outcome = run(outputs);
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    }
     const std::string tile = "fretwork tile outline.svg --edge-length 60mm --out p.json";
     EXPECT_EQ(run(tile + " && " + tile).exit_code, 0);
     const std::string library_export = "fretwork library export --library L.db --csv all --meshes all";

@@ -27,6 +27,22 @@ TEST(TileCommand, KeepsTheLoadCasesOfAProjectThatIsThere) {
     EXPECT_THAT(run_command("fretwork case list p.json", folder.path()).out, HasSubstr("cantilever"));
 }
 
+TEST(TileCommand, KeepsTheLibraryOfAProjectThatIsThere) {
+    const TemporaryFolder folder;
+    const std::string tile = "fretwork tile experiments/outlines/specimen.svg --edge-length ";
+    ASSERT_EQ(run_command("mkdir sub && fretwork enumerate --edges 2..3 --library L.db && " + tile +
+                              "60mm --library L.db --patterns 0-1+1-6 --out sub/p.json",
+                          folder.path())
+                  .exit_code,
+              0);
+    const Outcome again = run_command(tile + "50mm --out sub/p.json", folder.path());
+    ASSERT_EQ(again.exit_code, 0) << again.err;
+    EXPECT_THAT(again.out, HasSubstr("the project keeps its library: ../L.db"));
+    EXPECT_THAT(base::read_text_file(folder.path() / "sub/p.json"), HasSubstr("\"path\": \"../L.db\""));
+    const Outcome other = run_command(tile + "50mm --layout doors6 --out sub/p.json", folder.path());
+    EXPECT_EQ(other.exit_code, 2) << "patterns of another layout are not in the library";
+}
+
 /// A load case that needs node 150: more than tiles of 60 mm have, fewer than tiles of 30 mm.
 constexpr const char* kNodeCase = R"({"format": "fretwork/load-case/1", "name": "corner", "description": "",
  "supports": [{"nodes": [150], "fixed": ["ux", "uy", "uz", "rx", "ry", "rz"]}]})";

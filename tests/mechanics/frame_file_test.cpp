@@ -165,6 +165,16 @@ TEST_F(FrameFile, NumbersOutOfRangeAreRefused) {
                 HasSubstr("inner_diameter"));
 }
 
+TEST_F(FrameFile, ValuesBeyondAnythingThatIsBuiltAreRefusedWithTheirLimits) {
+    EXPECT_THAT(complaint("[1,1,0]", "[1,1e20,0]"),
+                AllOf(HasSubstr(path_.string() + ": /nodes/2"), HasSubstr("1e+12 (m)")));
+    EXPECT_THAT(complaint("\"young_modulus\": 1e9", "\"young_modulus\": 1e308"),
+                AllOf(HasSubstr("/material/young_modulus"), HasSubstr("1e+18 (Pa)")));
+    EXPECT_THAT(complaint("\"width\": 0.002", "\"width\": 1e-320"), HasSubstr("/section/area"));
+    EXPECT_THAT(complaint("[0,0,-9.81]", "[0,0,-1e308]"), HasSubstr("/gravity"));
+    EXPECT_THAT(complaint("\"uz\": 0.01", "\"uz\": 1e308"), HasSubstr("/prescribed/1/uz"));
+}
+
 TEST_F(FrameFile, NamesThatAreNotThereAreRefused) {
     EXPECT_THAT(complaint("\"section\": \"pipe\"", "\"section\": \"pipes\""),
                 AllOf(HasSubstr("/beams/1/section"), HasSubstr("pipe")));

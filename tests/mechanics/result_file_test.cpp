@@ -130,6 +130,25 @@ TEST_F(ResultFile, BadFilesAreRefusedWithTheirPlace) {
     EXPECT_THAT(complaint("}", ""), HasSubstr("line"));
 }
 
+TEST_F(ResultFile, ValuesThatNoSolverGivesAreRefusedWithTheirPlace) {
+    EXPECT_THAT(complaint("\"newton\"", "\"newtn\""), HasSubstr("/solver: unknown solver 'newtn'"));
+    EXPECT_THAT(complaint("\"residual\": 3e-10", "\"residual\": -3e-10"), HasSubstr("/residual"));
+    EXPECT_THAT(complaint("\"seconds\": 0.25", "\"seconds\": -1"), HasSubstr("/seconds"));
+    EXPECT_THAT(complaint("\"share\": 0.1", "\"share\": -0.1"), HasSubstr("/discretization_error/share"));
+}
+
+TEST_F(ResultFile, AnEndThatIsNotThatOfTheLoadStepsIsRefused) {
+    EXPECT_THAT(complaint("\"load_factor\": 0.7", "\"load_factor\": 0.9"),
+                HasSubstr("/load_factor: differs"));
+    EXPECT_THAT(complaint("\"limit-load\"", "\"diverged\""), HasSubstr("/termination: differs"));
+    EXPECT_THAT(complaint("0.3333333333333333", "0.4"), HasSubstr("/displacements: differs"));
+}
+
+TEST_F(ResultFile, TheFirstFormatHasNoSubjectAndTheSecondNamesItsProgram) {
+    EXPECT_THAT(complaint("fretwork/result/2", "fretwork/result/1"), HasSubstr("/program: is no key of"));
+    EXPECT_THAT(complaint("\"program\"", "\"solver_program\""), HasSubstr("unknown key 'solver_program'"));
+}
+
 TEST_F(ResultFile, MissingFileIsNamed) {
     EXPECT_THROW(read_result("/nowhere/result.json"), base::InputError);
 }

@@ -103,6 +103,13 @@ TEST(SettingFile, BadInputIsRefusedByItsPlace) {
                 HasSubstr("/material/poisson_ratio"));
     EXPECT_THAT(complaint(R"("material": {"young_modulus": 0, "poisson_ratio": 0.3})"),
                 HasSubstr("/material/young_modulus"));
+    EXPECT_THAT(complaint(R"("tile_side": 1e300)"), HasSubstr("mine.json: /tile_side"));
+    EXPECT_THAT(complaint(R"("material": {"young_modulus": 1e308, "poisson_ratio": 0.3})"),
+                HasSubstr("1e+18 (Pa)"));
+    EXPECT_THAT(complaint(R"("section": {"type": "circle", "diameter": 1e-320})"),
+                HasSubstr("mine.json: /section/area"));
+    EXPECT_THAT(complaint(R"("scenarios": [{"use": "axial", "max_magnitude": 1e300}])"),
+                HasSubstr("/scenarios/0/max_magnitude"));
     EXPECT_THROW((void)read_setting("/nowhere/setting.json"), base::InputError);
 }
 

@@ -161,6 +161,10 @@ TEST(LoadCaseFile, RefusesUnknownKeysAndBadValuesWithTheirPlace) {
         {R"("supports": [{"side": "left", "fixed": ["u"]}])", "/supports/0/fixed/0: unknown choice 'u'"},
         {R"("supports": [{"box": [1, 0, 0, 1], "fixed": []}])", "/supports/0/box: is [1,0,0,1]"},
         {R"("prescribed": [{"side": "top"}])", "/prescribed/0: prescribes nothing"},
+        {R"("loads": [{"nodes": [1], "force": [0, 0, 1e308]}])", "/loads/0/force/2: is 1e+308, where"},
+        {R"("loads": [{"nodes": [1], "moment": [1e308, 0, 0]}])", "1e+30 (N m)"},
+        {R"("prescribed": [{"side": "top", "rx": 1e7}])", "/prescribed/0/rx: is"},
+        {R"("gravity": [0, 0, -1e13])", "/gravity/2: is"},
         {R"("gravity": 9.81)", "/gravity: is 9.81, where an array is needed"},
     };
     for (const auto& [members, complaint] : faults) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -13,5 +14,9 @@ std::string version();
 /// What a result should carry so that it can be made again: names and values, in a fixed order, without times
 /// and hosts. Holds the library's version and commit, the compiler, the build type and the kind of machine.
 std::vector<std::pair<std::string, std::string>> provenance();
+
+/// What drawings, meshes and decks say of themselves in their first lines. The program replaces a file
+/// without asking only if it has made it.
+inline constexpr std::string_view kMadeBy = "made by fretwork";
 
 }  // namespace fretwork::base

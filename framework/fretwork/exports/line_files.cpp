@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/provenance.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/exports/line_files.hpp>
 
@@ -20,12 +21,12 @@ class VtuWriter {
     explicit VtuWriter(const LineSet& lines) : lines_(lines) {}
 
     std::string text() && {
-        text_ =
-            "<?xml version=\"1.0\"?>\n"
-            "<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
-            "<UnstructuredGrid>\n<Piece NumberOfPoints=\"" +
-            std::to_string(lines_.nodes.size()) + "\" NumberOfCells=\"" +
-            std::to_string(lines_.lines.size()) + "\">\n";
+        text_ = "<?xml version=\"1.0\"?>\n<!-- " + std::string(base::kMadeBy) +
+                " -->\n"
+                "<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
+                "<UnstructuredGrid>\n<Piece NumberOfPoints=\"" +
+                std::to_string(lines_.nodes.size()) + "\" NumberOfCells=\"" +
+                std::to_string(lines_.lines.size()) + "\">\n";
         append_points();
         append_cells();
         append_point_data();
@@ -105,7 +106,7 @@ std::string vtu_text(const LineSet& lines) {
 }
 
 std::string obj_text(const LineSet& lines) {
-    std::string text = "# fretwork: lengths in metres\n";
+    std::string text = "# " + std::string(base::kMadeBy) + ": lengths in metres\n";
     for (const Eigen::Vector3d& node : displaced_nodes(lines)) text += "v " + numbers(node) + "\n";
     for (const auto& line : lines.lines) {
         text += "l " + std::to_string(line[0] + 1) + " " + std::to_string(line[1] + 1) + "\n";
@@ -114,8 +115,8 @@ std::string obj_text(const LineSet& lines) {
 }
 
 std::string ply_text(const LineSet& lines) {
-    std::string text = "ply\nformat ascii 1.0\ncomment fretwork: lengths in metres\nelement vertex " +
-                       std::to_string(lines.nodes.size()) +
+    std::string text = "ply\nformat ascii 1.0\ncomment " + std::string(base::kMadeBy) +
+                       ": lengths in metres\nelement vertex " + std::to_string(lines.nodes.size()) +
                        "\nproperty double x\nproperty double y\nproperty double z\nelement edge " +
                        std::to_string(lines.lines.size()) +
                        "\nproperty int vertex1\nproperty int vertex2\nend_header\n";

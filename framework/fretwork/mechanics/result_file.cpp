@@ -3,7 +3,9 @@
 #include <fretwork/base/internal/json_text.hpp>
 #include <fretwork/base/json_reader.hpp>
 #include <fretwork/base/provenance.hpp>
+#include <fretwork/base/text.hpp>
 #include <fretwork/mechanics/result_file.hpp>
+#include <fretwork/mechanics/solve.hpp>
 
 #include <limits>
 
@@ -99,6 +101,12 @@ std::vector<Mode> read_modes(const JsonReader& reader, std::string_view value, s
     return modes;
 }
 
+double read_not_negative(const JsonReader& reader) {
+    const double value = reader.number();
+    if (value < 0) reader.fail("is " + reader.text() + ", where a number not below zero is needed");
+    return value;
+}
+
 Solution read_solution(const JsonReader& reader, const std::vector<Result::Node>& nodes) {
     Solution solution;
     solution.load_factor = reader.at("load_factor").number();
@@ -108,7 +116,7 @@ Solution read_solution(const JsonReader& reader, const std::vector<Result::Node>
     solution.stable = reader.at("stable").boolean();
     solution.stability = read_stability(reader.at("stability"));
     solution.energy = reader.at("energy").number();
-    solution.residual = reader.at("residual").number();
+    solution.residual = read_not_negative(reader.at("residual"));
     solution.iterations =
         static_cast<int>(reader.at("iterations").integer(0, std::numeric_limits<int>::max()));
     if (const auto losses = reader.find("stability_losses")) {
@@ -129,8 +137,8 @@ Json error_json(const DiscretizationError& error) {
 
 DiscretizationError read_error(const JsonReader& reader) {
     reader.allow_only({"displacement", "rotation", "share", "known"});
-    return {reader.at("displacement").number(), reader.at("rotation").number(), reader.at("share").number(),
-            reader.at("known").boolean()};
+    return {read_not_negative(reader.at("displacement")), read_not_negative(reader.at("rotation")),
+            read_not_negative(reader.at("share")), reader.at("known").boolean()};
 }
 
 Json subject_json(const ResultSubject& subject) {
@@ -142,15 +150,24 @@ Json subject_json(const ResultSubject& subject) {
             {"setting", subject.setting_hash}};
 }
 
+/// A SHA-256.
+std::string read_hash(const JsonReader& reader) {
+    constexpr std::size_t kDigits = 64;
+    std::string hash = reader.string();
+    if (hash.size() != kDigits || hash.find_first_not_of("0123456789abcdef") != std::string::npos)
+        reader.fail("is " + reader.text() + ", where a hash of 64 hexadecimal digits is needed");
+    return hash;
+}
+
 ResultSubject read_subject(const JsonReader& reader) {
     reader.allow_only({"model", "is_reference", "load_case", "tessellation", "painting", "setting"});
     return {.model = reader.at("model").string(),
             .is_reference = reader.at("is_reference").boolean(),
             .load_case = reader.at("load_case").at("name").string(),
             .load_case_text = reader.at("load_case").text(),
-            .tessellation_hash = reader.at("tessellation").string(),
-            .painting_hash = reader.at("painting").string(),
-            .setting_hash = reader.at("setting").string()};
+            .tessellation_hash = read_hash(reader.at("tessellation")),
+            .painting_hash = read_hash(reader.at("painting")),
+            .setting_hash = read_hash(reader.at("setting"))};
 }
 
 Result::Node read_node(const JsonReader& reader) {
@@ -159,6 +176,51 @@ Result::Node read_node(const JsonReader& reader) {
     return {static_cast<int>(reader.at("id").integer(0, std::numeric_limits<int>::max())),
             {position[0], position[1], position[2]},
             reader.at("interface").boolean()};
+}
+
+std::string read_solver(const JsonReader& reader) {
+    const std::string name = reader.string();
+    const auto names = solver_names();
+    const std::vector<std::string> known(names.begin(), names.end());
+    if (std::ranges::find(known, name) == known.end())
+        reader.fail(base::unknown_name_message("solver", name, known));
+    return name;
+}
+
+/// What files of the first format did not have yet, and those of the second always do.
+void read_origin(const JsonReader& document, Result& result) {
+    if (document.at("format").string() == "fretwork/result/1") {
+        for (const char* key : {"program", "subject"}) {
+            if (const auto member = document.find(key)) member->fail("is no key of fretwork/result/1");
+        }
+        return;
+    }
+    result.program = document.at("program").string();
+    if (const auto subject = document.find("subject")) result.subject = read_subject(*subject);
+}
+
+/// The result is the end of its load steps.
+void check_end(const JsonReader& document, const Result& result) {
+    if (result.load_steps.empty()) return;
+    const Solution& last = result.load_steps.back();
+    const Solution& end = result.solution;
+    const auto require = [&](const char* key, bool agrees) {
+        if (!agrees) document.at(key).fail("differs from that of the last of the load_steps");
+    };
+    require("load_factor", end.load_factor == last.load_factor);
+    require("termination", end.termination == last.termination);
+    require("displacements", end.displacements == last.displacements);
+    require("reactions", end.reactions == last.reactions);
+}
+
+std::vector<Solution> read_steps(const JsonReader& reader, const std::vector<Result::Node>& nodes) {
+    std::vector<Solution> steps;
+    for (const JsonReader& step : reader.elements()) {
+        step.allow_only({"load_factor", "converged", "stable", "stability", "termination", "energy",
+                         "residual", "iterations", "displacements", "reactions", "stability_losses"});
+        steps.push_back(read_solution(step, nodes));
+    }
+    return steps;
 }
 
 }  // namespace
@@ -206,19 +268,13 @@ Result parse_result(std::string_view text, const std::string& source) {
                          "nodes",           "load_steps",     "stability_losses",
                          "vibration_modes", "buckling_modes", "discretization_error"});
     Result result;
-    result.solver = document.at("solver").string();
-    if (const auto program = document.find("program")) result.program = program->string();
-    if (const auto subject = document.find("subject")) result.subject = read_subject(*subject);
+    result.solver = read_solver(document.at("solver"));
+    read_origin(document, result);
     for (const JsonReader& node : document.at("nodes").elements()) result.nodes.push_back(read_node(node));
     result.solution = read_solution(document, result.nodes);
-    result.seconds = document.at("seconds").number();
-    if (const auto steps = document.find("load_steps")) {
-        for (const JsonReader& step : steps->elements()) {
-            step.allow_only({"load_factor", "converged", "stable", "stability", "termination", "energy",
-                             "residual", "iterations", "displacements", "reactions", "stability_losses"});
-            result.load_steps.push_back(read_solution(step, result.nodes));
-        }
-    }
+    result.seconds = read_not_negative(document.at("seconds"));
+    if (const auto steps = document.find("load_steps")) result.load_steps = read_steps(*steps, result.nodes);
+    check_end(document, result);
     if (const auto error = document.find("discretization_error"))
         result.discretization_error = read_error(*error);
     if (const auto modes = document.find("vibration_modes"))

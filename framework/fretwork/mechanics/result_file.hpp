@@ -44,7 +44,8 @@ struct Result {
     double seconds = 0.0;
 };
 
-/// Read the text of a result file. Throws InputError that names `source`, and the place in it.
+/// Read the text of a result file. Throws InputError that names `source`, and the place in it: also where
+/// values contradict each other.
 Result parse_result(std::string_view text, const std::string& source);
 /// The text of a result file. Throws NumericalError if a value is not finite.
 std::string result_text(const Result& result);

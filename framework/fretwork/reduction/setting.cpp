@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
+#include <fretwork/base/limits.hpp>
+#include <fretwork/base/text.hpp>
 #include <fretwork/reduction/setting.hpp>
 
-#include <cmath>
 #include <numbers>
 #include <set>
 
@@ -20,6 +21,10 @@ void check_interface_node(const Setting& setting, int node, const std::string& s
 void check_scenario(const Setting& setting, std::size_t index, const std::string& source) {
     const Scenario& scenario = setting.scenarios[index];
     const std::string place = "/scenarios/" + std::to_string(index);
+    if (!base::is_positive_within(scenario.max_magnitude, base::kForceLimits))
+        throw base::InputError(source, place + "/max_magnitude",
+                               "is " + base::format_number(scenario.max_magnitude) + ", where " +
+                                   base::positive_range_text(base::kForceLimits) + " is needed");
     for (std::size_t i = 0; i < scenario.supports.size(); ++i) {
         check_interface_node(setting, scenario.supports[i].interface_node, source,
                              place + "/held/" + std::to_string(i));
@@ -28,6 +33,28 @@ void check_scenario(const Setting& setting, std::size_t index, const std::string
         check_interface_node(setting, scenario.loads[i].interface_node, source,
                              place + "/loads/" + std::to_string(i));
     }
+}
+
+void check_quantities(const Setting& setting, const std::string& source) {
+    const auto require = [&](const char* place, double value, const base::Limits& limits) {
+        if (!base::is_positive_within(value, limits))
+            throw base::InputError(source, place,
+                                   "is " + base::format_number(value) + ", where " +
+                                       base::positive_range_text(limits) + " is needed");
+    };
+    const mechanics::Section& section = setting.section;
+    require("/tile_side", setting.tile_side, base::kLengthLimits);
+    require("/section/area", section.area, base::kAreaLimits);
+    require("/section/I2", section.I2, base::kSecondMomentLimits);
+    require("/section/I3", section.I3, base::kSecondMomentLimits);
+    require("/section/J", section.J, base::kSecondMomentLimits);
+    if (section.shear_area2) require("/section/shear_area2", *section.shear_area2, base::kAreaLimits);
+    if (section.shear_area3) require("/section/shear_area3", *section.shear_area3, base::kAreaLimits);
+    const mechanics::Material& material = setting.material;
+    require("/material/young_modulus", material.young_modulus, base::kModulusLimits);
+    if (material.given_shear_modulus)
+        require("/material/shear_modulus", *material.given_shear_modulus, base::kModulusLimits);
+    if (material.density != 0.0) require("/material/density", material.density, base::kDensityLimits);
 }
 
 }  // namespace
@@ -40,14 +67,7 @@ void Setting::validate(const std::string& source) const {
     const auto require = [&](bool makes_sense, const char* place, const char* what) {
         if (!makes_sense) throw base::InputError(source, place, what);
     };
-    require(std::isfinite(tile_side) && tile_side > 0.0, "/tile_side", "must be a length above zero");
-    const auto is_positive = [](double value) { return std::isfinite(value) && value > 0.0; };
-    require(is_positive(section.area), "/section/area", "must be above zero");
-    require(is_positive(section.I2) && is_positive(section.I3) && is_positive(section.J), "/section",
-            "needs I2, I3 and J above zero");
-    require(is_positive(material.young_modulus), "/material/young_modulus", "must be above zero");
-    require(std::isfinite(material.density) && material.density >= 0.0, "/material/density",
-            "must not be negative");
+    check_quantities(*this, source);
     require(sides >= 3, "/sides", "a polygon has at least 3 sides");
     require(divisions >= 1, "/divisions", "at least 1 is needed");
     require(magnitudes >= 1, "/magnitudes", "at least 1 is needed");

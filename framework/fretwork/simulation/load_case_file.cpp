@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/file.hpp>
+#include <fretwork/base/limits.hpp>
 #include <fretwork/simulation/detail/load_case_json.hpp>
 #include <fretwork/simulation/load_case_file.hpp>
 
@@ -15,10 +16,18 @@ using mechanics::kDofNames;
 
 constexpr std::array<const char*, 4> kSideNames = {"left", "right", "bottom", "top"};
 
-Eigen::Vector3d read_vector(const std::optional<JsonReader>& json) {
+double read_number(const JsonReader& json, const base::Limits& limits) {
+    const double value = json.number();
+    if (!base::is_within(value, limits))
+        json.fail("is " + json.text() + ", where " + base::range_text(limits) + " is needed");
+    return value;
+}
+
+Eigen::Vector3d read_vector(const std::optional<JsonReader>& json, const base::Limits& limits) {
     if (!json) return Eigen::Vector3d::Zero();
-    const std::vector<double> numbers = json->numbers(3);
-    return {numbers[0], numbers[1], numbers[2]};
+    const auto numbers = json->elements(3);
+    return {read_number(numbers[0], limits), read_number(numbers[1], limits),
+            read_number(numbers[2], limits)};
 }
 
 Json vector_json(const Eigen::Vector3d& vector) {
@@ -109,8 +118,8 @@ Json support_json(const LoadCase::Support& support) {
 LoadCase::Load read_load(const JsonReader& json) {
     json.allow_only({"nodes", "box", "nearest", "side", "force", "moment", "amount"});
     if (!json.find("force") && !json.find("moment")) json.fail("has neither a force nor a moment");
-    LoadCase::Load load{read_selection(json), read_vector(json.find("force")),
-                        read_vector(json.find("moment")), LoadCase::Amount::Each};
+    LoadCase::Load load{read_selection(json), read_vector(json.find("force"), base::kForceLimits),
+                        read_vector(json.find("moment"), base::kMomentLimits), LoadCase::Amount::Each};
     const auto amount = json.find("amount");
     if (amount && amount->choice({"each", "total"}) == "total") load.amount = LoadCase::Amount::Total;
     return load;
@@ -132,7 +141,10 @@ void read_prescribed(const JsonReader& json, std::vector<LoadCase::PrescribedDis
     const Selection where = read_selection(json);
     const std::size_t before = list.size();
     for (const auto& [key, value] : json.members()) {
-        if (const auto dof = dof_of(key)) list.push_back({where, *dof, value.number()});
+        const auto dof = dof_of(key);
+        if (!dof) continue;
+        const base::Limits& limits = *dof < Dof::rx ? base::kLengthLimits : base::kAngleLimits;
+        list.push_back({where, *dof, read_number(value, limits)});
     }
     if (list.size() == before) json.fail("prescribes nothing: one of ux, uy, uz, rx, ry, rz is needed");
 }
@@ -172,7 +184,7 @@ LoadCase load_case_from_json(const JsonReader& json) {
     for (const JsonReader& load : elements_of(json, "loads")) load_case.loads.push_back(read_load(load));
     for (const JsonReader& entry : elements_of(json, "prescribed"))
         read_prescribed(entry, load_case.prescribed);
-    load_case.gravity = read_vector(json.find("gravity"));
+    load_case.gravity = read_vector(json.find("gravity"), base::kAccelerationLimits);
     return load_case;
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
 #include <fretwork/base/sha256.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/reduction/setting_file.hpp>
@@ -69,6 +70,17 @@ std::string model_text(const Surface& surface, const SimulationOptions& options)
     return text;
 }
 
+/// The models that `model_text` names: the first is that of the tiles without a choice of their own.
+std::vector<std::string> named_models(const std::string& text) {
+    std::vector<std::string> names;
+    for (const std::string& part : base::split(text, ';')) {
+        const std::size_t start = part.find_first_not_of(' ');
+        const std::string name = start == std::string::npos ? "" : part.substr(start);
+        names.push_back(names.empty() ? name : name.substr(0, name.find(" (")));
+    }
+    return names;
+}
+
 bool is_reference(const Surface& surface, const SimulationOptions& options) {
     const ModelChoice choice{options.model, options.models};
     for (std::size_t t = 0; t < surface.tessellation.tiles.size(); ++t) {
@@ -96,6 +108,24 @@ mechanics::ResultSubject result_subject(const Surface& surface, const LoadCase& 
             .tessellation_hash = tessellation_hash(surface),
             .painting_hash = painting_hash(surface.tessellation),
             .setting_hash = base::sha256(reduction::setting_text(surface.setting))};
+}
+
+void check_subject(const mechanics::ResultSubject& subject, const std::string& source,
+                   std::span<const reduction::TileModel> models) {
+    bool may_be_reference = false;
+    bool must_be_reference = true;
+    try {
+        for (const std::string& name : named_models(subject.model)) {
+            const bool is_full = reduction::find_tile_model(name, models).role == reduction::Role::Reference;
+            may_be_reference = may_be_reference || is_full;
+            must_be_reference = must_be_reference && is_full;
+        }
+    } catch (const base::InputError& error) {
+        throw base::InputError(source, "/subject/model", error.what());
+    }
+    if (subject.is_reference ? !may_be_reference : must_be_reference)
+        throw base::InputError(source, "/subject/is_reference", "does not agree with the model");
+    (void)parse_load_case(subject.load_case_text, source + ": /subject/load_case");
 }
 
 std::string subject_difference(const mechanics::ResultSubject& left, const mechanics::ResultSubject& right) {

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <fretwork/mechanics/result_file.hpp>
+#include <fretwork/reduction/tile_model.hpp>
 #include <fretwork/simulation/load_case.hpp>
 #include <fretwork/simulation/simulation_options.hpp>
 #include <fretwork/simulation/surface.hpp>
 
+#include <span>
 #include <string>
 
 namespace fretwork::simulation {
@@ -16,6 +18,11 @@ namespace fretwork::simulation {
 /// painting's that of each tile's pattern and first vertex.
 mechanics::ResultSubject result_subject(const Surface& surface, const LoadCase& load_case,
                                         const SimulationOptions& options);
+
+/// Check a subject that was read from a file: its models are in the catalogue, it is a reference only if they
+/// are, and its load case is one. Throws InputError that names `source` and the place.
+void check_subject(const mechanics::ResultSubject& subject, const std::string& source,
+                   std::span<const reduction::TileModel> models = reduction::tile_models());
 
 /// What two subjects differ in besides their models, in words ("the painting"); empty: nothing.
 /// Descriptions of load cases do not count.

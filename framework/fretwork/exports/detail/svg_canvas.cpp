@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/provenance.hpp>
 #include <fretwork/exports/detail/svg_canvas.hpp>
 
 #include <algorithm>
@@ -163,10 +164,10 @@ void SvgCanvas::embed(const SvgCanvas& drawing, const Point2& top_left, std::str
 }
 
 std::string SvgCanvas::document(std::string_view title) const {
-    return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" " +
-           size("mm") + " font-family=\"DejaVu Sans, Helvetica, Arial, sans-serif\">\n<title>" +
-           escaped(title) + "</title>\n<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n" + body() +
-           "</svg>\n";
+    return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<!-- " + std::string(base::kMadeBy) +
+           " -->\n<svg xmlns=\"http://www.w3.org/2000/svg\" " + size("mm") +
+           " font-family=\"DejaVu Sans, Helvetica, Arial, sans-serif\">\n<title>" + escaped(title) +
+           "</title>\n<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n" + body() + "</svg>\n";
 }
 
 }  // namespace fretwork::exports::detail

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
+#include <fretwork/base/provenance.hpp>
 #include <fretwork/mechanics/decks/deck_writer.hpp>
 #include <fretwork/mechanics/structure/frame_check.hpp>
 
@@ -42,7 +43,7 @@ class Writer {
     explicit Writer(const Frame& frame) : frame_(frame) {}
 
     std::string run() {
-        text_ = "*HEADING\nwritten by fretwork\n*NODE, NSET=NALL\n";
+        text_ = "*HEADING\n" + std::string(base::kMadeBy) + "\n*NODE, NSET=NALL\n";
         for (std::size_t i = 0; i < frame_.nodes.size(); ++i)
             text_ += std::to_string(i + 1) + "," + vector_text(frame_.nodes[i]) + "\n";
         for (std::size_t i = 0; i < frame_.beams.size(); ++i) group_of(frame_.beams[i]).push_back(i);

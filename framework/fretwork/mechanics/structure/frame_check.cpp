@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
+#include <fretwork/base/limits.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/mechanics/structure/frame_check.hpp>
 #include <fretwork/mechanics/structure/rigid_motion.hpp>
@@ -7,7 +8,6 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <set>
 
@@ -19,6 +19,10 @@ using base::InputError;
 
 std::string text_of(const Eigen::Vector3d& v) {
     return "(" + format_number(v.x()) + ", " + format_number(v.y()) + ", " + format_number(v.z()) + ")";
+}
+
+bool are_within(const Eigen::Vector3d& v, const base::Limits& limits) {
+    return base::is_within(v.x(), limits) && base::is_within(v.y(), limits) && base::is_within(v.z(), limits);
 }
 
 class FrameCheck {
@@ -53,6 +57,10 @@ class FrameCheck {
     [[noreturn]] void fail(const std::string& place, const std::string& message) const {
         throw InputError(names_.source, place, message);
     }
+    [[noreturn]] void fail_vector(const std::string& place, const Eigen::Vector3d& value,
+                                  const base::Limits& limits) const {
+        fail(place, "is " + text_of(value) + ", where each must be " + base::range_text(limits));
+    }
     static std::string place(const char* list, std::size_t i) {
         return "/" + std::string(list) + "/" + std::to_string(i);
     }
@@ -73,7 +81,8 @@ class FrameCheck {
 
     void check_nodes() const {
         for (std::size_t i = 0; i < frame_.nodes.size(); ++i) {
-            if (!frame_.nodes[i].allFinite()) fail(node_place(NodeIndex(i)), "a coordinate is not finite");
+            if (!are_within(frame_.nodes[i], base::kLengthLimits))
+                fail_vector(node_place(NodeIndex(i)), frame_.nodes[i], base::kLengthLimits);
         }
     }
 
@@ -90,10 +99,15 @@ class FrameCheck {
     // The places of beams are written out only where a check fails: tiles are checked a thousand times a
     // second.
 
-    void require_positive(double value, std::size_t beam, const char* name) const {
-        if (!(std::isfinite(value) && value > 0))
-            fail(beam_place(beam) + name,
-                 "is " + format_number(value) + ", where a number above zero is needed");
+    /// A property of a beam: its value, and its name in messages.
+    struct Property {
+        double value;
+        const char* name;
+    };
+    void require_positive(std::size_t beam, const Property& property, const base::Limits& limits) const {
+        if (!base::is_positive_within(property.value, limits))
+            fail(beam_place(beam) + property.name, "is " + format_number(property.value) + ", where " +
+                                                       base::positive_range_text(limits) + " is needed");
     }
 
     void check_beam(std::size_t index) const {
@@ -123,26 +137,28 @@ class FrameCheck {
 
     void check_section(std::size_t beam) const {
         const Section& section = frame_.beams[beam].section;
-        require_positive(section.area, beam, "/section/area");
-        require_positive(section.I2, beam, "/section/I2");
-        require_positive(section.I3, beam, "/section/I3");
-        require_positive(section.J, beam, "/section/J");
-        if (section.shear_area2) require_positive(*section.shear_area2, beam, "/section/shear_area2");
-        if (section.shear_area3) require_positive(*section.shear_area3, beam, "/section/shear_area3");
+        require_positive(beam, {section.area, "/section/area"}, base::kAreaLimits);
+        require_positive(beam, {section.I2, "/section/I2"}, base::kSecondMomentLimits);
+        require_positive(beam, {section.I3, "/section/I3"}, base::kSecondMomentLimits);
+        require_positive(beam, {section.J, "/section/J"}, base::kSecondMomentLimits);
+        if (section.shear_area2)
+            require_positive(beam, {*section.shear_area2, "/section/shear_area2"}, base::kAreaLimits);
+        if (section.shear_area3)
+            require_positive(beam, {*section.shear_area3, "/section/shear_area3"}, base::kAreaLimits);
     }
 
     void check_material(std::size_t beam) const {
         const Material& material = frame_.beams[beam].material;
-        require_positive(material.young_modulus, beam, "/material/young_modulus");
+        require_positive(beam, {material.young_modulus, "/material/young_modulus"}, base::kModulusLimits);
         if (!(material.poisson_ratio > -1.0 && material.poisson_ratio <= 0.5))
             fail(beam_place(beam) + "/material/poisson_ratio",
                  "is " + format_number(material.poisson_ratio) +
                      ", where a number above -1 and up to 0.5 is needed");
         if (material.given_shear_modulus)
-            require_positive(*material.given_shear_modulus, beam, "/material/shear_modulus");
-        if (!(std::isfinite(material.density) && material.density >= 0))
-            fail(beam_place(beam) + "/material/density",
-                 "is " + format_number(material.density) + ", where a number not below zero is needed");
+            require_positive(beam, {*material.given_shear_modulus, "/material/shear_modulus"},
+                             base::kModulusLimits);
+        if (material.density != 0.0)
+            require_positive(beam, {material.density, "/material/density"}, base::kDensityLimits);
     }
 
     void check_supports() const {
@@ -156,7 +172,10 @@ class FrameCheck {
             const PrescribedDisplacement& given = frame_.prescribed[i];
             require_node(given.node, place("prescribed", i) + "/node");
             const char* name = kDofNames[static_cast<std::size_t>(given.dof)];
-            if (!std::isfinite(given.value)) fail(place("prescribed", i) + "/" + name, "is not finite");
+            const base::Limits& limits = given.dof < Dof::rx ? base::kLengthLimits : base::kAngleLimits;
+            if (!base::is_within(given.value, limits))
+                fail(place("prescribed", i) + "/" + name, "is " + format_number(given.value) + ", where " +
+                                                              base::range_text(limits) + " is needed");
             if (!seen.emplace(given.node.value, given.dof).second)
                 fail(place("prescribed", i),
                      std::string(name) + " of " + name_of(given.node) + " is prescribed twice");
@@ -166,14 +185,18 @@ class FrameCheck {
     void check_loads() const {
         for (std::size_t i = 0; i < frame_.loads.size(); ++i) {
             require_node(frame_.loads[i].node, place("loads", i) + "/node");
-            if (!frame_.loads[i].force.allFinite()) fail(place("loads", i) + "/force", "is not finite");
-            if (!frame_.loads[i].moment.allFinite()) fail(place("loads", i) + "/moment", "is not finite");
+            const NodalLoad& load = frame_.loads[i];
+            if (!are_within(load.force, base::kForceLimits))
+                fail_vector(place("loads", i) + "/force", load.force, base::kForceLimits);
+            if (!are_within(load.moment, base::kMomentLimits))
+                fail_vector(place("loads", i) + "/moment", load.moment, base::kMomentLimits);
         }
     }
 
     /// Gravity needs the density of every beam: one without would be forgotten silently.
     void check_gravity() const {
-        if (!frame_.gravity.allFinite()) fail("/gravity", "is not finite");
+        if (!are_within(frame_.gravity, base::kAccelerationLimits))
+            fail_vector("/gravity", frame_.gravity, base::kAccelerationLimits);
         if (frame_.gravity.isZero(0.0)) return;
         const auto massless = std::ranges::find_if(
             frame_.beams, [](const Beam& beam) { return !(beam.material.density > 0.0); });

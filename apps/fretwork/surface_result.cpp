@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "surface_result.hpp"
+
+#include <fretwork/base/text.hpp>
+#include <fretwork/simulation/result_subject.hpp>
+
+#include <cstdio>
+
+namespace fretwork::app {
+
+mechanics::Result read_surface_result(const std::string& file) {
+    mechanics::Result result = mechanics::read_result(file);
+    if (result.subject) {
+        simulation::check_subject(*result.subject, file);
+    } else {
+        std::fprintf(stderr, "fretwork: %s does not say what it is a result of (an older program made it)\n",
+                     base::printable(file).c_str());
+    }
+    return result;
+}
+
+}  // namespace fretwork::app

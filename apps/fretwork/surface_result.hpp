@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/mechanics/result_file.hpp>
+
+#include <string>
+
+namespace fretwork::app {
+
+/// Read a surface's result, and check what it says that it is a result of. One of an older program does not
+/// say so; it is taken at its word, and that is told on standard error.
+mechanics::Result read_surface_result(const std::string& file);
+
+}  // namespace fretwork::app
