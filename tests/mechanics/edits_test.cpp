@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "../stops.hpp"
 #include "sample.hpp"
 
 #include <fretwork/base/error.hpp>
+#include <fretwork/mechanics/linear_element.hpp>
 #include <fretwork/mechanics/linear_solver.hpp>
 #include <fretwork/mechanics/structure/factorized_structure.hpp>
 
@@ -183,6 +185,94 @@ TEST(LinearSolverEdits, AnElementThatCouplesTheHalvesAndItsRemovalAreNewStructur
     for (const Assembly* assembly : {&std::as_const(turned), &flat}) {
         solver.update(*assembly);
         EXPECT_EQ(solver.solve().displacements, solve_linear(*assembly).displacements);
+    }
+}
+
+/// A chain of elements of three nodes each, which share their first and last nodes. The stiffness of each is
+/// positive definite, and symmetric but for rounding.
+Assembly chain(int elements) {
+    sample::Random random(5);
+    Assembly assembly;
+    const int nodes = 2 * elements + 1;
+    for (int i = 0; i < nodes; ++i) assembly.nodes.push_back(random.vector(1.0));
+    assembly.reported_nodes = nodes;
+    assembly.loads = NodeValues::Constant(nodes, kDofsPerNode, 0.5);
+    assembly.supports = {{NodeIndex(0), DofSet::all()}};
+    for (int e = 0; e < elements; ++e) {
+        Eigen::MatrixXd factor(18, 18);
+        for (double& value : factor.reshaped()) value = random.next();
+        Eigen::MatrixXd stiffness = factor * factor.transpose() + Eigen::MatrixXd::Identity(18, 18);
+        stiffness.triangularView<Eigen::StrictlyLower>() *= 1.0 + 1e-15;
+        assembly.elements.push_back(linear_element(
+            {NodeIndex(2 * e), NodeIndex(2 * e + 1), NodeIndex(2 * e + 2)}, {.stiffness = stiffness}));
+    }
+    return assembly;
+}
+
+/// An element's like, twice as stiff, that lists the same nodes from the second on.
+std::shared_ptr<const Element> listed_from_the_second(const Element& element) {
+    Eigen::MatrixXd stiffness;
+    element.rest_stiffness(stiffness);
+    std::vector<NodeIndex> nodes(element.nodes().begin(), element.nodes().end());
+    std::ranges::rotate(nodes, nodes.begin() + 1);
+    std::vector<int> rows;
+    for (int i = 0; i < 18; ++i) rows.push_back((i + kDofsPerNode) % 18);
+    return linear_element(std::move(nodes), {.stiffness = 2.0 * stiffness(rows, rows)});
+}
+
+TEST(LinearSolverEdits, AnElementMayListItsNodesInAnotherOrder) {
+    const Assembly before = chain(40);
+    Assembly one = before, all = before;
+    one.elements[7] = listed_from_the_second(*before.elements[7]);
+    for (auto& element : all.elements) element = listed_from_the_second(*element);
+    const structure::FactorizedStructure factorized(before, {});
+    const structure::FactorizedStructure corrected(factorized, one, structure::ElementEdit::Correct);
+    EXPECT_EQ(corrected.last_change(), FactorChange::Updated);
+    const structure::FactorizedStructure anew(one, {});
+    Eigen::VectorXd by_correction = Eigen::VectorXd::Ones(anew.systems()[0].layout().equations());
+    Eigen::VectorXd by_factors = by_correction;
+    corrected.systems()[0].solve(by_correction);
+    anew.systems()[0].solve(by_factors);
+    // The chain's stiffness has a condition of some 1e6.
+    EXPECT_LT((by_correction - by_factors).norm(), 1e-9 * by_factors.norm());
+    LinearSolver solver(before);
+    EXPECT_EQ(solver.update(all), FactorChange::Anew);
+    EXPECT_EQ(solver.solve().displacements, solve_linear(all).displacements);
+    EXPECT_EQ(solver.update(before), FactorChange::Anew);
+    EXPECT_EQ(solver.solve().displacements, solve_linear(before).displacements);
+}
+
+TEST(LinearSolverEdits, StopsAtAnyLookAndIsAsItWas) {
+    const EditedGrid before(Extent::Flat);
+    EditedGrid one = before, many = before;
+    one.change_beam(7, 0.003);
+    for (std::size_t b = 0; b < before.frame().beams.size(); ++b) many.change_beam(b, 0.003);
+    Assembly held = before.assembly();
+    held.supports.push_back({NodeIndex(kColumns - 1), DofSet::all()});
+    LinearSolver solver(before.assembly());
+    const NodeValues expected = solver.solve().displacements;
+    const auto is_as_it_was = [&] { EXPECT_EQ(solver.solve().displacements, expected); };
+    for (const Assembly* edited : {&one.assembly(), &many.assembly(), &std::as_const(held)}) {
+        test::expect_stops_at_any_look(
+            [&](const base::Control& control) {
+                solver.update(before.assembly());
+                solver.update(*edited, control);
+            },
+            is_as_it_was);
+    }
+}
+
+TEST(LinearSolverEdits, SolutionsStopAtAnyLook) {
+    EditedGrid grid(Extent::Spatial);
+    LinearSolver solver(grid.assembly());
+    const Eigen::MatrixXd right_sides = Eigen::MatrixXd::Identity(kColumns * kRows * kDofsPerNode, 3);
+    for (const double width : {0.002, 0.003}) {  // as factorized, and corrected
+        grid.change_beam(30, width);
+        solver.update(grid.assembly());
+        test::expect_stops_at_any_look([&](const base::Control& control) { (void)solver.solve(control); },
+                                       [] {});
+        test::expect_stops_at_any_look(
+            [&](const base::Control& control) { (void)solver.solve_free(right_sides, control); }, [] {});
     }
 }
 

@@ -4,6 +4,7 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/progress.hpp>
 
+#include <functional>
 #include <stop_token>
 
 namespace fretwork::base {
@@ -19,11 +20,20 @@ class Stopped : public Error {
 struct Control {
     std::stop_token stop{};        ///< looked at at least every 50 ms; the default never asks to stop
     Progress* progress = nullptr;  ///< told how far the work is; null: nobody listens. Not owned.
+    /// Asked at every look, too, on whichever thread looks: true asks to stop. For a caller that has no second
+    /// thread to ask from, and for tests. Null: nobody is asked. Not owned.
+    const std::function<bool()>* question = nullptr;
 
-    /// Throws Stopped if the caller has asked to stop. Cheap enough for every iteration of a solver.
-    void check() const {
-        if (stop.stop_requested()) throw Stopped();
+    /// Whether the caller has asked to stop. Cheap enough for every iteration of a solver.
+    [[nodiscard]] bool stop_wanted() const {
+        return stop.stop_requested() || (question != nullptr && (*question)());
     }
+    /// Throws Stopped if the caller has asked to stop.
+    void check() const {
+        if (stop_wanted()) throw Stopped();
+    }
+    /// The same for a part of the work of which nobody is told how far it is.
+    [[nodiscard]] Control silent() const { return {.stop = stop, .question = question}; }
 };
 
 }  // namespace fretwork::base

@@ -27,10 +27,18 @@ constexpr double kRoundingShare = 8.0 * std::numeric_limits<double>::epsilon();
 constexpr double kLargestResidual = 1e-4;
 
 /// One subsystem of a solve at hand.
-struct Iterate {
+struct Part {
     const Subsystem* system;
     Eigen::VectorXd displacements{};
     Eigen::VectorXd unbalanced{};  ///< loads less internal forces
+};
+
+/// How far a solve has come.
+struct Iterate {
+    std::vector<Part> parts;
+    NodeValues displacements;
+    NodeValues unbalanced{};  ///< loads less internal forces; at held dofs the negative reactions
+    double residual = std::numeric_limits<double>::infinity();
 };
 
 }  // namespace
@@ -45,36 +53,40 @@ class LinearSolver::Impl {
 
     [[nodiscard]] Solution solve(const NodeValues& loads, const base::Control& control) const {
         Solution solution;
-        NodeValues displacements = structure_.constraints().values;
-        std::vector<Iterate> iterates = start(loads, displacements);
-        NodeValues unbalanced;
+        // The first refinement gives back the accuracy that corrected factors cost.
         const int least_refinements = structure_.corrected_elements() > 0 ? 1 : 0;
-        double last = std::numeric_limits<double>::infinity();
-        for (int pass = 0; pass <= kMostRefinements; ++pass) {
-            correct(iterates, displacements, control);
-            unbalanced = out_of_balance(loads, displacements, iterates);
+        Iterate best = refined(start(loads), loads, control);
+        bool helps = true;
+        solution.iterations = 1;
+        for (int refinement = 1; refinement <= kMostRefinements; ++refinement) {
+            const bool is_needed = refinement <= least_refinements;
+            if (!is_needed && !(helps && best.residual >= kGoodResidual)) break;
+            Iterate next = refined(best, loads, control);
             ++solution.iterations;
-            solution.residual = relative_residual(loads, unbalanced);
-            if (pass < least_refinements) continue;
-            if (solution.residual < kGoodResidual || !(solution.residual < 0.5 * last)) break;
-            last = solution.residual;
+            if (!(next.residual < best.residual)) break;
+            helps = is_needed || next.residual < 0.5 * best.residual;
+            best = std::move(next);
         }
-        finish(loads, displacements, unbalanced, solution);
-        judge(loads, iterates, solution);
+        finish(loads, best, solution);
+        judge(loads, best, solution);
         return solution;
     }
 
-    [[nodiscard]] Eigen::MatrixXd solve_free(const Eigen::MatrixXd& right_sides) const {
+    [[nodiscard]] Eigen::MatrixXd solve_free(const Eigen::MatrixXd& right_sides,
+                                             const base::Control& control) const {
         assert(right_sides.rows() == std::ssize(structure_.assembly().nodes) * kDofsPerNode);
         Eigen::MatrixXd result = Eigen::MatrixXd::Zero(right_sides.rows(), right_sides.cols());
         for_each(structure_.systems(), [&](const Subsystem& system) {
             const std::vector<int> rows = rows_of(system);
             const Eigen::MatrixXd loads = right_sides(rows, Eigen::all);
             Eigen::MatrixXd x = loads;
-            system.solve(x);
+            system.solve(x, control);
             Eigen::MatrixXd unbalanced = loads;
-            for (Eigen::Index c = 0; c < x.cols(); ++c) unbalanced.col(c) -= system.internal_forces(x.col(c));
-            system.solve(unbalanced);
+            for (Eigen::Index c = 0; c < x.cols(); ++c) {
+                control.check();
+                unbalanced.col(c) -= system.internal_forces(x.col(c));
+            }
+            system.solve(unbalanced, control);
             result(rows, Eigen::all) = x + unbalanced;
         });
         if (!result.allFinite())
@@ -108,35 +120,48 @@ class LinearSolver::Impl {
     }
 
     /// All free dofs at rest, the held ones where they are to be.
-    [[nodiscard]] std::vector<Iterate> start(const NodeValues& loads, const NodeValues& displacements) const {
-        std::vector<Iterate> iterates;
-        for (const Subsystem& system : structure_.systems()) iterates.push_back({&system});
-        for_each(iterates, [&](Iterate& iterate) {
-            iterate.system->layout().gather(loads, iterate.unbalanced);
-            iterate.displacements.setZero(iterate.unbalanced.size());
+    [[nodiscard]] Iterate start(const NodeValues& loads) const {
+        Iterate iterate{.displacements = structure_.constraints().values};
+        for (const Subsystem& system : structure_.systems()) iterate.parts.push_back({&system});
+        for_each(iterate.parts, [&](Part& part) {
+            part.system->layout().gather(loads, part.unbalanced);
+            part.displacements.setZero(part.unbalanced.size());
         });
-        if (!structure_.constraints().values.isZero(0.0))
-            (void)out_of_balance(loads, displacements, iterates);
-        return iterates;
+        if (!structure_.constraints().values.isZero(0.0)) balance(iterate, loads);
+        return iterate;
     }
 
-    /// Loads less internal forces, those of the free dofs in the iterates, too. At held dofs that is
-    /// the negative reaction.
-    [[nodiscard]] NodeValues out_of_balance(const NodeValues& loads, const NodeValues& displacements,
-                                            std::vector<Iterate>& iterates) const {
-        NodeValues result = loads;
+    /// Displacements that meet what was out of balance, and what is then.
+    [[nodiscard]] Iterate refined(Iterate iterate, const NodeValues& loads,
+                                  const base::Control& control) const {
+        for_each(iterate.parts, [&](Part& part) {
+            if (part.unbalanced.isZero(0.0)) return;  // loaded in its plane only, or across it
+            part.system->solve(part.unbalanced, control);
+            part.displacements += part.unbalanced;
+            part.system->layout().scatter(part.displacements, iterate.displacements);
+        });
+        control.check();
+        balance(iterate, loads);
+        iterate.residual = relative_residual(loads, iterate.unbalanced);
+        return iterate;
+    }
+
+    /// Compute the loads less the internal forces.
+    void balance(Iterate& iterate, const NodeValues& loads) const {
+        iterate.unbalanced = loads;
+        NodeValues& forces = iterate.unbalanced;
+        const NodeValues& displacements = iterate.displacements;
         for (const structure::HeldEntry& entry : structure_.held_entries()) {
-            result(entry.node, entry.dof) -= entry.value * displacements(entry.other_node, entry.other_dof);
+            forces(entry.node, entry.dof) -= entry.value * displacements(entry.other_node, entry.other_dof);
             if (!is_held(entry.other_node, entry.other_dof))
-                result(entry.other_node, entry.other_dof) -=
+                forces(entry.other_node, entry.other_dof) -=
                     entry.value * displacements(entry.node, entry.dof);
         }
-        for_each(iterates, [&](Iterate& iterate) {
-            iterate.system->layout().gather(result, iterate.unbalanced);
-            iterate.unbalanced -= iterate.system->internal_forces(iterate.displacements);
-            iterate.system->layout().scatter(iterate.unbalanced, result);
+        for_each(iterate.parts, [&](Part& part) {
+            part.system->layout().gather(forces, part.unbalanced);
+            part.unbalanced -= part.system->internal_forces(part.displacements);
+            part.system->layout().scatter(part.unbalanced, forces);
         });
-        return result;
     }
 
     [[nodiscard]] bool is_held(int node, int dof) const {
@@ -145,17 +170,7 @@ class LinearSolver::Impl {
             .contains[static_cast<std::size_t>(dof)];
     }
 
-    void correct(std::vector<Iterate>& iterates, NodeValues& displacements,
-                 const base::Control& control) const {
-        for_each(iterates, [&](Iterate& iterate) {
-            if (iterate.unbalanced.isZero(0.0)) return;  // loaded in its plane only, or across it
-            iterate.system->solve(iterate.unbalanced, control);
-            iterate.displacements += iterate.unbalanced;
-            iterate.system->layout().scatter(iterate.displacements, displacements);
-        });
-    }
-
-    /// Keep the held rows, negated, or the others.
+    /// At the held dofs the negative of what is out of balance; zero at the others.
     [[nodiscard]] NodeValues reactions_of(const NodeValues& unbalanced) const {
         NodeValues reactions = NodeValues::Zero(unbalanced.rows(), kDofsPerNode);
         for (int node = 0; node < static_cast<int>(unbalanced.rows()); ++node) {
@@ -181,19 +196,20 @@ class LinearSolver::Impl {
     }
 
     /// The forces that cancel at the free dofs, |K| |d| + |F|, relative to what a residual is relative to.
-    [[nodiscard]] double relative_cancellation(const NodeValues& loads, const std::vector<Iterate>& iterates,
+    [[nodiscard]] double relative_cancellation(const NodeValues& loads, const Iterate& iterate,
                                                double scale) const {
         NodeValues forces = loads.cwiseAbs();
-        for (const Iterate& iterate : iterates) {
+        for (const Part& part : iterate.parts) {
             Eigen::VectorXd own;
-            iterate.system->layout().gather(forces, own);
-            own += iterate.system->cancelling_forces(iterate.displacements);
-            iterate.system->layout().scatter(own, forces);
+            part.system->layout().gather(forces, own);
+            own += part.system->cancelling_forces(part.displacements);
+            part.system->layout().scatter(own, forces);
         }
         return scale > 0.0 ? structure::force_norm(forces, length_) / scale : 0.0;
     }
 
-    void judge(const NodeValues& loads, const std::vector<Iterate>& iterates, Solution& solution) const {
+    void judge(const NodeValues& loads, const Iterate& iterate, Solution& solution) const {
+        solution.residual = iterate.residual;
         if (!std::isfinite(solution.displacements.norm()) || !std::isfinite(solution.energy) ||
             !std::isfinite(solution.residual))
             throw base::NumericalError(
@@ -202,14 +218,14 @@ class LinearSolver::Impl {
         if (solution.residual < kGoodResidual) return;
         const double scale =
             structure::force_norm(loads, length_) + structure::force_norm(solution.reactions, length_);
-        const double rounding = kRoundingShare * relative_cancellation(loads, iterates, scale);
+        const double rounding = kRoundingShare * relative_cancellation(loads, iterate, scale);
         if (solution.residual > std::min(rounding, kLargestResidual))
             solution.termination = Termination::IterationsSpent;
     }
 
-    void finish(const NodeValues& loads, const NodeValues& displacements, const NodeValues& unbalanced,
-                Solution& solution) const {
-        const NodeValues reactions = reactions_of(unbalanced);
+    void finish(const NodeValues& loads, const Iterate& iterate, Solution& solution) const {
+        const NodeValues reactions = reactions_of(iterate.unbalanced);
+        const NodeValues& displacements = iterate.displacements;
         solution.energy = 0.5 * (loads + reactions).cwiseProduct(displacements).sum();
         const int reported = structure_.assembly().reported_nodes;
         solution.displacements = displacements.topRows(reported);
@@ -235,8 +251,9 @@ Solution LinearSolver::solve(const NodeValues& loads, const base::Control& contr
     return impl_->solve(loads, control);
 }
 
-Eigen::MatrixXd LinearSolver::solve_free(const Eigen::MatrixXd& right_sides) const {
-    return impl_->solve_free(right_sides);
+Eigen::MatrixXd LinearSolver::solve_free(const Eigen::MatrixXd& right_sides,
+                                         const base::Control& control) const {
+    return impl_->solve_free(right_sides, control);
 }
 
 FactorChange LinearSolver::update(const Assembly& assembly, const base::Control& control) {
@@ -246,7 +263,7 @@ FactorChange LinearSolver::update(const Assembly& assembly, const base::Control&
 }
 
 Solution solve_linear(const Assembly& assembly, const LinearOptions& options) {
-    return LinearSolver(assembly, options).solve({.stop = options.control.stop});
+    return LinearSolver(assembly, options).solve(options.control.silent());
 }
 
 }  // namespace fretwork::mechanics

@@ -17,7 +17,7 @@ struct LinearOptions {
 
 /// What an update of a structure did to its factors.
 enum class FactorChange {
-    Kept,     ///< nothing: they are those of this structure
+    Kept,     ///< nothing; a correction that they had is dropped if no element differs from those factorized
     Updated,  ///< a correction of low rank for the elements that differ from those factorized
     Anew,     ///< made anew, with the bits of a new solver's
 };
@@ -39,19 +39,23 @@ class LinearSolver {
     /// The same structure under its own loads, or under others (one row for each node of the assembly).
     /// Several threads may solve at once.
     ///
-    /// The solution is refined while that helps. It has converged if its residual is below 1e-9, or is no
-    /// more than the rounding of the displacements explains, and 1e-4 at most. Throws NumericalError if a
-    /// displacement is too large for a number; Stopped.
+    /// The solution is refined while that helps, and the best of these iterates is the solution. It has
+    /// converged if its residual is below 1e-9, or is no more than the rounding of the displacements
+    /// explains, and 1e-4 at most. Throws NumericalError if a displacement is too large for a number;
+    /// Stopped.
     [[nodiscard]] Solution solve(const base::Control& control = {}) const;
     [[nodiscard]] Solution solve(const NodeValues& loads, const base::Control& control = {}) const;
 
     /// Solve K x = g with all held dofs at zero, for several right sides at once: what adjoint gradients
-    /// need. Columns have 6 rows a node, in the order of Dof. Forces on held dofs are left aside.
-    [[nodiscard]] Eigen::MatrixXd solve_free(const Eigen::MatrixXd& right_sides) const;
+    /// need. Columns have 6 rows for each node of the assembly, in the order of Dof. Forces on held dofs are
+    /// left aside. Throws NumericalError if a displacement is too large for a number; Stopped.
+    [[nodiscard]] Eigen::MatrixXd solve_free(const Eigen::MatrixXd& right_sides,
+                                             const base::Control& control = {}) const;
 
     /// Go over to another assembly, and do only the work that its differences ask for:
     /// - loads and prescribed values: none;
-    /// - elements replaced by others of the same nodes: a correction of low rank where a count of
+    /// - elements replaced by others of the same nodes, listed in whatever order: a correction of low rank
+    /// where a count of
     ///   multiplications says that it costs less than new factors, unless the structure becomes 1e5 times
     ///   softer or stiffer somewhere. The border is at about 4 replaced tiles of 500 and 8 of 2,000
     ///   (README.md, bench/edits_bench). While factors are corrected, a solve takes up to four times as long;

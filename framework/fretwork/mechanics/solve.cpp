@@ -95,7 +95,7 @@ void finish(const Assembly& assembly, const SolveOptions& options, Result& resul
 Result solve_frame(const LabelledFrame& input, const SolveOptions& options) {
     const Clock::time_point start = Clock::now();
     const Assembly assembly =
-        assemble(input.frame, {options.lumped_gravity, input.labels, {.stop = options.control.stop}});
+        assemble(input.frame, {options.lumped_gravity, input.labels, options.control.silent()});
     Result result = solve_since(start, assembly, options);
     if (options.estimate_error)
         result.discretization_error = estimate_discretization_error(input.frame, load_factors(options),

@@ -59,7 +59,7 @@ std::vector<Descent> descend(const Problem& problem, const Kind& kind, const Lan
     base::parallel_for(descents.size(), options.threads, [&](std::size_t i) {
         // One start under a seed of its own begins at a uniform random point.
         const auto report = minimize(problem, *kind.make({.starts = 1, .seed = i + 1}),
-                                     {.cost = 100'000, .control = {.stop = options.control.stop}});
+                                     {.cost = 100'000, .control = options.control.silent()});
         descents[i] = {report.value, report.cost, report.point};
     });
     return descents;

@@ -127,13 +127,13 @@ StudyReport run_study(const StudyPlan& plan, const std::filesystem::path& folder
     const std::vector<Task> tasks = missing_tasks(plan, table);
     const std::size_t runs_before = table.size();
     RunConditions conditions = plan.conditions;
-    conditions.budget.control = {.stop = plan.control.stop};
+    conditions.budget.control = plan.control.silent();
     ProblemStore store;
     TableWriter writer(std::move(table), folder, plan);
     base::Progress* progress = plan.control.progress;
     if (progress != nullptr) progress->start("run optimizers", tasks.size());
     base::parallel_for(tasks.size(), plan.threads, [&](std::size_t i) {
-        if (plan.control.stop.stop_requested()) return;
+        if (plan.control.stop_wanted()) return;
         const Task& task = tasks[i];
         const StudyProblem& entry = store.get(task.key.problem);
         try {

@@ -128,6 +128,7 @@ void check(const Candidate& candidate, const TessellationOptions& options) {
                                   ": they would fall into " + std::to_string(candidate.pieces) +
                                   " parts; choose a smaller edge length");
     for (std::size_t cell = 0; cell < candidate.dual.cells.size(); ++cell) {
+        options.control.check();
         const pattern::Polygon polygon = detail::polygon_of(candidate.dual, cell);
         if (pattern::is_convex(polygon)) continue;
         throw base::GeometryError("the outline is too narrow for " + tiles + " near " +

@@ -143,45 +143,41 @@ void Ldlt::add_to_rest(std::size_t child, const Front& front) const {
     }
 }
 
-void Ldlt::substitute_forward_in(std::size_t supernode, Columns columns, std::vector<double>& scratch) const {
+void Ldlt::substitute_forward_in(std::size_t supernode, Columns columns, Workspace& work) const {
     const SupernodeTree& tree = analysis_->tree;
     const Supernode& own = tree.supernodes[supernode];
     const int* row = tree.row.data() + own.row_start;
     const Front front = front_of(supernode);
     for (Eigen::Index c = 0; c < columns.count; ++c) {
+        work.control.check();
         double* x = columns.values + c * analysis_->layout->equations();
         double* first = x + own.first;
         // A load on a few nodes meets few supernodes on its way to the roots.
         if (std::all_of(first, first + own.width, [](double value) { return value == 0.0; })) continue;
-        std::fill_n(scratch.data(), own.rows, 0.0);
-        substitute_forward(front, first, scratch.data());
-        for (int i = 0; i < own.rows; ++i) x[row[i]] -= scratch[at(i)];
+        std::fill_n(work.scratch.data(), own.rows, 0.0);
+        substitute_forward(front, first, work.scratch.data());
+        for (int i = 0; i < own.rows; ++i) x[row[i]] -= work.scratch[at(i)];
     }
 }
 
-void Ldlt::substitute_back_in(std::size_t supernode, Columns columns, std::vector<double>& scratch) const {
+void Ldlt::substitute_back_in(std::size_t supernode, Columns columns, Workspace& work) const {
     const SupernodeTree& tree = analysis_->tree;
     const Supernode& own = tree.supernodes[supernode];
     const int* row = tree.row.data() + own.row_start;
     const Front front = front_of(supernode);
     for (Eigen::Index c = 0; c < columns.count; ++c) {
+        work.control.check();
         double* x = columns.values + c * analysis_->layout->equations();
-        for (int i = 0; i < own.rows; ++i) scratch[at(i)] = x[row[i]];
-        substitute_back(front, x + own.first, scratch.data());
+        for (int i = 0; i < own.rows; ++i) work.scratch[at(i)] = x[row[i]];
+        substitute_back(front, x + own.first, work.scratch.data());
     }
 }
 
 void Ldlt::solve_columns(Columns columns, const base::Control& control) const {
-    std::vector<double> scratch(at(analysis_->most_rows));
+    Workspace work{control, std::vector<double>(at(analysis_->most_rows))};
     const std::size_t supernodes = analysis_->tree.supernodes.size();
-    for (std::size_t s = 0; s < supernodes; ++s) {
-        control.check();
-        substitute_forward_in(s, columns, scratch);
-    }
-    for (std::size_t s = supernodes; s-- > 0;) {
-        control.check();
-        substitute_back_in(s, columns, scratch);
-    }
+    for (std::size_t s = 0; s < supernodes; ++s) substitute_forward_in(s, columns, work);
+    for (std::size_t s = supernodes; s-- > 0;) substitute_back_in(s, columns, work);
 }
 
 void Ldlt::solve(Eigen::VectorXd& right_side, const base::Control& control) const {
@@ -211,11 +207,12 @@ std::vector<std::size_t> Ldlt::path_from(std::span<const int> equations) const {
     return path;
 }
 
-Eigen::MatrixXd Ldlt::inverse_form(Eigen::MatrixXd columns, std::span<const int> equations) const {
-    std::vector<double> scratch(at(analysis_->most_rows));
+Eigen::MatrixXd Ldlt::inverse_form(Eigen::MatrixXd columns, std::span<const int> equations,
+                                   const base::Control& control) const {
+    Workspace work{control, std::vector<double>(at(analysis_->most_rows))};
     Eigen::MatrixXd form = Eigen::MatrixXd::Zero(columns.cols(), columns.cols());
     for (const std::size_t s : path_from(equations)) {
-        substitute_forward_in(s, {columns.data(), columns.cols()}, scratch);
+        substitute_forward_in(s, {columns.data(), columns.cols()}, work);
         const Front front = front_of(s);
         Eigen::MatrixXd rows = columns.middleRows(analysis_->tree.supernodes[s].first, front.width);
         for (int i = 0; i < front.width; ++i)

@@ -41,7 +41,9 @@ class Ldlt {
 
     /// U^T A^-1 U for a positive definite A and columns that are zero but at some equations. Only the
     /// supernodes above these take part, which makes it far cheaper than to solve.
-    [[nodiscard]] Eigen::MatrixXd inverse_form(Eigen::MatrixXd columns, std::span<const int> equations) const;
+    /// Throws Stopped.
+    [[nodiscard]] Eigen::MatrixXd inverse_form(Eigen::MatrixXd columns, std::span<const int> equations,
+                                               const base::Control& control = {}) const;
 
     [[nodiscard]] int equations() const { return analysis_->layout->equations(); }
     /// The diagonal entry of A in an equation.
@@ -78,8 +80,13 @@ class Ldlt {
         Eigen::Index count;
     };
     void solve_columns(Columns columns, const base::Control& control) const;
-    void substitute_forward_in(std::size_t supernode, Columns columns, std::vector<double>& scratch) const;
-    void substitute_back_in(std::size_t supernode, Columns columns, std::vector<double>& scratch) const;
+    /// What a substitution uses besides what it works on.
+    struct Workspace {
+        const base::Control& control;
+        std::vector<double> scratch;
+    };
+    void substitute_forward_in(std::size_t supernode, Columns columns, Workspace& work) const;
+    void substitute_back_in(std::size_t supernode, Columns columns, Workspace& work) const;
     /// The supernodes from these equations up to the roots, ascending.
     [[nodiscard]] std::vector<std::size_t> path_from(std::span<const int> equations) const;
     [[nodiscard]] Front front_of(std::size_t supernode) const;

@@ -12,7 +12,7 @@ namespace {
 /// Eigenvalues of a change below this share of A's diagonal are the rounding of its entries.
 constexpr double kRounding = 1e-14;
 
-/// The softest and the stiffest ratio of the changed matrix to A that leaves the factors of A good enough.
+/// The smallest and the largest pivot of the inner matrix with which the factors of A are good enough.
 constexpr double kSoftest = 1e-5;
 constexpr double kStiffest = 1e5;
 
@@ -25,8 +25,7 @@ std::vector<int> all_equations(std::span<const MatrixChange> changes) {
 
 }  // namespace
 
-double LowRankUpdate::work(const Ldlt& factors, std::span<const MatrixChange> changes) {
-    const std::vector<int> equations = all_equations(changes);
+double LowRankUpdate::work(const Ldlt& factors, std::span<const int> equations) {
     const auto rank = static_cast<double>(equations.size());
     return factors.inverse_form_work(equations, std::ssize(equations)) + rank * rank * rank +
            factors.solution_work();
@@ -60,10 +59,12 @@ void LowRankUpdate::for_each_block(const Body& body) const {
     }
 }
 
-std::optional<LowRankUpdate> LowRankUpdate::make(const Ldlt& factors, std::vector<MatrixChange> changes) {
+std::optional<LowRankUpdate> LowRankUpdate::make(const Ldlt& factors, std::vector<MatrixChange> changes,
+                                                 const base::Control& control) {
     LowRankUpdate update;
     update.changes_ = std::move(changes);
     for (const MatrixChange& change : update.changes_) {
+        control.check();
         update.modes_.push_back(modes_of(factors, change));
         update.plus_ += update.modes_.back().plus.cols();
         update.minus_ += update.modes_.back().minus.cols();
@@ -73,7 +74,8 @@ std::optional<LowRankUpdate> LowRankUpdate::make(const Ldlt& factors, std::vecto
     update.for_each_block([&](const MatrixChange& change, const Eigen::MatrixXd& modes, Eigen::Index first) {
         columns.middleCols(first, modes.cols())(change.equations, Eigen::all) = modes;
     });
-    if (!update.factorize_inner(factors.inverse_form(std::move(columns), all_equations(update.changes_))))
+    const std::vector<int> equations = all_equations(update.changes_);
+    if (!update.factorize_inner(factors.inverse_form(std::move(columns), equations, control)))
         return std::nullopt;
     return update;
 }
@@ -111,14 +113,16 @@ Eigen::MatrixXd LowRankUpdate::inner_solution(const Eigen::MatrixXd& projected) 
     return result;
 }
 
-void LowRankUpdate::solve(const Ldlt& factors, Eigen::VectorXd& right_side) const {
+void LowRankUpdate::solve(const Ldlt& factors, Eigen::VectorXd& right_side,
+                          const base::Control& control) const {
     Eigen::MatrixXd columns = right_side;
-    solve(factors, columns);
+    solve(factors, columns, control);
     right_side = columns.col(0);
 }
 
-void LowRankUpdate::solve(const Ldlt& factors, Eigen::MatrixXd& right_sides) const {
-    factors.solve(right_sides);
+void LowRankUpdate::solve(const Ldlt& factors, Eigen::MatrixXd& right_sides,
+                          const base::Control& control) const {
+    factors.solve(right_sides, control);
     if (rank() == 0) return;
     Eigen::MatrixXd projected(rank(), right_sides.cols());
     for_each_block([&](const MatrixChange& change, const Eigen::MatrixXd& modes, Eigen::Index first) {
@@ -130,7 +134,7 @@ void LowRankUpdate::solve(const Ldlt& factors, Eigen::MatrixXd& right_sides) con
     for_each_block([&](const MatrixChange& change, const Eigen::MatrixXd& modes, Eigen::Index first) {
         correction(change.equations, Eigen::all) += modes * weights.middleRows(first, modes.cols());
     });
-    factors.solve(correction);
+    factors.solve(correction, control);
     right_sides -= correction;
 }
 

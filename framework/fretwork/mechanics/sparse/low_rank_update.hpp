@@ -21,21 +21,24 @@ struct MatrixChange {
 ///
 /// The eigenvectors of each change C, scaled by A's diagonal, give C = P P^T - M M^T; eigenvalues that are
 /// rounding are dropped. With U = (E P, E M), S = diag(I, -I) and y = A^-1 b, the solution is
-/// x = y - A^-1 U (S + U^T A^-1 U)^-1 U^T y. The inner matrix is eliminated by blocks: that of P has the
-/// ratios by which A becomes stiffer as eigenvalues, and what it leaves, negated, those by which it becomes
-/// softer.
+/// x = y - A^-1 U (S + U^T A^-1 U)^-1 U^T y. The inner matrix is eliminated by blocks: the eigenvalues of the
+/// block of P are the ratios by which A becomes stiffer, and those of what it leaves, negated, the ratios by
+/// which it becomes softer.
 class LowRankUpdate {
   public:
-    /// None if the changed matrix is not positive definite, or somewhere so much softer or stiffer than A
-    /// that more than a third of the digits would be lost.
-    static std::optional<LowRankUpdate> make(const Ldlt& factors, std::vector<MatrixChange> changes);
+    /// None if the changed matrix is not positive definite, or so much softer or stiffer than A somewhere
+    /// that about a third of the digits would be lost: 1e5 times, by the pivots of the inner matrix. These
+    /// are cheaper than its eigenvalues, and no farther from one. Throws Stopped.
+    static std::optional<LowRankUpdate> make(const Ldlt& factors, std::vector<MatrixChange> changes,
+                                             const base::Control& control = {});
 
-    /// Multiplications of make() and of what solve() does beyond solving with A.
-    static double work(const Ldlt& factors, std::span<const MatrixChange> changes);
+    /// Multiplications of make() for changes of these equations, each named once a change, and of what one
+    /// solve() does beyond solving with A.
+    static double work(const Ldlt& factors, std::span<const int> equations);
 
-    /// Solve in place. Takes twice as long as with A.
-    void solve(const Ldlt& factors, Eigen::VectorXd& right_side) const;
-    void solve(const Ldlt& factors, Eigen::MatrixXd& right_sides) const;
+    /// Solve in place: two solutions with A. Throws Stopped.
+    void solve(const Ldlt& factors, Eigen::VectorXd& right_side, const base::Control& control = {}) const;
+    void solve(const Ldlt& factors, Eigen::MatrixXd& right_sides, const base::Control& control = {}) const;
 
     /// y += (sum of E C E^T) x.
     void add_product(const Eigen::VectorXd& x, Eigen::VectorXd& y) const;

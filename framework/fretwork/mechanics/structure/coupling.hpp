@@ -16,6 +16,11 @@ static_assert(sparse::kBlockSize == kDofsPerNode);
 /// The nodes of the assembly and, as cliques in their order, its elements.
 sparse::NodeGraph coupling_graph(const Assembly& assembly);
 
+/// An element's stiffness (6n x 6n) with its nodes in the order `wanted`. What the lower triangle of blocks
+/// says is taken from the upper one, as a layout reads it, so that each sum has the same bits in any order.
+Eigen::MatrixXd reordered(const Eigen::MatrixXd& stiffness, std::span<const NodeIndex> nodes,
+                          std::span<const int> wanted);
+
 /// The dofs of each node as the components that are unknowns.
 std::vector<sparse::Components> components(std::span<const DofSet> dofs);
 /// The dofs that are not among these.

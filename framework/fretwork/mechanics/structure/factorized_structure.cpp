@@ -14,11 +14,12 @@ namespace {
 /// whose factors solve faster (bench/edits_bench: repainted).
 constexpr double kCorrectionCost = 2.0;
 
-/// Elements that are added between two looks at whether to stop.
+/// Elements that are gone through between two looks at whether to stop.
 constexpr std::size_t kElementsAtATime = 256;
 
+/// In whatever order they list their nodes.
 bool connect_the_same(const Element& a, const Element& b) {
-    return std::ranges::equal(a.nodes(), b.nodes());
+    return std::ranges::is_permutation(a.nodes(), b.nodes());
 }
 
 bool connect_the_same(const Assembly& a, const Assembly& b) {
@@ -35,18 +36,6 @@ std::vector<std::size_t> differing(const Elements& a, const Elements& b) {
         if (a[e] != b[e]) places.push_back(e);
     }
     return places;
-}
-
-/// Whether a correction takes less time than factors made anew.
-bool is_cheaper(std::span<const Subsystem> systems,
-                std::span<const std::vector<sparse::MatrixChange>> changes) {
-    double correction = 0.0;
-    double factorization = 0.0;
-    for (std::size_t s = 0; s < systems.size(); ++s) {
-        correction += systems[s].correction_work(changes[s]);
-        factorization += systems[s].factorization_work();
-    }
-    return kCorrectionCost * correction < factorization;
 }
 
 }  // namespace
@@ -119,9 +108,18 @@ bool FactorizedStructure::add_elements(const base::Control& control) {
         if (e % kElementsAtATime == 0) control.check();
         assembly_.elements[e]->rest_stiffness(stiffness);
         if (split_ && !decouples(stiffness)) return false;
+        put_in_layout_order(e, *assembly_.elements[e], stiffness);
         for (Subsystem& system : systems_) system.add(e, stiffness);
     }
     return true;
+}
+
+/// The layout may be that of an element which was replaced, and listed the same nodes in another order.
+void FactorizedStructure::put_in_layout_order(std::size_t element, const Element& own,
+                                              Eigen::MatrixXd& stiffness) const {
+    const std::span<const int> listed = connections_->graph.cliques[element];
+    if (!std::ranges::equal(own.nodes(), listed, {}, &NodeIndex::value))
+        stiffness = reordered(stiffness, own.nodes(), listed);
 }
 
 void FactorizedStructure::factorize(const base::Control& control) {
@@ -129,7 +127,7 @@ void FactorizedStructure::factorize(const base::Control& control) {
     factorized_ = assembly_.elements;
     corrected_elements_ = 0;
     last_change_ = FactorChange::Anew;
-    keep_held_entries();
+    keep_held_entries(control);
 }
 
 /// From a structure that is connected and held in the same way.
@@ -137,10 +135,10 @@ void FactorizedStructure::take_over(const FactorizedStructure& before, ElementEd
                                     const base::Control& control) {
     split_ = before.split_;
     if (before.assembly_.elements == assembly_.elements) return share(before);
-    if (correct(before, edit)) return;
+    if (correct(before, edit, control)) return;
     for (const Subsystem& system : before.systems_) systems_.push_back(system.cleared());
     const base::Task task(control, "linear system", 2);
-    if (!add_elements(control)) return build({.stop = control.stop});
+    if (!add_elements(control)) return build(control.silent());
     task.update(1);
     factorize(control);
     task.update(2);
@@ -156,38 +154,73 @@ void FactorizedStructure::share(const FactorizedStructure& before) {
 
 /// Keep the factors and correct them for the elements that differ from those factorized. False where they
 /// are better made anew.
-bool FactorizedStructure::correct(const FactorizedStructure& before, ElementEdit edit) {
+bool FactorizedStructure::correct(const FactorizedStructure& before, ElementEdit edit,
+                                  const base::Control& control) {
     const std::vector<std::size_t> changed = differing(before.factorized_, assembly_.elements);
-    if (!changed.empty() && edit == ElementEdit::Refactor) return false;
-    std::vector<std::vector<sparse::MatrixChange>> changes(before.systems_.size());
-    Eigen::MatrixXd old_stiffness, new_stiffness;
-    for (const std::size_t e : changed) {
-        before.factorized_[e]->rest_stiffness(old_stiffness);
-        assembly_.elements[e]->rest_stiffness(new_stiffness);
-        if (split_ && !decouples(new_stiffness)) return false;
-        new_stiffness -= old_stiffness;
-        for (std::size_t s = 0; s < changes.size(); ++s)
-            changes[s].push_back(before.systems_[s].change_at(assembly_.elements[e]->nodes(), new_stiffness));
+    std::optional<Changes> changes;
+    if (!changed.empty()) {
+        if (edit == ElementEdit::Refactor) return false;
+        if (edit == ElementEdit::Cheaper && !is_correction_cheaper(before.systems_, changed)) return false;
+        changes = changes_from(before, changed, control);
+        if (!changes) return false;
     }
-    if (edit == ElementEdit::Cheaper && !changed.empty() && !is_cheaper(before.systems_, changes))
-        return false;
-    std::vector<Subsystem> systems = before.systems_;
-    for (std::size_t s = 0; s < changes.size(); ++s) {
-        systems[s].drop_correction();
-        if (!changed.empty() && !systems[s].correct(std::move(changes[s]))) return false;
+    std::vector<Subsystem> systems;
+    for (std::size_t s = 0; s < before.systems_.size(); ++s) {
+        systems.push_back(before.systems_[s].as_factorized());
+        if (changes && !systems[s].correct(std::move((*changes)[s]), control)) return false;
     }
     systems_ = std::move(systems);
     factorized_ = before.factorized_;
     corrected_elements_ = changed.size();
     last_change_ = changed.empty() ? FactorChange::Kept : FactorChange::Updated;
-    keep_held_entries();
+    keep_held_entries(control);
     return true;
 }
 
-void FactorizedStructure::keep_held_entries() {
+/// Whether a correction takes less time than factors made anew. Only counts: no stiffness is computed.
+bool FactorizedStructure::is_correction_cheaper(std::span<const Subsystem> systems,
+                                                std::span<const std::size_t> changed) const {
+    double correction = 0.0;
+    double factorization = 0.0;
+    for (const Subsystem& system : systems) {
+        std::vector<int> equations;
+        for (const std::size_t e : changed) {
+            const std::vector<int> own = system.equations_of(connections_->graph.cliques[e]);
+            equations.insert(equations.end(), own.begin(), own.end());
+        }
+        correction += system.correction_work(equations);
+        factorization += system.factorization_work();
+    }
+    return kCorrectionCost * correction < factorization;
+}
+
+/// What the elements that differ from those factorized change, for each system. None if one couples what is
+/// solved apart.
+std::optional<FactorizedStructure::Changes> FactorizedStructure::changes_from(
+    const FactorizedStructure& before, std::span<const std::size_t> changed,
+    const base::Control& control) const {
+    Changes changes(before.systems_.size());
+    Eigen::MatrixXd old_stiffness, stiffness;
+    for (const std::size_t e : changed) {
+        control.check();
+        before.factorized_[e]->rest_stiffness(old_stiffness);
+        assembly_.elements[e]->rest_stiffness(stiffness);
+        if (split_ && !decouples(stiffness)) return std::nullopt;
+        put_in_layout_order(e, *before.factorized_[e], old_stiffness);
+        put_in_layout_order(e, *assembly_.elements[e], stiffness);
+        stiffness -= old_stiffness;
+        for (std::size_t s = 0; s < changes.size(); ++s)
+            changes[s].push_back(before.systems_[s].change_at(connections_->graph.cliques[e], stiffness));
+    }
+    return changes;
+}
+
+void FactorizedStructure::keep_held_entries(const base::Control& control) {
     held_entries_.clear();
     Eigen::MatrixXd stiffness;
-    for (const auto& element : assembly_.elements) {
+    for (std::size_t e = 0; e < assembly_.elements.size(); ++e) {
+        if (e % kElementsAtATime == 0) control.check();
+        const auto& element = assembly_.elements[e];
         const std::span<const NodeIndex> nodes = element->nodes();
         const auto is_held = [&](NodeIndex node) {
             return constraints_.held[static_cast<std::size_t>(node.value)] != DofSet{};

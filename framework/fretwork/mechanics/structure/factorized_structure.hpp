@@ -6,6 +6,7 @@
 #include <fretwork/mechanics/structure/subsystem.hpp>
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -32,8 +33,8 @@ class FactorizedStructure {
     /// Throws NumericalError that names a node if the structure, as held, can move without strain; Stopped.
     FactorizedStructure(const Assembly& assembly, const LinearOptions& options);
     /// The same for a structure that differs from another in whatever way. Where only loads and prescribed
-    /// values do, its factors are shared; where elements are replaced by others of the same nodes, see
-    /// ElementEdit; where supports are, the elimination order.
+    /// values do, its factors are shared; where elements are replaced by others of the same nodes, listed in
+    /// whatever order, see ElementEdit; where supports are, the elimination order.
     FactorizedStructure(const FactorizedStructure& before, const Assembly& assembly,
                         ElementEdit edit = ElementEdit::Cheaper, const base::Control& control = {});
 
@@ -61,11 +62,18 @@ class FactorizedStructure {
     void build(const base::Control& control);
     void lay_out(Split split, const base::Control& control);
     bool add_elements(const base::Control& control);
+    void put_in_layout_order(std::size_t element, const Element& own, Eigen::MatrixXd& stiffness) const;
     void factorize(const base::Control& control);
     void take_over(const FactorizedStructure& before, ElementEdit edit, const base::Control& control);
     void share(const FactorizedStructure& before);
-    bool correct(const FactorizedStructure& before, ElementEdit edit);
-    void keep_held_entries();
+    bool correct(const FactorizedStructure& before, ElementEdit edit, const base::Control& control);
+    [[nodiscard]] bool is_correction_cheaper(std::span<const Subsystem> systems,
+                                             std::span<const std::size_t> changed) const;
+    using Changes = std::vector<std::vector<sparse::MatrixChange>>;
+    [[nodiscard]] std::optional<Changes> changes_from(const FactorizedStructure& before,
+                                                      std::span<const std::size_t> changed,
+                                                      const base::Control& control) const;
+    void keep_held_entries(const base::Control& control);
     void keep_row(std::span<const NodeIndex> nodes, Eigen::Index row, const Eigen::MatrixXd& stiffness);
 
     Assembly assembly_;

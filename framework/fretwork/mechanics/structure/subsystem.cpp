@@ -20,6 +20,13 @@ Subsystem Subsystem::cleared() const {
     return result;
 }
 
+Subsystem Subsystem::as_factorized() const {
+    Subsystem result;
+    result.layout_ = layout_;
+    result.numbers_ = numbers_;
+    return result;
+}
+
 void Subsystem::add(std::size_t element, const Eigen::MatrixXd& stiffness) {
     layout_->add(element, stiffness, numbers_->values);
 }
@@ -29,28 +36,33 @@ void Subsystem::factorize(const Assembly& assembly, const base::Control& control
     refuse_mechanisms(assembly, *layout_, numbers_->values, numbers_->factors, outcome);
 }
 
-sparse::MatrixChange Subsystem::change_at(std::span<const NodeIndex> nodes,
+std::vector<int> Subsystem::equations_of(std::span<const int> nodes) const {
+    std::vector<int> equations;
+    for (const int node : nodes) {
+        for (int d = 0; d < kDofsPerNode; ++d) {
+            if (const int equation = layout_->equation(node, d); equation >= 0) equations.push_back(equation);
+        }
+    }
+    return equations;
+}
+
+sparse::MatrixChange Subsystem::change_at(std::span<const int> nodes,
                                           const Eigen::MatrixXd& stiffness) const {
-    sparse::MatrixChange change;
     std::vector<int> dofs;
     for (std::size_t i = 0; i < nodes.size(); ++i) {
         for (int d = 0; d < kDofsPerNode; ++d) {
-            const int equation = layout_->equation(nodes[i].value, d);
-            if (equation < 0) continue;
-            change.equations.push_back(equation);
-            dofs.push_back(static_cast<int>(i) * kDofsPerNode + d);
+            if (layout_->equation(nodes[i], d) >= 0) dofs.push_back(static_cast<int>(i) * kDofsPerNode + d);
         }
     }
-    change.values = stiffness(dofs, dofs);
-    return change;
+    return {equations_of(nodes), stiffness(dofs, dofs)};
 }
 
-double Subsystem::correction_work(std::span<const sparse::MatrixChange> changes) const {
-    return sparse::LowRankUpdate::work(numbers_->factors, changes);
+double Subsystem::correction_work(std::span<const int> equations) const {
+    return sparse::LowRankUpdate::work(numbers_->factors, equations);
 }
 
-bool Subsystem::correct(std::vector<sparse::MatrixChange> changes) {
-    auto correction = sparse::LowRankUpdate::make(numbers_->factors, std::move(changes));
+bool Subsystem::correct(std::vector<sparse::MatrixChange> changes, const base::Control& control) {
+    auto correction = sparse::LowRankUpdate::make(numbers_->factors, std::move(changes), control);
     if (!correction) return false;
     correction_ = std::move(correction);
     return true;

@@ -19,6 +19,9 @@ class Subsystem {
     /// The same equations without stiffness: layout and symbolic analysis are shared.
     [[nodiscard]] Subsystem cleared() const;
 
+    /// The same equations and factors without a correction.
+    [[nodiscard]] Subsystem as_factorized() const;
+
     [[nodiscard]] const sparse::SystemLayout& layout() const { return *layout_; }
 
     /// Add an element's stiffness, and factorize the sum. Only before the equations are copied.
@@ -26,22 +29,23 @@ class Subsystem {
     /// Throws NumericalError that names a node of the assembly if the structure can move without strain.
     void factorize(const Assembly& assembly, const base::Control& control);
 
-    /// The rows and columns of an element that are equations here.
-    [[nodiscard]] sparse::MatrixChange change_at(std::span<const NodeIndex> nodes,
+    /// The equations of some nodes, in their order.
+    [[nodiscard]] std::vector<int> equations_of(std::span<const int> nodes) const;
+    /// A change of the stiffness between some nodes (6n x 6n) as one of equations.
+    [[nodiscard]] sparse::MatrixChange change_at(std::span<const int> nodes,
                                                  const Eigen::MatrixXd& stiffness) const;
-    /// Multiplications of a correction for these changes, and of a factorization.
-    [[nodiscard]] double correction_work(std::span<const sparse::MatrixChange> changes) const;
+    /// Multiplications of a correction for changes of these equations, and of a factorization.
+    [[nodiscard]] double correction_work(std::span<const int> equations) const;
     [[nodiscard]] double factorization_work() const { return numbers_->factors.factorization_work(); }
     /// The stiffness as factorized, with these changes. False, and nothing is changed, if that would cost
-    /// accuracy.
-    bool correct(std::vector<sparse::MatrixChange> changes);
-    void drop_correction() { correction_.reset(); }
+    /// accuracy. Throws Stopped.
+    bool correct(std::vector<sparse::MatrixChange> changes, const base::Control& control);
 
-    /// Solve in place.
+    /// Solve in place. Throws Stopped.
     template <class Dense>
     void solve(Dense& right_side, const base::Control& control = {}) const {
         if (correction_) {
-            correction_->solve(numbers_->factors, right_side);
+            correction_->solve(numbers_->factors, right_side, control);
         } else {
             numbers_->factors.solve(right_side, control);
         }

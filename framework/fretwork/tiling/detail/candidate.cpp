@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/text.hpp>
 #include <fretwork/tiling/detail/candidate.hpp>
+#include <fretwork/tiling/detail/cell_sides.hpp>
 #include <fretwork/tiling/detail/gaps.hpp>
 #include <fretwork/tiling/detail/plane.hpp>
 #include <fretwork/tiling/detail/regularize.hpp>
 #include <fretwork/tiling/detail/sites.hpp>
 
 #include <algorithm>
-#include <map>
 #include <numbers>
 #include <numeric>
 #include <tuple>
@@ -25,31 +25,21 @@ constexpr double kRoughEdge =
 constexpr int kRoughIterations = 20;
 constexpr double kSlenderAngle = 30 * std::numbers::pi / 180;
 
-/// The sides of the cells, as pairs of vertices, and the cells that have them.
-std::map<std::pair<int, int>, std::vector<std::size_t>> sides_of(const Dual& dual, const Work& work) {
-    std::map<std::pair<int, int>, std::vector<std::size_t>> sides;
-    for (std::size_t c = 0; c < dual.cells.size(); ++c) {
-        work.check();
-        const std::vector<int>& cell = dual.cells[c];
-        for (std::size_t i = 0; i < cell.size(); ++i)
-            sides[std::minmax(cell[i], cell[(i + 1) % cell.size()])].push_back(c);
-    }
-    return sides;
-}
-
 void measure_sides(const Dual& dual, const Work& work, TessellationReport& report) {
-    const auto sides = sides_of(dual, work);
+    double count = 0.0;
     double sum = 0.0;
     double sum_of_squares = 0.0;
     report.smallest_side = std::numeric_limits<double>::infinity();
-    for (const auto& [ends, cells] : sides) {
-        const double side = distance(dual.vertices[static_cast<std::size_t>(ends.first)].place,
-                                     dual.vertices[static_cast<std::size_t>(ends.second)].place);
+    const auto sides = sides_of_cells(dual, work.control());
+    for_each_side(sides, work.control(), [&](std::span<const CellSide> same) {
+        const auto [first, second] = same.front().ends();
+        const double side = distance(dual.vertices[static_cast<std::size_t>(first)].place,
+                                     dual.vertices[static_cast<std::size_t>(second)].place);
+        count += 1.0;
         sum += side;
         sum_of_squares += side * side;
         report.smallest_side = std::min(report.smallest_side, side);
-    }
-    const auto count = static_cast<double>(sides.size());
+    });
     report.mean_side = sum / count;
     report.sd_side = std::sqrt(std::max(0.0, sum_of_squares / count - report.mean_side * report.mean_side));
 }
@@ -63,13 +53,14 @@ int count_pieces(const Dual& dual, const Work& work) {
         return cell;
     };
     auto pieces = static_cast<int>(dual.cells.size());
-    for (const auto& [ends, cells] : sides_of(dual, work)) {
-        for (std::size_t i = 1; i < cells.size(); ++i) {
-            if (root(cells[0]) == root(cells[i])) continue;
-            parent[root(cells[i])] = root(cells[0]);
+    const auto sides = sides_of_cells(dual, work.control());
+    for_each_side(sides, work.control(), [&](std::span<const CellSide> same) {
+        for (const CellSide& other : same.subspan(1)) {
+            if (root(same.front().cell) == root(other.cell)) continue;
+            parent[root(other.cell)] = root(same.front().cell);
             --pieces;
         }
-    }
+    });
     return pieces;
 }
 
@@ -259,7 +250,7 @@ Candidate make_candidate(const Outline& outline, const TessellationOptions& opti
         const double ratio = candidate.report.mean_side / options.edge_length;
         search.learn(ratio);
         candidate.side_error = std::abs(ratio - 1);
-        candidate.pinched = count_pinches(candidate.dual);
+        candidate.pinched = count_pinches(candidate.dual, work.control());
         if (is_better_density(candidate, best)) best = std::move(candidate);
     }
     work.advance(static_cast<std::size_t>(kSearchRounds - round) * steps_of_density(options));

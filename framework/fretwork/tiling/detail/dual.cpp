@@ -94,6 +94,7 @@ class DualBuilder {
     /// A corner of the outline that a triangle of three rim points cuts off goes to the tile behind it.
     void flip_ears() {
         for (const OpenMesh::EdgeHandle edge : mesh_.edges()) {
+            work_.check();
             if (mesh_.is_boundary(edge) || !mesh_.is_flip_ok(edge)) continue;
             for (const unsigned side : {0U, 1U}) {
                 const HalfedgeHandle h = mesh_.halfedge_handle(edge, side);
@@ -125,6 +126,7 @@ class DualBuilder {
 
     void add_inner_vertices() {
         for (const OpenMesh::FaceHandle face : mesh_.faces()) {
+            work_.check();
             if (rim_vertices_of(face) > 0) continue;
             std::array<Point2, 3> places;
             auto place = places.begin();
@@ -148,6 +150,7 @@ class DualBuilder {
     }
 
     void add_rim_vertices(int b) {
+        work_.check();
         const RimFan fan = fan_around(b);
         std::vector<int> sites;
         for (const int neighbor : fan.neighbors) {

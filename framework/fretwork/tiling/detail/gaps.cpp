@@ -1,25 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/tiling/detail/cell_sides.hpp>
 #include <fretwork/tiling/detail/gaps.hpp>
 #include <fretwork/tiling/detail/plane.hpp>
 
 #include <algorithm>
 #include <map>
-#include <set>
 #include <utility>
 
 namespace fretwork::tiling::detail {
 namespace {
 
-/// The sides that only one cell has, each in that cell's direction: from their first to their second ends.
-std::multimap<int, int> rim_sides(const Dual& dual) {
-    std::set<std::pair<int, int>> sides;
-    for (const std::vector<int>& cell : dual.cells) {
-        for (std::size_t i = 0; i < cell.size(); ++i) sides.insert({cell[i], cell[(i + 1) % cell.size()]});
-    }
+/// The sides of which cells have one direction only: from their first to their second ends.
+std::multimap<int, int> rim_sides(const Dual& dual, const base::Control& control) {
     std::multimap<int, int> rim;
-    for (const auto& [from, to] : sides) {
-        if (!sides.contains({to, from})) rim.emplace(from, to);
-    }
+    const auto sides = sides_of_cells(dual, control);
+    for_each_side(sides, control, [&](std::span<const CellSide> same) {
+        const int from = same.front().from;
+        if (std::ranges::all_of(same, [&](const CellSide& side) { return side.from == from; }))
+            rim.emplace(from, same.front().to);
+    });
     return rim;
 }
 
@@ -29,8 +28,8 @@ struct Wedge {
     int after = -1;
 };
 
-std::vector<Wedge> wedges_of(const Dual& dual) {
-    const auto rim = rim_sides(dual);
+std::vector<Wedge> wedges_of(const Dual& dual, const base::Control& control) {
+    const auto rim = rim_sides(dual, control);
     std::vector<Wedge> wedges;
     for (const auto& [before, tip] : rim) {
         if (rim.count(tip) < 2) continue;
@@ -68,7 +67,7 @@ bool are_sound(const Dual& dual, int vertex) {
 
 /// Close one wedge, if there is one that can be closed.
 bool close_one(Dual& dual, const base::Control& control) {
-    for (const Wedge& wedge : wedges_of(dual)) {
+    for (const Wedge& wedge : wedges_of(dual, control)) {
         control.check();
         Dual result = closed(dual, wedge);
         if (!are_sound(result, wedge.before) || !are_sound(result, wedge.after)) continue;
@@ -85,8 +84,8 @@ void close_gaps(Dual& dual, const base::Control& control) {
     }
 }
 
-int count_pinches(const Dual& dual) {
-    const auto rim = rim_sides(dual);
+int count_pinches(const Dual& dual, const base::Control& control) {
+    const auto rim = rim_sides(dual, control);
     int pinches = 0;
     for (auto side = rim.begin(); side != rim.end(); side = rim.upper_bound(side->first))
         pinches += rim.count(side->first) > 1 ? 1 : 0;

@@ -12,7 +12,7 @@ namespace fretwork::tiling::detail {
 /// Throws base::Stopped.
 void close_gaps(Dual& dual, const base::Control& control);
 
-/// At how many vertices the rim of the tiles touches itself: the gaps that are left.
-int count_pinches(const Dual& dual);
+/// At how many vertices the rim of the tiles touches itself: the gaps that are left. Throws base::Stopped.
+int count_pinches(const Dual& dual, const base::Control& control);
 
 }  // namespace fretwork::tiling::detail

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <complex>
-#include <map>
 #include <numbers>
 
 namespace fretwork::tiling::detail {
@@ -21,9 +20,10 @@ double facing(Point2 from, Point2 to) {
 /// The direction in which the first sides of tiles should face: straight down, turned by at most 30 degrees
 /// to where the sides of the hexagons face on the whole. Thus equal tiles get equal orientations, and not one
 /// or another by chance where two sides are equally near to straight down.
-double first_side_facing(const Dual& dual) {
+double first_side_facing(const Dual& dual, const base::Control& control) {
     std::complex<double> sixfold;
     for (std::size_t cell = 0; cell < dual.cells.size(); ++cell) {
+        control.check();
         const Polygon polygon = polygon_of(dual, cell);
         if (polygon.size() != 6) continue;
         for (std::size_t i = 0; i < 6; ++i)
@@ -52,9 +52,10 @@ std::size_t first_vertex(const Polygon& polygon, double wanted_facing) {
 }
 
 /// The cells from left to right, those at the same place from bottom to top.
-std::vector<std::size_t> from_left_to_right(const Dual& dual) {
+std::vector<std::size_t> from_left_to_right(const Dual& dual, const base::Control& control) {
     std::vector<std::pair<double, double>> keys;
     for (std::size_t cell = 0; cell < dual.cells.size(); ++cell) {
+        control.check();
         const Point2 middle = pattern::centroid(polygon_of(dual, cell));
         keys.emplace_back(middle.x, middle.y);
     }
@@ -67,15 +68,15 @@ std::vector<std::size_t> from_left_to_right(const Dual& dual) {
 class Numberer {
   public:
     Numberer(const Dual& dual, const pattern::NodeLayout& layout, const base::Control& control)
-        : dual_(dual), control_(control) {
+        : dual_(dual), control_(control), numbers_(dual.vertices.size()), sides_(dual.vertices.size()) {
         result_.layout = layout.name();
         for (const pattern::Rational& place : layout.description().interface)
             places_.push_back(place.to_double());
     }
 
     Tessellation run() {
-        const double facing = first_side_facing(dual_);
-        for (const std::size_t cell : from_left_to_right(dual_)) {
+        const double facing = first_side_facing(dual_, control_);
+        for (const std::size_t cell : from_left_to_right(dual_, control_)) {
             control_.check();
             std::vector<int> vertices = dual_.cells[cell];
             const auto first = static_cast<std::ptrdiff_t>(first_vertex(polygon_of(dual_, cell), facing));
@@ -97,24 +98,30 @@ class Numberer {
     }
 
     VertexIndex number_of(int vertex) {
-        const auto [entry, is_new] = numbers_.try_emplace(vertex, result_.vertices.size());
-        if (is_new) result_.vertices.push_back(dual_.vertices[static_cast<std::size_t>(vertex)].place);
-        return entry->second;
+        const auto v = static_cast<std::size_t>(vertex);
+        if (!numbers_[v].is_valid()) {
+            numbers_[v] = VertexIndex(result_.vertices.size());
+            result_.vertices.push_back(dual_.vertices[v].place);
+        }
+        return numbers_[v];
     }
 
     /// The interface nodes on a side in this direction; the neighbour runs through the same ones the other
     /// way.
     std::vector<InterfaceIndex> nodes_on_side(VertexIndex from, VertexIndex to) {
-        if (const auto other = sides_.find({to, from}); other != sides_.end())
-            return {other->second.rbegin(), other->second.rend()};
         std::vector<InterfaceIndex> nodes;
+        for (const Side& other : sides_[static_cast<std::size_t>(to)]) {
+            if (other.to != from) continue;
+            for (std::size_t i = places_.size(); i-- > 0;) nodes.emplace_back(other.first_node + i);
+            return nodes;
+        }
+        sides_[static_cast<std::size_t>(from)].push_back({to, result_.interface_nodes.size()});
         const Point2 a = result_.vertices[static_cast<std::size_t>(from.value)];
         const Point2 b = result_.vertices[static_cast<std::size_t>(to.value)];
         for (const double place : places_) {
             nodes.emplace_back(result_.interface_nodes.size());
             result_.interface_nodes.push_back(between(a, b, place));
         }
-        sides_[{from, to}] = nodes;
         return nodes;
     }
 
@@ -122,8 +129,13 @@ class Numberer {
     const base::Control& control_;
     std::vector<double> places_;  // of interface nodes, as shares of a side
     Tessellation result_;
-    std::map<int, VertexIndex> numbers_;
-    std::map<std::pair<VertexIndex, VertexIndex>, std::vector<InterfaceIndex>> sides_;
+    std::vector<VertexIndex> numbers_;  // of the dual's vertices
+    /// A side that a tile has, and the number of its first interface node.
+    struct Side {
+        VertexIndex to;
+        std::size_t first_node;
+    };
+    std::vector<std::vector<Side>> sides_;  // by the vertex that they begin at
 };
 
 }  // namespace

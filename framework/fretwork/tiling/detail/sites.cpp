@@ -23,8 +23,8 @@ constexpr double kMargin = 0.2;  // of the edge
 /// Half a tile's width: a tile at the rim then is about as large as one inside.
 constexpr double kLatticeMargin = 0.45;  // of the edge
 
-/// The places of a mesh's vertices, as isotropic_remeshing reads and writes them. It has no other hook that
-/// is called often, and so this one looks whether to stop.
+/// The places of a mesh's vertices, as isotropic_remeshing reads and writes them. Each access looks whether
+/// to stop.
 struct WatchedPlaces {
     using Places = Mesh::Property_map<Mesh::Vertex_index, Kernel::Point_3>;
     using key_type = Mesh::Vertex_index;
@@ -42,6 +42,21 @@ struct WatchedPlaces {
         put(map.places, vertex, place);
     }
     reference operator[](key_type vertex) const { return get(*this, vertex); }
+};
+
+/// The patch of each face, of which there is one. It looks whether to stop where only edges are flipped.
+struct OnePatch {
+    using key_type = Mesh::Face_index;
+    using value_type = std::size_t;
+    using reference = std::size_t;
+    using category = boost::read_write_property_map_tag;
+    const Work* work;
+
+    friend std::size_t get(const OnePatch& map, key_type) {
+        map.work->check();
+        return 0;
+    }
+    friend void put(const OnePatch&, key_type, std::size_t) {}
 };
 
 Mesh surface_mesh(const Triangulation& triangulation) {
@@ -81,11 +96,13 @@ std::vector<Point2> remeshed_sites(const Rim& rim, double edge, int iterations, 
     pmp::isotropic_remeshing(mesh.faces(), edge, mesh,
                              CGAL::parameters::number_of_iterations(static_cast<unsigned>(iterations))
                                  .vertex_point_map(WatchedPlaces{mesh.points(), &work})
+                                 .face_patch_map(OnePatch{&work})
                                  .edge_is_constrained_map(is_protected)
                                  .protect_constraints(true));
     const InsideTest is_inside(rim, kMargin * edge);
     std::vector<Point2> sites;
     for (const Mesh::Vertex_index v : mesh.vertices()) {
+        work.check();
         const Point2 site{mesh.point(v).x(), mesh.point(v).y()};
         if (!mesh.is_border(v) && is_inside(site)) sites.push_back(site);
     }
@@ -113,6 +130,7 @@ std::vector<Point2> lattice_sites(const Rim& rim, double edge, double angle, con
         const Point2 start = static_cast<double>(row) * across;
         const auto [first, last] = steps_within(start, along, half, reach);
         for (int column = first; column <= last; ++column) {
+            work.check();
             const Point2 site = middle + static_cast<double>(column) * along + start;
             if (is_inside(site)) sites.push_back(site);
         }
@@ -127,6 +145,7 @@ std::vector<Point2> relax(const Rim& rim, std::vector<Point2> sites, int iterati
         if (sites.empty()) continue;
         const Dual dual = dual_of(rim, triangulate(rim, sites, work), work);
         for (std::size_t site = 0; site < sites.size(); ++site) {
+            work.check();
             const Polygon polygon = polygon_of(dual, site);
             if (polygon.size() < 3) continue;
             const Point2 target = pattern::centroid(polygon);

@@ -10,7 +10,7 @@ namespace fretwork::tiling::detail {
 
 /// Where tiles could be: the inner vertices of an isotropic triangle mesh inside the rim (CGAL's
 /// isotropic_remeshing; the rim is protected). `edge` is the length of the triangles' edges, metres.
-/// Looks at every access to a vertex whether to stop.
+/// Looks at every access to a vertex or a face whether to stop.
 std::vector<pattern::Point2> remeshed_sites(const Rim& rim, double edge, int iterations, const Work& work);
 
 /// Where tiles could be: the points of a triangular lattice inside the rim. `angle` (rad) turns the lattice.

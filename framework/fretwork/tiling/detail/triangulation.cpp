@@ -28,10 +28,11 @@ using Delaunay =
                                                CGAL::No_constraint_intersection_requiring_constructions_tag>;
 
 /// Count for every face how many rims lie between it and infinity.
-void mark_depths(Delaunay& delaunay) {
+void mark_depths(Delaunay& delaunay, const Work& work) {
     std::deque<Delaunay::Face_handle> open{delaunay.infinite_face()};
     delaunay.infinite_face()->info().depth = 0;
     while (!open.empty()) {
+        work.check();
         const Delaunay::Face_handle face = open.front();
         open.pop_front();
         for (int i = 0; i < 3; ++i) {
@@ -67,8 +68,9 @@ Triangulation triangulate(const Rim& rim, const std::vector<pattern::Point2>& si
         delaunay.insert_constraint(handles[i], handles[static_cast<std::size_t>(rim.next[i])]);
     }
     for (const pattern::Point2& site : sites) insert(site);
-    mark_depths(delaunay);
+    mark_depths(delaunay, work);
     for (const Delaunay::Face_handle face : delaunay.finite_face_handles()) {
+        work.check();
         if (face->info().depth % 2 == 0) continue;
         result.triangles.push_back(
             {face->vertex(0)->info().point, face->vertex(1)->info().point, face->vertex(2)->info().point});
