@@ -49,8 +49,8 @@ void condensation(benchmark::State& state, const Case& (*make)()) {
     const Case& c = make();
     const auto polygon = pattern::regular_polygon(6, c.setting.tile_side);
     for (auto _ : state) {
-        benchmark::DoNotOptimize(
-            condensed_tile(c.layout, c.pattern, polygon, {c.setting.section, c.setting.material}));
+        benchmark::DoNotOptimize(condensed_frame(
+            pattern_frame(c.layout, c.pattern, polygon, {c.setting.section, c.setting.material}), 6));
     }
 }
 BENCHMARK_CAPTURE(condensation, two_edges, two_edges);

@@ -14,6 +14,7 @@
 #include <fretwork/mechanics/frame_file.hpp>
 #include <fretwork/simulation/load_case_file.hpp>
 #include <fretwork/simulation/simulate.hpp>
+#include <fretwork/simulation/surface_frame.hpp>
 
 #include <cstdio>
 #include <filesystem>
@@ -116,7 +117,7 @@ ExitCode run(Options options) {
     const Project project = read_checked_project(options.project);
     const auto library = open_project_library(options.project, project, options.library);
     const Surface surface = simulation::make_surface(project, library ? &*library : nullptr);
-    simulation::check(surface, options.simulation);
+    options.simulation.validate(surface);
     const LoadCase load_case = chosen_load_case(project, options.load_case);
     LongWork work;
     base::FileBatch files;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "../stops.hpp"
 #include "sample.hpp"
+#include "stops.hpp"
 
 #include <fretwork/base/error.hpp>
 #include <fretwork/mechanics/linear_element.hpp>

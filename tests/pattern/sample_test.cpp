@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pattern/small_layouts.hpp"
+#include "stops.hpp"
 
 #include <fretwork/base/error.hpp>
 #include <fretwork/pattern/detail/independent_sets.hpp>
@@ -29,6 +30,15 @@ double chi_square_p_value(const std::map<std::string, int>& counts, std::size_t 
     for (const auto& [id, count] : counts) statistic += (count - expected) * (count - expected) / expected;
     const boost::math::chi_squared_distribution<double> distribution(static_cast<double>(cells) - 1);
     return boost::math::cdf(boost::math::complement(distribution, statistic));
+}
+
+TEST(PatternSampler, StopsAtAnyLookWhileItCountsAndDraws) {
+    test::expect_stops_at_any_look(
+        [](const base::Control& control) {
+            PatternSampler sampler(paper7(), {.threads = 1, .control = control}, 7);
+            (void)sampler.draw(10);
+        },
+        [] {});
 }
 
 // The sampler never sees the list, yet hits every one of the 1,824 patterns equally often.

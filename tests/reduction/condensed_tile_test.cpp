@@ -13,8 +13,11 @@
 namespace fretwork::reduction {
 namespace {
 
-TileMaterial paper_bars() {
-    return {paper_setting().section, paper_setting().material};
+/// The stiffness of a pattern of the paper's layout and bars in a polygon.
+Eigen::MatrixXd condensed_pattern(const pattern::Pattern& pattern, const pattern::Polygon& polygon) {
+    const TileMaterial bars{paper_setting().section, paper_setting().material};
+    return condensed_frame(pattern_frame(paper_layout(), pattern, polygon, bars),
+                           static_cast<int>(polygon.size()));
 }
 
 TEST(CondensedTile, IsSymmetricSemidefiniteOfRank6nMinus6InAnyPolygon) {
@@ -22,7 +25,7 @@ TEST(CondensedTile, IsSymmetricSemidefiniteOfRank6nMinus6InAnyPolygon) {
         {0.0, 0.0}, {0.03, -0.004}, {0.05, 0.02}, {0.035, 0.045}, {-0.002, 0.03}};
     for (const auto& polygon :
          {pattern::regular_polygon(6, 0.026), pattern::regular_polygon(3, 0.03), irregular}) {
-        const auto K = condensed_tile(paper_layout(), paper_pattern("0-1+1-6"), polygon, paper_bars());
+        const auto K = condensed_pattern(paper_pattern("0-1+1-6"), polygon);
         const auto size = static_cast<Eigen::Index>(6 * polygon.size());
         ASSERT_EQ(K.rows(), size);
         EXPECT_LT((K - K.transpose()).norm(), 1e-12 * K.norm());
@@ -40,8 +43,7 @@ TEST(CondensedTile, HasTheDisplacementsOfTheWholeFrameUnderEveryScenario) {
     const Setting setting = paper_setting();
     for (const char* id : {"0-1+1-6", "1-6+3-6"}) {
         const auto pattern = paper_pattern(id);
-        const auto K = condensed_tile(paper_layout(), pattern, pattern::regular_polygon(6, setting.tile_side),
-                                      paper_bars());
+        const auto K = condensed_pattern(pattern, pattern::regular_polygon(6, setting.tile_side));
         const auto model = unit_displacements(K, setting);
         const auto tile = pattern_frame(paper_layout(), pattern, setting);
         for (std::size_t s = 0; s < 5; ++s) {
@@ -69,8 +71,7 @@ TEST(CondensedTile, ErrorTendsToZeroWithTheLoads) {
 
 TEST(CondensedTile, RefusesAPatternThatLeavesInterfaceNodesFree) {
     try {
-        (void)condensed_tile(paper_layout(), paper_pattern("0-1"), pattern::regular_polygon(6, 0.026),
-                             paper_bars());
+        (void)condensed_pattern(paper_pattern("0-1"), pattern::regular_polygon(6, 0.026));
         FAIL();
     } catch (const base::InputError& error) {
         EXPECT_THAT(error.what(), testing::HasSubstr("interface node 0"));
@@ -80,8 +81,8 @@ TEST(CondensedTile, RefusesAPatternThatLeavesInterfaceNodesFree) {
 TEST(UnitDisplacements, RefuseATileThatCanMoveFreely) {
     Setting setting = paper_setting();
     setting.scenarios[4].supports.clear();
-    const auto K = condensed_tile(paper_layout(), paper_pattern("0-1+1-6"),
-                                  pattern::regular_polygon(6, setting.tile_side), paper_bars());
+    const auto K =
+        condensed_pattern(paper_pattern("0-1+1-6"), pattern::regular_polygon(6, setting.tile_side));
     EXPECT_THROW((void)unit_displacements(K, setting), base::NumericalError);
 }
 

@@ -12,11 +12,16 @@
 namespace fretwork::reduction {
 namespace {
 
+/// The tile in the setting's own polygon.
+mechanics::Frame regular_tile(const Paper6Parameters& parameters, const Setting& setting) {
+    return paper6_tile(parameters, setting, pattern::regular_polygon(setting.sides, setting.tile_side));
+}
+
 /// The tile as any other frame, solved by the general solver, for 1 N.
 mechanics::NodeValues solved_tile(const Paper6Parameters& parameters, const Setting& setting, std::size_t s) {
     Scenario scenario = setting.scenarios[s];
     scenario.max_magnitude = 1.0;
-    const auto frame = scenario_frame(paper6_tile(parameters, setting), scenario);
+    const auto frame = scenario_frame(regular_tile(parameters, setting), scenario);
     return mechanics::solve_linear(mechanics::assemble(frame)).displacements.topRows(6);
 }
 
@@ -119,7 +124,7 @@ TEST(Paper6Hexagon, RefusesMechanismsAndPolygonsOtherThanHexagons) {
 TEST(Paper6Tile, StiffnessIsInvariantUnderATurnBy60Degrees) {
     const Setting setting = paper_setting();
     optimization::RandomStream random(4, 0);
-    const Eigen::MatrixXd K = condensed_frame(paper6_tile(random_parameters(setting, random), setting), 6);
+    const Eigen::MatrixXd K = condensed_frame(regular_tile(random_parameters(setting, random), setting), 6);
     const Eigen::Matrix3d turn = Eigen::AngleAxisd(std::numbers::pi / 3.0, Eigen::Vector3d::UnitZ()).matrix();
     // Node i goes to node i + 1, and its components turn.
     Eigen::MatrixXd T = Eigen::MatrixXd::Zero(36, 36);
@@ -133,7 +138,7 @@ TEST(Paper6Tile, StiffnessIsInvariantUnderATurnBy60Degrees) {
 TEST(Paper6Tile, RingLiesAtThetaAndRInTheHexagon) {
     const Setting setting = paper_setting();
     const Paper6Parameters parameters{1e-6, 1e-12, 1e-12, 1e-12, 0.3, 0.011};
-    const auto frame = paper6_tile(parameters, setting);
+    const auto frame = regular_tile(parameters, setting);
     ASSERT_EQ(frame.nodes.size(), 12U);
     ASSERT_EQ(frame.beams.size(), 12U);
     for (int k = 0; k < 6; ++k) {
@@ -147,7 +152,7 @@ TEST(Paper6Tile, RingLiesAtThetaAndRInTheHexagon) {
 TEST(Paper6Tile, RingKeepsItsBarycentricCoordinatesInOtherPolygons) {
     const Setting setting = paper_setting();
     const Paper6Parameters parameters{1e-6, 1e-12, 1e-12, 1e-12, -0.2, 0.015};
-    const auto regular = paper6_tile(parameters, setting);
+    const auto regular = regular_tile(parameters, setting);
     auto polygon = pattern::regular_polygon(6, setting.tile_side);
     const auto stretch = [](double x, double y) {
         return pattern::Point2{1.3 * x + 0.2 * y + 5.0, 0.9 * y - 2.0};

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fixtures.hpp"
+#include "stops.hpp"
 
 #include <fretwork/base/error.hpp>
 #include <fretwork/mechanics/linear_solver.hpp>
+#include <fretwork/reduction/model_response.hpp>
 #include <fretwork/reduction/response.hpp>
 
 #include <gtest/gtest.h>
@@ -46,6 +48,20 @@ TEST(Responses, UnderSmallLoadsAreThoseOfTheLinearModel) {
             EXPECT_LT(relative_difference(sample.displacements, expected), 1e-5) << responses[s].scenario;
         }
     }
+}
+
+TEST(Responses, StopAtAnyLook) {
+    const Setting setting = paper_setting();
+    const auto pattern = paper_pattern(kPattern);
+    test::expect_stops_at_any_look(
+        [&](const base::Control& control) {
+            (void)compute_responses(paper_layout(), pattern, setting,
+                                    {.estimate_error = true, .control = control});
+        },
+        [] {});
+    const ModelTile tile(find_tile_model("full"), paper_layout(), pattern, setting);
+    test::expect_stops_at_any_look([&](const base::Control& control) { (void)tile.responses({}, control); },
+                                   [] {});
 }
 
 TEST(Responses, HaveTenMagnitudesInEvenStepsUpToTheLargest) {

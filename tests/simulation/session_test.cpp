@@ -85,6 +85,22 @@ TEST(Session, SharesCongruentTilesThatAreTurned) {
               1e-9 * again.solution.displacements.cwiseAbs().maxCoeff());
 }
 
+TEST(Session, ATurnedTileCostsNoMoreThanARepaintedOne) {
+    Session session(make_surface(honeycomb(20, 15, kPatterns), nullptr), cantilever({0.1, 0.05, -0.2}),
+                    condensed());
+    (void)session.solve();
+    session.turn(tiles({3}), 2);
+    (void)session.solve();
+    EXPECT_EQ(session.last_work().factors, Session::Work::Factors::Updated);
+    std::vector<TileIndex> all;
+    for (int t = 0; t < 300; ++t) all.emplace_back(t);
+    session.turn(all, 1);
+    const auto result = session.solve();
+    EXPECT_EQ(session.last_work().factors, Session::Work::Factors::Anew);
+    EXPECT_EQ(largest_difference(result.solution.displacements, from_nothing(session).solution.displacements),
+              0.0);
+}
+
 /// The tile that is kept is that of the rounded polygon, so its bits do not depend on which tile came first.
 TEST(Session, DoesNotDependOnTheOrderInWhichCongruentTilesCame) {
     Session forward(sample_surface(), cantilever({0.1, 0.05, -0.2}), condensed());
@@ -158,6 +174,10 @@ TEST(Session, FailsAgainWhereASolveFailed) {
     surface.calibrations.assign(surface.patterns.size(), {calibration});
     Session session(surface, cantilever({0, 0, -0.1}), {.model = "paper6"});
     (void)session.solve();
+    EXPECT_THAT(complaint_of([&] { session.set_calibrations({{}, {}, {}}); }), HasSubstr("no calibration"));
+    (void)session.solve();
+    EXPECT_EQ(session.last_work().factors, Session::Work::Factors::Kept)
+        << "what was refused changed nothing";
     calibration.parameters[0].value = 0.0;
     session.set_calibrations(
         std::vector<std::vector<reduction::Calibration>>(surface.patterns.size(), {calibration}));
@@ -233,6 +253,8 @@ TEST(Session, SolvesAdjointSystems) {
     units(6 * 30 + 2, 0) = 1.0;
     units(6 * 40 + 4, 1) = 1.0;
     const Eigen::MatrixXd answers = session.solve_adjoint(units);
+    EXPECT_EQ(session.last_work().factors, Session::Work::Factors::Kept);
+    EXPECT_EQ(session.last_work().tiles_built, 0U);
     EXPECT_NEAR(answers(6 * 40 + 4, 0), answers(6 * 30 + 2, 1), 1e-9 * answers.cwiseAbs().maxCoeff());
     session.set_load_case([] {
         LoadCase load_case = cantilever({0, 0, 0});

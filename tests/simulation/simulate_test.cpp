@@ -7,6 +7,7 @@
 #include <fretwork/mechanics/linear_solver.hpp>
 #include <fretwork/simulation/comparison.hpp>
 #include <fretwork/simulation/simulate.hpp>
+#include <fretwork/simulation/surface_frame.hpp>
 
 namespace fretwork::simulation {
 namespace {

@@ -58,7 +58,7 @@ class Filling {
           model_(options.tile_model()),
           key_(options.key()),
           tasks_(open_tasks(library, patterns, key_)) {
-        calibration_options_.control = {options.control.stop, nullptr};
+        calibration_options_.control = options.control.silent();
     }
 
     FillReport run() {
@@ -91,7 +91,7 @@ class Filling {
     };
 
     void work(const Task& task) {
-        if (is_abandoned_ || options_.control.stop.stop_requested()) return;
+        if (is_abandoned_ || options_.control.stop_wanted()) return;
         std::optional<Outcome> outcome = compute(task);
         if (!outcome) return;
         {
@@ -154,7 +154,8 @@ class Filling {
     void respond(const pattern::Pattern& pattern, PatternData& data) const {
         const reduction::Setting& setting = library_.setting();
         data.responses =
-            reduction::compute_responses(library_.layout(), pattern, setting, {.estimate_error = true});
+            reduction::compute_responses(library_.layout(), pattern, setting,
+                                         {.estimate_error = true, .control = calibration_options_.control});
         // Homogenization needs a polygon that tiles the plane by translations.
         if (setting.sides != 4 && setting.sides != 6) return;
         data.properties =

@@ -16,7 +16,7 @@ using Elements = std::vector<std::shared_ptr<const Element>>;
 /// A structure as the solvers see it: nodes, elements of any kind, what is held, and what acts. Solvers never
 /// ask what kind an element is; one assembly may mix beams and condensed tiles.
 struct Assembly {
-    std::vector<Eigen::Vector3d> nodes;  ///< rest positions, metres; inner nodes of divided beams at the end
+    std::vector<Eigen::Vector3d> nodes;  ///< rest positions, metres; those inside of beams and of hinges last
     Elements elements;
     std::vector<Support> supports;
     std::vector<PrescribedDisplacement> prescribed;
@@ -34,7 +34,7 @@ struct AssemblyOptions {
 };
 
 /// Turn every beam into corotational Euler-Bernoulli (or, with shear areas, Timoshenko) elements. Throws as
-/// validate(), but a structure that is not held is one, too: solvers refuse it, condensation does not mind.
+/// validate(), and Stopped; but it takes a structure that is not held, which may be condensed, not solved.
 Assembly assemble(const Frame& frame, const AssemblyOptions& options = {});
 
 }  // namespace fretwork::mechanics

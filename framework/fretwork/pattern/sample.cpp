@@ -47,7 +47,7 @@ struct PatternSampler::Impl {
           seed(seed_),
           filters(make_filters(given, wanted.filters)),
           sets(all_conflicts(filters, given.candidate_edges().size()),
-               all_edges(given.candidate_edges().size()), kMostParts) {
+               all_edges(given.candidate_edges().size()), kMostParts, wanted.control) {
         if (!sets.is_counted())
             throw base::NumericalError(
                 "the layout '" + layout.name() +

@@ -30,14 +30,15 @@ std::vector<NamedValue> named(const TileModel& model, const std::vector<double>&
     return result;
 }
 
-Calibration compare(const TileModel& model, const CalibrationInput& input, const Objective& objective) {
+Calibration compare(const TileModel& model, const CalibrationInput& input, const Objective& objective,
+                    const base::Control& control) {
     const ModelTile tile(model, input.layout, input.pattern, input.setting);
     Calibration result;
     result.model = model.name;
     result.optimizer = "none";
     result.scenario_errors = model.displacements == Displacements::Small
                                  ? objective.scenario_errors(tile.displacements({}))
-                                 : objective.scenario_errors(tile.responses({}));
+                                 : objective.scenario_errors(tile.responses({}, control));
     result.objective = std::accumulate(result.scenario_errors.begin(), result.scenario_errors.end(), 0.0);
     return result;
 }
@@ -93,7 +94,7 @@ Calibration calibrate(const TileModel& model, const CalibrationInput& input,
         throw base::NumericalError(
             "no sample of the responses can be used: none converged to a state to fit");
     }
-    if (model.parameters.empty()) return compare(model, input, objective);
+    if (model.parameters.empty()) return compare(model, input, objective, options.control);
     if (model.problem) return fit(model, *model.problem(objective, input.setting), objective, options);
     const ModelTile tile(model, input.layout, input.pattern, input.setting);
     return fit(model, DifferenceProblem(model, tile, objective, input.setting), objective, options);

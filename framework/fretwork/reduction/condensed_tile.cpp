@@ -30,12 +30,6 @@ Eigen::MatrixXd condensed_frame(const mechanics::Frame& tile, int interface_node
     return mechanics::condense(mechanics::assemble(tile), kept);
 }
 
-Eigen::MatrixXd condensed_tile(const pattern::NodeLayout& layout, const pattern::Pattern& pattern,
-                               const pattern::Polygon& polygon, const TileMaterial& bars) {
-    const auto interface_nodes = static_cast<int>(polygon.size() * layout.interface_nodes().size());
-    return condensed_frame(pattern_frame(layout, pattern, polygon, bars), interface_nodes);
-}
-
 TileModel condensed_tile_model() {
     return {
         .name = "condensed",

@@ -8,16 +8,11 @@
 
 namespace fretwork::reduction {
 
-/// The pattern's own linear frame in a convex polygon, condensed onto its interface nodes: a reduced model
-/// that is exact for small displacements and needs no calibration.
+/// A tile's own linear frame, condensed onto its interface nodes, which are its first `interface_nodes`
+/// nodes: a reduced model that is exact for small displacements and needs no calibration.
 ///
 /// Returns the 6n x 6n stiffness of the n interface nodes in their order (ux uy uz rx ry rz each; SI, global
-/// frame): symmetric, positive semidefinite, rank 6n - 6. Throws InputError if the pattern does not connect
-/// every interface node; GeometryError if the polygon is not convex.
-Eigen::MatrixXd condensed_tile(const pattern::NodeLayout& layout, const pattern::Pattern& pattern,
-                               const pattern::Polygon& polygon, const TileMaterial& bars);
-
-/// Condense any frame of a tile onto its first `interface_nodes` nodes.
+/// frame): symmetric, positive semidefinite, rank 6n - 6. Throws InputError if an interface node has no beam.
 Eigen::MatrixXd condensed_frame(const mechanics::Frame& tile, int interface_nodes);
 
 /// The row of the catalogue: nothing is fitted, and congruent tiles are condensed once.

@@ -63,7 +63,7 @@ UnitDisplacements DifferenceProblem::displacements(const Eigen::VectorXd& point)
     return tile_.displacements(parameter_values(point));
 }
 
-/// One-sided at a bound.
+/// Central differences; at a bound, one-sided ones.
 UnitDisplacementsAndDerivatives DifferenceProblem::derivatives(const Eigen::VectorXd& point) const {
     UnitDisplacementsAndDerivatives result{displacements(point), {}};
     for (const auto& rows : result.displacements) result.derivatives.emplace_back(rows.size(), point.size());
@@ -73,10 +73,10 @@ UnitDisplacementsAndDerivatives DifferenceProblem::derivatives(const Eigen::Vect
         Eigen::VectorXd behind = point;
         ahead[i] = std::min(point[i] + step, bounds_.upper[i]);
         behind[i] = std::max(point[i] - step, bounds_.lower[i]);
-        const UnitDisplacements there = displacements(ahead);
-        const UnitDisplacements here = displacements(behind);
-        for (std::size_t s = 0; s < there.size(); ++s) {
-            const mechanics::NodeValues slope = (there[s] - here[s]) / (ahead[i] - behind[i]);
+        const UnitDisplacements at_ahead = displacements(ahead);
+        const UnitDisplacements at_behind = displacements(behind);
+        for (std::size_t s = 0; s < at_ahead.size(); ++s) {
+            const mechanics::NodeValues slope = (at_ahead[s] - at_behind[s]) / (ahead[i] - behind[i]);
             result.derivatives[s].col(i) = slope.reshaped<Eigen::RowMajor>();
         }
     }

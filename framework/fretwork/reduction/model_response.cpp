@@ -30,13 +30,14 @@ UnitDisplacements ModelTile::displacements(std::span<const double> parameters) c
     return unit_displacements(mechanics::condense(assemble(parts(parameters)), kept), setting_);
 }
 
-std::vector<Response> ModelTile::responses(std::span<const double> parameters) const {
+std::vector<Response> ModelTile::responses(std::span<const double> parameters,
+                                           const base::Control& control) const {
     std::vector<Response> responses;
     const mechanics::Assembly tile = assemble(parts(parameters));
     for (const Scenario& scenario : setting_.scenarios) {
         mechanics::Assembly loaded = tile;
         apply_scenario(scenario, loaded);
-        responses.push_back(follow_scenario(loaded, scenario, setting_));
+        responses.push_back(follow_scenario(loaded, scenario, setting_, control.silent()));
     }
     return responses;
 }

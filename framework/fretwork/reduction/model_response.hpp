@@ -24,8 +24,9 @@ class ModelTile {
     /// The linear displacements, from the tile's stiffness at rest. Throws NumericalError that names a
     /// scenario under which the tile can move freely.
     [[nodiscard]] UnitDisplacements displacements(std::span<const double> parameters) const;
-    /// The nonlinear responses of the model, in the form of compute_responses.
-    [[nodiscard]] std::vector<Response> responses(std::span<const double> parameters) const;
+    /// The nonlinear responses of the model, in the form of compute_responses. Throws Stopped.
+    [[nodiscard]] std::vector<Response> responses(std::span<const double> parameters,
+                                                  const base::Control& control = {}) const;
 
   private:
     const TileModel& model_;

@@ -84,10 +84,6 @@ mechanics::Frame paper6_tile(const Paper6Parameters& parameters, const Setting& 
     return frame;
 }
 
-mechanics::Frame paper6_tile(const Paper6Parameters& parameters, const Setting& setting) {
-    return paper6_tile(parameters, setting, pattern::regular_polygon(setting.sides, setting.tile_side));
-}
-
 TileModel paper6_tile_model() {
     return {.name = "paper6",
             .summary = "the paper's hexagon with links: six parameters, calibrated; linear",

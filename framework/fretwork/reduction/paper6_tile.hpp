@@ -16,9 +16,6 @@ namespace fretwork::reduction {
 mechanics::Frame paper6_tile(const Paper6Parameters& parameters, const Setting& setting,
                              const pattern::Polygon& polygon);
 
-/// The same in the setting's own polygon.
-mechanics::Frame paper6_tile(const Paper6Parameters& parameters, const Setting& setting);
-
 /// The row of the catalogue: links and ring of one section, calibrated.
 TileModel paper6_tile_model();
 

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
+#include <fretwork/base/task.hpp>
 #include <fretwork/mechanics/discretization.hpp>
 #include <fretwork/mechanics/equilibrium.hpp>
 #include <fretwork/pattern/fan.hpp>
+#include <fretwork/reduction/detail/scenario_loads.hpp>
 #include <fretwork/reduction/response.hpp>
 
 namespace fretwork::reduction {
 namespace {
-
-Eigen::Vector3d to_vector(const std::array<double, 3>& values) {
-    return {values[0], values[1], values[2]};
-}
 
 Response::Sample to_sample(const mechanics::Solution& solution, const Setting& setting) {
     Response::Sample sample;
@@ -41,10 +39,11 @@ Response respond(const mechanics::Frame& tile, const Scenario& scenario, const S
                  const ResponseOptions& options) {
     const mechanics::Frame frame = scenario_frame(tile, scenario);
     const std::vector<double> factors = mechanics::even_load_factors(setting.magnitudes);
-    const auto solutions = mechanics::follow_load_path(mechanics::assemble(frame), factors);
+    const mechanics::EquilibriumOptions path_options{.control = options.control.silent()};
+    const auto solutions = mechanics::follow_load_path(mechanics::assemble(frame), factors, path_options);
     Response response = to_response(solutions, scenario, setting);
     if (!options.estimate_error) return response;
-    const auto errors = mechanics::estimate_discretization_error(frame, factors, solutions);
+    const auto errors = mechanics::estimate_discretization_error(frame, factors, solutions, path_options);
     for (std::size_t i = 0; i < errors.size(); ++i) {
         if (errors[i].known) response.samples[i].discretization_error = errors[i].share;
     }
@@ -88,31 +87,29 @@ mechanics::Frame pattern_frame(const pattern::NodeLayout& layout, const pattern:
 }
 
 mechanics::Frame scenario_frame(mechanics::Frame tile, const Scenario& scenario) {
-    for (const Scenario::Support& support : scenario.supports) {
-        tile.supports.push_back({mechanics::NodeIndex(support.interface_node), support.fixed});
-    }
-    for (const Scenario::Load& load : scenario.loads) {
-        tile.loads.push_back({mechanics::NodeIndex(load.interface_node),
-                              scenario.max_magnitude * to_vector(load.force),
-                              scenario.max_magnitude * to_vector(load.moment)});
-    }
+    const auto supports = detail::supports_of(scenario);
+    const auto loads = detail::loads_of(scenario, scenario.max_magnitude);
+    tile.supports.insert(tile.supports.end(), supports.begin(), supports.end());
+    tile.loads.insert(tile.loads.end(), loads.begin(), loads.end());
     return tile;
 }
 
 void apply_scenario(const Scenario& scenario, mechanics::Assembly& tile) {
-    for (const Scenario::Support& support : scenario.supports)
-        tile.supports.push_back({mechanics::NodeIndex(support.interface_node), support.fixed});
+    const auto supports = detail::supports_of(scenario);
+    tile.supports.insert(tile.supports.end(), supports.begin(), supports.end());
     tile.has_moments = false;
-    for (const Scenario::Load& load : scenario.loads) {
-        tile.loads.row(load.interface_node).head<3>() += scenario.max_magnitude * to_vector(load.force);
-        tile.loads.row(load.interface_node).tail<3>() += scenario.max_magnitude * to_vector(load.moment);
-        tile.has_moments = tile.has_moments || !to_vector(load.moment).isZero(0.0);
+    for (const mechanics::NodalLoad& load : detail::loads_of(scenario, scenario.max_magnitude)) {
+        tile.loads.row(load.node).head<3>() += load.force;
+        tile.loads.row(load.node).tail<3>() += load.moment;
+        tile.has_moments = tile.has_moments || !load.moment.isZero(0.0);
     }
 }
 
-Response follow_scenario(const mechanics::Assembly& tile, const Scenario& scenario, const Setting& setting) {
-    return to_response(mechanics::follow_load_path(tile, mechanics::even_load_factors(setting.magnitudes)),
-                       scenario, setting);
+Response follow_scenario(const mechanics::Assembly& tile, const Scenario& scenario, const Setting& setting,
+                         const base::Control& control) {
+    const auto solutions = mechanics::follow_load_path(tile, mechanics::even_load_factors(setting.magnitudes),
+                                                       {.control = control});
+    return to_response(solutions, scenario, setting);
 }
 
 std::vector<Response> compute_responses(const pattern::NodeLayout& layout, const pattern::Pattern& pattern,
@@ -121,9 +118,11 @@ std::vector<Response> compute_responses(const pattern::NodeLayout& layout, const
     const mechanics::Frame tile =
         mechanics::refined(pattern_frame(layout, pattern, setting), setting.divisions);
     mechanics::validate(scenario_frame(tile, setting.scenarios.front()));
+    const base::Task task(options.control, "responses", setting.scenarios.size());
     std::vector<Response> responses;
     for (const Scenario& scenario : setting.scenarios) {
         responses.push_back(respond(tile, scenario, setting, options));
+        task.update(responses.size());
     }
     return responses;
 }

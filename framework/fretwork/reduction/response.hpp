@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <fretwork/base/control.hpp>
 #include <fretwork/mechanics/assembly.hpp>
 #include <fretwork/mechanics/solution.hpp>
 #include <fretwork/pattern/fan.hpp>
@@ -57,15 +58,18 @@ mechanics::Frame scenario_frame(mechanics::Frame tile, const Scenario& scenario)
 void apply_scenario(const Scenario& scenario, mechanics::Assembly& tile);
 
 /// What the interface nodes of a held and loaded tile, which are its first nodes, do at the setting's
-/// magnitudes of a scenario.
-Response follow_scenario(const mechanics::Assembly& tile, const Scenario& scenario, const Setting& setting);
+/// magnitudes of a scenario. Throws as mechanics::follow_load_path.
+Response follow_scenario(const mechanics::Assembly& tile, const Scenario& scenario, const Setting& setting,
+                         const base::Control& control = {});
 
 struct ResponseOptions {
     bool estimate_error = false;  ///< fill Sample::discretization_error, at half as much again of the time
+    base::Control control{};      ///< told of each scenario
 };
 
 /// The nonlinear responses of a pattern, one for each scenario of the setting, with every beam in as many
-/// elements as the setting says. Paper, Eq. (2); the paper takes one element a beam.
+/// elements as the setting says. Paper, Eq. (2); the paper takes one element a beam. Throws InputError,
+/// NumericalError if a scenario lets the tile move freely, and Stopped.
 std::vector<Response> compute_responses(const pattern::NodeLayout& layout, const pattern::Pattern& pattern,
                                         const Setting& setting, const ResponseOptions& options = {});
 

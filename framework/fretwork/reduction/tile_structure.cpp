@@ -74,10 +74,10 @@ std::shared_ptr<const TileStructure> stiffness_tile(Eigen::MatrixXd stiffness) {
     return std::make_shared<StiffnessTile>(std::move(stiffness));
 }
 
-mechanics::Assembly assemble(const StructureParts& parts) {
+mechanics::Assembly assemble(const StructureParts& parts, const base::Control& control) {
     mechanics::Assembly assembly;
     if (!parts.beams.beams.empty()) {
-        assembly = mechanics::assemble(parts.beams);
+        assembly = mechanics::assemble(parts.beams, {.control = control});
     } else {
         assembly.nodes = parts.beams.nodes;
         assembly.reported_nodes = static_cast<int>(assembly.nodes.size());

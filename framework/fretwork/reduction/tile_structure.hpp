@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <fretwork/base/control.hpp>
 #include <fretwork/mechanics/assembly.hpp>
 #include <fretwork/mechanics/frame.hpp>
 
@@ -48,8 +49,9 @@ std::shared_ptr<const TileStructure> beam_tile(mechanics::Frame frame, int inter
 /// axes) and has no inner nodes. Throws InputError unless the stiffness has 6n rows and columns.
 std::shared_ptr<const TileStructure> stiffness_tile(Eigen::MatrixXd stiffness);
 
-/// The parts as the solvers see them: the elements of the beams come first, then the others.
-mechanics::Assembly assemble(const StructureParts& parts);
+/// The parts as the solvers see them: the elements of the beams come first, then the others. Throws as
+/// mechanics::assemble, and Stopped.
+mechanics::Assembly assemble(const StructureParts& parts, const base::Control& control = {});
 
 /// A tile alone, with its interface nodes first.
 StructureParts tile_parts(const TileStructure& tile, std::span<const Eigen::Vector3d> interface_nodes);

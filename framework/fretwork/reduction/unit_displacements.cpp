@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
+#include <fretwork/reduction/detail/scenario_loads.hpp>
 #include <fretwork/reduction/unit_displacements.hpp>
 
 #include <Eigen/Cholesky>
@@ -9,10 +10,9 @@ namespace {
 
 std::vector<Eigen::Index> free_dofs(const Scenario& scenario, Eigen::Index count) {
     std::vector<bool> held(static_cast<std::size_t>(count), false);
-    for (const Scenario::Support& support : scenario.supports) {
+    for (const mechanics::Support& support : detail::supports_of(scenario)) {
         for (std::size_t dof = 0; dof < support.fixed.contains.size(); ++dof) {
-            if (support.fixed.contains[dof])
-                held[6 * static_cast<std::size_t>(support.interface_node) + dof] = true;
+            if (support.fixed.contains[dof]) held[6 * static_cast<std::size_t>(support.node) + dof] = true;
         }
     }
     std::vector<Eigen::Index> result;
@@ -24,11 +24,9 @@ std::vector<Eigen::Index> free_dofs(const Scenario& scenario, Eigen::Index count
 
 mechanics::NodeValues unit_loads(const Scenario& scenario, int sides) {
     mechanics::NodeValues loads = mechanics::NodeValues::Zero(sides, mechanics::kDofsPerNode);
-    for (const Scenario::Load& load : scenario.loads) {
-        for (int axis = 0; axis < 3; ++axis) {
-            loads(load.interface_node, axis) += load.force[static_cast<std::size_t>(axis)];
-            loads(load.interface_node, 3 + axis) += load.moment[static_cast<std::size_t>(axis)];
-        }
+    for (const mechanics::NodalLoad& load : detail::loads_of(scenario, 1.0)) {
+        loads.row(load.node).head<3>() += load.force;
+        loads.row(load.node).tail<3>() += load.moment;
     }
     return loads;
 }

@@ -10,17 +10,17 @@
 
 namespace fretwork::simulation {
 
-/// A load case on a surface: which interface nodes are held, and what acts on each. The same for every model.
+/// A load case on a surface: which interface nodes are held, and what acts on each; the same for every model.
 struct Conditions {
     std::vector<mechanics::Support> supports;
     std::vector<mechanics::PrescribedDisplacement> prescribed;
     std::vector<mechanics::NodalLoad> loads;  ///< of the load case, then the shares of the tiles' weight
 };
 
-/// Throws InputError that names the entry of the load case which picks no node, or gravity where beams have
-/// no density.
+/// Throws InputError that names the entry of the load case that picks no node, and for gravity on beams that
+/// have no density.
 Conditions resolve(const LoadCase& load_case, const Surface& surface);
-/// The same with the masses of the tiles known already; without gravity they may be left out.
+/// The same with the masses of all tiles known already, kg. Empty where needs_masses() says no.
 Conditions resolve(const LoadCase& load_case, const Surface& surface, std::span<const double> tile_masses);
 /// Whether there is gravity in the load case, and mass for it to act on.
 bool needs_masses(const LoadCase& load_case, const Surface& surface);
@@ -28,7 +28,8 @@ bool needs_masses(const LoadCase& load_case, const Surface& surface);
 /// The loads as one row for each of `nodes` nodes, of which the first are the interface nodes.
 mechanics::NodeValues load_rows(const Conditions& conditions, std::size_t nodes);
 
-/// Hold and load an assembly whose first nodes are the interface nodes. Its loads were zero.
+/// Hold and load an assembly whose first nodes are the interface nodes: supports are added, prescribed
+/// displacements and loads take the place of those that it had.
 void apply(const Conditions& conditions, mechanics::Assembly& assembly);
 
 /// Check that every entry of a load case picks interface nodes of a tessellation, painted or not. Throws

@@ -80,8 +80,8 @@ void Session::set_prescribed(std::size_t entry, const LoadCase::PrescribedDispla
     impl_->set_load_case(edited);
 }
 
-Eigen::MatrixXd Session::solve_adjoint(const Eigen::MatrixXd& rows) {
-    return impl_->solve_adjoint(rows);
+Eigen::MatrixXd Session::solve_adjoint(const Eigen::MatrixXd& rows, const base::Control& control) {
+    return impl_->solve_adjoint(rows, control);
 }
 mechanics::Result Session::solve(const base::Control& control) {
     return impl_->solve(control);

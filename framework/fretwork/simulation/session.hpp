@@ -45,17 +45,18 @@ class Session {
     /// Paint tiles with a pattern, given by its id. Invalid: these tiles, and with gravity the loads. Throws
     /// InputError as make_palette does, or if the tile model needs a calibration that is not there.
     void paint(std::span<const tiling::TileIndex> tiles, const std::string& pattern);
-    /// Turn the patterns of tiles: their first vertex moves on by so many. Invalid: these tiles and, since
-    /// their elements list their nodes in another order, the factors with their order of elimination.
+    /// Turn the patterns of tiles: their first vertex moves on by so many. Invalid: as paint().
     void turn(std::span<const tiling::TileIndex> tiles, int vertices);
     /// Give tiles a tile model of their own; "" takes it back. Invalid: these tiles.
     void set_tile_model(std::span<const tiling::TileIndex> tiles, const std::string& model);
     /// Invalid: all tiles.
     void set_model(const std::string& model);
     /// Other material, section or scenarios. Invalid: all tiles and, with gravity, the loads. Calibrations
-    /// stay: they are the caller's to replace.
+    /// stay: they are the caller's to replace. Throws InputError if the setting is invalid, or has no mass
+    /// for the load case's gravity.
     void set_setting(const reduction::Setting& setting);
-    /// Other calibrations, for each pattern of the surface in turn. Invalid: all tiles.
+    /// Other calibrations, for each pattern of the surface in turn. Invalid: all tiles. Throws InputError if
+    /// they are not as many, or a painted tile's model needs one that is not there.
     void set_calibrations(std::vector<std::vector<reduction::Calibration>> calibrations);
 
     /// Invalid: the loads; the factors if other dofs are held than before.
@@ -73,10 +74,10 @@ class Session {
 
     /// The linear displacements under nodal loads g, one column each (6n rows: node by node of the result's n
     /// nodes), with the supports of the load case and nothing prescribed: K^-1 g, for instance the adjoint of
-    /// a target. Throws InputError if the rows are not as many.
-    Eigen::MatrixXd solve_adjoint(const Eigen::MatrixXd& rows);
+    /// a target. Throws InputError if the rows are not as many, and as solve().
+    Eigen::MatrixXd solve_adjoint(const Eigen::MatrixXd& rows, const base::Control& control = {});
 
-    /// What the last solve() computed anew, and what it reused.
+    /// What the last solve() or solve_adjoint() computed anew, and what it reused.
     struct Work {
         std::size_t tiles_built = 0;  ///< shared ones once
         using Factors = mechanics::FactorChange;

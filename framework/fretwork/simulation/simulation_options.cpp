@@ -10,19 +10,19 @@ bool is_nonlinear(const Surface& surface, const SimulationOptions& options) {
            options.analysis == Analysis::OfTheModel;
 }
 
-void check(const Surface& surface, const SimulationOptions& options) {
-    const bool nonlinear = is_nonlinear(surface, options);
-    if (options.threads < 0)
-        throw base::InputError("threads: " + std::to_string(options.threads) + " must not be negative");
-    if (options.estimate_error && !nonlinear)
+void SimulationOptions::validate(const Surface& surface) const {
+    const bool nonlinear = is_nonlinear(surface, *this);
+    if (threads < 0)
+        throw base::InputError("threads: " + std::to_string(threads) + " must not be negative");
+    if (estimate_error && !nonlinear)
         throw base::InputError(
             "the discretization error is estimated for nonlinear models made of beams only");
-    if (options.load_steps > 1 && !nonlinear)
-        throw base::InputError("load_steps is " + std::to_string(options.load_steps) +
+    if (load_steps > 1 && !nonlinear)
+        throw base::InputError("load_steps is " + std::to_string(load_steps) +
                                ", where a linear solution has no path to divide");
     constexpr int kMostSteps = 10000;
-    if (options.load_steps < 1 || options.load_steps > kMostSteps) {
-        throw base::InputError("load_steps is " + std::to_string(options.load_steps) + ", where 1 to " +
+    if (load_steps < 1 || load_steps > kMostSteps) {
+        throw base::InputError("load_steps is " + std::to_string(load_steps) + ", where 1 to " +
                                std::to_string(kMostSteps) + " are possible");
     }
 }

@@ -38,14 +38,15 @@ std::size_t IndependentSets<Word>::WordHash::operator()(Word word) const {
 }
 
 template <class Word>
-IndependentSets<Word>::IndependentSets(std::vector<Word> conflicts, Word edges, std::size_t most_parts)
+IndependentSets<Word>::IndependentSets(std::vector<Word> conflicts, Word edges, std::size_t most_parts,
+                                       const base::Control& control)
     : conflicts_(std::move(conflicts)), most_parts_(most_parts) {
     Word possible = edges;
     for_each_bit(edges, [&](int edge) {
         if ((conflicts_[static_cast<std::size_t>(edge)] & single<Word>(edge)) != 0)
             possible &= ~single<Word>(edge);
     });
-    all_ = make_forest(possible);
+    all_ = make_forest(possible, control);
     numbers_.clear();
 }
 
@@ -76,11 +77,12 @@ int IndependentSets<Word>::most_conflicting(Word part) const {
 }
 
 template <class Word>
-typename IndependentSets<Word>::Forest IndependentSets<Word>::make_forest(Word edges) {
+typename IndependentSets<Word>::Forest IndependentSets<Word>::make_forest(Word edges,
+                                                                          const base::Control& control) {
     Forest forest;
     while (edges != 0 && is_counted_) {
         const Word part = part_of_lowest(edges);
-        forest.parts.push_back(make_part(part));
+        forest.parts.push_back(make_part(part, control));
         edges &= ~part;
     }
     forest.tails.assign(forest.parts.size() + 1, CountsBySize{1});
@@ -90,13 +92,14 @@ typename IndependentSets<Word>::Forest IndependentSets<Word>::make_forest(Word e
 }
 
 template <class Word>
-std::size_t IndependentSets<Word>::make_part(Word edges) {
+std::size_t IndependentSets<Word>::make_part(Word edges, const base::Control& control) {
+    control.check();
     if (const auto known = numbers_.find(edges); known != numbers_.end()) return known->second;
     Part part;
     part.edge = most_conflicting(edges);
     const Word others = edges & ~single<Word>(part.edge);
-    part.without = make_forest(others);
-    part.with = make_forest(others & ~conflicts_[static_cast<std::size_t>(part.edge)]);
+    part.without = make_forest(others, control);
+    part.with = make_forest(others & ~conflicts_[static_cast<std::size_t>(part.edge)], control);
     part.counts = sum(part.without.tails.front(), part.with.tails.front());
     is_counted_ = is_counted_ && parts_.size() < most_parts_;
     parts_.push_back(std::move(part));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <fretwork/base/control.hpp>
 #include <fretwork/pattern/census.hpp>
 #include <fretwork/pattern/detail/random.hpp>
 #include <fretwork/pattern/detail/word.hpp>
@@ -24,7 +25,9 @@ class IndependentSets {
   public:
     /// @param conflicts  per edge, symmetric
     /// @param most_parts  how many parts may be remembered before counting gives up
-    IndependentSets(std::vector<Word> conflicts, Word edges, std::size_t most_parts);
+    /// Throws Stopped.
+    IndependentSets(std::vector<Word> conflicts, Word edges, std::size_t most_parts,
+                    const base::Control& control = {});
 
     /// False if counting gave up; then nothing else may be called.
     [[nodiscard]] bool is_counted() const { return is_counted_; }
@@ -51,8 +54,8 @@ class IndependentSets {
     };
     [[nodiscard]] Word part_of_lowest(Word edges) const;
     [[nodiscard]] int most_conflicting(Word part) const;
-    Forest make_forest(Word edges);
-    std::size_t make_part(Word edges);
+    Forest make_forest(Word edges, const base::Control& control);
+    std::size_t make_part(Word edges, const base::Control& control);
     [[nodiscard]] Word draw_from(const Forest& forest, int size, RandomStream& random) const;
     [[nodiscard]] Word draw_from(const Part& part, int size, RandomStream& random) const;
 

@@ -14,18 +14,20 @@ std::vector<NodeIndex> nodes_of(const tiling::Tile& tile, std::size_t first_inne
     return nodes;
 }
 
-JoinedTiles::Start end_of(const reduction::StructureParts& parts) {
+TileStart end_of(const reduction::StructureParts& parts) {
     return {parts.beams.nodes.size(), parts.beams.beams.size(), parts.elements.size()};
 }
 
 }  // namespace
 
-JoinedTiles join_tiles(const Surface& surface, std::span<const BuiltTile> tiles) {
+JoinedTiles join_tiles(const Surface& surface, std::span<const BuiltTile> tiles,
+                       const base::Control& control) {
     JoinedTiles joined;
     std::vector<Eigen::Vector3d>& nodes = joined.parts.beams.nodes;
     for (const pattern::Point2& node : surface.tessellation.interface_nodes)
         nodes.emplace_back(node.x, node.y, 0.0);
     for (std::size_t t = 0; t < tiles.size(); ++t) {
+        control.check();
         joined.starts.push_back(end_of(joined.parts));
         const BuiltTile& built = tiles[t];
         const auto inner = built.structure->inner_nodes();
@@ -38,11 +40,11 @@ JoinedTiles join_tiles(const Surface& surface, std::span<const BuiltTile> tiles)
     return joined;
 }
 
-std::optional<mechanics::Elements> replacement(const JoinedTiles& joined, const Surface& surface,
+std::optional<mechanics::Elements> replacement(std::span<const TileStart> starts, const Surface& surface,
                                                tiling::TileIndex tile, const BuiltTile& built) {
     const auto t = static_cast<std::size_t>(tile);
-    const JoinedTiles::Start& start = joined.starts[t];
-    const JoinedTiles::Start& end = joined.starts[t + 1];
+    const TileStart& start = starts[t];
+    const TileStart& end = starts[t + 1];
     const bool had_only_elements = start.inner_node == end.inner_node && start.beam == end.beam;
     if (!had_only_elements || !built.structure->inner_nodes().empty()) return std::nullopt;
     reduction::StructureParts parts;

@@ -8,24 +8,27 @@
 
 namespace fretwork::simulation::detail {
 
+/// Where a tile's own nodes, beams and elements begin among those of all tiles.
+struct TileStart {
+    std::size_t inner_node = 0;
+    std::size_t beam = 0;
+    std::size_t element = 0;
+};
+
 /// The tiles of a surface as one structure. Nodes: the interface nodes with their own ids, then the inner
 /// nodes of the tiles, tile by tile.
 struct JoinedTiles {
-    /// Where a tile's own nodes, beams and elements begin.
-    struct Start {
-        std::size_t inner_node = 0;
-        std::size_t beam = 0;
-        std::size_t element = 0;
-    };
     reduction::StructureParts parts;
-    std::vector<Start> starts;  ///< of each tile, and behind the last
+    std::vector<TileStart> starts;  ///< of each tile, and behind the last
 };
 
-JoinedTiles join_tiles(const Surface& surface, std::span<const BuiltTile> tiles);
+/// Throws Stopped.
+JoinedTiles join_tiles(const Surface& surface, std::span<const BuiltTile> tiles,
+                       const base::Control& control);
 
 /// The elements of a tile that is built anew, if it has the same nodes as before and as many elements, none
 /// of them beams: then they can take the place of the old ones.
-std::optional<mechanics::Elements> replacement(const JoinedTiles& joined, const Surface& surface,
+std::optional<mechanics::Elements> replacement(std::span<const TileStart> starts, const Surface& surface,
                                                tiling::TileIndex tile, const BuiltTile& built);
 
 }  // namespace fretwork::simulation::detail

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
+#include <fretwork/simulation/detail/calibrated_parameters.hpp>
 #include <fretwork/simulation/detail/session_impl.hpp>
 #include <fretwork/tiling/painting.hpp>
 
@@ -16,6 +17,15 @@ void require_tiles(const Surface& surface, std::span<const TileIndex> tiles) {
         if (tile.value >= 0 && tile.value < count) continue;
         throw base::InputError("there is no tile " + std::to_string(tile.value) + "; they run from 0 to " +
                                std::to_string(count - 1));
+    }
+}
+
+/// The painted tiles must have the calibrations that their models need.
+void require_calibrations(const Surface& surface, const ModelChoice& choice) {
+    for (std::size_t t = 0; t < surface.tessellation.tiles.size(); ++t) {
+        const TileIndex tile(t);
+        if (surface.tessellation.tiles[t].pattern >= 0)
+            (void)tile_parameters(surface, tile, tile_model(surface, choice, tile));
     }
 }
 
@@ -77,7 +87,7 @@ void Session::Impl::set_tile_model(std::span<const TileIndex> tiles, const std::
     surface_.tile_models.resize(surface_.tessellation.tiles.size());
     for (const TileIndex tile : tiles) surface_.tile_models[static_cast<std::size_t>(tile)] = name;
     try {
-        check(surface_, options_);  // steps, say, of a surface that is linear now
+        options_.validate(surface_);  // steps, say, of a surface that is linear now
     } catch (const base::Error&) {
         surface_.tile_models = std::move(before);
         throw;
@@ -88,12 +98,8 @@ void Session::Impl::set_tile_model(std::span<const TileIndex> tiles, const std::
 void Session::Impl::set_model(const std::string& name) {
     SimulationOptions edited = options_;
     edited.model = name;
-    check(surface_, edited);
-    const ModelChoice wanted{name, options_.models};
-    for (std::size_t t = 0; t < surface_.tessellation.tiles.size(); ++t) {
-        const TileIndex tile(t);
-        (void)tile_parameters(surface_, tile, tile_model(surface_, wanted, tile));
-    }
+    edited.validate(surface_);
+    require_calibrations(surface_, {name, options_.models});
     options_.model = name;
     invalidate_all_tiles();
 }
@@ -117,7 +123,13 @@ void Session::Impl::set_calibrations(std::vector<std::vector<reduction::Calibrat
         throw base::InputError("there are calibrations of " + std::to_string(calibrations.size()) +
                                " patterns, where the surface has " +
                                std::to_string(surface_.patterns.size()));
-    surface_.calibrations = std::move(calibrations);
+    std::swap(surface_.calibrations, calibrations);
+    try {
+        require_calibrations(surface_, choice());
+    } catch (const base::Error&) {
+        std::swap(surface_.calibrations, calibrations);
+        throw;
+    }
     builder_.forget();
     invalidate_all_tiles();
 }

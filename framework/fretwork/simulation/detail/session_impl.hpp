@@ -2,6 +2,7 @@
 #pragma once
 
 #include <fretwork/mechanics/linear_solver.hpp>
+#include <fretwork/simulation/conditions.hpp>
 #include <fretwork/simulation/detail/joined_tiles.hpp>
 #include <fretwork/simulation/session.hpp>
 
@@ -21,7 +22,7 @@ class Session::Impl {
           load_case_(std::move(load_case)),
           options_(std::move(options)),
           calibration_source_(std::move(calibrations)) {
-        check(surface_, options_);
+        options_.validate(surface_);
         conditions_ = resolved(load_case_);
     }
 
@@ -39,7 +40,7 @@ class Session::Impl {
     void set_load_case(const LoadCase& load_case);
 
     mechanics::Result solve(const base::Control& control);
-    Eigen::MatrixXd solve_adjoint(const Eigen::MatrixXd& rows);
+    Eigen::MatrixXd solve_adjoint(const Eigen::MatrixXd& rows, const base::Control& control);
 
   private:
     [[nodiscard]] ModelChoice choice() const { return {options_.model, options_.models}; }
@@ -51,9 +52,10 @@ class Session::Impl {
 
     void update_tiles(const base::Control& control);
     void build_all(const base::Control& control);
-    void join(std::vector<detail::BuiltTile> tiles);
+    void join(std::vector<detail::BuiltTile> tiles, const base::Control& control);
     bool replace_elements(std::span<const tiling::TileIndex> tiles, std::span<const detail::BuiltTile> built);
     void update_conditions();
+    void update(const base::Control& control);
     const mechanics::LinearSolver& updated_solver(const base::Control& control);
     [[nodiscard]] bool is_nonlinear() const;
     [[nodiscard]] mechanics::Result make_result() const;
@@ -69,7 +71,7 @@ class Session::Impl {
     detail::TileBuilder builder_;
     std::vector<detail::BuiltTile> tiles_;       ///< empty: all are to be built
     std::set<tiling::TileIndex> changed_tiles_;  ///< of those that were built
-    detail::JoinedTiles joined_;
+    std::vector<detail::TileStart> starts_;      ///< of each built tile, and behind the last
     mechanics::Assembly assembly_;
     std::size_t tile_supports_ = 0;  ///< of the assembly: those inside of tiles come first
     std::optional<mechanics::LinearSolver> solver_;

@@ -4,6 +4,7 @@
 #include <fretwork/mechanics/equilibrium.hpp>
 #include <fretwork/mechanics/solve.hpp>
 #include <fretwork/simulation/detail/session_impl.hpp>
+#include <fretwork/simulation/surface_frame.hpp>
 
 #include <algorithm>
 #include <chrono>
@@ -17,15 +18,15 @@ using tiling::TileIndex;
 }  // namespace
 
 void Session::Impl::build_all(const base::Control& control) {
-    join(builder_.build_all(surface_, choice(), {options_.threads, control}));
+    join(builder_.build_all(surface_, choice(), {options_.threads, control}), control);
 }
 
 /// Changes nothing if it throws.
-void Session::Impl::join(std::vector<detail::BuiltTile> tiles) {
-    detail::JoinedTiles joined = detail::join_tiles(surface_, tiles);
-    assembly_ = reduction::assemble(joined.parts);
+void Session::Impl::join(std::vector<detail::BuiltTile> tiles, const base::Control& control) {
+    detail::JoinedTiles joined = detail::join_tiles(surface_, tiles, control);
+    assembly_ = reduction::assemble(joined.parts, control);
     tile_supports_ = assembly_.supports.size();
-    joined_ = std::move(joined);
+    starts_ = std::move(joined.starts);
     tiles_ = std::move(tiles);
     changed_tiles_.clear();
 }
@@ -34,14 +35,14 @@ void Session::Impl::join(std::vector<detail::BuiltTile> tiles) {
 bool Session::Impl::replace_elements(std::span<const TileIndex> tiles,
                                      std::span<const detail::BuiltTile> built) {
     std::vector<mechanics::Elements> replacements;
-    const std::size_t first = assembly_.elements.size() - joined_.parts.elements.size();
+    const std::size_t first = assembly_.elements.size() - starts_.back().element;  // behind those of beams
     for (std::size_t i = 0; i < tiles.size(); ++i) {
-        auto elements = detail::replacement(joined_, surface_, tiles[i], built[i]);
+        auto elements = detail::replacement(starts_, surface_, tiles[i], built[i]);
         if (!elements) return false;
         replacements.push_back(std::move(*elements));
     }
     for (std::size_t i = 0; i < tiles.size(); ++i) {
-        const auto start = joined_.starts[static_cast<std::size_t>(tiles[i])].element;
+        const auto start = starts_[static_cast<std::size_t>(tiles[i])].element;
         std::ranges::copy(replacements[i],
                           assembly_.elements.begin() + static_cast<std::ptrdiff_t>(first + start));
     }
@@ -64,13 +65,21 @@ void Session::Impl::update_tiles(const base::Control& control) {
     } else {
         std::vector<detail::BuiltTile> all = tiles_;
         put_into(all);
-        join(std::move(all));
+        join(std::move(all), control);
     }
 }
 
 void Session::Impl::update_conditions() {
     assembly_.supports.resize(tile_supports_);
     apply(conditions_, assembly_);
+}
+
+/// Compute what edits have left out of date, but for factors.
+void Session::Impl::update(const base::Control& control) {
+    const std::size_t built_before = builder_.built_count();
+    update_tiles(control);
+    update_conditions();
+    work_ = {.tiles_built = builder_.built_count() - built_before};
 }
 
 const mechanics::LinearSolver& Session::Impl::updated_solver(const base::Control& control) {
@@ -106,15 +115,12 @@ void Session::Impl::solve_path(mechanics::Result& result, const base::Control& c
 }
 
 mechanics::Result Session::Impl::solve(const base::Control& control) {
-    check(surface_, options_);
+    options_.validate(surface_);
     // A surface that is no frame is refused before the work.
     std::optional<mechanics::Frame> frame;
-    if (options_.estimate_error) frame = surface_frame(surface_, choice(), conditions_);
+    if (options_.estimate_error) frame = surface_frame(surface_, choice(), conditions_, control);
     const auto started = Clock::now();
-    const std::size_t built_before = builder_.built_count();
-    update_tiles(control);
-    update_conditions();
-    work_ = {.tiles_built = builder_.built_count() - built_before};
+    update(control);
     mechanics::Result result = make_result();
     result.solver = is_nonlinear() ? "newton" : "linear";
     if (is_nonlinear()) {
@@ -134,15 +140,18 @@ mechanics::Result Session::Impl::solve(const base::Control& control) {
     return result;
 }
 
-Eigen::MatrixXd Session::Impl::solve_adjoint(const Eigen::MatrixXd& rows) {
-    update_tiles({});
-    update_conditions();
-    const auto nodes = static_cast<Eigen::Index>(assembly_.nodes.size());
-    if (rows.rows() != nodes * mechanics::kDofsPerNode)
+Eigen::MatrixXd Session::Impl::solve_adjoint(const Eigen::MatrixXd& rows, const base::Control& control) {
+    update(control);
+    const Eigen::Index own = Eigen::Index{assembly_.reported_nodes} * mechanics::kDofsPerNode;
+    if (rows.rows() != own)
         throw base::InputError("the right sides have " + std::to_string(rows.rows()) +
-                               " rows, where six are needed for each of the " + std::to_string(nodes) +
-                               " nodes");
-    return updated_solver({}).solve_free(rows);
+                               " rows, where six are needed for each of the result's " +
+                               std::to_string(assembly_.reported_nodes) + " nodes");
+    // Nothing acts on the nodes inside of beams, which a result does not tell.
+    Eigen::MatrixXd all =
+        Eigen::MatrixXd::Zero(std::ssize(assembly_.nodes) * mechanics::kDofsPerNode, rows.cols());
+    all.topRows(own) = rows;
+    return updated_solver(control).solve_free(all, control).topRows(own);
 }
 
 }  // namespace fretwork::simulation

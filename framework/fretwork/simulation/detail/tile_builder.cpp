@@ -64,13 +64,21 @@ TileBuilder::Request TileBuilder::request(const Order& order, tiling::TileIndex 
     return request;
 }
 
+void TileBuilder::drop_unused() {
+    std::erase_if(shared_, [](const auto& entry) { return entry.second.use_count() == 1; });
+    fans_.clear();
+    looked_at_size_ = shared_.size() + kMostUnused;
+}
+
 std::vector<BuiltTile> TileBuilder::build(const Order& order, const BuildOptions& options) {
+    if (shared_.size() > looked_at_size_) drop_unused();
     const double grid = congruence_grid(order.surface.tessellation);
     std::vector<Request> requests;
     requests.reserve(order.tiles.size());  // pointers to them, and views of their keys, are kept
     std::vector<Request*> missing;
     std::set<std::string_view> ordered;
     for (const tiling::TileIndex tile : order.tiles) {
+        options.control.check();
         Request& wanted = requests.emplace_back(request(order, tile, grid));
         const bool is_there = shared_.contains(wanted.key);
         if (wanted.key.empty() || (!is_there && ordered.insert(wanted.key).second))

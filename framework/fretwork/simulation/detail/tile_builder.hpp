@@ -2,7 +2,7 @@
 #pragma once
 
 #include <fretwork/base/control.hpp>
-#include <fretwork/simulation/surface_structure.hpp>
+#include <fretwork/simulation/model_choice.hpp>
 
 #include <map>
 #include <memory>
@@ -13,10 +13,6 @@
 #include <vector>
 
 namespace fretwork::simulation::detail {
-
-/// A pattern's parameters for a tile model, from its calibrations. Throws as tile_parameters().
-std::vector<double> calibrated_parameters(std::span<const reduction::Calibration> calibrations,
-                                          const std::string& pattern, const reduction::TileModel& model);
 
 /// What a tile model made of a tile, and where its own axes lie in the surface.
 struct BuiltTile {
@@ -37,6 +33,9 @@ struct BuildOptions {
 /// the first side, coordinates rounded to a grid of about a billionth of the mean tile side. A shared tile is
 /// built from the rounded polygon, so it does not depend on which tile came first. A polygon that is not
 /// convex after the rounding (one with a straight corner, say) is built as it is, and not shared.
+///
+/// Tiles that nobody uses any more are kept for edits that are taken back, until kMostUnused have come in:
+/// then all that are unused are dropped.
 class TileBuilder {
   public:
     /// What is built: tiles of a surface.
@@ -51,6 +50,11 @@ class TileBuilder {
     std::vector<BuiltTile> build_all(const Surface& surface, const ModelChoice& choice,
                                      const BuildOptions& options);
 
+    /// A condensed hexagon takes 10 kB; with two interface nodes a side, 41 kB.
+    static constexpr std::size_t kMostUnused = 1000;
+    /// How many tiles are kept, used or not.
+    [[nodiscard]] std::size_t kept_count() const { return shared_.size(); }
+
     /// How many tiles have been built so far; shared ones count once.
     [[nodiscard]] std::size_t built_count() const { return built_count_; }
     /// Forget what is shared: the setting or the calibrations of the surface have changed.
@@ -60,9 +64,11 @@ class TileBuilder {
     struct Request;
     Request request(const Order& order, tiling::TileIndex tile, double grid);
     const pattern::Fan& fan_of(const Surface& surface, const tiling::Tile& tile);
+    void drop_unused();
 
     std::map<std::pair<std::string, std::size_t>, pattern::Fan> fans_;  ///< by pattern and number of sides
     std::unordered_map<std::string, std::shared_ptr<const reduction::TileStructure>> shared_;
+    std::size_t looked_at_size_ = kMostUnused;  ///< of what is shared: when more, the unused are dropped
     std::size_t built_count_ = 0;
 };
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <fretwork/reduction/tile_model.hpp>
-#include <fretwork/simulation/conditions.hpp>
 #include <fretwork/simulation/surface.hpp>
 
 #include <span>
@@ -28,10 +27,5 @@ reduction::Displacements displacements(const Surface& surface, const ModelChoice
 /// calibration.
 std::vector<double> tile_parameters(const Surface& surface, tiling::TileIndex tile,
                                     const reduction::TileModel& model);
-
-/// The surface under a load case as a frame, which any other solver can check; its first nodes are the
-/// interface nodes. Throws InputError if a tile is no frame (a condensed one).
-mechanics::Frame surface_frame(const Surface& surface, const ModelChoice& choice,
-                               const Conditions& conditions);
 
 }  // namespace fretwork::simulation

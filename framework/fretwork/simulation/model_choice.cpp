@@ -1,21 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
-#include <fretwork/simulation/detail/joined_tiles.hpp>
-#include <fretwork/simulation/surface_structure.hpp>
-
-#include <algorithm>
+#include <fretwork/simulation/detail/calibrated_parameters.hpp>
+#include <fretwork/simulation/model_choice.hpp>
 
 namespace fretwork::simulation {
-
-std::vector<double> detail::calibrated_parameters(std::span<const reduction::Calibration> calibrations,
-                                                  const std::string& pattern,
-                                                  const reduction::TileModel& model) {
-    if (model.parameters.empty()) return {};
-    const auto found = std::ranges::find(calibrations, model.name, &reduction::Calibration::model);
-    if (found != calibrations.end()) return reduction::parameter_values(*found, model);
-    throw base::InputError("pattern " + pattern + " has no calibration of the tile model " + model.name +
-                           ": name a library that has it ('fretwork calibrate' makes one)");
-}
 
 const reduction::TileModel& tile_model(const Surface& surface, const ModelChoice& choice,
                                        tiling::TileIndex tile) {
@@ -41,20 +29,6 @@ std::vector<double> tile_parameters(const Surface& surface, tiling::TileIndex ti
     const auto index = static_cast<std::size_t>(pattern);
     return detail::calibrated_parameters(surface.calibrations[index], surface.tessellation.patterns[index],
                                          model);
-}
-
-mechanics::Frame surface_frame(const Surface& surface, const ModelChoice& choice,
-                               const Conditions& conditions) {
-    detail::TileBuilder builder;
-    reduction::StructureParts parts =
-        detail::join_tiles(surface, builder.build_all(surface, choice, {})).parts;
-    if (!parts.elements.empty())
-        throw base::InputError("the tile model " + choice.name +
-                               " has tiles that are no beams: it cannot be written as a frame");
-    parts.beams.supports = conditions.supports;
-    parts.beams.prescribed = conditions.prescribed;
-    parts.beams.loads = conditions.loads;
-    return std::move(parts.beams);
 }
 
 }  // namespace fretwork::simulation

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/mechanics/frame.hpp>
+#include <fretwork/reduction/scenario.hpp>
+
+#include <vector>
+
+namespace fretwork::reduction::detail {
+
+/// What holds a tile in a scenario; interface node i is node i.
+std::vector<mechanics::Support> supports_of(const Scenario& scenario);
+
+/// What acts on it at a magnitude, N.
+std::vector<mechanics::NodalLoad> loads_of(const Scenario& scenario, double magnitude);
+
+}  // namespace fretwork::reduction::detail

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/base/control.hpp>
+#include <fretwork/simulation/conditions.hpp>
+#include <fretwork/simulation/model_choice.hpp>
+
+namespace fretwork::simulation {
+
+/// The surface under a load case as a frame, which any other solver can check; its first nodes are the
+/// interface nodes. Throws InputError if a tile is no frame (a condensed one), and Stopped.
+mechanics::Frame surface_frame(const Surface& surface, const ModelChoice& choice,
+                               const Conditions& conditions, const base::Control& control = {});
+
+}  // namespace fretwork::simulation
