@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+import { useEffect } from 'preact/hooks';
+import { documentNow, hello } from './document/store';
+import { mode, startOpen, type Mode } from './document/ui';
+import { wantPatterns } from './pattern/table';
+import { HelpSheet } from './manners/help';
+import { LineNotice, Notes } from './manners/notes';
+import { HoldPanel } from './panels/hold_panel';
+import { LoadPanel } from './panels/load_panel';
+import { LookPanel } from './panels/look_panel';
+import { PaintPanel } from './panels/paint_panel';
+import { TopBar } from './panels/top_bar';
+import { Start, takeFile } from './start/start';
+import { Views } from './views/views';
+import { Tooltip } from './widgets/tooltip';
+import './panels/panels.css';
+import './app.css';
+
+const PANELS: Record<Mode, () => preact.JSX.Element> = { paint: PaintPanel, hold: HoldPanel, load: LoadPanel, look: LookPanel };
+
+export function App() {
+  const Panel = PANELS[mode.value];
+  const ready = documentNow.value !== null;
+  const layout = documentNow.value?.layout;
+  useEffect(() => void (layout && wantPatterns()), [layout]);
+  return (
+    <div class="app" onDragOver={(event) => event.preventDefault()}
+      onDrop={(event) => {
+        event.preventDefault();
+        const file = event.dataTransfer?.files[0];
+        if (file) void takeFile(file);
+      }}>
+      <TopBar />
+      {ready && (
+        <main class="work">
+          <aside class="side" aria-label={mode.value} data-mode={mode.value}><Panel /></aside>
+          <Views />
+        </main>
+      )}
+      {(startOpen.value || (!ready && hello.value)) && <Start />}
+      <HelpSheet />
+      <LineNotice />
+      <Notes />
+      <Tooltip />
+    </div>
+  );
+}

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Everything that a person can do to the document, one verb each.
+
+import type { Load, LoadCase, Prescribed, Support } from '../protocol/messages';
+import { Latest } from '../protocol/latest';
+import { ask, tryAsk } from './studio';
+import { documentNow, loadCase } from './store';
+import { settled } from './settled';
+import { tell } from './tell';
+import { pending } from './ui';
+
+export const undo = (): void => void tryAsk('undo');
+export const redo = (): void => void tryAsk('redo');
+
+/** Edits with the same key that follow one another are one step of undo: a stroke, a drag. */
+let gestures = 0;
+export const newGesture = (what: string): string => `${what}-${++gestures}`;
+
+export interface Paint {
+  tiles: number[];
+  patterns: string[];
+}
+
+export async function paint({ tiles, patterns }: Paint, merge?: string): Promise<void> {
+  if (tiles.length === 0) return;
+  const same = patterns.every((pattern) => pattern === patterns[0]);
+  const done = await tryAsk('paint', { tiles, ...(same ? { pattern: patterns[0] } : { patterns }), merge });
+  if (!done) pending.value = new Map();
+}
+
+export const turn = (tiles: number[], by: number): void => void tryAsk('turn', { tiles, by });
+export const setModel = (model: string): void => void tryAsk('set_model', { model });
+export const setTileModel = (tiles: number[], model: string): void => void tryAsk('set_tile_model', { tiles, model });
+export const setSetting = (setting: object, merge?: string): void => void tryAsk('set_setting', { setting, merge });
+export const selectLoadCase = (index: number): void => void tryAsk('select_load_case', { index });
+export const removeLoadCase = (index: number): void => void tryAsk('remove_load_case', { index });
+
+const EMPTY: LoadCase = { format: 'fretwork/load-case/1', name: 'load case 1', supports: [], loads: [], prescribed: [], gravity: [0, 0, 0] };
+
+export function addLoadCase(from: Partial<LoadCase> = {}): void {
+  const cases = documentNow.value?.load_cases ?? [];
+  const names = new Set(cases.map((one) => one.name));
+  let number = cases.length + 1;
+  while (names.has(`load case ${number}`)) ++number;
+  const load_case = { ...EMPTY, ...from, name: from.name ?? `load case ${number}` };
+  void tryAsk('set_load_case', { index: cases.length, load_case }).then((done) => done && selectLoadCase(cases.length));
+}
+
+/** Change the selected load case, or make the first one. */
+export function editLoadCase(change: (present: LoadCase) => Partial<LoadCase>, merge?: string): Promise<unknown> {
+  const now = documentNow.value;
+  if (!now) return Promise.resolve();
+  const present = loadCase.value ?? EMPTY;
+  const index = now.load_cases.length ? now.selected_load_case : 0;
+  return tryAsk('set_load_case', { index, load_case: { ...present, ...change(present) }, merge });
+}
+
+const drag = new Latest<{ change: (present: LoadCase) => Partial<LoadCase>; merge: string }>(async ({ change, merge }) => {
+  const done = settled();
+  if ((await editLoadCase(change, merge)) !== null) await done;
+});
+/** As editLoadCase, while something is dragged: the next one is sent when the last one is seen. */
+export const dragLoadCase = (change: (present: LoadCase) => Partial<LoadCase>, merge: string): void => drag.push({ change, merge });
+
+const strokes = new Latest<{ paint: Paint; merge: string }>(async (stroke) => {
+  pendingPaint.clear();
+  const done = settled();
+  await paint(stroke.paint, stroke.merge);
+  await done;
+});
+const pendingPaint = new Map<number, string>();
+/** Tiles of one stroke; those not sent yet go together. */
+export function strokeTo(tiles: number[], pattern: string, merge: string): void {
+  for (const tile of tiles) pendingPaint.set(tile, pattern);
+  strokes.push({ paint: { tiles: [...pendingPaint.keys()], patterns: [...pendingPaint.values()] }, merge });
+}
+
+const replaced = <T>(list: readonly T[] | undefined, index: number, entry: T): T[] =>
+  (list ?? []).map((old, i) => (i === index ? entry : old));
+const without = <T>(list: readonly T[] | undefined, index: number): T[] => (list ?? []).filter((_, i) => i !== index);
+
+/** Hold nodes; what held them before, lets them go. */
+export function hold(nodes: number[], fixed: Support['fixed'], resolve: (support: Support) => number[]): void {
+  const taken = new Set(nodes);
+  void editLoadCase(({ supports = [] }) => {
+    const rest = supports.flatMap((support) => {
+      const kept = resolve(support).filter((node) => !taken.has(node));
+      if (kept.length === resolve(support).length) return [support];
+      return kept.length ? [{ nodes: kept, fixed: support.fixed }] : [];
+    });
+    return { supports: fixed.length ? [...rest, { nodes, fixed }] : rest };
+  });
+}
+export const replaceSupport = (index: number, support: Support): void =>
+  void editLoadCase(({ supports }) => ({ supports: replaced(supports, index, support) }));
+export const removeSupport = (index: number): void => void editLoadCase(({ supports }) => ({ supports: without(supports, index) }));
+
+export const addLoad = (load: Load): void => void editLoadCase(({ loads = [] }) => ({ loads: [...loads, load] }));
+export const replaceLoad = (index: number, load: Load): void => void editLoadCase(({ loads }) => ({ loads: replaced(loads, index, load) }));
+export const dragLoad = (index: number, load: Load, merge: string): void =>
+  dragLoadCase(({ loads }) => ({ loads: replaced(loads, index, load) }), merge);
+export const removeLoad = (index: number): void => void editLoadCase(({ loads }) => ({ loads: without(loads, index) }));
+
+export const addPrescribed = (entry: Prescribed): void =>
+  void editLoadCase(({ prescribed = [] }) => ({ prescribed: [...prescribed, entry] }));
+export const replacePrescribed = (index: number, entry: Prescribed): void =>
+  void editLoadCase(({ prescribed }) => ({ prescribed: replaced(prescribed, index, entry) }));
+export const dragPrescribed = (index: number, entry: Prescribed, merge: string): void =>
+  dragLoadCase(({ prescribed }) => ({ prescribed: replaced(prescribed, index, entry) }), merge);
+export const removePrescribed = (index: number): void =>
+  void editLoadCase(({ prescribed }) => ({ prescribed: without(prescribed, index) }));
+
+export async function save(path?: string): Promise<void> {
+  if (await tryAsk('save', path ? { path } : {})) tell('Saved.');
+}
+
+/** Compare the live model with the full one: solve that in the background, then ask for the difference. */
+export async function solveFull(): Promise<void> {
+  await tryAsk('solve', { model: 'full', background: true });
+}
+export const cancelWork = (): void => void ask('cancel').catch(() => undefined);

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Files in and out: the browser's machine gives and takes, the server's machine keeps the project.
+
+import { currentScene } from '../views/space/current';
+import { ask, tryAsk } from './studio';
+import { documentNow } from './store';
+import { tell } from './tell';
+
+export async function base64(file: File): Promise<string> {
+  const bytes = new Uint8Array(await file.arrayBuffer());
+  let text = '';
+  const piece = 0x8000;
+  for (let at = 0; at < bytes.length; at += piece) text += String.fromCharCode(...bytes.subarray(at, at + piece));
+  return btoa(text);
+}
+
+export function offer(blob: Blob, name: string): void {
+  const link = document.createElement('a');
+  link.href = URL.createObjectURL(blob);
+  link.download = name;
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
+}
+
+const stem = (): string => (documentNow.peek()?.name || 'surface').replace(/\.json$/, '');
+
+export async function savePicture(): Promise<void> {
+  const scene = currentScene.peek();
+  if (scene) offer(await scene.stage.picture(), `${stem()}.png`);
+}
+
+export const openUpload = async (file: File): Promise<boolean> => (await tryAsk('upload', { text_base64: await base64(file) })) !== null;
+
+export async function download(): Promise<void> {
+  try {
+    const { text } = await ask<{ text: string }>('download');
+    offer(new Blob([text], { type: 'application/json' }), `${stem()}.json`);
+  } catch (error) {
+    tell((error as Error).message, 'error');
+  }
+}
+
+export interface ExportRow {
+  ending: string;
+  title: string;
+  words: string;
+}
+export const EXPORTS: ExportRow[] = [
+  { ending: 'html', title: 'Web page', words: 'the bent surface in one file, for anybody with a browser' },
+  { ending: 'svg', title: 'SVG', words: 'a drawing' },
+  { ending: 'dxf', title: 'DXF', words: 'for the laser cutter' },
+  { ending: 'stl', title: 'STL', words: 'a solid for the printer' },
+  { ending: '3mf', title: '3MF', words: 'a solid with units' },
+  { ending: 'obj', title: 'OBJ', words: 'centre lines' },
+  { ending: 'ply', title: 'PLY', words: 'centre lines' },
+  { ending: 'vtu', title: 'VTU', words: 'for ParaView' },
+  { ending: 'csv', title: 'CSV', words: 'displacements as a table' },
+];
+
+/** The server writes it as the command line does. What it refuses, it refuses in words. */
+export async function exportTo(ending: string): Promise<void> {
+  const query = new URLSearchParams(location.search);
+  query.set('to', `${stem()}.${ending}`);
+  try {
+    const answer = await fetch(`/export?${query}`);
+    if (!answer.ok) throw new Error((await answer.text()).trim() || `The export failed (${answer.status}).`);
+    offer(await answer.blob(), `${stem()}.${ending}`);
+  } catch (error) {
+    tell((error as Error).message, 'error');
+  }
+}

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How results are shown.
+
+import { signal } from '@preact/signals';
+import { drawsInSoftware } from '../views/space/software';
+
+export type FieldName =
+  | 'plain' | 'displacement' | 'uz' | 'rotation' | 'N' | 'T' | 'M2' | 'M3' | 'V2' | 'V3' | 'stress' | 'utilization' | 'error';
+
+export const field = signal<FieldName>('displacement');
+/** Displacements are drawn this many times as large as they are. */
+export const scale = signal(1);
+export const showFull = signal(true);
+export const showRest = signal(false);
+export const showMarks = signal(true);
+export const shadows = signal(!drawsInSoftware);
+/** What the material bears, N/m2, for utilization. Not part of the document. */
+export const strength = signal(30e6);
+
+/** Playback of a load path or of a mode: which shape, and the phase within it. */
+export const playing = signal(false);
+export const shapeIndex = signal(0);
+
+export const SCALES = [0, 0.5, 1, 2, 3, 5, 10, 20, 50, 100, 200, 500, 1000];

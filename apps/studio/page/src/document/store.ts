@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the page knows. The server owns the document; these signals are its copy, and the views read them.
+
+import { computed, signal } from '@preact/signals';
+import type { Beams, Solution } from '../protocol/binary';
+import type { Hello, LoadCase, PatternTable, Solved, StudioDocument } from '../protocol/messages';
+import type { LineState } from '../protocol/connection';
+
+export interface SolvedModel {
+  info: Solved;
+  solution: Solution;
+  /** Of which painting it is: the revision of the bars. */
+  beams: Beams;
+}
+
+export const line = signal<LineState>('connecting');
+export const hello = signal<Hello | null>(null);
+export const documentNow = signal<StudioDocument | null>(null);
+export const revision = signal(0);
+export const beams = signal<Beams | null>(null);
+
+/** The newest solution of the live model; stays while a newer one is computed, or when that fails. */
+export const live = signal<SolvedModel | null>(null);
+/** Why the live model has no newer solution, in words; null when it has. */
+export const problem = signal<string | null>(null);
+/** The last solution of other models, by name: the full model on demand. */
+export const others = signal<ReadonlyMap<string, SolvedModel>>(new Map());
+/** Work that lasts: which model, and how far it is (0 to 1). */
+export const working = signal<{ model: string; share: number } | null>(null);
+/** The error of the live model against another one, on the nodes. */
+export const compared = signal<{ mean: number; largest: number; solution: Solution | null } | null>(null);
+
+export interface Shape {
+  kind: 'path' | 'modes' | 'buckling';
+  values: number[];
+  shapes: Solution[];
+}
+/** What is played back: the steps of a load path, or modes. */
+export const shapes = signal<Shape | null>(null);
+
+export const patternTable = signal<PatternTable | null>(null);
+
+export const loadCase = computed<LoadCase | null>(() => {
+  const now = documentNow.value;
+  return now?.load_cases[now.selected_load_case] ?? null;
+});

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The line between the server and the signals of the store.
+
+import { batch } from '@preact/signals';
+import { Connection } from '../protocol/connection';
+import type { Beams, Solution } from '../protocol/binary';
+import type { Hello, ServerEvent, Solved, StudioDocument } from '../protocol/messages';
+import * as store from './store';
+import { tell } from './tell';
+import { markPositions } from './latency';
+import { pending } from './ui';
+
+/** Which event the next solution belongs to: a binary message follows the event that announces it. */
+type Awaited = { of: 'solved'; info: Solved } | { of: 'compared' } | { of: 'modes' } | null;
+let awaited: Awaited = null;
+
+function socketAddress(): string {
+  const scheme = location.protocol === 'https:' ? 'wss' : 'ws';
+  return `${scheme}://${location.host}/socket${location.search}`;
+}
+
+const connection = new Connection(socketAddress(), { state, event, binary, opened });
+
+export const start = (): void => connection.open();
+export const ask = <T = object>(what: string, more: object = {}): Promise<T> => connection.ask<T>(what, more);
+
+/** Ask, and tell people the server's words if it refuses. Resolves to null then. */
+export async function tryAsk<T = object>(what: string, more: object = {}): Promise<T | null> {
+  try {
+    return await ask<T>(what, more);
+  } catch (error) {
+    tell((error as Error).message, 'error');
+    return null;
+  }
+}
+
+function state(value: typeof store.line.value): void {
+  store.line.value = value;
+}
+
+function opened(): void {
+  awaited = null;
+  void ask<Hello>('hello', { protocol: 1 }).then(
+    (answer) => (store.hello.value = answer),
+    (error: Error) => tell(error.message, 'error'),
+  );
+}
+
+function event(message: ServerEvent): void {
+  batch(() => {
+    store.revision.value = Math.max(store.revision.value, message.revision);
+    take(message);
+  });
+}
+
+function take(message: ServerEvent): void {
+  switch (message.event) {
+    case 'document':
+      forget();
+      store.documentNow.value = message;
+      break;
+    case 'changed':
+      change(message);
+      break;
+    case 'solving':
+      store.working.value = { model: message.model, share: message.share };
+      break;
+    case 'solved':
+      awaited = { of: 'solved', info: message };
+      break;
+    case 'failed':
+      failed(message.model, message.error);
+      break;
+    case 'modes':
+      awaited = { of: 'modes' };
+      store.working.value = null;
+      store.shapes.value = { kind: message.kind ?? 'modes', values: message.values, shapes: [] };
+      break;
+    case 'compared':
+      awaited = { of: 'compared' };
+      store.compared.value = { mean: message.mean, largest: message.largest, solution: null };
+      break;
+  }
+}
+
+function forget(): void {
+  pending.value = new Map();
+  store.live.value = null;
+  store.problem.value = null;
+  store.others.value = new Map();
+  store.working.value = null;
+  store.compared.value = null;
+  store.shapes.value = null;
+}
+
+/** What was painted here ahead of the server, and is now in the document. */
+function confirmPainting(): void {
+  const now = store.documentNow.value as StudioDocument;
+  const ahead = [...pending.value].filter(([tile, pattern]) => (now.palette[now.painting[tile]] ?? '') !== pattern);
+  if (ahead.length !== pending.value.size) pending.value = new Map(ahead);
+}
+
+/** What was computed for an earlier state is no longer true once anything that it depends on is edited. */
+function change(message: Partial<StudioDocument>): void {
+  if (!store.documentNow.value) return;
+  store.documentNow.value = { ...store.documentNow.value, ...message };
+  if (message.painting) confirmPainting();
+  if (message.painting || message.turns || message.load_cases || message.setting || message.selected_load_case !== undefined) {
+    store.others.value = new Map();
+    store.compared.value = null;
+    store.shapes.value = null;
+  }
+}
+
+function failed(model: string, error: string): void {
+  store.working.value = null;
+  const live = store.documentNow.value?.model;
+  if (model === live || !model) store.problem.value = error;
+  else tell(`${model}: ${error}`, 'error');
+}
+
+function binary(message: Beams | Solution): void {
+  if (message.kind === 'beams') {
+    store.beams.value = message;
+    return;
+  }
+  const target = awaited;
+  if (!target || !store.beams.value) return;
+  batch(() => {
+    if (target.of === 'solved') solved(target.info, message, store.beams.value as Beams);
+    else if (target.of === 'compared' && store.compared.value) store.compared.value = { ...store.compared.value, solution: message };
+    else if (target.of === 'modes' && store.shapes.value) addShape(message);
+  });
+  if (target.of === 'solved' && !target.info.background && target.info.step === undefined) markPositions();
+}
+
+function addShape(solution: Solution): void {
+  const shape = store.shapes.value;
+  if (shape) store.shapes.value = { ...shape, shapes: [...shape.shapes, solution] };
+}
+
+function solved(info: Solved, solution: Solution, beams: Beams): void {
+  if (solution.of !== beams.revision) return;
+  if (info.step !== undefined) {
+    const first = info.step === 0 || store.shapes.value?.kind !== 'path';
+    const before = first ? { kind: 'path' as const, values: [], shapes: [] } : (store.shapes.value as store.Shape);
+    store.shapes.value = { ...before, values: [...before.values, info.load_factor], shapes: [...before.shapes, solution] };
+    if (info.step + 1 === info.steps) store.working.value = null;
+    return;
+  }
+  const model = { info, solution, beams };
+  if (info.background) {
+    store.others.value = new Map(store.others.value).set(info.model, model);
+    store.working.value = null;
+    return;
+  }
+  store.live.value = model;
+  store.problem.value = null;
+  if (store.working.value?.model === info.model) store.working.value = null;
+}

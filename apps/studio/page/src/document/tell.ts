@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Short words to the person in front of the page, where nothing closer to the place would be seen.
+
+import { signal } from '@preact/signals';
+
+export interface Note {
+  id: number;
+  text: string;
+  tone: 'plain' | 'error';
+}
+export const notes = signal<Note[]>([]);
+
+const SHOWN_MS = { plain: 3500, error: 9000 };
+let next = 1;
+
+export function tell(text: string, tone: Note['tone'] = 'plain'): void {
+  const note = { id: next++, text, tone };
+  notes.value = [...notes.value.filter((other) => other.text !== text), note];
+  setTimeout(() => dismiss(note.id), SHOWN_MS[tone]);
+}
+
+export function dismiss(id: number): void {
+  notes.value = notes.value.filter((note) => note.id !== id);
+}

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the page is doing right now: no part of the document, and not undone.
+
+import { computed, signal } from '@preact/signals';
+import { documentNow } from './store';
+
+export type Mode = 'paint' | 'hold' | 'load' | 'look';
+export const MODES: { mode: Mode; title: string; key: string }[] = [
+  { mode: 'paint', title: 'Paint', key: '1' },
+  { mode: 'hold', title: 'Hold', key: '2' },
+  { mode: 'load', title: 'Load', key: '3' },
+  { mode: 'look', title: 'Look', key: '4' },
+];
+export const mode = signal<Mode>('paint');
+
+export type PaintTool = 'brush' | 'fill' | 'replace' | 'pick' | 'gradient' | 'select' | 'lasso';
+export type NodeTool = 'select' | 'lasso' | 'rim';
+export const paintTool = signal<PaintTool>('brush');
+export const nodeTool = signal<NodeTool>('select');
+/** How many rings of tiles around the one below the pointer a brush paints. */
+export const brushRings = signal(0);
+
+/** The pattern that is painted with. */
+export const brush = signal<string | null>(null);
+export const brushOrFirst = computed(() => brush.value ?? documentNow.value?.palette[0] ?? null);
+
+export const selectedTiles = signal<ReadonlySet<number>>(new Set());
+export const selectedNodes = signal<ReadonlySet<number>>(new Set());
+/** The load or prescribed displacement that is shown in full. */
+export const activeEntry = signal<{ kind: 'load' | 'prescribed'; index: number } | null>(null);
+
+export type Split = 'both' | 'plane' | 'space';
+export const split = signal<Split>('both');
+/** How much of the views the plane has, when both are seen. */
+export const share = signal(0.44);
+export const galleryWide = signal(false);
+export const helpOpen = signal(false);
+export const startOpen = signal(false);
+
+/** What a person points at, in either view. */
+export const probed = signal<{ kind: 'node' | 'beam'; index: number } | null>(null);
+
+/** Tiles that were painted here and are not yet confirmed by the server. */
+export const pending = signal<ReadonlyMap<number, string>>(new Map());

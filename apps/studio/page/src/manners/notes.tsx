@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+import { X } from 'lucide-preact';
+import { line } from '../document/store';
+import { dismiss, notes } from '../document/tell';
+import { Button } from '../widgets/widgets';
+
+export function Notes() {
+  return (
+    <div class="notes" aria-live="assertive">
+      {notes.value.map(({ id, text, tone }) => (
+        <div key={id} class={`note ${tone}`} role={tone === 'error' ? 'alert' : 'status'}>
+          <span>{text}</span>
+          <Button kind="bare" title="Close" icon={X} onPress={() => dismiss(id)} />
+        </div>
+      ))}
+    </div>
+  );
+}
+
+export function LineNotice() {
+  if (line.value !== 'lost') return null;
+  return <div class="lost" role="alert">The connection to the studio is lost. Your work is safe there; trying again …</div>;
+}

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which nodes are chosen, and quick ways to choose.
+
+import { X } from 'lucide-preact';
+import { selectedNodes as resolve } from '../document/selected_nodes';
+import { surface } from '../document/surface';
+import { selectedNodes } from '../document/ui';
+import type { Selection } from '../protocol/messages';
+import { Button } from '../widgets/widgets';
+
+const SIDES: { title: string; side: NonNullable<Selection['side']> }[] = [
+  { title: 'Left', side: 'left' },
+  { title: 'Right', side: 'right' },
+  { title: 'Top', side: 'top' },
+  { title: 'Bottom', side: 'bottom' },
+];
+
+/** The nodes within a tenth of the box around the middle of the surface. */
+function middleNodes(): number[] {
+  const now = surface.peek();
+  if (!now) return [];
+  const { min, max } = now.box;
+  const [x, y] = [(min[0] + max[0]) / 2, (min[1] + max[1]) / 2];
+  const reach = Math.max(0.07 * Math.hypot(max[0] - min[0], max[1] - min[1]), 1.2 * now.side);
+  const away = now.nodes.map((node) => Math.hypot(node[0] - x, node[1] - y));
+  const near = away.flatMap((distance, node) => (distance < reach ? [node] : []));
+  return near.length ? near : [away.indexOf(Math.min(...away))];
+}
+
+export function ChosenNodes({ purpose }: { purpose: 'hold' | 'load' }) {
+  const chosen = selectedNodes.value;
+  const take = (nodes: number[]) => (selectedNodes.value = new Set(nodes));
+  const now = surface.value;
+  if (!now) return null;
+  return (
+    <div class="chosen-nodes">
+      <div class="foot-head">
+        <span id="nodes-chosen">{chosen.size ? `${chosen.size} node${chosen.size > 1 ? 's' : ''} chosen` : 'Choose nodes'}</span>
+        {chosen.size > 0 && <Button kind="bare" title="Choose none" shortcut="Esc" icon={X} onPress={() => take([])} />}
+      </div>
+      <div class="chips">
+        {SIDES.map(({ title, side }) => (
+          <button key={side} type="button" class="chip" id={`choose-${side}`} onClick={() => take(resolve({ side }, now))}>{title}</button>
+        ))}
+        <button type="button" class="chip" onClick={() => take([...now.onRim])}>Whole rim</button>
+        {purpose === 'load' && <button type="button" class="chip" id="choose-middle" onClick={() => take(middleNodes())}>Middle</button>}
+        {purpose === 'load' && <button type="button" class="chip" onClick={() => take(now.nodes.map((_, i) => i))}>All</button>}
+      </div>
+      {chosen.size === 0 && <p class="hint">Click or draw a box in the plane, drag along the rim, or click in space. Shift adds.</p>}
+    </div>
+  );
+}

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+import { signal } from '@preact/signals';
+import { useEffect, useRef } from 'preact/hooks';
+import { download, exportTo, EXPORTS, savePicture } from '../document/files';
+
+export const exportOpen = signal(false);
+
+function pick(action: () => void): void {
+  exportOpen.value = false;
+  action();
+}
+
+export function ExportMenu() {
+  const host = useRef<HTMLDivElement>(null);
+  const open = exportOpen.value;
+  useEffect(() => {
+    if (!open) return;
+    (host.current?.querySelector('button') as HTMLElement | null)?.focus();
+    const outside = (event: PointerEvent) => {
+      if (!host.current?.parentElement?.contains(event.target as Node)) exportOpen.value = false;
+    };
+    document.addEventListener('pointerdown', outside);
+    return () => document.removeEventListener('pointerdown', outside);
+  }, [open]);
+  if (!open) return null;
+  const keys = (event: KeyboardEvent) => {
+    const buttons = [...(host.current?.querySelectorAll('button') ?? [])];
+    const step = { ArrowDown: 1, ArrowUp: -1 }[event.key];
+    if (event.key === 'Escape') exportOpen.value = false;
+    if (step) buttons[(buttons.indexOf(document.activeElement as HTMLButtonElement) + step + buttons.length) % buttons.length].focus();
+    event.stopPropagation();
+  };
+  return (
+    <div class="card menu" role="menu" ref={host} onKeyDown={keys}>
+      <button type="button" role="menuitem" data-export="json" onClick={() => pick(() => void download())}><b>Project</b><span>everything, to open here or on the command line</span></button>
+      <button type="button" role="menuitem" data-export="png" onClick={() => pick(() => void savePicture())}><b>Picture</b><span>the view in space, PNG with transparent ground</span></button>
+      <hr />
+      {EXPORTS.map(({ ending, title, words }) => (
+        <button key={ending} type="button" role="menuitem" data-export={ending} onClick={() => pick(() => void exportTo(ending))}><b>{title}</b><span>{words}</span></button>
+      ))}
+    </div>
+  );
+}

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+import { Trash2 } from 'lucide-preact';
+import { hold, removeSupport, replaceSupport } from '../document/edits';
+import { HOLD_COLOURS, holdKind, nodesOf } from '../document/marks';
+import { selectionWords } from '../document/selected_nodes';
+import { loadCase } from '../document/store';
+import { surface } from '../document/surface';
+import { selectedNodes } from '../document/ui';
+import { DOFS, type Dof, type Support } from '../protocol/messages';
+import { Button } from '../widgets/widgets';
+import { CaseBar } from './case_bar';
+import { ChosenNodes } from './chosen_nodes';
+
+const KINDS: { title: string; tip: string; fixed: Dof[]; colour: string; key: string }[] = [
+  { title: 'Fixed', tip: 'Neither moves nor turns: clamped', fixed: [...DOFS], colour: '--fixed', key: 'X' },
+  { title: 'Pinned', tip: 'Does not move, is free to turn', fixed: ['ux', 'uy', 'uz'], colour: '--pinned', key: 'P' },
+  { title: 'Roller', tip: 'Rests on a table: only z is held', fixed: ['uz'], colour: '--partly', key: 'O' },
+];
+
+export function holdChosen(fixed: Dof[]): void {
+  const nodes = [...selectedNodes.peek()].sort((a, b) => a - b);
+  if (nodes.length) hold(nodes, fixed, nodesOf);
+}
+
+export function HoldPanel() {
+  const supports = loadCase.value?.supports ?? [];
+  const some = selectedNodes.value.size > 0;
+  return (
+    <>
+      <CaseBar />
+      <div class="panel-scroll">
+        <ChosenNodes purpose="hold" />
+        <div class="row">
+          {KINDS.map(({ title, tip, fixed, colour, key }) => (
+            <Button key={title} id={`hold-${title.toLowerCase()}`} title={tip} shortcut={key} disabled={!some} label={<><i class="ball" style={{ background: `var(${colour})` }} />{title}</>}
+              onPress={() => holdChosen(fixed)} />
+          ))}
+          <Button title="Let go" disabled={!some} label="Free" onPress={() => holdChosen([])} />
+        </div>
+        <h2>Supports</h2>
+        {supports.length === 0 && <p class="hint">Nothing holds the surface yet. Choose nodes in either view, then press one of the buttons above.</p>}
+        <ul class="entries">{supports.map((support, index) => <SupportRow key={index} support={support} index={index} />)}</ul>
+      </div>
+    </>
+  );
+}
+
+function SupportRow({ support, index }: { support: Support; index: number }) {
+  const nodes = surface.value ? nodesOf(support) : [];
+  const toggle = (dof: Dof) => {
+    const fixed = DOFS.filter((one) => (one === dof ? !support.fixed.includes(dof) : support.fixed.includes(one)));
+    if (fixed.length) replaceSupport(index, { ...support, fixed });
+    else removeSupport(index);
+  };
+  return (
+    <li class="entry">
+      <button type="button" class="entry-title" data-tip="Choose these nodes" onClick={() => (selectedNodes.value = new Set(nodes))}>
+        <i class="ball" style={{ background: `var(${HOLD_COLOURS[holdKind(support.fixed)]})` }} />
+        {selectionWords(support, nodes.length)}
+      </button>
+      <Button kind="bare" title="Remove this support" icon={Trash2} onPress={() => removeSupport(index)} />
+      <div class="dofs" role="group" aria-label="Held directions">
+        {DOFS.map((dof) => (
+          <button key={dof} type="button" class="dof" aria-pressed={support.fixed.includes(dof)} data-tip={`${dof[0] === 'u' ? 'Movement along' : 'Turning about'} ${dof[1]}`}
+            onClick={() => toggle(dof)}>{dof}</button>
+        ))}
+      </div>
+    </li>
+  );
+}

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+import { Download, MoveVertical, RotateCcw, Weight } from 'lucide-preact';
+import { addLoad, addPrescribed, editLoadCase, setSetting } from '../document/edits';
+import { hasGravity, loadMarks, prescribedMarks } from '../document/marks';
+import { documentNow, loadCase } from '../document/store';
+import { activeEntry, selectedNodes } from '../document/ui';
+import { Button, Check } from '../widgets/widgets';
+import { NumberField } from '../widgets/number';
+import { CaseBar } from './case_bar';
+import { ChosenNodes } from './chosen_nodes';
+import { LoadRow } from './load_row';
+import { PrescribedRow } from './prescribed_row';
+
+const EARTH = 9.81;
+const FIRST_FORCE = -0.1;
+const FIRST_MOMENT = 0.002;
+const FIRST_MOVE = 0.01;
+const chosenNodes = (): number[] => [...selectedNodes.peek()].sort((a, b) => a - b);
+
+export function pressChosen(): void {
+  const nodes = chosenNodes();
+  if (!nodes.length) return;
+  activeEntry.value = { kind: 'load', index: loadMarks.peek().length };
+  addLoad({ nodes, force: [0, 0, FIRST_FORCE], amount: 'total' });
+  selectedNodes.value = new Set();
+}
+
+function turnChosen(): void {
+  const nodes = chosenNodes();
+  activeEntry.value = { kind: 'load', index: loadMarks.peek().length };
+  addLoad({ nodes, moment: [0, FIRST_MOMENT, 0], amount: 'total' });
+  selectedNodes.value = new Set();
+}
+
+function moveChosen(): void {
+  activeEntry.value = { kind: 'prescribed', index: prescribedMarks.peek().length };
+  addPrescribed({ nodes: chosenNodes(), uz: FIRST_MOVE });
+  selectedNodes.value = new Set();
+}
+
+export function LoadPanel() {
+  const some = selectedNodes.value.size > 0;
+  const nothing = loadMarks.value.length === 0 && prescribedMarks.value.length === 0;
+  return (
+    <>
+      <CaseBar />
+      <div class="panel-scroll">
+        <ChosenNodes purpose="load" />
+        <div class="row">
+          <Button id="add-force" title="A force on the chosen nodes; drag its tip in space" shortcut="X" disabled={!some} icon={Download} label="Force" onPress={pressChosen} />
+          <Button title="A moment on the chosen nodes" disabled={!some} icon={RotateCcw} label="Moment" onPress={turnChosen} />
+          <Button title="Move the chosen nodes by a given length; drag them in space" disabled={!some} icon={MoveVertical} label="Move" onPress={moveChosen} />
+        </div>
+        <h2>Weight</h2>
+        <Gravity />
+        <h2>Loads</h2>
+        {nothing && !hasGravity.value && <p class="hint">Nothing acts on the surface yet. Choose nodes, then press “Force”, or let its own weight act.</p>}
+        <ul class="entries">
+          {loadMarks.value.map((mark) => <LoadRow key={`load-${mark.index}`} mark={mark} />)}
+          {prescribedMarks.value.map((mark) => <PrescribedRow key={`move-${mark.index}`} mark={mark} />)}
+        </ul>
+      </div>
+    </>
+  );
+}
+
+function Gravity() {
+  const gravity = loadCase.value?.gravity ?? [0, 0, 0];
+  const setting = documentNow.value?.setting;
+  const on = hasGravity.value;
+  return (
+    <div class="gravity">
+      <Check label={<><Weight aria-hidden />Own weight</>} value={on} onChange={(value) => void editLoadCase(() => ({ gravity: [0, 0, value ? -EARTH : 0] }))} />
+      {on && setting && (
+        <>
+          <label class="field"><span>Gravity, along z</span>
+            <NumberField label="Gravity along z" value={gravity[2]} quantity="acceleration" onChange={(z) => void editLoadCase(() => ({ gravity: [gravity[0], gravity[1], z] }))} />
+          </label>
+          <label class="field"><span>Density</span>
+            <NumberField label="Density of the material" least={0} value={setting.material.density} quantity="density"
+              onChange={(density) => setSetting({ ...setting, material: { ...setting.material, density } })} />
+          </label>
+        </>
+      )}
+    </div>
+  );
+}

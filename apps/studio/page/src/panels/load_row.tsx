@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+import { ArrowDownRight, RotateCcw, Trash2 } from 'lucide-preact';
+import { removeLoad, replaceLoad } from '../document/edits';
+import { size, type LoadMark } from '../document/marks';
+import { selectionWords } from '../document/selected_nodes';
+import { activeEntry, selectedNodes } from '../document/ui';
+import { shown, type Quantity } from '../document/units';
+import type { Vector } from '../protocol/messages';
+import { Button, Segments } from '../widgets/widgets';
+import { NumberField } from '../widgets/number';
+
+/** One load: its size, where it acts, and its components to type. */
+export function LoadRow({ mark }: { mark: LoadMark }) {
+  const { load, index, nodes } = mark;
+  const open = activeEntry.value?.kind === 'load' && activeEntry.value.index === index;
+  const twists = size(mark.moment) > 0 || (load.moment !== undefined && load.force === undefined);
+  const Picture = twists ? RotateCcw : ArrowDownRight;
+  const words = twists ? shown(size(mark.moment), 'moment') : shown(size(mark.force), 'force');
+  return (
+    <li class={`entry${open ? ' open' : ''}`}>
+      <button type="button" class="entry-title" aria-expanded={open} onClick={() => (activeEntry.value = open ? null : { kind: 'load', index })}>
+        <Picture aria-hidden class={twists ? 'tint-moment' : 'tint-force'} />
+        <span class="entry-words"><b>{words}</b> {load.amount === 'total' ? 'in all' : 'each'}, {selectionWords(load, nodes.length)}</span>
+      </button>
+      <Button kind="bare" title="Remove this load" icon={Trash2} onPress={() => { activeEntry.value = null; removeLoad(index); }} />
+      {open && (
+        <div class="entry-body">
+          {!twists && <Components label="Force" vector={mark.force} quantity="force" onChange={(force) => replaceLoad(index, { ...load, force })} />}
+          {twists && <Components label="Moment" vector={mark.moment} quantity="moment" onChange={(moment) => replaceLoad(index, { ...load, moment })} />}
+          <div class="field">
+            <Segments label="Amount" value={load.amount ?? 'each'} onPick={(amount) => replaceLoad(index, { ...load, amount })}
+              options={[{ value: 'total', title: 'in all', tip: 'The nodes share it' }, { value: 'each', title: 'on each', tip: 'Every node gets it' }]} />
+            <button type="button" class="chip" onClick={() => (selectedNodes.value = new Set(nodes))}>show nodes</button>
+          </div>
+        </div>
+      )}
+    </li>
+  );
+}
+
+interface ComponentsProps {
+  label: string;
+  vector: Vector;
+  quantity: Quantity;
+  onChange: (vector: Vector) => void;
+}
+export function Components({ label, vector, quantity, onChange }: ComponentsProps) {
+  return (
+    <div class="components">
+      {(['x', 'y', 'z'] as const).map((axis, i) => (
+        <label key={axis}>
+          <span>{axis}</span>
+          <NumberField narrow id={`${label.toLowerCase()}-${axis}`} label={`${label} along ${axis}`} value={vector[i]} quantity={quantity}
+            onChange={(value) => onChange(vector.map((old, c) => (c === i ? value : old)) as Vector)} />
+        </label>
+      ))}
+    </div>
+  );
+}

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+import { Gauge, Play, Scale } from 'lucide-preact';
+import { cancelWork, setModel, solveFull } from '../document/edits';
+import { field, scale, shadows, showFull, showMarks, showRest, strength } from '../document/look';
+import { shapeIndex } from '../document/look';
+import { play } from '../document/shown';
+import { compared, documentNow, hello, live, others, problem, shapes, working } from '../document/store';
+import { tryAsk } from '../document/studio';
+import { probed } from '../document/ui';
+import { digits, shown } from '../document/units';
+import { Button, Check } from '../widgets/widgets';
+import { NumberField } from '../widgets/number';
+import { MaterialFields } from './material_fields';
+
+const PATH_STEPS = 20;
+const MODE_COUNT = 6;
+
+export function LookPanel() {
+  return (
+    <div class="panel-scroll">
+      <h2>Model</h2>
+      <Models />
+      <h2>Answer</h2>
+      <Answer />
+      <h2>Full model</h2>
+      <FullModel />
+      <h2>Play</h2>
+      <div class="row">
+        <Button title="How the surface bends while the load grows" icon={Play} label="Load path" disabled={!live.value} onPress={() => void animate('path', { steps: PATH_STEPS })} />
+        <Button title="How it swings by itself, and how fast" label="Modes" onPress={() => void animate('modes', { count: MODE_COUNT })} />
+        <Button title="How it buckles, and at how many times the load" label="Buckling" onPress={() => void animate('buckling', { count: MODE_COUNT })} />
+      </div>
+      <h2>Show</h2>
+      <Check label="Shape at rest" value={showRest.value} onChange={(value) => (showRest.value = value)} />
+      <Check label="Supports and loads" value={showMarks.value} onChange={(value) => (showMarks.value = value)} />
+      <Check label="Shadows" value={shadows.value} onChange={(value) => (shadows.value = value)} />
+      <h2>Material and bars</h2>
+      <MaterialFields />
+      {field.value === 'utilization' && (
+        <label class="field"><span>Strength, for utilization</span>
+          <NumberField label="Strength of the material" least={1} value={strength.value} quantity="stress" onChange={(value) => (strength.value = value)} />
+        </label>
+      )}
+    </div>
+  );
+}
+
+async function animate(what: 'path' | 'modes' | 'buckling', more: object): Promise<void> {
+  shapes.value = null;
+  shapeIndex.value = 0;
+  if (await tryAsk(what, more)) setTimeout(play, 150);
+}
+
+function Models() {
+  const now = documentNow.value;
+  return (
+    <div class="models" role="radiogroup" aria-label="Model">
+      {(hello.value?.models ?? []).map(({ name, summary, large_displacements }) => (
+        <button key={name} type="button" role="radio" class="model" aria-checked={now?.model === name} data-model={name} onClick={() => setModel(name)}>
+          <b>{name}</b>
+          <span>{summary}{large_displacements ? '' : ' For small displacements.'}</span>
+        </button>
+      ))}
+    </div>
+  );
+}
+
+function Answer() {
+  const now = live.value;
+  if (problem.value) return <p class="trouble">{problem.value}</p>;
+  if (!now) return <p class="hint">Once the surface is painted, held and loaded, what it does stands here.</p>;
+  const { info } = now;
+  return (
+    <>
+      <dl class="facts">
+        <dt>largest displacement</dt><dd id="largest" data-value={info.largest_displacement}>{shown(info.largest_displacement, 'length')}</dd>
+        <dt>computed in</dt><dd>{digits(1000 * info.seconds)} ms</dd>
+        {info.load_factor < 1 && <><dt>share of the load</dt><dd>{digits(100 * info.load_factor)} %</dd></>}
+        {!info.stable && <><dt>stable</dt><dd class="bad">no</dd></>}
+      </dl>
+      {info.warnings.map((warning) => <p key={warning} class="warning">{warning}</p>)}
+      {info.reactions && info.reactions.length > 0 && (
+        <details>
+          <summary>Reactions at {info.reactions.length} nodes</summary>
+          <table class="reactions">
+            <thead><tr><th>node</th><th>x</th><th>y</th><th>z</th></tr></thead>
+            <tbody>
+              {info.reactions.map(({ node, force }) => (
+                <tr key={node} tabIndex={0} onClick={() => (probed.value = { kind: 'node', index: node })}>
+                  <td>{node}</td>{force.map((value, i) => <td key={i}>{shown(value, 'force')}</td>)}
+                </tr>
+              ))}
+            </tbody>
+          </table>
+        </details>
+      )}
+    </>
+  );
+}
+
+function FullModel() {
+  const busy = working.value;
+  const full = others.value.get('full');
+  const isLive = documentNow.value?.model === 'full';
+  const error = compared.value;
+  const compare = async () => {
+    scale.value = 1;
+    if (await tryAsk('compare', { model: 'full' })) field.value = 'error';
+  };
+  if (isLive) return <p class="hint">The live model is the full one.</p>;
+  if (busy && busy.model === 'full') {
+    return (
+      <div class="working">
+        <div class="progress" role="progressbar" aria-valuenow={Math.round(100 * busy.share)}><div style={{ width: `${100 * busy.share}%` }} /></div>
+        <Button title="Stop" label="Cancel" onPress={cancelWork} />
+      </div>
+    );
+  }
+  return (
+    <>
+      <div class="row">
+        <Button id="solve-full" title="Every bar of every pattern, once, in the background" icon={Gauge} label={full ? 'Again' : 'Solve in full'} disabled={!live.value} onPress={() => void solveFull()} />
+        <Button title="Colours show how far the live model is from the full one" icon={Scale} label="Error map" disabled={!full} onPress={() => void compare()} />
+      </div>
+      {full && <Check label="Lay it over, in grey" value={showFull.value} onChange={(value) => (showFull.value = value)} />}
+      {full && <p class="hint">Its largest displacement: {shown(full.info.largest_displacement, 'length')}, in {digits(full.info.seconds)} s</p>}
+      {error && <p class="hint">Error: {shown(error.mean, 'length')} in the mean, {shown(error.largest, 'length')} at most</p>}
+    </>
+  );
+}

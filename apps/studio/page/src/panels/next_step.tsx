@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One line that says what to do next, until the surface bends; and what is wrong when it does not.
+
+import { isHeld, isLoaded } from '../document/marks';
+import { tilePatterns } from '../document/patterns_now';
+import { documentNow, live, problem, working } from '../document/store';
+import { mode, type Mode } from '../document/ui';
+
+interface Step {
+  text: string;
+  action?: string;
+  to?: Mode;
+  tone: 'step' | 'trouble';
+}
+
+function stepNow(): Step | null {
+  if (!documentNow.value) return null;
+  const bare = tilePatterns.value.filter((pattern) => pattern === '').length;
+  if (bare > 0) return { text: `${bare} tile${bare > 1 ? 's have' : ' has'} no pattern yet. Pick one at the left and paint.`, action: 'Paint', to: 'paint', tone: 'step' };
+  if (!isHeld.value) return { text: 'Next: say where the surface is held.', action: 'Hold it', to: 'hold', tone: 'step' };
+  if (!isLoaded.value) return { text: 'Next: load it, and it bends.', action: 'Load it', to: 'load', tone: 'step' };
+  if (problem.value) return { text: problem.value, tone: 'trouble' };
+  return null;
+}
+
+export function NextStep() {
+  const step = stepNow();
+  if (!step) return null;
+  const here = step.to === mode.value;
+  return (
+    <div class={`card next-step ${step.tone}`} role="status">
+      <span>{step.text}</span>
+      {step.action && !here && (
+        <button type="button" class="button main" id="next-step" onClick={() => (mode.value = step.to as Mode)}>{step.action}</button>
+      )}
+    </div>
+  );
+}
+
+/** How the live model is doing, in the top bar. */
+export function Status() {
+  const busy = working.value;
+  const now = live.value;
+  if (busy) return <span class="status" aria-live="polite"><i class="pulse" />computing {busy.model} {busy.share > 0.02 ? `${Math.round(100 * busy.share)} %` : ''}</span>;
+  if (problem.value || !now) return <span class="status" />;
+  return <span class="status" data-tip="Time of the last answer of the live model"><i class="ready" />{Math.max(1, Math.round(1000 * now.info.seconds))} ms</span>;
+}

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+import { Dices, ImageDown, PaintBucket, RotateCw, X } from 'lucide-preact';
+import { paint, setTileModel, turn } from '../document/edits';
+import { documentNow, hello } from '../document/store';
+import { surface } from '../document/surface';
+import { tell } from '../document/tell';
+import { brushOrFirst, selectedTiles } from '../document/ui';
+import { Gallery } from '../gallery/gallery';
+import { orderedPalette } from '../gallery/order';
+import { byChance, byImage } from '../painting/assign';
+import { readImage } from '../painting/read_image';
+import { Button, Choice } from '../widgets/widgets';
+
+const targets = (): number[] => {
+  const chosen = [...selectedTiles.peek()];
+  return chosen.length ? chosen : (surface.peek()?.centers.map((_, tile) => tile) ?? []);
+};
+
+let seed = 1;
+
+async function paintImage(file: File): Promise<void> {
+  const now = surface.peek();
+  if (!now) return;
+  try {
+    const image = await readImage(file);
+    const tiles = targets();
+    void paint({ tiles, patterns: byImage(tiles.map((tile) => now.centers[tile]), orderedPalette.peek(), image, now.box) });
+  } catch (error) {
+    tell((error as Error).message, 'error');
+  }
+}
+
+function chooseImage(): void {
+  const input = Object.assign(document.createElement('input'), { type: 'file', accept: 'image/*' });
+  input.onchange = () => input.files?.[0] && void paintImage(input.files[0]);
+  input.click();
+}
+
+export function PaintPanel() {
+  const chosen = selectedTiles.value;
+  const models = hello.value?.models ?? [];
+  const model = documentNow.value?.tile_models[[...chosen][0]] ?? '';
+  return (
+    <>
+      <Gallery />
+      <footer class="panel-foot">
+        <div class="foot-head">
+          <span id="tiles-chosen">{chosen.size ? `${chosen.size} tile${chosen.size > 1 ? 's' : ''} selected` : 'All tiles'}</span>
+          {chosen.size > 0 && <Button kind="bare" title="Select none" shortcut="Esc" icon={X} onPress={() => (selectedTiles.value = new Set())} />}
+        </div>
+        <div class="row">
+          <Button title="Paint them with the pattern above" icon={PaintBucket} label="Fill"
+            onPress={() => { const pattern = brushOrFirst.value; if (pattern) void paint({ tiles: targets(), patterns: targets().map(() => pattern) }); }} />
+          <Button title="Patterns of the palette by chance; again for another chance" icon={Dices} label="Random"
+            onPress={() => void paint({ tiles: targets(), patterns: byChance(targets(), documentNow.value?.palette ?? [], seed++) })} />
+          <Button title="By a picture: dark places get the stiffest patterns of the palette" icon={ImageDown} label="Image" onPress={chooseImage} />
+          <Button title="Turn the patterns by one vertex" shortcut="T" icon={RotateCw} onPress={() => turn(targets(), 1)} />
+        </div>
+        {chosen.size > 0 && (
+          <div class="field"><span>Computed as</span>
+            <Choice label="Model of the selected tiles" value={model} onPick={(name) => setTileModel([...chosen], name)}
+              options={[{ value: '', title: 'like all others' }, ...models.map(({ name }) => ({ value: name, title: name }))]} />
+          </div>
+        )}
+      </footer>
+    </>
+  );
+}

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+import { MoveVertical, Trash2 } from 'lucide-preact';
+import { dragPrescribed, newGesture, removePrescribed, replacePrescribed } from '../document/edits';
+import { markInput } from '../document/latency';
+import type { PrescribedMark } from '../document/marks';
+import { selectionWords } from '../document/selected_nodes';
+import { surface } from '../document/surface';
+import { activeEntry } from '../document/ui';
+import { shown } from '../document/units';
+import { DOFS, type Dof, type Prescribed } from '../protocol/messages';
+import { Button, Choice } from '../widgets/widgets';
+import { NumberField } from '../widgets/number';
+
+let gesture = newGesture('slide');
+
+/** A displacement or turn that is given: slide it, type it, or drag its diamond in space. */
+export function PrescribedRow({ mark }: { mark: PrescribedMark }) {
+  const { entry, index, dof, value, nodes } = mark;
+  const open = activeEntry.value?.kind === 'prescribed' && activeEntry.value.index === index;
+  const turns = dof[0] === 'r';
+  const quantity = turns ? 'angle' : 'length';
+  const box = surface.value?.box;
+  const reach = turns ? Math.PI / 2 : 0.35 * (box ? Math.hypot(box.max[0] - box.min[0], box.max[1] - box.min[1]) : 1);
+  const where = () => {
+    const rest: Prescribed = { ...entry };
+    for (const one of DOFS) delete rest[one];
+    return rest;
+  };
+  return (
+    <li class={`entry${open ? ' open' : ''}`}>
+      <button type="button" class="entry-title" aria-expanded={open} onClick={() => (activeEntry.value = open ? null : { kind: 'prescribed', index })}>
+        <MoveVertical aria-hidden class="tint-move" />
+        <span class="entry-words"><b>{dof} = {shown(value, quantity)}</b>, {selectionWords(entry, nodes.length)}</span>
+      </button>
+      <Button kind="bare" title="Remove" icon={Trash2} onPress={() => { activeEntry.value = null; removePrescribed(index); }} />
+      {open && (
+        <div class="entry-body">
+          <input type="range" aria-label={`Prescribed ${dof}`} min={-reach} max={reach} step={reach / 500} value={value}
+            onPointerDown={() => (gesture = newGesture('slide'))}
+            onInput={(event) => {
+              markInput(event.timeStamp);
+              dragPrescribed(index, { ...where(), [dof]: Number(event.currentTarget.value) }, gesture);
+            }} />
+          <div class="field">
+            <Choice label="Direction" value={dof} options={DOFS.map((one) => ({ value: one, title: one }))}
+              onPick={(one: Dof) => replacePrescribed(index, { ...where(), [one]: turns === (one[0] === 'r') ? value : 0 })} />
+            <NumberField label={`Prescribed ${dof}`} value={value} quantity={quantity} onChange={(next) => replacePrescribed(index, { ...where(), [dof]: next })} />
+          </div>
+        </div>
+      )}
+    </li>
+  );
+}

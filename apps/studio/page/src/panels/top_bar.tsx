@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+import { CircleHelp, Columns2, Download, FilePlus2, Moon, Redo2, Save, Sun, Undo2 } from 'lucide-preact';
+import { redo, save, undo } from '../document/edits';
+import { documentNow } from '../document/store';
+import { helpOpen, mode, MODES, split, startOpen, type Split } from '../document/ui';
+import { unitSystem } from '../document/units';
+import { switchTheme, theme } from '../manners/theme';
+import { Button, Segments } from '../widgets/widgets';
+import { ExportMenu, exportOpen } from './export_menu';
+import { Status } from './next_step';
+import './top_bar.css';
+
+export function Mark() {
+  return (
+    <svg class="mark" viewBox="0 0 32 32" aria-hidden="true">
+      <path d="M16 3 27.300 9.500V22.500L16 29 4.700 22.500V9.500Z" />
+      <path d="M16 16V3M16 16 27.300 22.500M16 16 4.700 22.500" />
+    </svg>
+  );
+}
+
+export function TopBar() {
+  const now = documentNow.value;
+  const history = now?.history ?? { undo: null, redo: null };
+  return (
+    <header class="top-bar">
+      <div class="brand"><Mark /></div>
+      {now && (
+        <>
+          <button type="button" class="document-name" data-tip={now.path ?? 'Not saved to a file yet'} onClick={() => (startOpen.value = true)}>
+            <b>{now.name || 'untitled'}</b>{!now.saved && <i class="unsaved" aria-label="not saved" />}
+          </button>
+          <div class="cluster">
+            <Button kind="bare" title="New or open" icon={FilePlus2} onPress={() => (startOpen.value = true)} />
+            <Button kind="bare" id="save" title="Save" shortcut="Ctrl S" icon={Save} onPress={() => void save(now.path ? undefined : askPath(now.name))} />
+            <span class="anchor">
+              <Button kind="bare" id="export" title="Save as another kind of file" icon={Download} pressed={exportOpen.value} onPress={() => (exportOpen.value = !exportOpen.value)} />
+              <ExportMenu />
+            </span>
+          </div>
+          <div class="cluster">
+            <Button kind="bare" id="undo" title={history.undo ? `Undo: ${history.undo}` : 'Nothing to undo'} shortcut="Ctrl Z" icon={Undo2} disabled={!history.undo} onPress={undo} />
+            <Button kind="bare" id="redo" title={history.redo ? `Redo: ${history.redo}` : 'Nothing to redo'} shortcut="Ctrl Shift Z" icon={Redo2} disabled={!history.redo} onPress={redo} />
+          </div>
+          <nav class="modes" aria-label="What to do">
+            <Segments label="What to do" value={mode.value} onPick={(next) => (mode.value = next)}
+              options={MODES.map((row) => ({ value: row.mode, title: row.title, shortcut: row.key, tip: row.title }))} />
+          </nav>
+          <Status />
+        </>
+      )}
+      <span class="gap" />
+      <div class="cluster">
+        {now && (
+          <Segments<Split> label="Views" iconsOnly={false} value={split.value} onPick={(next) => (split.value = next)}
+            options={[{ value: 'plane', title: 'Plane' }, { value: 'both', title: '', tip: 'Both', icon: Columns2 }, { value: 'space', title: 'Space' }]} />
+        )}
+        <Button kind="bare" title={unitSystem.value === 'mm' ? 'Millimetres; press for metres' : 'Metres; press for millimetres'} label={<b class="unit">{unitSystem.value === 'mm' ? 'mm' : 'm'}</b>}
+          onPress={() => (unitSystem.value = unitSystem.value === 'mm' ? 'SI' : 'mm')} />
+        <Button kind="bare" title={theme.value === 'light' ? 'Dark' : 'Light'} icon={theme.value === 'light' ? Moon : Sun} onPress={switchTheme} />
+        <Button kind="bare" id="help" title="Keys" shortcut="?" icon={CircleHelp} onPress={() => (helpOpen.value = true)} />
+      </div>
+    </header>
+  );
+}
+
+function askPath(name: string): string | undefined {
+  return window.prompt('Save as, on the machine where the studio runs:', `${name || 'surface'}.json`) ?? undefined;
+}

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One WebSocket to the server. It asks with numbered requests, and mends itself when the line is cut.
+
+import { decode, type Beams, type Solution } from './binary';
+import type { Answer, ServerEvent } from './messages';
+
+export type LineState = 'connecting' | 'open' | 'lost';
+
+export interface Listener {
+  state(state: LineState): void;
+  event(event: ServerEvent): void;
+  binary(message: Beams | Solution): void;
+  /** Called after every (re)connection, before anything else is asked. */
+  opened(): void;
+}
+
+interface Waiting {
+  resolve(answer: never): void;
+  reject(error: Error): void;
+}
+
+const FIRST_PAUSE_MS = 250;
+const LONGEST_PAUSE_MS = 4000;
+
+export class Connection {
+  private socket: WebSocket | null = null;
+  private readonly waiting = new Map<number, Waiting>();
+  private nextId = 1;
+  private pause = FIRST_PAUSE_MS;
+
+  constructor(
+    private readonly address: string,
+    private readonly listener: Listener,
+  ) {}
+
+  open(): void {
+    this.listener.state('connecting');
+    const socket = new WebSocket(this.address);
+    socket.binaryType = 'arraybuffer';
+    socket.onopen = () => {
+      this.pause = FIRST_PAUSE_MS;
+      this.listener.state('open');
+      this.listener.opened();
+    };
+    socket.onmessage = (message: MessageEvent<string | ArrayBuffer>) => this.receive(message.data);
+    socket.onclose = () => this.lost();
+    this.socket = socket;
+  }
+
+  /** Ask for something. Fails with the server's own words, or when the line is cut before the answer. */
+  ask<T = object>(what: string, more: object = {}): Promise<T> {
+    if (this.socket?.readyState !== WebSocket.OPEN) {
+      return Promise.reject(new Error('The studio is not reachable right now.'));
+    }
+    const id = this.nextId++;
+    this.socket.send(JSON.stringify({ id, do: what, ...more }));
+    return new Promise<T>((resolve, reject) => this.waiting.set(id, { resolve: resolve as (answer: never) => void, reject }));
+  }
+
+  private receive(data: string | ArrayBuffer): void {
+    if (typeof data !== 'string') {
+      this.listener.binary(decode(data));
+      return;
+    }
+    const message = JSON.parse(data) as Answer | ServerEvent;
+    if ('event' in message) this.listener.event(message);
+    else this.settle(message);
+  }
+
+  private settle(answer: Answer): void {
+    const waiting = this.waiting.get(answer.id);
+    this.waiting.delete(answer.id);
+    if (answer.ok) waiting?.resolve(answer as never);
+    else waiting?.reject(new Error(answer.error));
+  }
+
+  private lost(): void {
+    this.listener.state('lost');
+    for (const waiting of this.waiting.values()) waiting.reject(new Error('The connection to the studio was cut.'));
+    this.waiting.clear();
+    setTimeout(() => this.open(), this.pause);
+    this.pause = Math.min(2 * this.pause, LONGEST_PAUSE_MS);
+  }
+}

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the server and the page say to each other, as apps/studio/protocol.md tells it. Metres, newtons, radians.
+
+export type Point = [number, number];
+export type Vector = [number, number, number];
+export type Dof = 'ux' | 'uy' | 'uz' | 'rx' | 'ry' | 'rz';
+export const DOFS: readonly Dof[] = ['ux', 'uy', 'uz', 'rx', 'ry', 'rz'];
+
+/** Which interface nodes an entry of a load case is on: one of these keys. */
+export interface Selection {
+  nodes?: number[];
+  box?: [number, number, number, number];
+  nearest?: Point[];
+  side?: 'left' | 'right' | 'bottom' | 'top';
+}
+export interface Support extends Selection {
+  fixed: Dof[];
+}
+export interface Load extends Selection {
+  force?: Vector;
+  moment?: Vector;
+  amount?: 'each' | 'total';
+}
+export type Prescribed = Selection & Partial<Record<Dof, number>>;
+export interface LoadCase {
+  format: string;
+  name: string;
+  description?: string;
+  supports?: Support[];
+  loads?: Load[];
+  prescribed?: Prescribed[];
+  gravity?: Vector;
+}
+
+export interface Tile {
+  vertices: number[];
+  interface: number[];
+}
+export interface Setting {
+  material: { young_modulus: number; poisson_ratio: number; density: number };
+  section: { area: number; I2: number; I3: number; J: number };
+  tile_side: number;
+  [other: string]: unknown;
+}
+export interface StudioDocument {
+  name: string;
+  path: string | null;
+  saved: boolean;
+  layout: string;
+  layout_nodes?: Vector[];
+  vertices: Point[];
+  tiles: Tile[];
+  interface_nodes: Point[];
+  rim: number[][];
+  palette: string[];
+  painting: number[];
+  turns: number[];
+  tile_models: string[];
+  setting: Setting;
+  load_cases: LoadCase[];
+  selected_load_case: number;
+  model: string;
+  linear?: boolean;
+  recovered?: boolean;
+  library?: string | null;
+  history: { undo: string | null; redo: string | null };
+}
+
+export interface TileModel {
+  name: string;
+  summary: string;
+  large_displacements: boolean;
+}
+export interface Example {
+  name: string;
+  title: string;
+  description: string;
+}
+export interface Hello {
+  version: string;
+  models: TileModel[];
+  examples: Example[];
+  layouts: string[];
+  has_library: boolean;
+}
+
+export interface Stiffness {
+  young: number | null;
+  shear: number | null;
+  poisson: number | null;
+}
+export interface PatternRow {
+  id: string;
+  edges: number;
+  mass: number | null;
+  membrane: Stiffness | null;
+  bending: Stiffness | null;
+  symmetry: string | null;
+  error: number | null;
+}
+export interface PatternTable {
+  patterns: PatternRow[];
+  nodes: Vector[];
+}
+
+export interface Reaction {
+  node: number;
+  force: Vector;
+  moment: Vector;
+}
+export interface Solved {
+  event: 'solved';
+  revision: number;
+  model: string;
+  seconds: number;
+  residual: number;
+  stable: boolean;
+  load_factor: number;
+  converged: boolean;
+  warnings: string[];
+  largest_displacement: number;
+  fields: string[];
+  reactions?: Reaction[];
+  background?: boolean;
+  step?: number;
+  steps?: number;
+}
+
+export type ServerEvent =
+  | ({ event: 'document'; revision: number } & StudioDocument)
+  | ({ event: 'changed'; revision: number } & Partial<StudioDocument>)
+  | { event: 'solving'; revision: number; model: string; share: number; background?: boolean }
+  | Solved
+  | { event: 'failed'; revision: number; model: string; error: string; background?: boolean }
+  | { event: 'modes'; revision: number; values: number[]; kind?: 'modes' | 'buckling' }
+  | { event: 'compared'; revision: number; mean: number; largest: number };
+
+export type Answer = { id: number; ok: true } | { id: number; ok: false; error: string };

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The upper layer: what is pointed at and chosen, supports and loads. Cheap, so that it keeps up with the pointer.
+
+import { HOLD_COLOURS, heldNodes, loadMarks, prescribedMarks } from '../../document/marks';
+import type { Surface } from '../../document/surface';
+import { mode, probed, selectedNodes, selectedTiles } from '../../document/ui';
+import { themeColour } from '../../manners/theme';
+import type { Point } from '../../protocol/messages';
+import { useView } from './draw_tiles';
+import { drawing, hoveredNode, hoveredNodes, hoveredTiles } from './overlay_state';
+import { toScreen, type Viewport } from './viewport';
+
+type Context = CanvasRenderingContext2D;
+
+function tilePath(surface: Surface, tiles: Iterable<number>): Path2D {
+  const path = new Path2D();
+  for (const tile of tiles) {
+    surface.polygons[tile]?.forEach(([x, y], i) => (i ? path.lineTo(x, y) : path.moveTo(x, y)));
+    path.closePath();
+  }
+  return path;
+}
+
+export function drawOverlay(context: Context, view: Viewport, ratio: number, surface: Surface): void {
+  context.setTransform(1, 0, 0, 1, 0, 0);
+  context.clearRect(0, 0, context.canvas.width, context.canvas.height);
+  useView(context, view, ratio);
+  if (mode.value === 'paint') drawTileMarks(context, view, surface);
+  context.setTransform(ratio, 0, 0, ratio, 0, 0);
+  drawNodeMarks(context, view, surface);
+  drawShape(context, view);
+}
+
+function drawTileMarks(context: Context, view: Viewport, surface: Surface): void {
+  const accent = themeColour('--accent');
+  const chosen = tilePath(surface, selectedTiles.value);
+  context.fillStyle = accent;
+  context.globalAlpha = 0.16;
+  context.fill(chosen);
+  context.globalAlpha = 1;
+  context.strokeStyle = accent;
+  context.lineWidth = 1.5 / view.zoom;
+  context.stroke(chosen);
+  const hovered = tilePath(surface, hoveredTiles.value);
+  context.globalAlpha = 0.12;
+  context.fill(hovered);
+  context.globalAlpha = 1;
+  context.lineWidth = 2 / view.zoom;
+  context.stroke(hovered);
+}
+
+function dot(context: Context, at: Point, radius: number, colour: string, ring?: string): void {
+  context.beginPath();
+  context.arc(at[0], at[1], radius, 0, 2 * Math.PI);
+  context.fillStyle = colour;
+  context.fill();
+  if (!ring) return;
+  context.lineWidth = 1.5;
+  context.strokeStyle = ring;
+  context.stroke();
+}
+
+function drawNodeMarks(context: Context, view: Viewport, surface: Surface): void {
+  const editing = mode.value === 'hold' || mode.value === 'load';
+  const radius = Math.min(Math.max(0.14 * surface.side * view.zoom, 2.5), 7);
+  const place = (node: number): Point => toScreen(view, surface.nodes[node] ?? [0, 0]);
+  if (editing) for (let node = 0; node < surface.nodes.length; ++node) dot(context, place(node), Math.min(0.45 * radius, 2.5), themeColour('--ink-3'));
+  const raised = themeColour('--raised');
+  for (const { node, kind } of heldNodes.value) dot(context, place(node), radius, themeColour(HOLD_COLOURS[kind]), raised);
+  for (const mark of loadMarks.value) {
+    for (const node of mark.nodes) arrow(context, place(node), [mark.force[0], -mark.force[1]], radius);
+    for (const node of mark.nodes) dot(context, place(node), 0.62 * radius, themeColour('--force'), raised);
+  }
+  for (const mark of prescribedMarks.value) for (const node of mark.nodes) diamond(context, place(node), 0.95 * radius, themeColour('--move'));
+  for (const node of selectedNodes.value) ring(context, place(node), radius + 2.5, 2);
+  for (const node of hoveredNodes.value) ring(context, place(node), radius + 2, 1.5);
+  if (hoveredNode.value >= 0) ring(context, place(hoveredNode.value), radius + 3, 2);
+  const at = probed.value;
+  if (at && at.index < surface.nodes.length) ring(context, place(at.index), radius + 4, 2);
+}
+
+function ring(context: Context, at: Point, radius: number, width: number): void {
+  context.beginPath();
+  context.arc(at[0], at[1], radius, 0, 2 * Math.PI);
+  context.lineWidth = width;
+  context.strokeStyle = themeColour('--accent');
+  context.stroke();
+}
+
+/** The part of a force that lies in the plane; one out of the plane shows as the dot alone. */
+function arrow(context: Context, at: Point, [x, y]: Point, radius: number): void {
+  const size = Math.hypot(x, y);
+  if (size === 0) return;
+  const [dx, dy] = [(x / size) * radius * 4, (y / size) * radius * 4];
+  context.strokeStyle = themeColour('--force');
+  context.lineWidth = 2;
+  context.beginPath();
+  context.moveTo(at[0], at[1]);
+  context.lineTo(at[0] + dx, at[1] + dy);
+  context.lineTo(at[0] + 0.7 * dx - 0.25 * dy, at[1] + 0.7 * dy + 0.25 * dx);
+  context.moveTo(at[0] + dx, at[1] + dy);
+  context.lineTo(at[0] + 0.7 * dx + 0.25 * dy, at[1] + 0.7 * dy - 0.25 * dx);
+  context.stroke();
+}
+
+function diamond(context: Context, [x, y]: Point, radius: number, colour: string): void {
+  context.beginPath();
+  context.moveTo(x, y - radius);
+  context.lineTo(x + radius, y);
+  context.lineTo(x, y + radius);
+  context.lineTo(x - radius, y);
+  context.closePath();
+  context.fillStyle = colour;
+  context.fill();
+}
+
+function drawShape(context: Context, view: Viewport): void {
+  const shape = drawing.value;
+  if (!shape) return;
+  context.beginPath();
+  if (shape.kind === 'lasso') shape.points.map((point) => toScreen(view, point)).forEach(([x, y], i) => (i ? context.lineTo(x, y) : context.moveTo(x, y)));
+  else {
+    const [a, b] = [toScreen(view, shape.from), toScreen(view, shape.to)];
+    if (shape.kind === 'box') context.rect(a[0], a[1], b[0] - a[0], b[1] - a[1]);
+    else {
+      context.moveTo(...a);
+      context.lineTo(...b);
+    }
+  }
+  context.setLineDash([5, 4]);
+  context.lineWidth = 1.5;
+  context.strokeStyle = themeColour('--accent');
+  context.stroke();
+  context.setLineDash([]);
+  if (shape.kind === 'line') return;
+  context.globalAlpha = 0.08;
+  context.fillStyle = themeColour('--accent');
+  context.fill();
+  context.globalAlpha = 1;
+}

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the pointer is about to do in the plane.
+
+import { signal } from '@preact/signals';
+import type { Point } from '../../protocol/messages';
+
+export type Shape = { kind: 'box'; from: Point; to: Point } | { kind: 'lasso'; points: Point[] } | { kind: 'line'; from: Point; to: Point };
+
+export const hoveredTiles = signal<readonly number[]>([]);
+export const hoveredNode = signal(-1);
+/** A rim stretch that would be taken, or the first of its ends. */
+export const hoveredNodes = signal<readonly number[]>([]);
+export const drawing = signal<Shape | null>(null);

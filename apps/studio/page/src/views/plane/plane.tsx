@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The flat surface: paint tiles, choose nodes. Two canvases, so that moving the pointer does not draw all bars again.
+
+import { effect } from '@preact/signals';
+import { useEffect, useRef } from 'preact/hooks';
+import { tilePatterns } from '../../document/patterns_now';
+import { documentNow } from '../../document/store';
+import { surface } from '../../document/surface';
+import { mode } from '../../document/ui';
+import { theme } from '../../manners/theme';
+import { drawOverlay } from './draw_overlay';
+import { drawTiles } from './draw_tiles';
+import { PlaneBar } from './plane_bar';
+import { attachPlanePointer } from './plane_pointer';
+import { fitted, viewport } from './viewport';
+import './plane.css';
+
+const TOOLBAR_PX = 56;
+
+export function PlaneView() {
+  const host = useRef<HTMLDivElement>(null);
+  const lower = useRef<HTMLCanvasElement>(null);
+  const upper = useRef<HTMLCanvasElement>(null);
+  useEffect(() => {
+    const [box, tiles, marks] = [host.current as HTMLDivElement, lower.current as HTMLCanvasElement, upper.current as HTMLCanvasElement];
+    const stops = [
+      effect(() => showTiles(tiles)),
+      effect(() => showMarks(marks)),
+      effect(() => void (surface.value && fit())),
+      attachPlanePointer(marks),
+    ];
+    const resized = new ResizeObserver(() => {
+      viewport.value = { ...viewport.peek(), width: box.clientWidth, height: box.clientHeight };
+      fit();
+    });
+    resized.observe(box);
+    return () => {
+      resized.disconnect();
+      stops.forEach((stop) => stop());
+    };
+  }, []);
+  return (
+    <div class="plane" ref={host}>
+      <canvas ref={lower} />
+      <canvas ref={upper} id="plane" data-mode={mode.value} tabIndex={0} aria-label="The flat surface. Wheel to zoom, middle drag or Space and drag to move." />
+      <PlaneBar />
+    </div>
+  );
+}
+
+export function fit(): void {
+  const now = surface.peek();
+  if (now) viewport.value = fitted(viewport.peek(), now.box, TOOLBAR_PX);
+}
+
+function sized(canvas: HTMLCanvasElement): { context: CanvasRenderingContext2D; ratio: number } {
+  const { width, height } = viewport.value;
+  const ratio = window.devicePixelRatio;
+  const [w, h] = [Math.round(width * ratio), Math.round(height * ratio)];
+  if (canvas.width !== w) canvas.width = w;
+  if (canvas.height !== h) canvas.height = h;
+  return { context: canvas.getContext('2d') as CanvasRenderingContext2D, ratio };
+}
+
+function showTiles(canvas: HTMLCanvasElement): void {
+  void theme.value;
+  const { context, ratio } = sized(canvas);
+  const now = surface.value;
+  const section = documentNow.value?.setting.section;
+  const barWidth = section ? Math.sqrt((12 * section.I3) / section.area) : 0.002;
+  if (now) drawTiles(context, viewport.value, ratio, { surface: now, patterns: tilePatterns.value, barWidth });
+  else context.clearRect(0, 0, canvas.width, canvas.height);
+}
+
+function showMarks(canvas: HTMLCanvasElement): void {
+  void theme.value;
+  const { context, ratio } = sized(canvas);
+  if (surface.value) drawOverlay(context, viewport.value, ratio, surface.value);
+}

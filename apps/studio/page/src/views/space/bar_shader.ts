@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Bars are bent on the graphics card: a solution is written into two small textures, and each bar looks up its two ends.
+// Between them runs the cubic that meets places and tangents at both ends; the section turns along with it.
+
+import { MeshDepthMaterial, MeshStandardMaterial, RGBADepthPacking, type Material, type WebGLProgramParametersWithUniforms } from 'three';
+import type { BarUniforms } from './bar_uniforms';
+
+const DECLARATIONS = /* glsl */ `
+attribute vec2 ends;
+attribute vec3 axis3;
+attribute vec2 endValues;
+uniform highp sampler2D places;
+uniform highp sampler2D moves;
+uniform highp sampler2D turns;
+uniform float factor;
+uniform vec2 section;
+uniform float valuesOnBars;
+varying float shownValue;
+
+vec4 nodeTexel(highp sampler2D table, float node) {
+  int width = textureSize(table, 0).x;
+  int i = int(node + 0.5);
+  return texelFetch(table, ivec2(i % width, i / width), 0);
+}
+vec3 turned(vec3 turn, vec3 v) {
+  float angle = length(turn);
+  if (angle < 1e-6) return v + cross(turn, v);
+  vec3 k = turn / angle;
+  return v * cos(angle) + cross(k, v) * sin(angle) + k * dot(k, v) * (1.0 - cos(angle));
+}
+void bentBar(out vec3 place, out vec3 facing) {
+  vec3 x0 = nodeTexel(places, ends.x).xyz;
+  vec3 x1 = nodeTexel(places, ends.y).xyz;
+  vec4 m0 = nodeTexel(moves, ends.x);
+  vec4 m1 = nodeTexel(moves, ends.y);
+  vec3 r0 = factor * nodeTexel(turns, ends.x).xyz;
+  vec3 r1 = factor * nodeTexel(turns, ends.y).xyz;
+  vec3 p0 = x0 + factor * m0.xyz;
+  vec3 p1 = x1 + factor * m1.xyz;
+  vec3 along = normalize(x1 - x0);
+  float reach = distance(p0, p1);
+  vec3 t0 = reach * turned(r0, along);
+  vec3 t1 = reach * turned(r1, along);
+  float s = position.x;
+  float s2 = s * s;
+  float s3 = s2 * s;
+  vec3 middle = (2.0 * s3 - 3.0 * s2 + 1.0) * p0 + (s3 - 2.0 * s2 + s) * t0 + (3.0 * s2 - 2.0 * s3) * p1 + (s3 - s2) * t1;
+  vec3 tangent = normalize(6.0 * (s2 - s) * (p0 - p1) + (3.0 * s2 - 4.0 * s + 1.0) * t0 + (3.0 * s2 - 2.0 * s) * t1 + 1e-9 * along);
+  vec3 up = mix(turned(r0, axis3), turned(r1, axis3), s);
+  vec3 across = normalize(cross(up, tangent));
+  up = cross(tangent, across);
+  place = middle + across * position.y * section.x + up * position.z * section.y;
+  facing = normal.x * tangent + normal.y * across + normal.z * up;
+  shownValue = mix(mix(m0.w, m1.w, s), mix(endValues.x, endValues.y, s), valuesOnBars);
+}
+`;
+
+type Pass = 'picture' | 'shadow';
+
+function bend(shader: WebGLProgramParametersWithUniforms, uniforms: BarUniforms, pass: Pass): void {
+  Object.assign(shader.uniforms, uniforms);
+  shader.vertexShader = shader.vertexShader.replace('#include <common>', `#include <common>\n${DECLARATIONS}`);
+  if (pass === 'shadow') {
+    shader.vertexShader = shader.vertexShader.replace('#include <begin_vertex>', 'vec3 transformed, unusedFacing;\nbentBar(transformed, unusedFacing);');
+    return;
+  }
+  shader.vertexShader = shader.vertexShader
+    .replace('#include <beginnormal_vertex>', 'vec3 barPlace, barFacing;\nbentBar(barPlace, barFacing);\nvec3 objectNormal = barFacing;')
+    .replace('#include <begin_vertex>', 'vec3 transformed = barPlace;');
+}
+
+const COLOUR = /* glsl */ `
+#include <color_fragment>
+if (colourOn > 0.5) {
+  float share = clamp((shownValue - valueRange.x) / max(valueRange.y - valueRange.x, 1e-30), 0.0, 1.0);
+  vec3 shown = texture2D(colours, vec2(share * 0.996 + 0.002, 0.5)).rgb;
+  diffuseColor.rgb = pow(shown, vec3(2.2));
+}
+`;
+
+/** Colours that mean something glow a little, so that shade does not change what they say. */
+const GLOW = /* glsl */ `
+#include <emissivemap_fragment>
+if (colourOn > 0.5) {
+  totalEmissiveRadiance += 0.42 * diffuseColor.rgb;
+  diffuseColor.rgb *= 0.72;
+}
+`;
+
+export function barMaterial(uniforms: BarUniforms, see: { opacity: number }): MeshStandardMaterial {
+  const material = new MeshStandardMaterial({
+    roughness: 0.62,
+    metalness: 0.02,
+    transparent: see.opacity < 1,
+    opacity: see.opacity,
+    depthWrite: see.opacity === 1,
+  });
+  material.onBeforeCompile = (shader) => {
+    bend(shader, uniforms, 'picture');
+    shader.fragmentShader = shader.fragmentShader
+      .replace(
+        '#include <common>',
+        '#include <common>\nuniform sampler2D colours;\nuniform vec2 valueRange;\nuniform float colourOn;\nvarying float shownValue;',
+      )
+      .replace('#include <color_fragment>', COLOUR)
+      .replace('#include <emissivemap_fragment>', GLOW);
+  };
+  return material;
+}
+
+/** The same bars as seen from the light, for their shadow. */
+export function barShadow(uniforms: BarUniforms): Material {
+  const material = new MeshDepthMaterial({ depthPacking: RGBADepthPacking });
+  material.onBeforeCompile = (shader) => bend(shader, uniforms, 'shadow');
+  return material;
+}

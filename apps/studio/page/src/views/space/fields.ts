@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The values that bars are coloured by.
+
+import type { FieldName } from '../../document/look';
+import type { Quantity } from '../../document/units';
+import type { Solution } from '../../protocol/binary';
+import type { ColourMap } from './colours';
+
+export interface FieldRow {
+  name: FieldName;
+  title: string;
+  quantity: Quantity;
+  map: ColourMap;
+  /** A value for each node, or one for each end of each bar that the solution brings under this name. */
+  on: 'nodes' | 'bars' | 'none';
+}
+
+export const FIELDS: FieldRow[] = [
+  { name: 'plain', title: 'No colours', quantity: 'plain', map: 'sizes', on: 'none' },
+  { name: 'displacement', title: 'Displacement', quantity: 'length', map: 'sizes', on: 'nodes' },
+  { name: 'uz', title: 'Deflection (z)', quantity: 'length', map: 'signed', on: 'nodes' },
+  { name: 'rotation', title: 'Rotation', quantity: 'angle', map: 'sizes', on: 'nodes' },
+  { name: 'N', title: 'Axial force', quantity: 'force', map: 'signed', on: 'bars' },
+  { name: 'M2', title: 'Bending moment, out of plane', quantity: 'moment', map: 'signed', on: 'bars' },
+  { name: 'M3', title: 'Bending moment, in plane', quantity: 'moment', map: 'signed', on: 'bars' },
+  { name: 'T', title: 'Torsion', quantity: 'moment', map: 'signed', on: 'bars' },
+  { name: 'V2', title: 'Shear force, in plane', quantity: 'force', map: 'signed', on: 'bars' },
+  { name: 'V3', title: 'Shear force, out of plane', quantity: 'force', map: 'signed', on: 'bars' },
+  { name: 'stress', title: 'Largest stress', quantity: 'stress', map: 'sizes', on: 'bars' },
+  { name: 'utilization', title: 'Utilization', quantity: 'plain', map: 'sizes', on: 'bars' },
+  { name: 'error', title: 'Error against the full model', quantity: 'length', map: 'sizes', on: 'nodes' },
+];
+export const fieldRow = (name: FieldName): FieldRow => FIELDS.find((row) => row.name === name) as FieldRow;
+
+/** Whether a solution brings what a field needs. */
+export function available(row: FieldRow, names: readonly string[], hasError: boolean): boolean {
+  if (row.name === 'error') return hasError;
+  if (row.name === 'utilization') return names.includes('stress');
+  return row.on !== 'bars' || names.includes(row.name);
+}
+
+export interface Values {
+  on: 'nodes' | 'bars';
+  values: Float32Array;
+  low: number;
+  high: number;
+}
+
+function lengths(vectors: Float32Array, into: Float32Array): void {
+  for (let i = 0, at = 0; i < into.length; ++i, at += 3) into[i] = Math.hypot(vectors[at], vectors[at + 1], vectors[at + 2]);
+}
+
+/** Room that is used again and again, so that a frame makes no garbage. */
+export class FieldValues {
+  private room = new Float32Array(0);
+
+  take(row: FieldRow, solution: Solution, names: readonly string[], extra: { error: Float32Array | null; strength: number }): Values | null {
+    if (row.on === 'none') return null;
+    if (row.on === 'bars') return this.bars(row, solution, names, extra.strength);
+    if (this.room.length !== solution.nodes) this.room = new Float32Array(solution.nodes);
+    const room = this.room;
+    if (row.name === 'displacement') lengths(solution.displacement, room);
+    else if (row.name === 'rotation') lengths(solution.rotation, room);
+    else if (row.name === 'uz') for (let i = 0; i < room.length; ++i) room[i] = solution.displacement[3 * i + 2];
+    else if (extra.error && extra.error.length === room.length) room.set(extra.error);
+    else return null;
+    return range({ on: 'nodes', values: room, low: 0, high: 0 }, row.map);
+  }
+
+  private bars(row: FieldRow, solution: Solution, names: readonly string[], strength: number): Values | null {
+    const name = row.name === 'utilization' ? 'stress' : row.name;
+    const values = solution.beamFields[names.indexOf(name)];
+    if (!values) return null;
+    if (row.name !== 'utilization') return range({ on: 'bars', values, low: 0, high: 0 }, row.map);
+    return range({ on: 'bars', values: values.map((value) => Math.abs(value) / strength), low: 0, high: 0 }, row.map);
+  }
+}
+
+function range(values: Values, map: ColourMap): Values {
+  let [low, high] = [Infinity, -Infinity];
+  for (const value of values.values) {
+    if (value < low) low = value;
+    if (value > high) high = value;
+  }
+  if (low > high) [low, high] = [0, 0];
+  const size = Math.max(Math.abs(low), Math.abs(high));
+  return { ...values, low: map === 'signed' ? -size : Math.min(0, low), high: map === 'signed' ? size : high };
+}

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The tips of arrows, and the diamonds of prescribed displacements, follow the pointer.
+
+import { Plane, Ray, Raycaster, Vector2, Vector3, type Camera } from 'three';
+import { dragLoad, dragPrescribed, newGesture } from '../../document/edits';
+import { markInput } from '../../document/latency';
+import { scale as drawnScale } from '../../document/look';
+import { loadMarks, prescribedMarks, type LoadMark, type PrescribedMark } from '../../document/marks';
+import { activeEntry } from '../../document/ui';
+import type { Vector } from '../../protocol/messages';
+import type { ArrowScale } from './marks_view';
+import { middle, onScreen } from './placed';
+import { snapped } from './snap';
+
+interface View {
+  camera: Camera;
+  size: { width: number; height: number };
+}
+interface Pointer {
+  at: [number, number];
+  free: boolean;
+  when: number;
+}
+export interface Drag {
+  move(pointer: Pointer): void;
+}
+
+const REACH_PX = 18;
+const AXES = { ux: new Vector3(1, 0, 0), uy: new Vector3(0, 1, 0), uz: new Vector3(0, 0, 1) };
+
+function rayAt(at: [number, number], { camera, size }: View): Ray {
+  const caster = new Raycaster();
+  caster.setFromCamera(new Vector2((2 * at[0]) / size.width - 1, 1 - (2 * at[1]) / size.height), camera);
+  return caster.ray;
+}
+
+const near = (place: Vector3, at: [number, number], view: View): boolean => {
+  const seen = onScreen(place, view.camera, view.size);
+  return seen !== null && Math.hypot(seen[0] - at[0], seen[1] - at[1]) < REACH_PX;
+};
+
+/** The handle under the pointer, taken; null where there is none. */
+export function grab(at: [number, number], view: View, arrows: ArrowScale): Drag | null {
+  for (const mark of loadMarks.peek()) {
+    for (const key of ['force', 'moment'] as const) {
+      const tip = middle(mark.nodes).addScaledVector(new Vector3(...mark[key]), arrows[key]);
+      if (Math.hypot(...mark[key]) > 0 && near(tip, at, view)) return dragArrow(mark, key, { view, arrows, tip });
+    }
+  }
+  for (const mark of prescribedMarks.peek()) {
+    if (mark.dof in AXES && near(middle(mark.nodes), at, view)) return dragDiamond(mark, at, view);
+  }
+  return null;
+}
+
+/** Whether there is something to take under the pointer, for the cursor. */
+export const overHandle = (at: [number, number], view: View, arrows: ArrowScale): boolean =>
+  loadMarks.peek().some((mark) =>
+    (['force', 'moment'] as const).some(
+      (key) => Math.hypot(...mark[key]) > 0 && near(middle(mark.nodes).addScaledVector(new Vector3(...mark[key]), arrows[key]), at, view),
+    ),
+  ) || prescribedMarks.peek().some((mark) => mark.dof in AXES && near(middle(mark.nodes), at, view));
+
+function dragArrow(mark: LoadMark, key: 'force' | 'moment', { view, arrows, tip }: { view: View; arrows: ArrowScale; tip: Vector3 }): Drag {
+  const merge = newGesture('load');
+  const base = middle(mark.nodes);
+  const facing = view.camera.getWorldDirection(new Vector3());
+  const plane = new Plane().setFromNormalAndCoplanarPoint(facing, tip);
+  let last = mark.load;
+  activeEntry.value = { kind: 'load', index: mark.index };
+  return {
+    move({ at, free, when }) {
+      const target = rayAt(at, view).intersectPlane(plane, new Vector3());
+      if (!target) return;
+      const vector = target.sub(base).divideScalar(arrows[key]).toArray() as Vector;
+      last = { ...last, [key]: free ? vector : snapped(vector) };
+      markInput(when);
+      dragLoad(mark.index, last, merge);
+    },
+  };
+}
+
+function dragDiamond(mark: PrescribedMark, start: [number, number], view: View): Drag {
+  const merge = newGesture('prescribed');
+  const axis = AXES[mark.dof as keyof typeof AXES];
+  const origin = middle(mark.nodes);
+  const along = (at: [number, number]): number => {
+    const ray = rayAt(at, view);
+    const onLine = new Vector3();
+    const far = 100;
+    ray.distanceSqToSegment(origin.clone().addScaledVector(axis, -far), origin.clone().addScaledVector(axis, far), undefined, onLine);
+    return onLine.sub(origin).dot(axis);
+  };
+  const begin = along(start);
+  const factor = drawnScale.peek() || 1;
+  let last = mark.entry;
+  activeEntry.value = { kind: 'prescribed', index: mark.index };
+  return {
+    move({ at, when }) {
+      last = { ...mark.entry, [mark.dof]: mark.value + (along(at) - begin) / factor };
+      markInput(when);
+      dragPrescribed(mark.index, last, merge);
+    },
+  };
+}

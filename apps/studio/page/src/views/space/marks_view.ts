@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Supports as spheres (fixed red, pinned green, single directions amber), forces and moments as arrows, prescribed displacements as diamonds.
+
+import {
+  Color, ConeGeometry, CylinderGeometry, Group, InstancedMesh, Matrix4, MeshStandardMaterial, OctahedronGeometry, Quaternion, SphereGeometry, Vector3,
+  type BufferGeometry,
+} from 'three';
+import { HOLD_COLOURS, heldNodes, loadMarks, prescribedMarks, size, type LoadMark } from '../../document/marks';
+import { activeEntry, selectedNodes } from '../../document/ui';
+import { themeColour } from '../../manners/theme';
+import { middle, nodePlace } from './placed';
+
+/** Many small things of one shape; room grows when needed. */
+class Crowd {
+  mesh: InstancedMesh;
+  private used = 0;
+  private readonly matrix = new Matrix4();
+  private readonly tint = new Color();
+
+  constructor(private readonly geometry: BufferGeometry, private readonly group: Group) {
+    this.mesh = this.make(64);
+  }
+  private make(room: number): InstancedMesh {
+    const mesh = new InstancedMesh(this.geometry, new MeshStandardMaterial({ roughness: 0.45 }), room);
+    mesh.frustumCulled = false;
+    mesh.castShadow = true;
+    this.group.add(mesh);
+    return mesh;
+  }
+  begin(room: number): void {
+    this.used = 0;
+    if (room <= this.mesh.instanceMatrix.count) return;
+    this.group.remove(this.mesh);
+    this.mesh.dispose();
+    this.mesh = this.make(2 * room);
+  }
+  add(place: Vector3, turn: Quaternion, extent: Vector3, colour: string): void {
+    this.mesh.setMatrixAt(this.used, this.matrix.compose(place, turn, extent));
+    this.mesh.setColorAt(this.used, this.tint.set(colour));
+    ++this.used;
+  }
+  end(): void {
+    this.mesh.count = this.used;
+    this.mesh.instanceMatrix.needsUpdate = true;
+    if (this.mesh.instanceColor) this.mesh.instanceColor.needsUpdate = true;
+  }
+}
+
+const UP = new Vector3(0, 1, 0);
+const NO_TURN = new Quaternion();
+
+/** How long arrows are: metres in the picture for each newton (or newton metre) that the largest of them has. */
+export interface ArrowScale {
+  force: number;
+  moment: number;
+}
+export const ARROW_SHARE = 0.2;
+
+export function arrowScale(marks: readonly LoadMark[], reach: number): ArrowScale {
+  const force = Math.max(0, ...marks.map((mark) => size(mark.force)));
+  const moment = Math.max(0, ...marks.map((mark) => size(mark.moment)));
+  return { force: (ARROW_SHARE * reach) / (force || 0.1), moment: (ARROW_SHARE * reach) / (moment || 0.01) };
+}
+
+export class MarksView {
+  readonly group = new Group();
+  private readonly spheres = new Crowd(new SphereGeometry(1, 24, 16), this.group);
+  private readonly shafts = new Crowd(new CylinderGeometry(1, 1, 1, 16).translate(0, 0.5, 0), this.group);
+  private readonly heads = new Crowd(new ConeGeometry(1, 1, 24).translate(0, -0.5, 0), this.group);
+  private readonly diamonds = new Crowd(new OctahedronGeometry(1), this.group);
+
+  /** `side`: the tiles' mean side, which sets how large marks are. */
+  update(side: number, scale: ArrowScale): void {
+    this.supports(side);
+    this.arrows(side, scale);
+    this.prescribed(side);
+  }
+
+  private supports(side: number): void {
+    const held = heldNodes.peek();
+    const chosen = selectedNodes.peek();
+    this.spheres.begin(held.length + chosen.size);
+    const place = new Vector3();
+    const extent = new Vector3();
+    for (const { node, kind } of held) {
+      this.spheres.add(nodePlace(node, place), NO_TURN, extent.setScalar(kind === 'partly' ? 0.13 * side : 0.17 * side), themeColour(HOLD_COLOURS[kind]));
+    }
+    for (const node of chosen) this.spheres.add(nodePlace(node, place), NO_TURN, extent.setScalar(0.21 * side), themeColour('--accent'));
+    this.spheres.end();
+  }
+
+  private arrows(side: number, scale: ArrowScale): void {
+    const marks = loadMarks.peek();
+    const room = marks.reduce((sum, mark) => sum + mark.nodes.length + 4, 1);
+    this.shafts.begin(room);
+    this.heads.begin(2 * room);
+    const active = activeEntry.peek();
+    for (const mark of marks) {
+      const thick = active?.kind === 'load' && active.index === mark.index ? 1.35 : 1;
+      const from = middle(mark.nodes);
+      this.arrow(from, mark.force, scale.force, { thick: 0.075 * side * thick, colour: themeColour('--force'), heads: 1 });
+      this.arrow(from, mark.moment, scale.moment, { thick: 0.075 * side * thick, colour: themeColour('--moment'), heads: 2 });
+      if (mark.nodes.length < 2) continue;
+      for (const node of mark.nodes) {
+        this.arrow(nodePlace(node), mark.force, 0.2 * scale.force, { thick: 0.024 * side, colour: themeColour('--force'), heads: 1 });
+      }
+    }
+    this.shafts.end();
+    this.heads.end();
+  }
+
+  private arrow(from: Vector3, vector: readonly [number, number, number], scale: number, see: { thick: number; colour: string; heads: number }): void {
+    const along = new Vector3(...vector).multiplyScalar(scale);
+    const length = along.length();
+    if (length === 0) return;
+    const turn = new Quaternion().setFromUnitVectors(UP, along.clone().normalize());
+    const head = Math.min(5 * see.thick, 0.6 * length);
+    this.shafts.add(from, turn, new Vector3(see.thick, length - 0.9 * head, see.thick), see.colour);
+    for (let i = 0; i < see.heads; ++i) {
+      const tip = from.clone().addScaledVector(along, 1 - (0.7 * i * head) / length);
+      this.heads.add(tip, turn, new Vector3(2.4 * see.thick, head, 2.4 * see.thick), see.colour);
+    }
+  }
+
+  private prescribed(side: number): void {
+    const marks = prescribedMarks.peek();
+    this.diamonds.begin(marks.reduce((sum, mark) => sum + mark.nodes.length + 1, 1));
+    for (const mark of marks) {
+      const colour = themeColour('--move');
+      this.diamonds.add(middle(mark.nodes), NO_TURN, new Vector3().setScalar(0.4 * side), colour);
+      for (const node of mark.nodes) this.diamonds.add(nodePlace(node), NO_TURN, new Vector3().setScalar(0.16 * side), colour);
+    }
+    this.diamonds.end();
+  }
+}

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Playback of a load path or of modes.
+
+import { Pause, Play, X } from 'lucide-preact';
+import { playing, shapeIndex } from '../../document/look';
+import { play, stop } from '../../document/shown';
+import { shapes } from '../../document/store';
+import { digits } from '../../document/units';
+import { Button } from '../../widgets/widgets';
+
+export function PlayBar() {
+  const now = shapes.value;
+  if (!now || now.shapes.length === 0) return null;
+  const index = Math.min(shapeIndex.value, now.shapes.length - 1);
+  const words = {
+    path: `${digits(100 * (now.values[index] ?? 0))} % of the load`,
+    modes: `mode ${index + 1}: ${digits(now.values[index] ?? 0)} Hz`,
+    buckling: `mode ${index + 1}: at ${digits(now.values[index] ?? 0)} × the load`,
+  }[now.kind];
+  const close = () => {
+    stop();
+    shapes.value = null;
+  };
+  return (
+    <div class="card play-bar" role="group" aria-label="Playback">
+      <Button kind="bare" title={playing.value ? 'Pause' : 'Play'} icon={playing.value ? Pause : Play} onPress={() => (playing.value ? stop() : play())} />
+      <input type="range" aria-label={now.kind === 'path' ? 'Step' : 'Mode'} min={0} max={now.shapes.length - 1} value={index}
+        onInput={(event) => {
+          if (now.kind === 'path') stop();
+          shapeIndex.value = Number(event.currentTarget.value);
+        }} />
+      <output>{words}</output>
+      <Button kind="bare" title="Back to the live shape" icon={X} onPress={close} />
+    </div>
+  );
+}

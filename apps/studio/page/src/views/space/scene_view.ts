@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The surface in space, kept in step with the document: bars of the live model, of others laid over it, and the load case's marks.
+
+import { effect } from '@preact/signals';
+import { Box3, Vector3 } from 'three';
+import { field, scale, shadows, showFull, showMarks, showRest, strength, type FieldName } from '../../document/look';
+import { heldNodes, loadMarks, prescribedMarks } from '../../document/marks';
+import { shown } from '../../document/shown';
+import { beams, compared, documentNow, live, others } from '../../document/store';
+import { surface } from '../../document/surface';
+import { activeEntry, mode, selectedNodes } from '../../document/ui';
+import { theme, themeColour } from '../../manners/theme';
+import type { Beams } from '../../protocol/binary';
+import { Bars } from './bars';
+import { FieldValues, fieldRow, available } from './fields';
+import { GapFiller } from './fill_gaps';
+import { arrowScale, MarksView, type ArrowScale } from './marks_view';
+import { legend } from './legend_state';
+import { Stage, type ViewName } from './stage';
+
+const BLUE = '#3b78c4';
+const GREY = '#9b9fa5';
+
+export class SceneView {
+  readonly stage: Stage;
+  arrows: ArrowScale = { force: 1, moment: 1 };
+  /** While an arrow is dragged, its scale stays. */
+  dragging = false;
+  private readonly main = new Bars({ colour: '#777', opacity: 1 });
+  private readonly full = new Bars({ colour: GREY, opacity: 0.55 });
+  private readonly rest = new Bars({ colour: GREY, opacity: 0.25 });
+  private readonly marks = new MarksView();
+  private readonly values = new FieldValues();
+  private filler: { of: Beams; gaps: GapFiller } | null = null;
+  private framed: object | null = null;
+  private readonly stops: (() => void)[] = [];
+
+  constructor(canvas: HTMLCanvasElement) {
+    this.stage = new Stage(canvas);
+    this.stage.scene.add(this.main.mesh, this.full.mesh, this.rest.mesh, this.marks.group);
+    this.stops.push(
+      effect(() => this.showBars()),
+      effect(() => this.showShape()),
+      effect(() => this.showOverlays()),
+      effect(() => this.showMarkers()),
+      effect(() => this.frame()),
+      effect(() => void (this.stage.shadows = shadows.value)),
+    );
+  }
+
+  dispose(): void {
+    this.stops.forEach((stop) => stop());
+    this.stage.renderer.dispose();
+  }
+
+  private section(): { width: number; height: number } {
+    const { area, I2, I3 } = documentNow.peek()?.setting.section ?? { area: 4e-6, I2: 1.33e-12, I3: 1.33e-12 };
+    return { width: Math.sqrt((12 * I3) / area), height: Math.sqrt((12 * I2) / area) };
+  }
+
+  private showBars(): void {
+    const now = beams.value;
+    this.main.mesh.visible = now !== null && now.beams > 0;
+    void documentNow.value?.setting;
+    if (!now) return;
+    for (const bars of [this.main, this.full, this.rest]) bars.setBeams(now, this.section());
+    this.rest.factor = 0;
+    this.showShape();
+    this.stage.draw();
+  }
+
+  private showShape(): void {
+    const now = shown.value;
+    const bars = beams.value;
+    const name = field.value;
+    const dark = theme.value === 'dark';
+    if (!now || !bars || now.solution.nodes !== bars.nodes) {
+      this.main.factor = 0;
+      this.main.setColours(null, 'sizes');
+      this.main.colour = dark ? '#c3c8cf' : '#b4b7bb';
+      legend.value = null;
+      this.stage.draw();
+      return;
+    }
+    this.gaps(bars)?.fill(now.solution);
+    this.main.setSolution(now.solution);
+    this.main.factor = now.factor;
+    this.main.colour = BLUE;
+    this.colour(name, now);
+    this.stage.draw();
+  }
+
+  private colour(name: FieldName, now: NonNullable<typeof shown.value>): void {
+    const row = fieldRow(name);
+    const error = compared.value?.solution?.nodeFields[0] ?? null;
+    const usable = available(row, now.fields, error !== null);
+    const values = usable ? this.values.take(row, now.solution, now.fields, { error, strength: strength.value }) : null;
+    this.main.setColours(values, row.map);
+    legend.value = values && { row, low: values.low, high: values.high };
+  }
+
+  private gaps(bars: Beams): GapFiller | null {
+    const tiles = surface.peek();
+    if (!tiles) return null;
+    if (this.filler?.of !== bars) {
+      this.filler = { of: bars, gaps: new GapFiller(bars, tiles.tiles.map((tile) => tile.interface), tiles.nodes.length) };
+    }
+    return this.filler.gaps;
+  }
+
+  private showOverlays(): void {
+    const full = others.value.get('full');
+    const bars = beams.value;
+    const overlay = showFull.value && full && bars && full.solution.nodes === bars.nodes;
+    this.full.mesh.visible = Boolean(overlay && live.value?.info.model !== 'full');
+    if (overlay && full) {
+      this.full.setSolution(full.solution);
+      this.full.factor = scale.value;
+    }
+    this.rest.mesh.visible = showRest.value && bars !== null;
+    this.stage.draw();
+  }
+
+  private showMarkers(): void {
+    for (const signal of [heldNodes, loadMarks, prescribedMarks, selectedNodes, activeEntry, shown, theme, mode]) void signal.value;
+    this.marks.group.visible = showMarks.value;
+    const tiles = surface.value;
+    if (!tiles) return;
+    themeColour('--fixed');
+    const reach = Math.hypot(tiles.box.max[0] - tiles.box.min[0], tiles.box.max[1] - tiles.box.min[1]);
+    if (!this.dragging) this.arrows = arrowScale(loadMarks.value, reach);
+    this.marks.update(tiles.side, this.arrows);
+    this.stage.draw();
+  }
+
+  private box(): Box3 {
+    const tiles = surface.peek();
+    if (!tiles) return new Box3(new Vector3(-1, -1, 0), new Vector3(1, 1, 0));
+    return new Box3(new Vector3(...tiles.box.min, 0), new Vector3(...tiles.box.max, 0));
+  }
+
+  private frame(): void {
+    const tiles = surface.value;
+    if (!tiles || this.framed === tiles) return;
+    this.framed = tiles;
+    this.stage.light(this.box());
+    this.stage.look(this.box(), 'iso');
+  }
+
+  look(from: ViewName | null): void {
+    this.stage.look(this.box(), from);
+  }
+}

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+import { useEffect, useRef } from 'preact/hooks';
+import { effect } from '@preact/signals';
+import { probed } from '../../document/ui';
+import { shown } from '../../document/shown';
+import { LegendCard } from './legend';
+import { ProbeCard } from './probe';
+import { SceneView } from './scene_view';
+import { attachPointer } from './pointer';
+import { nodePlace, onScreen } from './placed';
+import { currentScene } from './current';
+import { ViewBar } from './view_bar';
+import { PlayBar } from './play_bar';
+import './space.css';
+
+export function SpaceView() {
+  const host = useRef<HTMLDivElement>(null);
+  const canvas = useRef<HTMLCanvasElement>(null);
+  const pin = useRef<HTMLDivElement>(null);
+  useEffect(() => {
+    const element = canvas.current as HTMLCanvasElement;
+    const view = new SceneView(element);
+    currentScene.value = view;
+    const box = host.current as HTMLDivElement;
+    const resized = new ResizeObserver(() => view.stage.resize(box.clientWidth, box.clientHeight));
+    resized.observe(box);
+    const detach = attachPointer(element, view);
+    const place = () => placePin(pin.current, view, box);
+    view.stage.beforeDraw(place);
+    const stop = effect(() => {
+      void [probed.value, shown.value];
+      place();
+    });
+    return () => {
+      stop();
+      detach();
+      resized.disconnect();
+      view.dispose();
+      currentScene.value = null;
+    };
+  }, []);
+  return (
+    <div class="space" ref={host}>
+      <canvas ref={canvas} aria-label="The surface in space. Drag to turn, right drag to move, wheel to zoom." tabIndex={0} />
+      <div class="pin" ref={pin} hidden><ProbeCard /></div>
+      <LegendCard />
+      <ViewBar />
+      <PlayBar />
+    </div>
+  );
+}
+
+function placePin(pin: HTMLDivElement | null, view: SceneView, box: HTMLElement): void {
+  if (!pin) return;
+  const at = probed.peek();
+  const seen = at && onScreen(nodePlace(at.index), view.stage.camera, { width: box.clientWidth, height: box.clientHeight });
+  pin.hidden = !seen;
+  if (!seen) return;
+  const left = seen[0] > box.clientWidth - 250;
+  pin.style.transform = `translate(${seen[0]}px, ${seen[1]}px) translate(${left ? 'calc(-100% - 16px)' : '16px'}, -50%)`;
+}

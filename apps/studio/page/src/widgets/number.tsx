@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+import { useState } from 'preact/hooks';
+import { digits, typed, unitOf, type Quantity } from '../document/units';
+
+interface NumberProps {
+  label: string;
+  value: number;
+  quantity: Quantity;
+  onChange: (value: number) => void;
+  narrow?: boolean;
+  least?: number;
+  id?: string;
+}
+
+/** A number with its unit. Enter or leaving the field takes it, Escape puts the old one back, arrow keys change it by a tenth. */
+export function NumberField({ label, value, quantity, onChange, narrow, least, id }: NumberProps) {
+  const [draft, setDraft] = useState<string | null>(null);
+  const unit = unitOf(quantity);
+  const text = draft ?? digits(value * unit.per, 5).replace(/(\.\d*?)0+$/, '$1').replace(/\.$/, '');
+  const read = draft === null ? value : typed(draft, quantity);
+  const wrong = read === null || (least !== undefined && read < least);
+  const commit = () => {
+    if (draft !== null && !wrong && read !== value) onChange(read as number);
+    setDraft(null);
+  };
+  const keys = (event: KeyboardEvent) => {
+    if (event.key === 'Enter') commit();
+    if (event.key === 'Escape') setDraft(null);
+    if ((event.key === 'ArrowUp' || event.key === 'ArrowDown') && !wrong) {
+      event.preventDefault();
+      const step = 10 ** Math.floor(Math.log10(Math.abs((read as number) * unit.per) || 1)) / 10 / unit.per;
+      setDraft(null);
+      onChange(Math.max((read as number) + (event.key === 'ArrowUp' ? step : -step), least ?? -Infinity));
+    }
+    event.stopPropagation();
+  };
+  return (
+    <span class={`number${narrow ? ' narrow' : ''}`}>
+      <input id={id} inputMode="decimal" aria-label={`${label}${unit.name ? `, in ${unit.name}` : ''}`} class={wrong ? 'wrong' : ''} aria-invalid={wrong} value={text}
+        onFocus={(event) => event.currentTarget.select()} onInput={(event) => setDraft(event.currentTarget.value)} onBlur={commit} onKeyDown={keys} />
+      <i>{unit.name}</i>
+    </span>
+  );
+}
