@@ -186,66 +186,73 @@ std::string filter_help() {
     return text;
 }
 
+/// Which patterns are valid.
+void add_rules(CLI::App& verb, Options& options) {
+    verb.add_option("--layout", options.layout, "The name of a layout, or its file")->capture_default_str();
+    verb.add_option("--edges", options.edges,
+                    "Numbers of edges, as A..B or N (default: 2..11 for paper7, else 2..all)");
+    verb.add_option("--min-angle", options.min_angle,
+                    "The smallest angle between two beams (default: 15deg)");
+    verb.add_option("--max-valence", options.max_valence, "The most beams that meet in a node (default: 6)");
+    verb.add_option("--filter", options.filters, filter_help())->type_name("NAME[=VALUE]");
+    verb.add_option("--tile-side", options.tile_side,
+                    "What lengths refer to: the side of the hexagon (default: 25.98mm)");
+    verb.add_option("--beam-width", options.beam_width, "The width of the beams in it (default: 2mm)");
+    verb.add_option("--require", options.required, "Edges (1-6) or nodes (n5) that every pattern uses")
+        ->delimiter(',');
+    verb.add_option("--forbid", options.forbidden, "Edges or nodes that no pattern uses")->delimiter(',');
+}
+
+void add_files(CLI::App& verb, Options& options) {
+    verb.add_option("--census", options.census_path, "Write the census to this CSV file");
+    verb.add_option("--list", options.list_path,
+                    "Write the ids of the valid patterns to this file, one a line");
+    verb.add_option("--library", options.library_path,
+                    "Add the valid patterns to this library (made if it is not there)");
+    CLI::Option* svg = verb.add_option("--svg", options.svg_path, "Draw the valid patterns on one sheet");
+    verb.add_flag("--reasons", options.reasons, "Draw rejected ones instead, the guilty beams in red")
+        ->needs(svg);
+    verb.add_option("--classes", options.classes_path,
+                    "Write symmetry, mirror partner and isomorphism class of each pattern to this CSV file");
+    declare_files(verb, {input("--layout"), output("--census", kTableFile), output("--list", kListFile),
+                         update("--library", kLibraryFile), output("--svg", kSvgFile),
+                         output("--classes", kTableFile)});
+}
+
+/// Whether all patterns are found, or some, or only their number.
+void add_extent(CLI::App& verb, Options& options) {
+    CLI::Option* sample =
+        verb.add_option("--sample", options.sample,
+                        "Draw this many valid patterns at random instead of all, each equally likely")
+            ->check(CLI::Range(1, 1'000'000'000));
+    CLI::Option* estimate = verb.add_option("--estimate", options.estimate,
+                                            "Only estimate how many there are, from this many random trials")
+                                ->check(CLI::Range(1, 1'000'000'000));
+    CLI::Option* count =
+        verb.add_flag("--count", options.count, "Print only how many valid patterns there are");
+    for (const char* other : {"--census", "--reasons", "--classes"}) sample->excludes(other);
+    for (const char* other : {"--sample", "--census", "--list", "--library", "--svg", "--classes"}) {
+        estimate->excludes(other);
+        count->excludes(other);
+    }
+    count->excludes(estimate);
+    verb.add_option("--seed", options.seed, "What randomness starts from")
+        ->check(seed_check())
+        ->capture_default_str();
+}
+
 }  // namespace
 
 void add_enumerate(CLI::App& app, ExitCode&) {
     const auto options = std::make_shared<Options>();
     CLI::App* verb = app.add_subcommand(
         "enumerate", "Find all valid patterns of a node layout, and say why the others are not.");
-    verb->add_option("--layout", options->layout, "The name of a layout, or its file")->capture_default_str();
-    verb->add_option("--edges", options->edges,
-                     "Numbers of edges, as A..B or N (default: 2..11 for paper7, else 2..all)");
-    verb->add_option("--min-angle", options->min_angle,
-                     "The smallest angle between two beams (default: 15deg)");
-    verb->add_option("--max-valence", options->max_valence,
-                     "The most beams that meet in a node (default: 6)");
-    verb->add_option("--filter", options->filters, filter_help())->type_name("NAME[=VALUE]");
-    verb->add_option("--tile-side", options->tile_side,
-                     "What lengths refer to: the side of the hexagon (default: 25.98mm)");
-    verb->add_option("--beam-width", options->beam_width, "The width of the beams in it (default: 2mm)");
-    verb->add_option("--require", options->required, "Edges (1-6) or nodes (n5) that every pattern uses")
-        ->delimiter(',');
-    verb->add_option("--forbid", options->forbidden, "Edges or nodes that no pattern uses")->delimiter(',');
+    add_rules(*verb, *options);
+    add_files(*verb, *options);
+    add_extent(*verb, *options);
     verb->add_option("--threads", options->threads, "Threads to use; 0: all there are")
         ->check(thread_check());
-    verb->add_option("--census", options->census_path, "Write the census to this CSV file");
-    verb->add_option("--list", options->list_path,
-                     "Write the ids of the valid patterns to this file, one a line");
-    verb->add_option("--library", options->library_path,
-                     "Add the valid patterns to this library (made if it is not there)");
-    verb->add_option("--svg", options->svg_path, "Draw the valid patterns on one sheet");
-    CLI::Option* svg = verb->get_option("--svg");
-    verb->add_flag("--reasons", options->reasons, "Draw rejected ones instead, the guilty beams in red")
-        ->needs(svg);
-    verb->add_option("--classes", options->classes_path,
-                     "Write symmetry, mirror partner and isomorphism class of each pattern to this CSV file");
-    verb->add_option("--sample", options->sample,
-                     "Draw this many valid patterns at random instead of all, each equally likely")
-        ->check(CLI::Range(1, 1'000'000'000))
-        ->excludes("--census")
-        ->excludes("--reasons")
-        ->excludes("--classes");
-    verb->add_option("--estimate", options->estimate,
-                     "Only estimate how many there are, from this many random trials")
-        ->check(CLI::Range(1, 1'000'000'000))
-        ->excludes("--sample")
-        ->excludes("--census")
-        ->excludes("--list")
-        ->excludes("--library")
-        ->excludes("--svg")
-        ->excludes("--classes");
-    CLI::Option* count =
-        verb->add_flag("--count", options->count, "Print only how many valid patterns there are");
-    for (const char* other :
-         {"--census", "--list", "--library", "--svg", "--classes", "--sample", "--estimate"})
-        count->excludes(other);
-    verb->add_option("--seed", options->seed, "What randomness starts from")
-        ->check(seed_check())
-        ->capture_default_str();
     verb->add_flag("--json", options->json, "Print for programs");
-    declare_files(*verb, {input("--layout"), output("--census", kTableFile), output("--list", kListFile),
-                          update("--library", kLibraryFile), output("--svg", kSvgFile),
-                          output("--classes", kTableFile)});
     verb->footer(kExample);
     verb->callback([options, verb] {
         refuse_ignored_options(*verb, *options);

@@ -58,20 +58,21 @@ std::optional<pattern::SamenessReport> PatternFiles::finish(const pattern::Samen
     if (!paths_.sheet.empty())
         others_.add(paths_.sheet, exports::pattern_sheet_svg(layout_, kept_, drawing_));
     options.control.check();
-    if (!paths_.library.empty()) add_to_library();
+    if (!paths_.library.empty()) add_to_library(options.control);
     if (list_) list_->commit();
     others_.commit();
     return sameness;
 }
 
 /// One that is there keeps its setting; a new one gets the paper's, until it is calibrated with another.
-void PatternFiles::add_to_library() const {
-    auto library =
-        std::filesystem::exists(paths_.library)
-            ? library::Library::open(paths_.library, library::Access::ReadWrite)
-            : library::Library::open_or_create(paths_.library, layout_, reduction::paper_setting(), kept_);
+void PatternFiles::add_to_library(const base::Control& control) const {
+    std::error_code is_missing;
+    auto library = std::filesystem::file_size(paths_.library, is_missing) > 0 && !is_missing
+                       ? library::Library::open(paths_.library, library::Access::ReadWrite)
+                       : library::Library::open_or_create(paths_.library, layout_, reduction::paper_setting(),
+                                                          kept_, control);
     library.check_layout(layout_);
-    library.add_patterns(kept_);
+    library.add_patterns(kept_, control);
 }
 
 }  // namespace fretwork::app

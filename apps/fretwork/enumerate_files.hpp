@@ -38,7 +38,7 @@ class PatternFiles {
 
   private:
     void check_number() const;
-    void add_to_library() const;
+    void add_to_library(const base::Control& control) const;
 
     const pattern::NodeLayout& layout_;
     PatternFilePaths paths_;

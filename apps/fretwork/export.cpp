@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fretwork export: a project, and what was computed of it, as a drawing or a file for other programs.
 #include "file_options.hpp"
+#include "interrupt.hpp"
 #include "project_library.hpp"
 #include "surface_result.hpp"
 #include "verbs.hpp"
@@ -10,6 +11,7 @@
 #include <fretwork/exports/writer_catalogue.hpp>
 #include <fretwork/simulation/result_subject.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -35,7 +37,18 @@ mechanics::Result read_own_result(const std::string& file, const simulation::Sur
     return result;
 }
 
-exports::Scene make_scene(const Options& options) {
+/// Options that only drawings look at.
+void refuse_ignored_options(const CLI::App& verb, const Options& options) {
+    const bool has_drawing = std::ranges::any_of(
+        options.to, [](const std::string& path) { return exports::find_writer(path).is_drawing; });
+    if (has_drawing) return;
+    for (const char* option : {"--case", "--scale"}) {
+        if (verb.count(option) > 0)
+            throw base::InputError(option, "", "is for drawings, and no --to names one (.svg)");
+    }
+}
+
+exports::Scene make_scene(const Options& options, const base::Control& control) {
     const simulation::Project project = read_checked_project(options.project);
     const auto library = open_project_library(options.project, project, options.library);
     exports::Scene scene{simulation::make_surface(project, library ? &*library : nullptr)};
@@ -44,6 +57,7 @@ exports::Scene make_scene(const Options& options) {
             simulation::resolve(simulation::find_load_case(project, options.load_case), scene.surface);
     }
     for (const std::string& file : options.results) {
+        control.check();
         scene.results.push_back(
             {std::filesystem::path(file).stem().string(), read_own_result(file, scene.surface)});
     }
@@ -54,9 +68,15 @@ exports::Scene make_scene(const Options& options) {
 void run(const Options& options) {
     for (const std::string& path : options.to) (void)exports::find_writer(path);
     if (!std::isfinite(options.scale)) throw base::InputError("--scale", "", "is not a finite number");
-    const exports::Scene scene = make_scene(options);
+    LongWork work;
+    const base::Control control = work.control();
+    const exports::Scene scene = make_scene(options, control);
     base::FileBatch files;
-    for (const std::string& path : options.to) files.add(path, exports::find_writer(path).text(scene));
+    for (const std::string& path : options.to) {
+        control.check();
+        files.add(path, exports::find_writer(path).text(scene));
+    }
+    control.check();
     files.commit();
 }
 
@@ -87,7 +107,10 @@ void add_export(CLI::App& app, ExitCode&) {
                   {input("project"), output("--to", kExportFile), input("--result"), input("--library")});
     verb->footer(
         "Example: fretwork export project.json --result full.json --result condensed.json --to deformed.svg");
-    verb->callback([options] { run(*options); });
+    verb->callback([options, verb] {
+        refuse_ignored_options(*verb, *options);
+        run(*options);
+    });
 }
 
 }  // namespace fretwork::app

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fretwork library: look into a pattern library, merge shards, write its tables and meshes.
 #include "file_options.hpp"
+#include "interrupt.hpp"
 #include "library_show.hpp"
 #include "pattern_choice.hpp"
 #include "verbs.hpp"
@@ -139,7 +140,11 @@ void show(const Options& options) {
 // ---- merge and export ----
 
 void merge(const Options& options) {
-    library::merge(options.output, options.inputs);
+    if (!options.library.empty())
+        throw base::InputError("--library", "",
+                               "is for list, show and export: merge OUTPUT INPUT.. names its own");
+    LongWork work;
+    library::merge(options.output, options.inputs, work.control());
     const Library merged = Library::open(options.output);
     if (options.json) {
         print({{"library", options.output},
@@ -150,15 +155,20 @@ void merge(const Options& options) {
     }
 }
 
-std::string pattern_sheet(const Library& library, std::span<const library::PatternEntry> wanted) {
+std::string pattern_sheet(const Library& library, std::span<const library::PatternEntry> wanted,
+                          const base::Control& control) {
     std::vector<exports::ReducedPattern> patterns;
-    for (const library::PatternEntry& entry : wanted) patterns.push_back(reduced_pattern(library, entry));
+    for (const library::PatternEntry& entry : wanted) {
+        control.check();
+        patterns.push_back(reduced_pattern(library, entry));
+    }
     return exports::reduced_sheet_svg(library.layout(), patterns, library.setting());
 }
 
-std::string property_chart(const Library& library) {
+std::string property_chart(const Library& library, const base::Control& control) {
     std::vector<exports::PatternProperties> patterns;
     for (const library::PatternEntry& entry : library.patterns()) {
+        control.check();
         const auto properties = library.properties(entry.id);
         if (!properties.empty()) patterns.push_back({entry.pattern, {properties.begin(), properties.end()}});
     }
@@ -169,7 +179,7 @@ std::string property_chart(const Library& library) {
     return exports::property_chart_svg({library.layout(), library.setting()}, patterns);
 }
 
-void write_files(const Options& options) {
+void check_wishes(const Options& options) {
     if (options.csv.empty() && options.meshes.empty() && options.svg.empty() && options.chart.empty()) {
         throw base::InputError("library export", "",
                                "needs --csv DIR, --meshes DIR, --svg FILE or --chart FILE");
@@ -177,17 +187,27 @@ void write_files(const Options& options) {
     const bool uses_patterns = !options.meshes.empty() || !options.svg.empty();
     if (options.patterns != "all" && !uses_patterns)
         throw base::InputError("--patterns", "", "is for --svg and --meshes, and neither is given");
+    if (options.json)
+        throw base::InputError("--json", "", "is for list, show and merge: export prints nothing");
+}
+
+void write_files(const Options& options) {
+    check_wishes(options);
+    LongWork work;
     const Library library = open_library(options);
+    const base::Control control = work.control();
     const std::vector<library::PatternEntry> wanted = wanted_patterns(library, options.patterns);
     base::FileBatch drawings;
-    if (!options.svg.empty()) drawings.add(options.svg, pattern_sheet(library, wanted));
-    if (!options.chart.empty()) drawings.add(options.chart, property_chart(library));
+    if (!options.svg.empty()) drawings.add(options.svg, pattern_sheet(library, wanted, control));
+    if (!options.chart.empty()) drawings.add(options.chart, property_chart(library, control));
     std::vector<base::FolderBatch> folders;
-    if (!options.csv.empty()) library.export_csv(folders.emplace_back(options.csv).path());
+    if (!options.csv.empty()) library.export_csv(folders.emplace_back(options.csv).path(), control);
     if (!options.meshes.empty()) {
-        exports::add_meshes(library, wanted, options.ply ? exports::MeshKind::Ply : exports::MeshKind::Obj,
-                            folders.emplace_back(options.meshes));
+        const exports::MeshOptions meshes{options.ply ? exports::MeshKind::Ply : exports::MeshKind::Obj,
+                                          control};
+        exports::add_meshes(library, wanted, meshes, folders.emplace_back(options.meshes));
     }
+    control.check();
     for (base::FolderBatch& folder : folders) folder.commit();
     drawings.commit();
 }
@@ -234,7 +254,7 @@ void add_library(CLI::App& app, ExitCode&) {
     exporting->add_option(
         "--chart", options->chart,
         "Property chart as SVG: stiffness against mass, bending against in-plane stiffness");
-    exporting->add_flag("--ply", options->ply, "Write meshes as PLY rather than OBJ");
+    exporting->add_flag("--ply", options->ply, "Write meshes as PLY rather than OBJ")->needs("--meshes");
     declare_files(*verb, {input("--library")});
     declare_files(*showing, {output("--svg", kSvgFile)});
     declare_files(*merging, {output("output", kLibraryFile), input("inputs")});

@@ -113,13 +113,13 @@ mechanics::Result simulate(const Options& options, const Surface& surface, const
 }
 
 ExitCode run(Options options) {
+    LongWork work;
     if (options.linear) options.simulation.analysis = simulation::Analysis::Linear;
     const Project project = read_checked_project(options.project);
     const auto library = open_project_library(options.project, project, options.library);
     const Surface surface = simulation::make_surface(project, library ? &*library : nullptr);
     options.simulation.validate(surface);
     const LoadCase load_case = chosen_load_case(project, options.load_case);
-    LongWork work;
     base::FileBatch files;
     if (!options.frame_out.empty()) files.add(options.frame_out, full_frame_text(surface, load_case));
     const mechanics::Result result = simulate(options, surface, load_case, work.control());

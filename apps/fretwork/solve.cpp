@@ -88,6 +88,45 @@ ExitCode run(const Options& options) {
     return result.solution.converged() ? ExitCode::Done : ExitCode::DidNotSucceed;
 }
 
+void add_method(CLI::App& verb, Options& options) {
+    verb.add_option("--solver", options.solver,
+                    "linear; or, for large displacements and rotations, newton or dynamic-relaxation")
+        ->check(CLI::IsMember({"linear", "newton", "dynamic-relaxation"}))
+        ->capture_default_str();
+    verb.add_option("--steps", options.solve.steps, "reach the load in so many steps, and write each of them")
+        ->check(CLI::Range(1, 100000));
+    verb.add_option(
+            "--branch", options.branch,
+            "where the path becomes unstable: primary goes on along it, stable is pushed off it along the "
+            "critical mode (newton only; primary if not given)")
+        ->check(CLI::IsMember({"primary", "stable"}));
+    verb.add_option(
+            "--masses", options.masses,
+            "rotational masses of dynamic-relaxation: natural, or those of published programs, which are "
+            "slower (natural if not given)")
+        ->check(CLI::IsMember({"natural", "published"}));
+    verb.add_option(
+            "--threads", options.solve.threads,
+            "threads to use; 0, or not given: all there are (linear and newton; the result is the same)")
+        ->check(thread_check());
+}
+
+/// What is solved, and what else is computed of it.
+void add_questions(CLI::App& verb, Options& options) {
+    CLI::Option* lumped = verb.add_flag("--lumped-gravity", options.solve.lumped_gravity,
+                                        "half of a beam's weight on each end, no moments");
+    verb.add_flag("--estimate-error", options.solve.estimate_error,
+                  "tell how far the solution is from that of endlessly fine divisions (newton only: linear "
+                  "solutions of straight beams are exact at the nodes)")
+        ->excludes(lumped);
+    verb.add_option("--buckling", options.solve.buckling_modes,
+                    "so many critical load factors by linearized buckling")
+        ->check(CLI::Range(1, 1000));
+    verb.add_option("--modes", options.solve.vibration_modes,
+                    "so many natural frequencies and modes of the structure at rest")
+        ->check(CLI::Range(1, 1000));
+}
+
 }  // namespace
 
 void add_solve(CLI::App& app, ExitCode& exit_code) {
@@ -96,39 +135,8 @@ void add_solve(CLI::App& app, ExitCode& exit_code) {
     verb->footer(kExample);
     verb->add_option("frame", options->frame, "frame file, or the beams of a CalculiX or Abaqus deck (.inp)")
         ->required();
-    verb->add_option("--solver", options->solver,
-                     "linear; or, for large displacements and rotations, newton or dynamic-relaxation")
-        ->check(CLI::IsMember({"linear", "newton", "dynamic-relaxation"}))
-        ->capture_default_str();
-    verb->add_option("--steps", options->solve.steps,
-                     "reach the load in so many steps, and write each of them")
-        ->check(CLI::Range(1, 100000));
-    verb->add_option(
-            "--branch", options->branch,
-            "where the path becomes unstable: primary goes on along it, stable is pushed off it along the "
-            "critical mode (newton only; primary if not given)")
-        ->check(CLI::IsMember({"primary", "stable"}));
-    verb->add_option(
-            "--masses", options->masses,
-            "rotational masses of dynamic-relaxation: natural, or those of published programs, which are "
-            "slower (natural if not given)")
-        ->check(CLI::IsMember({"natural", "published"}));
-    CLI::Option* lumped = verb->add_flag("--lumped-gravity", options->solve.lumped_gravity,
-                                         "half of a beam's weight on each end, no moments");
-    verb->add_flag("--estimate-error", options->solve.estimate_error,
-                   "tell how far the solution is from that of endlessly fine divisions (newton only: linear "
-                   "solutions of straight beams are exact at the nodes)")
-        ->excludes(lumped);
-    verb->add_option("--buckling", options->solve.buckling_modes,
-                     "so many critical load factors by linearized buckling")
-        ->check(CLI::Range(1, 1000));
-    verb->add_option("--modes", options->solve.vibration_modes,
-                     "so many natural frequencies and modes of the structure at rest")
-        ->check(CLI::Range(1, 1000));
-    verb->add_option(
-            "--threads", options->solve.threads,
-            "threads to use; 0, or not given: all there are (linear and newton; the result is the same)")
-        ->check(thread_check());
+    add_method(*verb, *options);
+    add_questions(*verb, *options);
     verb->add_option("--vtu", options->vtu, "the displaced beams, and modes, for ParaView");
     verb->add_option("--deck", options->deck, "write the frame as an input deck for Abaqus (.inp)");
     verb->add_option("--out", options->out, "result file")->required();

@@ -177,13 +177,13 @@ void print(const tiling::TessellationReport& report, const Project& project, con
 }
 
 void run(const Options& options) {
+    LongWork work;
     check(options.painting);
     const std::optional<Library> opened = open_library(options);
     const Library* library = opened ? &*opened : nullptr;
     Project tiled;
     tiled.layout = chosen_layout(options, library);
     tiled.outline = tiling::read_outline(options.outline);
-    LongWork work;
     const tiling::TessellationOptions tessellation{.edge_length = chosen_edge_length(options, library),
                                                    .control = work.control()};
     tiling::TessellationResult result = tiling::tessellate(tiled.outline, tiled.layout, tessellation);

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "support.hpp"
 
+#include <chrono>
 #include <csignal>
+#include <fcntl.h>
+#include <future>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 
 namespace fretwork::base {
@@ -163,6 +167,18 @@ TEST(AtomicFile, WithoutACommitLeavesNoTrace) {
     const TemporaryFolder folder;
     { AtomicFile(folder.path() / "x").write(std::string(200000, 'n')); }
     EXPECT_EQ(entries(folder.path()), 0U);
+}
+
+TEST(File, ThatIsAPipeWaitsForASlowWriter) {
+    const TemporaryFolder folder;
+    const auto pipe = folder.path() / "pipe";
+    ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+    const int writer = ::open(pipe.c_str(), O_RDWR | O_CLOEXEC);
+    auto content = std::async(std::launch::async, [&] { return read_text_file(pipe); });
+    EXPECT_EQ(content.wait_for(std::chrono::milliseconds(20)), std::future_status::timeout);
+    EXPECT_EQ(::write(writer, "late", 4), 4);
+    ::close(writer);
+    EXPECT_EQ(content.get(), "late");
 }
 
 }  // namespace

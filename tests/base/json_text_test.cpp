@@ -17,6 +17,17 @@ TEST(JsonText, ReadsBackAsTheSameDocument) {
     EXPECT_EQ(Json::parse(json_text(document)), document);
 }
 
+TEST(JsonText, WritesValuesWithTheCharactersOfDump) {
+    const double numbers[] = {0.0, -0.0, 1.0, 0.1, 1.0 / 3.0, -2.5e-300, 1e23, 123456789.0, 5e-324, 1.7e308};
+    for (const double number : numbers) EXPECT_EQ(json_text(Json(number)), Json(number).dump() + "\n");
+    for (const long long number : {0LL, -1LL, std::numeric_limits<long long>::min()})
+        EXPECT_EQ(json_text(Json(number)), Json(number).dump() + "\n");
+    const Json largest = std::numeric_limits<std::uint64_t>::max();
+    EXPECT_EQ(json_text(largest), "18446744073709551615\n");
+    for (const char* text : {"", "plain ~", "a \"quote\"", "back\\slash", "tab\t"})
+        EXPECT_EQ(json_text(Json(text)), Json(text).dump() + "\n");
+}
+
 TEST(JsonText, PutsARowOfNumbersOnOneLine) {
     Json document;
     document["rows"] = {{1, 2, 3}, {4, 5, 6}};

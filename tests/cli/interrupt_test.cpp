@@ -9,7 +9,9 @@
 #include <chrono>
 #include <csignal>
 #include <fcntl.h>
+#include <fstream>
 #include <functional>
+#include <sys/stat.h>
 #include <thread>
 #include <vector>
 
@@ -64,6 +66,19 @@ class Running {
         ::waitpid(std::exchange(child_, -1), &status, 0);
         return status;
     }
+    /// A number that the kernel tells of the process, in hexadecimal where it does.
+    [[nodiscard]] unsigned long long status(const std::string& name, int radix) const {
+        std::ifstream lines("/proc/" + std::to_string(child_) + "/status");
+        for (std::string line; std::getline(lines, line);) {
+            if (line.starts_with(name + ":"))
+                return std::stoull(line.substr(name.size() + 1), nullptr, radix);
+        }
+        return 0;
+    }
+    [[nodiscard]] bool catches(int number) const {
+        return (status("SigCgt", 16) >> static_cast<unsigned>(number - 1) & 1U) != 0;
+    }
+    [[nodiscard]] bool has_one_thread() const { return status("Threads", 10) == 1; }
     [[nodiscard]] std::string messages() const { return base::read_text_file(folder_ / ".err"); }
 
   private:
@@ -102,6 +117,52 @@ TEST(Interrupt, LeavesNothingOfAListThatIsBeingWritten) {
         EXPECT_EQ(program.messages(), "fretwork: stopped before it was done; nothing is half-written\n");
         EXPECT_THAT(files_in(folder.path()), testing::IsEmpty());
     }
+}
+
+/// A named pipe in the place of a file, of which a reader gets nothing before it is filled.
+class SlowFile {
+  public:
+    explicit SlowFile(const std::filesystem::path& file) : content_(base::read_text_file(file)) {
+        std::filesystem::remove(file);
+        ::mkfifo(file.c_str(), 0600);
+        descriptor_ = ::open(file.c_str(), O_RDWR | O_CLOEXEC);
+    }
+    SlowFile(const SlowFile&) = delete;
+    SlowFile& operator=(const SlowFile&) = delete;
+    ~SlowFile() { fill(); }
+    void fill() {
+        if (descriptor_ < 0) return;
+        EXPECT_EQ(::write(descriptor_, content_.data(), content_.size()), std::ssize(content_));
+        ::close(std::exchange(descriptor_, -1));
+    }
+
+  private:
+    std::string content_;
+    int descriptor_ = -1;
+};
+
+TEST(Interrupt, ThatComesWhileTheInputIsReadStopsBeforeAnythingIsWritten) {
+    const TemporaryFolder folder;
+    ASSERT_EQ(
+        test::run_command("fretwork tile experiments/outlines/specimen.svg --edge-length 60mm --patterns "
+                          "0-1+1-6 --out p.json && fretwork simulate p.json --case "
+                          "experiments/cases/cantilever.json --out r.json --frame-out f.json && rm r.json",
+                          folder.path())
+            .exit_code,
+        0);
+    SlowFile input(folder.path() / "f.json");
+    const std::size_t before = files_in(folder.path()).size();
+    Running program(folder.path(), {"solve", "f.json", "--out", "new.json", "--vtu", "new.vtu"});
+    ASSERT_TRUE(comes_true([&] { return program.catches(SIGINT); }));
+    program.signal(SIGINT);
+    // The thread that waits for the signal has asked for the stop when it ends.
+    ASSERT_TRUE(comes_true([&] { return program.has_one_thread(); }));
+    input.fill();
+    const int status = program.wait();
+    ASSERT_TRUE(WIFEXITED(status));
+    EXPECT_EQ(WEXITSTATUS(status), 1);
+    EXPECT_EQ(program.messages(), "fretwork: stopped before it was done; nothing is half-written\n");
+    EXPECT_EQ(files_in(folder.path()).size(), before);
 }
 
 TEST(Interrupt, StoresTheRunsOfAStudyThatAreDone) {

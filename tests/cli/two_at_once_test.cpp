@@ -8,9 +8,13 @@
 
 #include <algorithm>
 #include <chrono>
+#include <fcntl.h>
 #include <fstream>
+#include <functional>
+#include <memory>
 #include <sys/stat.h>
 #include <thread>
+#include <unistd.h>
 
 namespace fretwork::app {
 namespace {
@@ -48,9 +52,77 @@ std::vector<std::string> scratch_in(const std::filesystem::path& folder) {
     return names;
 }
 
+/// How many other processes have this file open.
+std::ptrdiff_t users_of(const std::filesystem::path& path) {
+    const std::filesystem::path file = std::filesystem::canonical(path);
+    std::ptrdiff_t count = 0;
+    std::error_code gone;
+    for (const auto& process : std::filesystem::directory_iterator("/proc")) {
+        if (process.path().filename() == std::to_string(::getpid())) continue;
+        for (std::filesystem::directory_iterator entry(process.path() / "fd", gone), end; entry != end;
+             entry.increment(gone)) {
+            if (std::filesystem::read_symlink(entry->path(), gone) != file) continue;
+            ++count;
+            break;
+        }
+    }
+    return count;
+}
+
+/// Holds a library as a program does that is about to write: others may read it, and wait before they write.
+/// SQLite's file format calls this byte the reserved lock.
+class HeldLibrary {
+  public:
+    explicit HeldLibrary(const std::filesystem::path& path)
+        : descriptor_(::open(path.c_str(), O_RDWR | O_CLOEXEC)) {
+        struct flock lock {};
+        lock.l_type = F_WRLCK;
+        lock.l_whence = SEEK_SET;
+        lock.l_start = 0x40000001;
+        lock.l_len = 1;
+        is_held_ = ::fcntl(descriptor_, F_SETLK, &lock) == 0;
+    }
+    HeldLibrary(const HeldLibrary&) = delete;
+    HeldLibrary& operator=(const HeldLibrary&) = delete;
+    ~HeldLibrary() { ::close(descriptor_); }
+    [[nodiscard]] bool is_held() const { return is_held_; }
+
+  private:
+    int descriptor_;
+    bool is_held_;
+};
+
 class TwoAtOnce : public testing::Test {
   protected:
     test::Outcome run(const std::string& command) { return run_command(command, folder_.path()); }
+    /// Run commands at once. None of them writes to the library before all of them have it open.
+    test::Outcome run_at_once_on(const std::string& library, const std::vector<std::string>& commands) {
+        std::string line;
+        for (const std::string& command : commands) line += "(" + command + " && echo DONE) & ";
+        const std::filesystem::path path = folder_.path() / library;
+        auto held = std::make_unique<HeldLibrary>(path);
+        EXPECT_TRUE(held->is_held());
+        test::Outcome outcome;
+        std::thread processes([&] { outcome = run(line + "wait"); });
+        EXPECT_TRUE(comes_true([&] { return users_of(path) == std::ssize(commands); }))
+            << "the processes must be at work at once";
+        held.reset();
+        processes.join();
+        EXPECT_EQ(outcome.err, "");
+        EXPECT_TRUE(scratch_in(folder_.path()).empty());
+        return outcome;
+    }
+    static std::ptrdiff_t number_done(const test::Outcome& outcome) {
+        std::ptrdiff_t count = 0;
+        for (const std::string& line : base::split(outcome.out, '\n')) count += line == "DONE" ? 1 : 0;
+        return count;
+    }
+    /// The ids of a library's patterns.
+    std::string patterns_of(const std::string& library) {
+        return run("fretwork library export --library " + library +
+                   " --csv csv && cut -d, -f1 csv/pattern.csv")
+            .out;
+    }
     TemporaryFolder folder_;
 };
 
@@ -96,6 +168,46 @@ TEST_F(TwoAtOnce, PatternsThatManyProcessesAddToANewLibraryAreAllKept) {
     EXPECT_EQ(outcome.err, "");
 }
 
+TEST_F(TwoAtOnce, AnEmptyFileBecomesALibraryOfAllProcessesThatFindIt) {
+    ASSERT_EQ(run("touch L.db && fretwork enumerate --edges 2..3 --library all.db").exit_code, 0);
+    const auto outcome = run_at_once_on("L.db", {"fretwork enumerate --library L.db --edges 2",
+                                                 "fretwork enumerate --library L.db --edges 3"});
+    EXPECT_EQ(number_done(outcome), 2);
+    EXPECT_EQ(patterns_of("L.db"), patterns_of("all.db"));
+}
+
+TEST_F(TwoAtOnce, CalibrationsAndNewPatternsOfOneLibraryAreAllKept) {
+    ASSERT_EQ(run("fretwork enumerate --edges 2 --library L.db").exit_code, 0);
+    const auto outcome = run_at_once_on("L.db", {"fretwork calibrate --library L.db --starts 1",
+                                                 "fretwork calibrate --library L.db --model condensed",
+                                                 "fretwork enumerate --library L.db --edges 3"});
+    EXPECT_EQ(number_done(outcome), 3);
+    EXPECT_EQ(run("fretwork library list --library L.db | grep -c +").out, "56\n");
+    EXPECT_EQ(run("fretwork library export --library L.db --csv csv && cut -d, -f2 csv/calibration.csv | "
+                  "sort | uniq -c "
+                  "| tr -s ' '")
+                  .out,
+              " 9 condensed\n 1 model\n 9 paper6\n");
+}
+
+TEST_F(TwoAtOnce, ALibraryOfSchema3IsChangedOnceByTwoWriters) {
+    std::filesystem::copy_file(std::filesystem::path(FRETWORK_SOURCE_DIR) / "tests/library/data/schema3.db",
+                               folder_.path() / "L.db");
+    const std::string before = patterns_of("L.db");
+    const std::string add = "fretwork enumerate --layout spider4 --library L.db --edges ";
+    EXPECT_EQ(number_done(run_at_once_on("L.db", {add + "2", add + "3"})), 2);
+    const std::string after = patterns_of("L.db");
+    for (const std::string& id : base::split(before, '\n')) EXPECT_THAT(after, testing::HasSubstr(id));
+    EXPECT_EQ(run("wc -l <csv/calibration_parameter.csv").out, "13\n")
+        << "two calibrations of six parameters";
+}
+
+TEST_F(TwoAtOnce, NamesThatDifferInCaseOnlyAreTwoFilesWhereTheFileSystemSaysSo) {
+    ASSERT_EQ(run("fretwork enumerate --edges 2 --list a.txt --census A.csv --classes a.csv").exit_code, 0);
+    EXPECT_EQ(run("ls a.txt A.csv a.csv | wc -l").out, "3\n");
+    EXPECT_EQ(run("fretwork enumerate --edges 2 --census a.csv --classes ./a.csv").exit_code, 2);
+}
+
 TEST_F(TwoAtOnce, WhatAKilledProcessLeftIsRemovedByTheNext) {
     const auto killed =
         run("fretwork enumerate --layout experiments/layouts/fifths12.json --list ids.txt & pid=$!\n"
@@ -114,6 +226,37 @@ TEST_F(TwoAtOnce, AFullDiskLeavesNoLibraryBehind) {
     EXPECT_THAT(full.err, testing::StartsWith("fretwork: L.db: cannot be "));
     EXPECT_FALSE(std::filesystem::exists(folder_.path() / "L.db"));
     EXPECT_TRUE(scratch_in(folder_.path()).empty());
+}
+
+// A kilobyte, in place of a full disk: what is written is larger, and the messages are not.
+TEST_F(TwoAtOnce, AFullDiskIsToldByEveryVerbAndLeavesNothing) {
+    ASSERT_EQ(run("fretwork enumerate --edges 2..3 --library L.db && "
+                  "fretwork tile experiments/outlines/specimen.svg --edge-length 60mm --patterns 0-1+1-6 "
+                  "--out p.json && "
+                  "fretwork case add p.json experiments/cases/cantilever.json && "
+                  "fretwork simulate p.json --case cantilever --out r.json --frame-out f.json && mkdir new")
+                  .exit_code,
+              0);
+    const std::string before = run("cat L.db p.json r.json f.json | sha256sum").out;
+    for (const std::string command :
+         {"fretwork enumerate --list new/l.txt", "fretwork enumerate --svg new/s.svg --edges 3",
+          "fretwork enumerate --classes new/k.csv", "fretwork enumerate --edges 4..5 --library L.db",
+          "fretwork enumerate --library new/L.db",
+          "fretwork calibrate --library L.db --patterns sample:2 --starts 1",
+          "fretwork library merge new/m.db L.db", "fretwork library export --library L.db --csv new/t",
+          "fretwork library export --library L.db --meshes new/m --svg new/s.svg",
+          "fretwork tile experiments/outlines/specimen.svg --edge-length 60mm --out new/p.json",
+          "fretwork case add p.json experiments/cases/own_weight.json",
+          "fretwork simulate p.json --case cantilever --out new/r.json --vtu new/r.vtu",
+          "fretwork solve f.json --out new/r.json", "fretwork export p.json --to new/x.svg --to new/x.obj",
+          "fretwork optimizers known --patterns 1 --starts 1 --out new/k.csv"}) {
+        const auto full = run("( trap '' XFSZ; ulimit -f 1; exec " + command + ")");
+        EXPECT_EQ(full.exit_code, 2) << command << "\n" << full.err;
+        EXPECT_EQ(std::ranges::count(full.err, '\n'), 1) << command << "\n" << full.err;
+        EXPECT_EQ(run("find new -mindepth 1 -not -name t -not -name m").out, "") << command;
+        EXPECT_TRUE(scratch_in(folder_.path()).empty()) << command;
+    }
+    EXPECT_EQ(run("cat L.db p.json r.json f.json | sha256sum").out, before);
 }
 
 TEST_F(TwoAtOnce, ADamagedInputOfAMergeIsNamedAndNothingIsLeft) {

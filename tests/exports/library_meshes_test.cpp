@@ -27,7 +27,8 @@ TEST(LibraryMeshes, AreTheFanAndTheReducedModelOfEachPattern) {
     const TemporaryFolder folder;
     const auto library = calibrated_library(folder.path() / "lib.db");
     const auto meshes = folder.path() / "meshes";
-    EXPECT_EQ(export_meshes(library, library.patterns(), meshes, MeshKind::Obj), library.pattern_count() + 1);
+    EXPECT_EQ(export_meshes(library, library.patterns(), meshes, {MeshKind::Obj}),
+              library.pattern_count() + 1);
     // The fan: 6 interface nodes, 6 radial ones, the center; 2 edges a sector. The reduced model: a ring and
     // 6 links.
     const std::string fan = base::read_text_file(meshes / "0-1+1-6.obj");
@@ -56,7 +57,7 @@ TEST(LibraryMeshes, AreWrittenAsPlyToo) {
     const TemporaryFolder folder;
     const auto library = calibrated_library(folder.path() / "lib.db");
     const auto all = library.patterns();
-    EXPECT_EQ(export_meshes(library, std::span(all).first(1), folder.path() / "meshes", MeshKind::Ply), 2U);
+    EXPECT_EQ(export_meshes(library, std::span(all).first(1), folder.path() / "meshes", {MeshKind::Ply}), 2U);
     EXPECT_TRUE(base::read_text_file(folder.path() / "meshes" / "0-1+1-6.ply").starts_with("ply\n"));
 }
 
@@ -64,7 +65,7 @@ TEST(LibraryMeshes, AFolderThatCannotBeMadeIsReported) {
     const TemporaryFolder folder;
     const auto library = calibrated_library(folder.path() / "lib.db");
     EXPECT_THROW(
-        export_meshes(library, library.patterns(), folder.path() / "lib.db" / "meshes", MeshKind::Obj),
+        export_meshes(library, library.patterns(), folder.path() / "lib.db" / "meshes", {MeshKind::Obj}),
         base::IoError);
 }
 

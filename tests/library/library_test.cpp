@@ -143,6 +143,22 @@ TEST_F(LibraryTest, AddingPatternsTwiceAddsThemOnce) {
     EXPECT_NE(library.content_hash(), hash);
 }
 
+TEST_F(LibraryTest, AddsNoPatternAndExportsNoTableWhenItIsStopped) {
+    std::stop_source source;
+    source.request_stop();
+    const base::Control stopped{.stop = source.get_token()};
+    Library library = make_library(path());
+    const std::size_t before = library.pattern_count();
+    EXPECT_THROW(library.add_patterns(parse({"1-6+3-6"}), stopped), base::Stopped);
+    EXPECT_EQ(Library::open(library.path()).pattern_count(), before);
+    const auto missing = path("none.db");
+    EXPECT_THROW(Library::open_or_create(missing, paper_layout(), reduction::paper_setting(),
+                                         parse({"1-6+3-6"}), stopped),
+                 base::Stopped);
+    EXPECT_FALSE(std::filesystem::exists(missing));
+    EXPECT_THROW(library.export_csv(path("csv"), stopped), base::Stopped);
+}
+
 TEST_F(LibraryTest, FindsPatternsByAnyFormOfTheirIdAndSuggestsTheNearest) {
     const Library library = make_library(path());
     EXPECT_EQ(library.find_pattern("paper7:1-6+0-1").id, "0-1+1-6");

@@ -69,6 +69,14 @@ TEST_F(Merge, AFailureIsDroppedIfAnotherInputHasTheResult) {
     EXPECT_EQ(failures[0].pattern, "1-6+3-6");
 }
 
+TEST_F(Merge, LeavesNoOutputWhenItIsStopped) {
+    std::stop_source source;
+    source.request_stop();
+    const auto input = shard("a.db", {sample_data("0-1+1-6", 1.0)});
+    EXPECT_THROW(merge(path("ab.db"), Paths{input}, {.stop = source.get_token()}), base::Stopped);
+    EXPECT_FALSE(std::filesystem::exists(path("ab.db")));
+}
+
 TEST_F(Merge, RowsThatDifferAreRefusedByName) {
     const auto a = shard("a.db", {sample_data("0-1+1-6", 1.0)});
     const auto b = shard("b.db", {sample_data("0-1+1-6", 1.5)});

@@ -47,11 +47,12 @@ std::string read_to_end(int descriptor, const std::filesystem::path& path, std::
 }  // namespace
 
 std::string read_text_file(const std::filesystem::path& path) {
-    // Without waiting for the writer of a pipe, which is refused anyway.
+    // A named pipe that nobody writes to is opened at once, and is empty; what is slow to come is waited for.
     const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
     if (descriptor < 0)
         throw InputError(path.string(), "", std::string("cannot be read: ") + std::strerror(errno));
     const detail::OpenFile file(descriptor);
+    (void)::fcntl(descriptor, F_SETFL, 0);
     struct stat status {};
     if (::fstat(descriptor, &status) != 0)
         throw InputError(path.string(), "", std::string("cannot be read: ") + std::strerror(errno));

@@ -154,8 +154,11 @@ double JsonReader::positive_number() const {
 std::vector<double> JsonReader::numbers(std::size_t count) const {
     std::vector<double> list;
     list.reserve(count);
-    for (const JsonValue& element : Access::array(*this, count))
-        list.push_back(Access::child(*this, element).number());
+    for (const JsonValue& element : Access::array(*this, count)) {
+        // Most of a large document: a reader is made only where there is something to complain about.
+        const double value = element.is_number() ? element.get<double>() : std::nan("");
+        list.push_back(std::isfinite(value) ? value : Access::child(*this, element).number());
+    }
     return list;
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/task.hpp>
 #include <fretwork/exports/library_meshes.hpp>
 #include <fretwork/exports/line_files.hpp>
 #include <fretwork/pattern/fan.hpp>
@@ -18,22 +19,26 @@ LineSet pattern_lines(const pattern::NodeLayout& layout, const pattern::Pattern&
 }
 
 std::size_t export_meshes(const library::Library& library, std::span<const library::PatternEntry> patterns,
-                          const std::filesystem::path& folder, MeshKind kind) {
+                          const std::filesystem::path& folder, const MeshOptions& options) {
     base::FolderBatch files(folder);
-    const std::size_t count = add_meshes(library, patterns, kind, files);
+    const std::size_t count = add_meshes(library, patterns, options, files);
     files.commit();
     return count;
 }
 
 std::size_t add_meshes(const library::Library& library, std::span<const library::PatternEntry> patterns,
-                       MeshKind kind, base::FolderBatch& batch) {
-    const std::string ending = kind == MeshKind::Obj ? ".obj" : ".ply";
+                       const MeshOptions& options, base::FolderBatch& batch) {
+    const std::string ending = options.kind == MeshKind::Obj ? ".obj" : ".ply";
+    const base::Task task(options.control, "meshes", patterns.size());
     std::size_t files = 0;
     const auto write = [&](const std::string& name, const LineSet& lines) {
-        batch.add(name + ending, kind == MeshKind::Obj ? obj_text(lines) : ply_text(lines));
+        batch.add(name + ending, options.kind == MeshKind::Obj ? obj_text(lines) : ply_text(lines));
         ++files;
     };
-    for (const library::PatternEntry& entry : patterns) {
+    for (std::size_t i = 0; i < patterns.size(); ++i) {
+        options.control.check();
+        task.update(i);
+        const library::PatternEntry& entry = patterns[i];
         write(entry.id, pattern_lines(library.layout(), entry.pattern, library.setting()));
         for (const reduction::Calibration& best : library.best_calibrations(entry.id)) {
             if (best.parameters.empty()) continue;  // its beams, if it has any, are the pattern's

@@ -41,7 +41,7 @@ constexpr std::array<WriterRow, 5> kWriters = {{
     {".svg",
      "drawing: the surface from above; with one result its displacements in colour; with several, these over "
      "each other; with a load case and results all of it on one sheet",
-     svg_text},
+     svg_text, true},
     {".vtu", "lines for ParaView, with displacements and rotations of the first result",
      [](const Scene& scene) { return vtu_text(main_lines(scene)); }},
     {".obj", "line elements, displaced by the first result",

@@ -31,6 +31,7 @@ struct WriterRow {
     std::string_view ending;  ///< with its dot
     std::string_view description;
     std::string (*text)(const Scene&);
+    bool is_drawing = false;  ///< shows Scene::conditions, and takes Scene::displacement_scale
 };
 
 /// All kinds of files: a new one is a file and a row.

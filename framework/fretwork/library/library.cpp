@@ -35,16 +35,27 @@ void insert_scenarios(const Database& database, const reduction::Setting& settin
     }
 }
 
-/// Create all tables of a new library in one transaction.
-void initialize(Database& database, const pattern::NodeLayout& layout, const reduction::Setting& setting) {
+enum class Initialized { Yes, WasNotEmpty };
+
+/// Create all tables of a new library in one transaction, unless there are tables already.
+Initialized initialize(Database& database, const pattern::NodeLayout& layout,
+                       const reduction::Setting& setting) {
     Transaction transaction(database, Transaction::Kind::Write);
-    if (!detail::is_empty(database)) throw base::InputError(database.path().string(), "", "exists already");
+    if (!detail::is_empty(database)) return Initialized::WasNotEmpty;
     detail::create_schema(database);
     insert_json(database, "INSERT INTO layout VALUES (?, ?)", layout.name(),
                 pattern::node_layout_text(layout));
     Statement(database, "INSERT INTO setting VALUES (1, ?)").bind_all(reduction::setting_text(setting)).run();
     insert_scenarios(database, setting);
     transaction.commit();
+    return Initialized::Yes;
+}
+
+/// Of several processes that find an empty file, one makes the tables.
+void fill_if_empty(const std::filesystem::path& path, const pattern::NodeLayout& layout,
+                   const reduction::Setting& setting) {
+    Database database(path, Database::Mode::Write);
+    if (detail::is_empty(database)) (void)initialize(database, layout, setting);
 }
 
 using SummariesById = std::map<std::string, PatternSummary, std::less<>>;
@@ -84,7 +95,7 @@ bool make_file(const std::filesystem::path& path, Make&& make) {
 void make_tables(const std::filesystem::path& path, const pattern::NodeLayout& layout,
                  const reduction::Setting& setting) {
     Database database(path, Database::Mode::CreateOrWrite);
-    initialize(database, layout, setting);
+    (void)initialize(database, layout, setting);
 }
 
 }  // namespace
@@ -118,7 +129,8 @@ Library Library::create(const std::filesystem::path& path, const pattern::NodeLa
     std::error_code ignored;
     if (std::filesystem::exists(path, ignored)) {
         Database database(path, Database::Mode::CreateOrWrite);
-        initialize(database, layout, setting);
+        if (initialize(database, layout, setting) == Initialized::WasNotEmpty)
+            throw base::InputError(path.string(), "", "exists already");
         return Library(std::make_unique<Impl>(std::move(database)));
     }
     if (!make_file(path, [&](const auto& draft) { make_tables(draft, layout, setting); }))
@@ -145,19 +157,18 @@ Library Library::open(const std::filesystem::path& path, Access access) {
 }
 
 Library Library::open_or_create(const std::filesystem::path& path, const pattern::NodeLayout& layout,
-                                const reduction::Setting& setting,
-                                std::span<const pattern::Pattern> patterns) {
+                                const reduction::Setting& setting, std::span<const pattern::Pattern> patterns,
+                                const base::Control& control) {
     // A process that was killed while it made the file has left an empty one; and another one may make it
     // at the same time.
     std::error_code ignored;
     if (!std::filesystem::exists(path, ignored)) {
         (void)make_file(path, [&](const auto& draft) {
             make_tables(draft, layout, setting);
-            if (!patterns.empty()) open(draft, Access::ReadWrite).add_patterns(patterns);
+            if (!patterns.empty()) open(draft, Access::ReadWrite).add_patterns(patterns, control);
         });
-    } else if (std::filesystem::is_regular_file(path, ignored) &&
-               detail::is_empty(Database(path, Database::Mode::Write))) {
-        return create(path, layout, setting);
+    } else if (std::filesystem::is_regular_file(path, ignored)) {
+        fill_if_empty(path, layout, setting);
     }
     Library library = open(path, Access::ReadWrite);
     library.check_layout(layout);
@@ -204,12 +215,13 @@ void Library::check_layout(const pattern::NodeLayout& wanted) const {
     throw base::InputError(path().string(), "", "is of another layout: " + difference);
 }
 
-std::size_t Library::add_patterns(std::span<const pattern::Pattern> patterns) {
+std::size_t Library::add_patterns(std::span<const pattern::Pattern> patterns, const base::Control& control) {
     const auto transaction = impl_->begin_writing();
     Statement insert(impl_->database, "INSERT OR IGNORE INTO pattern VALUES (?, ?, ?, nullif(?, ''))");
     const pattern::Mirror mirror(layout());
     std::size_t added = 0;
     for (const pattern::Pattern& pattern : patterns) {
+        control.check();
         const auto image = mirror.image(pattern);
         insert
             .bind_all(pattern_id(layout(), pattern), layout().name(), pattern.edge_count(),
@@ -354,7 +366,9 @@ bool Library::has_content(std::string_view hash) const {
     return hash == content_hash() || hash == detail::schema3_content_hash(impl_->database);
 }
 
-void Library::export_csv(const std::filesystem::path& folder) const {
+void Library::export_csv(const std::filesystem::path& folder, const base::Control& control) const {
+    control.check();
+    const detail::StopWatch stop_watch(impl_->database, control);
     detail::export_csv(impl_->database, folder);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <fretwork/base/control.hpp>
 #include <fretwork/pattern/node_layout.hpp>
 #include <fretwork/pattern/pattern.hpp>
 #include <fretwork/reduction/calibration.hpp>
@@ -100,7 +101,8 @@ class Library {
     /// patterns in it: a new file that cannot hold all of them is not made.
     static Library open_or_create(const std::filesystem::path& path, const pattern::NodeLayout& layout,
                                   const reduction::Setting& setting,
-                                  std::span<const pattern::Pattern> patterns = {});
+                                  std::span<const pattern::Pattern> patterns = {},
+                                  const base::Control& control = {});
     Library(Library&&) noexcept;
     Library& operator=(Library&&) noexcept;
     ~Library();
@@ -115,8 +117,9 @@ class Library {
     /// check_setting.
     void adopt_setting(const reduction::Setting& wanted);
 
-    /// Add patterns; those that are there already are left alone. Returns how many are new.
-    std::size_t add_patterns(std::span<const pattern::Pattern> patterns);
+    /// Add patterns; those that are there already are left alone. Returns how many are new. Stopped, it adds
+    /// none.
+    std::size_t add_patterns(std::span<const pattern::Pattern> patterns, const base::Control& control = {});
     [[nodiscard]] std::size_t pattern_count() const;
     /// All patterns by number of edges, then by their edges: the order of the enumeration, however they came
     /// in.
@@ -163,7 +166,7 @@ class Library {
     [[nodiscard]] bool has_content(std::string_view hash) const;
     /// Write each table as one CSV file into a folder (made if missing), and layout.json and setting.json.
     /// Rows are sorted; times and hosts are left out, so equal contents give equal files.
-    void export_csv(const std::filesystem::path& folder) const;
+    void export_csv(const std::filesystem::path& folder, const base::Control& control = {}) const;
 
   private:
     struct Impl;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
+#include <fretwork/base/task.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/library/detail/database.hpp>
 #include <fretwork/library/detail/draft.hpp>
@@ -105,9 +106,16 @@ void add_input(Database& output, const std::filesystem::path& input) {
     }
 }
 
-void merge_into(const std::filesystem::path& path, std::span<const std::filesystem::path> inputs) {
+void merge_into(const std::filesystem::path& path, std::span<const std::filesystem::path> inputs,
+                const base::Control& control) {
+    const base::Task task(control, "merge", inputs.size());
     Database output(path, Database::Mode::Write);
-    for (const auto& input : inputs) add_input(output, input);
+    const detail::StopWatch stop_watch(output, control);
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+        control.check();
+        add_input(output, inputs[i]);
+        task.update(i + 1);
+    }
     Transaction transaction(output, Transaction::Kind::Write);
     drop_settled_failures(output);
     transaction.commit();
@@ -115,7 +123,8 @@ void merge_into(const std::filesystem::path& path, std::span<const std::filesyst
 
 }  // namespace
 
-void merge(const std::filesystem::path& output, std::span<const std::filesystem::path> inputs) {
+void merge(const std::filesystem::path& output, std::span<const std::filesystem::path> inputs,
+           const base::Control& control) {
     std::error_code ignored;
     if (std::filesystem::exists(output, ignored))
         throw base::InputError(output.string(), "", "exists already");
@@ -129,7 +138,7 @@ void merge(const std::filesystem::path& output, std::span<const std::filesystem:
     const detail::Draft draft(output);
     draft.fill([&] {
         Library::create(draft.path(), first.layout(), first.setting());
-        merge_into(draft.path(), inputs);
+        merge_into(draft.path(), inputs, control);
     });
     if (!draft.move_into_place())
         throw base::IoError(output.string() + ": another process has made it meanwhile");

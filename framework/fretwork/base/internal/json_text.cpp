@@ -4,7 +4,10 @@
 #include <fretwork/base/text.hpp>
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
+#include <cstdint>
 
 namespace fretwork::base {
 namespace {
@@ -28,28 +31,39 @@ class Layout {
             throw NumericalError("a result holds a number that is not finite" +
                                  (key_.empty() ? "" : ", under '" + key_ + "'"));
         }
-        text_ += value.is_string() ? quoted(value) : value.dump();
+        if (value.is_string()) return append_quoted(value.get_ref<const std::string&>());
+        if (value.is_number()) return append_number(value);
+        text_ += value.dump();
     }
 
-    static std::string quoted(const Json& text) {
-        const auto& content = text.get_ref<const std::string&>();
-        const bool is_harmless = printable(content) == content;
-        return text.dump(-1, ' ', !is_harmless, Json::error_handler_t::replace);
-    }
-
-    /// Most of a large document is rows of numbers: one call for each row.
-    void append_numbers(const Json& array) {
-        for (const char c : array.dump()) {
-            text_ += c;
-            if (c == ',') text_ += ' ';
+    /// Nearly all texts are plain ASCII, which stands for itself.
+    void append_quoted(const std::string& text) {
+        const auto is_plain = [](char c) { return c >= ' ' && c <= '~' && c != '"' && c != '\\'; };
+        if (std::ranges::all_of(text, is_plain)) {
+            text_.append(1, '"').append(text).append(1, '"');
+            return;
         }
+        const bool is_harmless = printable(text) == text;
+        text_ += Json(text).dump(-1, ' ', !is_harmless, Json::error_handler_t::replace);
+    }
+
+    /// The characters of Json::dump, which prepares for each value as for a whole document. Most of a large
+    /// document is numbers.
+    void append_number(const Json& number) {
+        std::array<char, 64> buffer{};
+        char* const first = buffer.data();
+        char* last = nullptr;
+        if (number.is_number_float()) {
+            last = nlohmann::detail::to_chars(first, first + buffer.size(), number.get<double>());
+        } else if (number.is_number_unsigned()) {
+            last = std::to_chars(first, first + buffer.size(), number.get<std::uint64_t>()).ptr;
+        } else {
+            last = std::to_chars(first, first + buffer.size(), number.get<std::int64_t>()).ptr;
+        }
+        text_.append(first, last);
     }
 
     void append_plain_array(const Json& array) {
-        const auto is_finite_number = [](const Json& v) {
-            return v.is_number() && (!v.is_number_float() || std::isfinite(v.get<double>()));
-        };
-        if (std::all_of(array.begin(), array.end(), is_finite_number)) return append_numbers(array);
         text_ += "[";
         for (std::size_t i = 0; i < array.size(); ++i) {
             if (i > 0) text_ += ", ";
@@ -76,7 +90,8 @@ class Layout {
             if (!first) text_ += ",";
             first = false;
             new_line(depth + 1);
-            text_ += quoted(key) + ": ";
+            append_quoted(key);
+            text_ += ": ";
             key_ = key;
             append(member, depth + 1);
         }

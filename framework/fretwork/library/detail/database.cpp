@@ -36,6 +36,7 @@ void Database::execute(const std::string& sql) {
 void Database::fail(int code) const {
     const int kind = code & 0xff;
     const std::string what = sqlite3_errstr(code);
+    if (kind == SQLITE_INTERRUPT) throw base::Stopped();
     if (kind == SQLITE_NOTADB) throw base::InputError(path_.string(), "", "is no pattern library");
     if (kind == SQLITE_CORRUPT) throw base::InputError(path_.string(), "", "is damaged (" + what + ")");
     if (kind == SQLITE_BUSY || kind == SQLITE_LOCKED)
@@ -92,6 +93,19 @@ std::string_view Statement::text(int column) const {
     const auto* bytes = reinterpret_cast<const char*>(sqlite3_column_text(handle_.get(), column));
     return {bytes == nullptr ? "" : bytes,
             static_cast<std::size_t>(sqlite3_column_bytes(handle_.get(), column))};
+}
+
+StopWatch::StopWatch(Database& database, const base::Control& control)
+    : database_(database), stop_(control.stop) {
+    constexpr int kInstructions = 10'000;  // of SQLite's machine: less than a millisecond
+    const auto is_asked_to_stop = [](void* stop) {
+        return static_cast<std::stop_token*>(stop)->stop_requested() ? 1 : 0;
+    };
+    sqlite3_progress_handler(database_.handle(), kInstructions, is_asked_to_stop, &stop_);
+}
+
+StopWatch::~StopWatch() {
+    sqlite3_progress_handler(database_.handle(), 0, nullptr, nullptr);
 }
 
 Transaction::Transaction(Database& database, Kind kind) : database_(&database) {

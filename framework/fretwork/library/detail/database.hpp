@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <fretwork/base/control.hpp>
+
 #include <sqlite3.h>
 
 #include <cstdint>
@@ -84,6 +86,20 @@ class Statement {
     };
     const Database* database_;
     std::unique_ptr<sqlite3_stmt, Finalize> handle_;
+};
+
+/// While it lives, the database's long statements end when the caller asks to stop: they throw base::Stopped,
+/// and the transaction that they are part of is rolled back.
+class StopWatch {
+  public:
+    StopWatch(Database& database, const base::Control& control);
+    StopWatch(const StopWatch&) = delete;
+    StopWatch& operator=(const StopWatch&) = delete;
+    ~StopWatch();
+
+  private:
+    Database& database_;
+    std::stop_token stop_;
 };
 
 /// A transaction that is rolled back unless it is committed. What is read in it is of one moment; one that
