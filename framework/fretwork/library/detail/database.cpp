@@ -96,12 +96,12 @@ std::string_view Statement::text(int column) const {
 }
 
 StopWatch::StopWatch(Database& database, const base::Control& control)
-    : database_(database), stop_(control.stop) {
+    : database_(database), control_(control.silent()) {
     constexpr int kInstructions = 10'000;  // of SQLite's machine: less than a millisecond
-    const auto is_asked_to_stop = [](void* stop) {
-        return static_cast<std::stop_token*>(stop)->stop_requested() ? 1 : 0;
+    const auto is_asked_to_stop = [](void* control) {
+        return static_cast<const base::Control*>(control)->stop_wanted() ? 1 : 0;
     };
-    sqlite3_progress_handler(database_.handle(), kInstructions, is_asked_to_stop, &stop_);
+    sqlite3_progress_handler(database_.handle(), kInstructions, is_asked_to_stop, &control_);
 }
 
 StopWatch::~StopWatch() {

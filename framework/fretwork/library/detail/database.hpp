@@ -99,7 +99,7 @@ class StopWatch {
 
   private:
     Database& database_;
-    std::stop_token stop_;
+    base::Control control_;
 };
 
 /// A transaction that is rolled back unless it is committed. What is read in it is of one moment; one that
