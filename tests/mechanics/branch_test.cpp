@@ -112,7 +112,9 @@ TEST(Branch, StablePathIsNotPushed) {
     const auto plain = follow_load_path(assembly, factors);
     const auto pushed = follow_load_path(assembly, factors, {.branch = Branch::Stable});
     for (std::size_t i = 0; i < 2; ++i) {
-        EXPECT_EQ((plain[i].displacements - pushed[i].displacements).norm(), 0.0);
+        // The plain path goes in longer strides: what differs is what the residual's tolerance leaves.
+        EXPECT_LT((plain[i].displacements - pushed[i].displacements).norm(),
+                  1e-8 * pushed[i].displacements.norm());
         EXPECT_TRUE(pushed[i].stability_losses.empty());
     }
 }

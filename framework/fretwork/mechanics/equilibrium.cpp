@@ -6,6 +6,7 @@
 #include <fretwork/mechanics/nonlinear/lowest_mode.hpp>
 #include <fretwork/mechanics/nonlinear/newton.hpp>
 #include <fretwork/mechanics/nonlinear/path_predictor.hpp>
+#include <fretwork/mechanics/nonlinear/stride.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -16,6 +17,7 @@ namespace fretwork::mechanics {
 namespace {
 
 using nonlinear::Configuration;
+using nonlinear::PathPoint;
 
 /// Near a limit load the path turns back, and the response to load grows without bound; by the time that
 /// steps have been halved ten times it has grown thirtyfold. Elsewhere a step that fails is divergence.
@@ -43,8 +45,9 @@ constexpr double kPush = 0.02;
 /// it is about twice as large.
 constexpr double kNeutral = 0.5;
 
-/// rad: elements whose ends cannot be turned against each other by more than this are not looked at.
-constexpr double kSafeTurn = 2.5;
+/// rad: a path goes to its next load in one stride if the guess turns a node by more than this; below,
+/// Newton's method needs a step or two from the guess.
+constexpr double kStride = 0.3;
 /// rad: a step turns no node by more than this if it is prescribed how far.
 constexpr double kPrescribedTurn = 0.7;
 
@@ -61,30 +64,35 @@ class LoadPath {
         : options_(options),
           system_(assembly, options.threads, options.control),
           newton_(system_, options),
-          configuration_(unknowns_.rest()),
+          mixed_(system_, newton_, options),
+          point_{unknowns_.rest(), 0.0, {}, {}, 0.0},
           predictor_(unknowns_) {
-        system_.evaluate(configuration_, 0.0);
-        newton_.factorize_at_rest();
-        rate_ = newton_.solve_tangent(system_.load_rate());
-        rest_rate_ = unknowns_.largest_component(rate_);
-        predictor_.add(0.0, configuration_, rate_);
+        mixed_.begin_at_rest(point_.configuration);
+        point_.rate = newton_.solve_tangent(system_.load_rate());
+        rest_rate_ = unknowns_.largest_component(point_.rate);
+        predictor_.add(0.0, point_.configuration, point_.rate);
         prescribed_turn_ =
             structure::constraints_of(assembly).values.rightCols<3>().rowwise().norm().maxCoeff();
     }
 
     /// @param task  is told the share of the last load factor, in thousandths
     Solution advance_to(double target, const base::Task& task, double last) {
-        double step = target - factor_;
+        const bool strides = may_stride(target);
+        if (strides && stride_to(target) == Termination::Converged) {
+            report(task, last);
+            return solution(Termination::Converged);
+        }
+        double step = target - point_.load_factor;
         if (prescribed_turn_ > 0.0) step = std::min(step, kPrescribedTurn / prescribed_turn_);
         shortest_step_ = step / std::pow(2.0, options_.largest_cut_back);
         longest_crossing_ = std::max(kLongestCrossing * target, 2.0 * shortest_step_);
         Termination termination = Termination::Converged;
-        while (factor_ < target && termination == Termination::Converged) {
-            const bool reaches = factor_ + step >= target - 0.5 * shortest_step_;
-            termination = try_step(reaches ? target : factor_ + step);
-            task.update(static_cast<std::size_t>(static_cast<double>(kThousand) * factor_ / last));
+        while (point_.load_factor < target && termination == Termination::Converged) {
+            const bool reaches = point_.load_factor + step >= target - 0.5 * shortest_step_;
+            termination = try_step(reaches ? target : point_.load_factor + step);
+            report(task, last);
             if (termination != Termination::Converged && newton_.has_neutral())
-                termination = try_soft_step(reaches ? target : factor_ + step);
+                termination = try_soft_step(reaches ? target : point_.load_factor + step);
             if (termination != Termination::Converged && step > 1.5 * shortest_step_) {
                 step *= 0.5;
                 termination = Termination::Converged;
@@ -94,6 +102,27 @@ class LoadPath {
     }
 
   private:
+    void report(const base::Task& task, double last) const {
+        task.update(static_cast<std::size_t>(static_cast<double>(kThousand) * point_.load_factor / last));
+    }
+
+    /// Where only the equilibria at the loads count, not where stability is lost on the way to them.
+    [[nodiscard]] bool may_stride(double target) const {
+        if (options_.branch == Branch::Stable || options_.locate_critical_loads) return false;
+        if (!point_.outcome.positive_definite()) return false;
+        return is_at_rest_ || unknowns_.largest_rotation(predictor_.step_to(target)) > kStride;
+    }
+
+    Termination stride_to(double target) {
+        if (!mixed_is_here_) mixed_.begin(point_.configuration, point_.load_factor);
+        const Termination found = nonlinear::stride(system_, newton_, mixed_, point_, target);
+        mixed_is_here_ = found == Termination::Converged;
+        if (!mixed_is_here_) return found;
+        is_at_rest_ = false;
+        predictor_.add(point_.load_factor, point_.configuration, point_.rate);
+        return found;
+    }
+
     /// What was taken to be neutral may only be soft.
     Termination try_soft_step(double factor) {
         const Eigen::VectorXd neutral = newton_.neutral();
@@ -105,53 +134,44 @@ class LoadPath {
     }
 
     Termination try_step(double factor) {
-        Configuration trial = configuration_;
+        Configuration trial = point_.configuration;
         const Eigen::VectorXd guess = predictor_.step_to(factor);
         unknowns_.prescribe(factor, trial);
         unknowns_.move(capped(guess), trial);
         const Termination termination = newton_.solve(factor, trial);
         if (termination != Termination::Converged) return termination;
-        unknowns_.unwind(configuration_, trial);
-        const Eigen::VectorXd move = unknowns_.step_between(configuration_, trial);
-        const double turn_bound = bound_relative_turn(factor, move, trial);
+        unknowns_.unwind(point_.configuration, trial);
+        const Eigen::VectorXd move = unknowns_.step_between(point_.configuration, trial);
+        const double turn_bound = turn_bound_at(factor, move, trial);
         if (turn_bound > std::numbers::pi) return Termination::Diverged;
         const auto outcome = newton_.factorize();
-        const bool crosses = outcome.negative_pivots != outcome_.negative_pivots;
-        if (crosses && factor - factor_ > longest_crossing_) return Termination::LimitLoad;
+        const bool crosses = outcome.negative_pivots != point_.outcome.negative_pivots;
+        if (crosses && factor - point_.load_factor > longest_crossing_) return Termination::LimitLoad;
         Eigen::VectorXd rate = outcome.zero_pivot < 0 ? newton_.solve_tangent(system_.load_rate())
-                                                      : Eigen::VectorXd(move / (factor - factor_));
-        if (is_jump(factor - factor_, move, rate)) return Termination::LimitLoad;
-        const bool loses_stability = outcome_.positive_definite() && !outcome.positive_definite();
+                                                      : Eigen::VectorXd(move / (factor - point_.load_factor));
+        if (is_jump(factor - point_.load_factor, move, rate)) return Termination::LimitLoad;
+        const bool loses_stability = point_.outcome.positive_definite() && !outcome.positive_definite();
         if (loses_stability && (options_.locate_critical_loads || options_.branch == Branch::Stable)) {
             const Termination left = leave(factor, move, trial);
             if (left != Termination::Converged) return left;
             if (options_.branch == Branch::Stable) return Termination::Converged;
         }
-        rate_ = std::move(rate);
-        configuration_ = std::move(trial);
-        factor_ = factor;
-        turn_bound_ = turn_bound;
-        outcome_ = outcome;
+        point_ = {std::move(trial), factor, std::move(rate), outcome, turn_bound};
+        mixed_is_here_ = is_at_rest_ = false;
         if (newton_.has_neutral()) {
             newton_.set_neutral(lowest_mode_here().shape, nonlinear::rounding_shift(system_));
             predict_anew();
         } else {
-            predictor_.add(factor_, configuration_, rate_);
+            predictor_.add(point_.load_factor, point_.configuration, point_.rate);
         }
         return Termination::Converged;
     }
 
-    /// A bound on how far the ends of elements are turned against each other at the end of a step; beyond pi
-    /// if one of them has come so far that its turn, known up to whole turns, is not known any more. As long
-    /// as rotations alone bound it below that, no element is asked.
-    [[nodiscard]] double bound_relative_turn(double factor, const Eigen::VectorXd& move,
-                                             const Configuration& trial) const {
+    [[nodiscard]] double turn_bound_at(double factor, const Eigen::VectorXd& move,
+                                       const Configuration& trial) const {
         const double turned =
-            std::max(unknowns_.largest_rotation(move), (factor - factor_) * prescribed_turn_);
-        const double bound = turn_bound_ + 2.0 * turned;
-        if (bound < kSafeTurn) return bound;
-        const auto turn = system_.relative_turn(trial, configuration_);
-        return turn.largest_change > 0.5 * std::numbers::pi ? 2.0 * std::numbers::pi : turn.largest;
+            std::max(unknowns_.largest_rotation(move), (factor - point_.load_factor) * prescribed_turn_);
+        return nonlinear::bound_relative_turn(system_, point_, turned, trial);
     }
 
     /// The push has left the path next to a circle of equilibria if it resists one direction much less than
@@ -166,7 +186,7 @@ class LoadPath {
 
     /// Of the last equilibrium, at which the system is evaluated.
     nonlinear::LowestMode lowest_mode_here() {
-        system_.evaluate(configuration_, factor_);
+        system_.evaluate(point_.configuration, point_.load_factor);
         return nonlinear::lowest_mode(system_, newton_);
     }
 
@@ -174,9 +194,9 @@ class LoadPath {
     /// evaluated at the last equilibrium.
     void predict_anew() {
         (void)newton_.factorize();
-        rate_ = newton_.solve_tangent(system_.load_rate());
+        point_.rate = newton_.solve_tangent(system_.load_rate());
         predictor_.restart();
-        predictor_.add(factor_, configuration_, rate_);
+        predictor_.add(point_.load_factor, point_.configuration, point_.rate);
     }
 
     /// The path has become unstable on the way to `unstable`: find where, and go on along a stable branch if
@@ -192,11 +212,11 @@ class LoadPath {
             const Termination found = nonlinear::descend(factor, system_, newton_, pushed);
             if (found != Termination::Converged) return found;
             loss.pushed = true;
-            unknowns_.unwind(configuration_, pushed);
-            configuration_ = std::move(pushed);
-            factor_ = factor;
-            outcome_ = {};
-            turn_bound_ = std::numbers::pi;  // unknown
+            unknowns_.unwind(point_.configuration, pushed);
+            point_.configuration = std::move(pushed);
+            point_.load_factor = factor;
+            point_.outcome = {};
+            point_.turn_bound = std::numbers::pi;  // unknown
             begin_branch(mode.eigenvalue);
         } else {
             system_.evaluate(unstable, factor);
@@ -213,16 +233,16 @@ class LoadPath {
     /// Where the lowest eigenvalue vanishes between the last equilibrium and an unstable one: the false
     /// position, halving the weight of an end that stays (the Illinois rule).
     [[nodiscard]] double critical_factor(Lowest unstable, const Eigen::VectorXd& move) {
-        const double span = unstable.factor - factor_;
-        Lowest stable{factor_, lowest_mode_here().eigenvalue};
+        const double span = unstable.factor - point_.load_factor;
+        Lowest stable{point_.load_factor, lowest_mode_here().eigenvalue};
         int side = 0;
         for (int i = 0;
              i < kCriticalSteps && unstable.factor - stable.factor > kCriticalWidth * unstable.factor; ++i) {
             const double share = stable.eigenvalue / (stable.eigenvalue - unstable.eigenvalue);
             const double factor = stable.factor + share * (unstable.factor - stable.factor);
-            Configuration trial = configuration_;
+            Configuration trial = point_.configuration;
             unknowns_.prescribe(factor, trial);
-            unknowns_.move(((factor - factor_) / span) * move, trial);
+            unknowns_.move(((factor - point_.load_factor) / span) * move, trial);
             if (newton_.solve(factor, trial) != Termination::Converged) break;
             const Lowest found{factor, nonlinear::lowest_mode(system_, newton_).eigenvalue};
             const bool is_stable = found.eigenvalue > 0.0;
@@ -239,11 +259,11 @@ class LoadPath {
         const double moved = unknowns_.largest_component(move);
         if (moved <= kSmallMove) return false;
         if (step < 1.5 * shortest_step_) {
-            const double rates = unknowns_.largest_component(rate_) * unknowns_.largest_component(rate);
+            const double rates = unknowns_.largest_component(point_.rate) * unknowns_.largest_component(rate);
             return moved > kJump * step * std::sqrt(rates);
         }
         const Eigen::ArrayXd unit = unknowns_.weights().array().sqrt();
-        const Eigen::ArrayXd explained = 0.5 * step * unit * (rate_ + rate).array();
+        const Eigen::ArrayXd explained = 0.5 * step * unit * (point_.rate + rate).array();
         const Eigen::ArrayXd made = unit * move.array();
         const Eigen::ArrayXd own = explained.abs().max(made.abs());
         return ((made - explained).abs() > kUnexplained * own.max(kOwnMove * own.maxCoeff())).any();
@@ -256,14 +276,14 @@ class LoadPath {
 
     [[nodiscard]] Solution solution(Termination termination) {
         if (termination != Termination::Converged) {
-            if (unknowns_.largest_component(rate_) > kLimitLoadGrowth * rest_rate_)
+            if (unknowns_.largest_component(point_.rate) > kLimitLoadGrowth * rest_rate_)
                 termination = Termination::LimitLoad;
-            system_.evaluate(configuration_, factor_);
+            system_.evaluate(point_.configuration, point_.load_factor);
         }
-        Solution solution = system_.describe(configuration_, factor_);
+        Solution solution = system_.describe(point_.configuration, point_.load_factor);
         solution.termination = termination;
         if (options_.classify_stability) {
-            solution.stable = outcome_.positive_definite();
+            solution.stable = point_.outcome.positive_definite();
             solution.stability =
                 system_.is_conservative() ? StabilityTest::Tangent : StabilityTest::SymmetricPart;
         }
@@ -276,15 +296,14 @@ class LoadPath {
     nonlinear::NonlinearSystem system_;
     const nonlinear::Unknowns& unknowns_ = system_.unknowns();
     nonlinear::Newton newton_;
-    Configuration configuration_;
-    double factor_ = 0.0;
+    nonlinear::MixedNewton mixed_;
+    PathPoint point_;  ///< the last equilibrium
+    bool is_at_rest_ = true;
+    bool mixed_is_here_ = true;  ///< its stresses and factors are those of the last equilibrium
     double shortest_step_ = 0.0;
     double longest_crossing_ = 0.0;  ///< of steps on which stability changes
-    sparse::Ldlt::Outcome outcome_;
-    Eigen::VectorXd rate_;  ///< of the unknowns in the load factor
     double rest_rate_ = 0.0;
     double prescribed_turn_ = 0.0;  ///< the largest rotation that is prescribed at a node, at the full load
-    double turn_bound_ = 0.0;
     nonlinear::PathPredictor predictor_;
     std::vector<StabilityLoss> losses_;
 };

@@ -45,7 +45,7 @@ NonlinearSystem::NonlinearSystem(const Assembly& assembly, int threads, const ba
       control_{.stop = control.stop},
       threads_(assembly.elements.size() < kBatch / 2 ? 1 : base::resolved_thread_count(threads)),
       batch_(threads_ > 1 ? kBatch : 1),
-      responses_(batch_) {
+      answers_(batch_) {
     for (int node = 0; node < static_cast<int>(assembly.nodes.size()); ++node) {
         const int free =
             3 - unknowns_.is_held(node, 3) - unknowns_.is_held(node, 4) - unknowns_.is_held(node, 5);
@@ -55,6 +55,7 @@ NonlinearSystem::NonlinearSystem(const Assembly& assembly, int threads, const ba
     is_loaded_ = unknowns_.has_prescribed() || !assembly.loads.isZero(0.0);
     spin_maps_.resize(unknowns_.vector_nodes().size());
     values_.resize(unknowns_.layout().row().size());
+    prescribed_rate_.setZero(static_cast<Eigen::Index>(assembly.nodes.size()), kDofsPerNode);
 }
 
 void NonlinearSystem::map_spins(const Configuration& configuration) {
@@ -63,14 +64,24 @@ void NonlinearSystem::map_spins(const Configuration& configuration) {
 }
 
 /// From spins to components of the rotation vector, where these are the unknowns.
-void NonlinearSystem::map_to_unknowns(std::span<const NodeIndex> nodes, Eigen::MatrixXd& tangent) const {
+void NonlinearSystem::map_columns(std::span<const NodeIndex> nodes,
+                                  Eigen::Ref<Eigen::MatrixXd> slopes) const {
     for (std::size_t i = 0; i < nodes.size(); ++i) {
         const int slot = unknowns_.vector_slot(nodes[i].value);
         if (slot < 0) continue;
-        const Eigen::Matrix3d& map = spin_maps_[at(slot)];
         const Eigen::Index place = static_cast<Eigen::Index>(i) * kDofsPerNode + 3;
-        tangent.middleCols<3>(place) = (tangent.middleCols<3>(place) * map).eval();
-        tangent.middleRows<3>(place) = (map.transpose() * tangent.middleRows<3>(place)).eval();
+        slopes.middleCols<3>(place) = (slopes.middleCols<3>(place) * spin_maps_[at(slot)]).eval();
+    }
+}
+
+void NonlinearSystem::map_to_unknowns(std::span<const NodeIndex> nodes, Eigen::MatrixXd& tangent) const {
+    map_columns(nodes, tangent);
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        const int slot = unknowns_.vector_slot(nodes[i].value);
+        if (slot < 0) continue;
+        const Eigen::Index place = static_cast<Eigen::Index>(i) * kDofsPerNode + 3;
+        tangent.middleRows<3>(place) =
+            (spin_maps_[at(slot)].transpose() * tangent.middleRows<3>(place)).eval();
     }
 }
 
@@ -86,31 +97,60 @@ void NonlinearSystem::add_prescribed_rate(std::span<const NodeIndex> nodes, cons
     }
 }
 
+void NonlinearSystem::for_elements(std::size_t count, const std::function<void(std::size_t)>& body) const {
+    base::parallel_for((count + kPiece - 1) / kPiece, threads_, [&](std::size_t piece) {
+        control_.check();
+        const std::size_t end = std::min(count, (piece + 1) * kPiece);
+        for (std::size_t i = piece * kPiece; i < end; ++i) body(i);
+    });
+}
+
 /// Elements are added in their order, whoever has evaluated them, so that sums do not depend on threads.
-void NonlinearSystem::add_elements(const Configuration& configuration, Demand demand) {
+void NonlinearSystem::add_elements(const Configuration& configuration, const Pass& pass) {
     for (std::size_t first = 0; first < unknowns_.assembly().elements.size(); first += batch_) {
         const std::size_t count = std::min(batch_, unknowns_.assembly().elements.size() - first);
         control_.check();
         if (threads_ == 1) {
-            evaluate_element(first, configuration, demand, responses_[0]);
+            evaluate_element(first, configuration, pass, answers_[0]);
         } else {
-            base::parallel_for((count + kPiece - 1) / kPiece, threads_, [&](std::size_t piece) {
-                control_.check();
-                const std::size_t end = std::min(count, (piece + 1) * kPiece);
-                for (std::size_t i = piece * kPiece; i < end; ++i)
-                    evaluate_element(first + i, configuration, demand, responses_[i]);
-            });
+            for_elements(
+                count, [&](std::size_t i) { evaluate_element(first + i, configuration, pass, answers_[i]); });
         }
-        for (std::size_t i = 0; i < count; ++i) add_response(first + i, responses_[i], demand);
+        for (std::size_t i = 0; i < count; ++i) add_answer(first + i, answers_[i], pass);
     }
 }
 
-void NonlinearSystem::evaluate_element(std::size_t index, const Configuration& configuration, Demand demand,
-                                       ElementResponse& response) const {
+void NonlinearSystem::evaluate_element(std::size_t index, const Configuration& configuration,
+                                       const Pass& pass, Answer& answer) const {
     const Element& element = *unknowns_.assembly().elements[index];
-    element.evaluate(states_of(element, configuration), demand, response);
-    if (demand == Demand::Tangent && !unknowns_.vector_nodes().empty())
-        map_to_unknowns(element.nodes(), response.tangent);
+    const auto states = states_of(element, configuration);
+    if (pass.stresses == nullptr) {
+        element.evaluate(states, pass.demand, answer.response);
+    } else {
+        element.evaluate_mixed(states, pass.demand, pass.stresses->of(index), answer.response);
+    }
+    if (pass.has_lag()) {
+        answer.lag.setZero(answer.response.force.size());
+        pass.stresses->add_lag(index, answer.lag);
+    } else if (pass.demand == Demand::Tangent && !unknowns_.vector_nodes().empty()) {
+        map_to_unknowns(element.nodes(), answer.response.tangent);
+        if (pass.stresses != nullptr) map_columns(element.nodes(), pass.stresses->slopes(index));
+    }
+}
+
+void NonlinearSystem::extrapolate(const Eigen::VectorXd& step, double prescribed,
+                                  StressWorkspace& stresses) const {
+    NodeValues motions = prescribed * unknowns_.constraints().values;
+    unknowns_.layout().scatter(step, motions);
+    for_elements(unknowns_.assembly().elements.size(), [&](std::size_t index) {
+        thread_local Eigen::VectorXd motion;
+        const auto nodes = unknowns_.assembly().elements[index]->nodes();
+        motion.resize(std::ssize(nodes) * kDofsPerNode);
+        for (std::size_t i = 0; i < nodes.size(); ++i)
+            motion.segment<kDofsPerNode>(static_cast<Eigen::Index>(i) * kDofsPerNode) =
+                motions.row(nodes[i].value).transpose();
+        stresses.extrapolate(index, motion);
+    });
 }
 
 /// Valid until the next call on the same thread.
@@ -135,22 +175,31 @@ NonlinearSystem::RelativeTurn NonlinearSystem::relative_turn(const Configuration
     return result;
 }
 
-void NonlinearSystem::add_response(std::size_t index, const ElementResponse& response, Demand demand) {
+void NonlinearSystem::add_answer(std::size_t index, const Answer& answer, const Pass& pass) {
     const auto nodes = unknowns_.assembly().elements[index]->nodes();
-    energy_ += response.energy;
-    for (std::size_t i = 0; i < nodes.size(); ++i)
-        internal_.row(nodes[i].value) +=
-            response.force.segment<kDofsPerNode>(static_cast<Eigen::Index>(i) * kDofsPerNode).transpose();
-    if (demand == Demand::Force) return;
-    unknowns_.layout().add(index, response.tangent, values_);
-    if (unknowns_.has_prescribed()) add_prescribed_rate(nodes, response.tangent);
+    const auto add = [&nodes](const Eigen::VectorXd& values, NodeValues& table) {
+        for (std::size_t i = 0; i < nodes.size(); ++i)
+            table.row(nodes[i].value) +=
+                values.segment<kDofsPerNode>(static_cast<Eigen::Index>(i) * kDofsPerNode).transpose();
+    };
+    energy_ += answer.response.energy;
+    add(answer.response.force, internal_);
+    if (pass.stresses != nullptr) add(answer.response.given_force, given_internal_);
+    if (pass.has_lag()) add(answer.lag, lag_);
+    if (pass.demand == Demand::Force) return;
+    unknowns_.layout().add(index, answer.response.tangent, values_);
+    if (unknowns_.has_prescribed()) add_prescribed_rate(nodes, answer.response.tangent);
 }
 
 /// What moments add to the tangent: at vector nodes the change of the map itself (it meets the out-of-balance
 /// moment, which the supports carry), at freely turning ones the skew part of moments of fixed direction.
-void NonlinearSystem::add_moment_terms(const Configuration& configuration, double load_factor) {
+/// @param internal  forces of the stresses that stand in the tangent
+void NonlinearSystem::add_moment_terms(const Configuration& configuration, double load_factor,
+                                       const NodeValues& internal) {
+    skew_.clear();
     for (const int node : unknowns_.vector_nodes()) {
-        const Eigen::Vector3d excess = -forces_.row(node).tail<3>().transpose();
+        const Eigen::Vector3d excess =
+            (internal.row(node) - load_factor * unknowns_.assembly().loads.row(node)).tail<3>().transpose();
         Eigen::Matrix3d change =
             elements::spin_map_derivative(configuration.rotation_vectors[at(node)], excess);
         change = 0.5 * (change + change.transpose()).eval();
@@ -179,22 +228,26 @@ Eigen::Matrix3d NonlinearSystem::skew_of_moment(int node, double load_factor) co
     return spin_maps_[at(slot)].transpose() * skew * spin_maps_[at(slot)];
 }
 
-void NonlinearSystem::gather_unbalanced(double load_factor) {
-    NodeValues mapped = forces_;
-    NodeValues rate = unknowns_.assembly().loads;
+/// Moments against the components of the rotation vector, where these are the unknowns.
+NodeValues NonlinearSystem::mapped(NodeValues forces) const {
     for (std::size_t i = 0; i < unknowns_.vector_nodes().size(); ++i) {
-        const int node = unknowns_.vector_nodes()[i];
-        mapped.row(node).tail<3>() = (forces_.row(node).tail<3>() * spin_maps_[i]).eval();
-        rate.row(node).tail<3>() = (unknowns_.assembly().loads.row(node).tail<3>() * spin_maps_[i]).eval();
+        auto moment = forces.row(unknowns_.vector_nodes()[i]).tail<3>();
+        moment = (moment * spin_maps_[i]).eval();
     }
+    return forces;
+}
+
+void NonlinearSystem::gather_unbalanced(double load_factor) {
+    const NodeValues unbalanced = mapped(forces_);
+    NodeValues rate = mapped(unknowns_.assembly().loads);
     if (unknowns_.has_prescribed()) rate -= prescribed_rate_;
-    unknowns_.layout().gather(mapped, unbalanced_);
+    unknowns_.layout().gather(unbalanced, unbalanced_);
     unknowns_.layout().gather(rate, load_rate_);
     double square = 0.0;
-    for (Eigen::Index node = 0; node < mapped.rows(); ++node) {
+    for (Eigen::Index node = 0; node < unbalanced.rows(); ++node) {
         for (int d = 0; d < kDofsPerNode; ++d) {
             if (unknowns_.is_held(static_cast<int>(node), d)) continue;
-            const double value = mapped(node, d) / (d < 3 ? 1.0 : unknowns_.length());
+            const double value = unbalanced(node, d) / (d < 3 ? 1.0 : unknowns_.length());
             square += value * value;
         }
     }
@@ -205,17 +258,33 @@ void NonlinearSystem::gather_unbalanced(double load_factor) {
 }
 
 void NonlinearSystem::evaluate(const Configuration& configuration, double load_factor, Demand demand) {
+    evaluate(configuration, load_factor, Pass{demand});
+}
+
+void NonlinearSystem::evaluate_mixed(const Configuration& configuration, double load_factor, Demand demand,
+                                     StressWorkspace& stresses) {
+    evaluate(configuration, load_factor, Pass{demand, &stresses});
+}
+
+void NonlinearSystem::evaluate(const Configuration& configuration, double load_factor, const Pass& pass) {
     const auto nodes = static_cast<Eigen::Index>(unknowns_.assembly().nodes.size());
+    const bool mixed = pass.stresses != nullptr;
     internal_.setZero(nodes, kDofsPerNode);
-    if (unknowns_.has_prescribed()) prescribed_rate_.setZero(nodes, kDofsPerNode);
-    if (demand == Demand::Tangent) std::fill(values_.begin(), values_.end(), 0.0);
+    if (mixed) given_internal_.setZero(nodes, kDofsPerNode);
+    if (pass.has_lag()) lag_.setZero(nodes, kDofsPerNode);
+    if (pass.demand == Demand::Tangent) {
+        std::fill(values_.begin(), values_.end(), 0.0);
+        if (unknowns_.has_prescribed()) prescribed_rate_.setZero(nodes, kDofsPerNode);
+    }
     energy_ = 0.0;
-    skew_.clear();
     map_spins(configuration);
-    add_elements(configuration, demand);
-    forces_ = load_factor * unknowns_.assembly().loads - internal_;
-    if (demand == Demand::Tangent) add_moment_terms(configuration, load_factor);
+    add_elements(configuration, pass);
+    const NodeValues loads = load_factor * unknowns_.assembly().loads;
+    forces_ = loads - internal_;
+    if (pass.demand == Demand::Tangent)
+        add_moment_terms(configuration, load_factor, mixed ? given_internal_ : internal_);
     gather_unbalanced(load_factor);
+    if (pass.has_lag()) unknowns_.layout().gather(mapped(loads - given_internal_) - lag_, mixed_unbalanced_);
 }
 
 Eigen::VectorXd NonlinearSystem::skew_product(const Eigen::VectorXd& x) const {

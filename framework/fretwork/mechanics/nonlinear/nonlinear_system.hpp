@@ -2,10 +2,12 @@
 #pragma once
 
 #include <fretwork/base/control.hpp>
+#include <fretwork/mechanics/nonlinear/stress_workspace.hpp>
 #include <fretwork/mechanics/nonlinear/unknowns.hpp>
 #include <fretwork/mechanics/solution.hpp>
 #include <fretwork/mechanics/sparse/ldlt.hpp>
 
+#include <functional>
 #include <vector>
 
 namespace fretwork::mechanics::nonlinear {
@@ -26,6 +28,17 @@ class NonlinearSystem {
     /// Compute what the members below tell; the tangent and what depends on it only where it is asked for.
     void evaluate(const Configuration& configuration, double load_factor, Demand demand = Demand::Tangent);
 
+    /// The same in a mixed iteration, with the given stresses in the tangent's geometric terms. The workspace
+    /// takes the elements' own stresses and, with the tangent, the slopes of their strains.
+    void evaluate_mixed(const Configuration& configuration, double load_factor, Demand demand,
+                        StressWorkspace& stresses);
+    /// Extrapolate the given stresses along a step of the unknowns, and of the prescribed components by this
+    /// share of their values.
+    void extrapolate(const Eigen::VectorXd& step, double prescribed, StressWorkspace& stresses) const;
+    /// After a mixed evaluation of forces alone: what an old tangent, with the slopes of the same evaluation,
+    /// is to be solved with. It vanishes where the unbalanced forces do and the given stresses are the own.
+    [[nodiscard]] const Eigen::VectorXd& mixed_unbalanced() const { return mixed_unbalanced_; }
+
     /// The solution at the configuration of the last evaluation, but for how it came about and whether it is
     /// stable.
     [[nodiscard]] Solution describe(const Configuration& configuration, double load_factor) const;
@@ -38,10 +51,11 @@ class NonlinearSystem {
     [[nodiscard]] bool is_rounding() const {
         return (unbalanced_.cwiseAbs().array() <= rounding_.array()).all();
     }
-    /// The rate of the unbalanced forces in the load factor while the unknowns rest.
+    /// The rate of the unbalanced forces in the load factor while the unknowns rest; with the tangent's share
+    /// of prescribed displacements where it was last asked for.
     [[nodiscard]] const Eigen::VectorXd& load_rate() const { return load_rate_; }
     [[nodiscard]] std::span<const double> tangent() const { return values_; }
-    /// Whether moments make the tangent unsymmetric.
+    /// Whether moments make the last tangent unsymmetric.
     [[nodiscard]] bool has_skew_part() const { return !skew_.empty(); }
     /// y = skew part of the tangent times x.
     [[nodiscard]] Eigen::VectorXd skew_product(const Eigen::VectorXd& x) const;
@@ -65,15 +79,29 @@ class NonlinearSystem {
         Eigen::Matrix3d matrix;
     };
     void map_spins(const Configuration& configuration);
-    void add_elements(const Configuration& configuration, Demand demand);
-    void evaluate_element(std::size_t index, const Configuration& configuration, Demand demand,
-                          ElementResponse& response) const;
+    /// What is asked of the elements; stresses in a mixed iteration only.
+    struct Pass {
+        Demand demand;
+        StressWorkspace* stresses = nullptr;
+        [[nodiscard]] bool has_lag() const { return stresses != nullptr && demand == Demand::Force; }
+    };
+    struct Answer {
+        MixedResponse response;
+        Eigen::VectorXd lag;
+    };
+    void evaluate(const Configuration& configuration, double load_factor, const Pass& pass);
+    void for_elements(std::size_t count, const std::function<void(std::size_t)>& body) const;
+    void add_elements(const Configuration& configuration, const Pass& pass);
+    void evaluate_element(std::size_t index, const Configuration& configuration, const Pass& pass,
+                          Answer& answer) const;
     [[nodiscard]] static std::span<const NodeState> states_of(const Element& element,
                                                               const Configuration& configuration);
-    void add_response(std::size_t index, const ElementResponse& response, Demand demand);
+    void add_answer(std::size_t index, const Answer& answer, const Pass& pass);
+    void map_columns(std::span<const NodeIndex> nodes, Eigen::Ref<Eigen::MatrixXd> slopes) const;
     void map_to_unknowns(std::span<const NodeIndex> nodes, Eigen::MatrixXd& tangent) const;
+    [[nodiscard]] NodeValues mapped(NodeValues forces) const;
     void add_prescribed_rate(std::span<const NodeIndex> nodes, const Eigen::MatrixXd& tangent);
-    void add_moment_terms(const Configuration& configuration, double load_factor);
+    void add_moment_terms(const Configuration& configuration, double load_factor, const NodeValues& internal);
     [[nodiscard]] Eigen::Matrix3d skew_of_moment(int node, double load_factor) const;
     void gather_unbalanced(double load_factor);
 
@@ -85,16 +113,19 @@ class NonlinearSystem {
     base::Control control_;
     int threads_;
     std::size_t batch_;  ///< elements that are evaluated before they are added
-    std::vector<ElementResponse> responses_;
+    std::vector<Answer> answers_;
 
     NodeValues internal_;
-    NodeValues forces_;  ///< loads less internal, true moments
+    NodeValues forces_;          ///< loads less internal, true moments
+    NodeValues given_internal_;  ///< of the given stresses
+    NodeValues lag_;             ///< against the unknowns
     NodeValues prescribed_rate_;
     double energy_ = 0.0;
     double relative_residual_ = 0.0;
     std::vector<double> values_;
     std::vector<SkewBlock> skew_;
     Eigen::VectorXd unbalanced_;
+    Eigen::VectorXd mixed_unbalanced_;
     Eigen::VectorXd load_rate_;
 };
 

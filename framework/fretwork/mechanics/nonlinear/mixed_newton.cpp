@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/mechanics/nonlinear/mixed_newton.hpp>
+
+#include <cmath>
+
+namespace fretwork::mechanics::nonlinear {
+namespace {
+
+constexpr int kMostIterations = 30;
+
+/// rad: the last step of an approach is at most so long.
+constexpr double kApproach = 0.2;
+/// rad: after a longer step old factors would not help.
+constexpr double kLongStep = 0.5;
+/// Factors are made anew after a step that has shrunk by less. An iteration with old ones costs a fifth of
+/// one with new ones, or less.
+constexpr double kShrink = 0.15;
+/// A step of old factors that has shrunk by less than this is not made at all.
+constexpr double kUseless = 0.5;
+/// rad: once steps are this short, the factors that are needed at the equilibrium anyway are made: they end
+/// the iteration in a step or two.
+constexpr double kNear = 2e-3;
+/// rad: factors made so near to the equilibrium are taken for its own.
+constexpr double kSame = 2e-4;
+/// rad: a step beyond this is divergence.
+constexpr double kTooFar = 3.0;
+
+}  // namespace
+
+void MixedNewton::begin_at_rest(const Configuration& rest) {
+    stresses_.give(std::vector<double>(stresses_.given().size(), 0.0));
+    system_.evaluate_mixed(rest, 0.0, Demand::Tangent, stresses_);
+    newton_.factorize_at_rest();
+    outcome_ = {};
+    turned_ = 0.0;
+}
+
+void MixedNewton::begin(const Configuration& equilibrium, double load_factor) {
+    system_.evaluate_mixed(equilibrium, load_factor, Demand::Force, stresses_);
+    stresses_.give_own();
+    factorize(equilibrium, load_factor);
+}
+
+bool MixedNewton::restore(const Configuration& configuration, double load_factor,
+                          const std::vector<double>& stresses) {
+    stresses_.give(stresses);
+    return factorize(configuration, load_factor);
+}
+
+/// False if the residual is not finite; then there are no factors.
+bool MixedNewton::factorize(const Configuration& configuration, double load_factor) {
+    system_.evaluate_mixed(configuration, load_factor, Demand::Tangent, stresses_);
+    if (!std::isfinite(system_.relative_residual())) return false;
+    outcome_ = newton_.factorize();
+    turned_ = 0.0;
+    return outcome_.zero_pivot < 0;
+}
+
+double MixedNewton::size_of(const Eigen::VectorXd& step) const {
+    return std::sqrt(step.dot(unknowns_.weights().cwiseProduct(step)));
+}
+
+void MixedNewton::move(const Eigen::VectorXd& step, double prescribed, Configuration& configuration) {
+    system_.extrapolate(step, prescribed, stresses_);
+    unknowns_.move(step, configuration);
+    turned_ += unknowns_.largest_rotation(step);
+}
+
+Termination MixedNewton::solve(double load_factor, Goal goal, const Eigen::VectorXd& first,
+                               Configuration& configuration) {
+    const int negative = outcome_.negative_pivots;
+    Eigen::VectorXd step = first;
+    double size = size_of(step);
+    double turn = unknowns_.largest_rotation(step);
+    bool anew = turn > kLongStep;
+    for (int iteration = 0; iteration < kMostIterations; ++iteration) {
+        const bool is_near = turn <= (goal == Goal::Approach ? kApproach : kNear) && turned_ > kSame;
+        if (anew || (is_near && (goal == Goal::Approach || options_.classify_stability))) {
+            if (!factorize(configuration, load_factor)) return Termination::Diverged;
+            if (outcome_.negative_pivots != negative) return Termination::LimitLoad;
+            if (goal == Goal::Equilibrium && newton_.is_converged(configuration, step))
+                return Termination::Converged;
+            if (goal == Goal::Approach && turn <= kApproach) return Termination::Converged;
+            anew = true;
+            step = newton_.solve_tangent(system_.unbalanced());
+        } else {
+            system_.evaluate_mixed(configuration, load_factor, Demand::Force, stresses_);
+            if (!std::isfinite(system_.relative_residual())) return Termination::Diverged;
+            if (goal == Goal::Equilibrium && newton_.is_converged(configuration, step)) {
+                if (turned_ <= kSame || !options_.classify_stability) return Termination::Converged;
+                stresses_.give_own();
+                if (!factorize(configuration, load_factor)) return Termination::Diverged;
+                return outcome_.negative_pivots == negative ? Termination::Converged : Termination::LimitLoad;
+            }
+            step = newton_.solve_tangent(system_.mixed_unbalanced());
+        }
+        const double ratio = size_of(step) / size;
+        turn = unknowns_.largest_rotation(step);
+        const bool is_useless = !anew && !(ratio <= kUseless);
+        anew = !(ratio <= kShrink);
+        if (is_useless) continue;
+        if (!(turn < kTooFar)) return Termination::Diverged;
+        size *= ratio;
+        move(step, 0.0, configuration);
+    }
+    return Termination::IterationsSpent;
+}
+
+}  // namespace fretwork::mechanics::nonlinear

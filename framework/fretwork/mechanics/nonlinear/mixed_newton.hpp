@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/mechanics/nonlinear/newton.hpp>
+#include <fretwork/mechanics/nonlinear/stress_workspace.hpp>
+
+#include <vector>
+
+namespace fretwork::mechanics::nonlinear {
+
+/// Newton's method in displacements and stresses together. The stresses, extrapolated from the iteration
+/// before, stand in the geometric terms of the tangent; eliminated from the equations, they leave the
+/// unknowns and the sparsity as they are. What membrane stiffness makes of a long step is then no force that
+/// the next step has to undo: steps may turn nodes by a radian. [Magisano2017]
+///
+/// Factors are kept while they bring the steps down fast enough: with the slopes B0 of their configuration
+/// the equations of an old tangent are B(x)^T s + B0^T (K e(x) - s), and s <- K (e(x) + B0 dx).
+class MixedNewton {
+  public:
+    MixedNewton(NonlinearSystem& system, Newton& newton, const EquilibriumOptions& options)
+        : system_(system),
+          unknowns_(system.unknowns()),
+          newton_(newton),
+          options_(options),
+          stresses_(unknowns_.assembly()) {}
+
+    /// Take the stresses and factorize the tangent at rest. Throws as Newton::factorize_at_rest.
+    void begin_at_rest(const Configuration& rest);
+    /// The same at an equilibrium.
+    void begin(const Configuration& equilibrium, double load_factor);
+
+    /// How well equations are to be solved.
+    enum class Goal {
+        Approach,    ///< between two increments of the load: the last step is short
+        Equilibrium  ///< as EquilibriumOptions say
+    };
+    /// Go on from a step that was made with the factors of this class; it moves the configuration. On
+    /// Converged the factors are those of the configuration: exactly, or at an equilibrium but for a move
+    /// that changes no sign of a pivot unless it is nearly singular.
+    Termination solve(double load_factor, Goal goal, const Eigen::VectorXd& step,
+                      Configuration& configuration);
+
+    /// Make a step of the unknowns, and of the prescribed components by this share of their values.
+    void move(const Eigen::VectorXd& step, double prescribed, Configuration& configuration);
+
+    /// Of the last factorization.
+    [[nodiscard]] const sparse::Ldlt::Outcome& outcome() const { return outcome_; }
+
+    [[nodiscard]] const std::vector<double>& stresses() const { return stresses_.given(); }
+    /// Go back to a configuration with these stresses, and factorize there. False if there are no factors.
+    bool restore(const Configuration& configuration, double load_factor, const std::vector<double>& stresses);
+
+  private:
+    bool factorize(const Configuration& configuration, double load_factor);
+    [[nodiscard]] double size_of(const Eigen::VectorXd& step) const;
+
+    NonlinearSystem& system_;
+    const Unknowns& unknowns_;
+    Newton& newton_;
+    const EquilibriumOptions& options_;
+    StressWorkspace stresses_;
+    sparse::Ldlt::Outcome outcome_;
+    double turned_ = 0.0;  ///< rad, at most, since the factors were made
+};
+
+}  // namespace fretwork::mechanics::nonlinear

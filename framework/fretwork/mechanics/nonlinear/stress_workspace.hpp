@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/mechanics/assembly.hpp>
+
+#include <span>
+#include <vector>
+
+namespace fretwork::mechanics::nonlinear {
+
+/// What a mixed iteration keeps of every element, since elements are shared and immutable: the given
+/// stresses, and, of its last evaluation, the own stresses and the slopes of the strains.
+class StressWorkspace {
+  public:
+    explicit StressWorkspace(const Assembly& assembly);
+
+    /// An element's part, to be evaluated with.
+    [[nodiscard]] ElementStresses of(std::size_t element);
+    [[nodiscard]] Eigen::Map<Eigen::MatrixXd> slopes(std::size_t element);
+
+    /// Give every element its own stresses.
+    void give_own() { given_ = own_; }
+    /// Give an element s + K B dx, where dx are small motions of its nodes (6n).
+    void extrapolate(std::size_t element, const Eigen::VectorXd& motion);
+    /// Add B^T (s - given) to forces of an element (6n): how far the given stresses are from those of the
+    /// displacements, as the last tangent saw it.
+    void add_lag(std::size_t element, Eigen::VectorXd& force) const;
+
+    /// The given stresses of all elements: what is to be kept to go back to.
+    [[nodiscard]] const std::vector<double>& given() const { return given_; }
+    void give(const std::vector<double>& stresses) { given_ = stresses; }
+
+  private:
+    struct Place {
+        std::size_t stress = 0;
+        std::size_t slope = 0;
+        Eigen::Index stresses = 0;
+        Eigen::Index motions = 0;
+    };
+    const Elements& elements_;
+    std::vector<Place> places_;
+    std::vector<double> given_;
+    std::vector<double> own_;
+    std::vector<double> slopes_;
+};
+
+}  // namespace fretwork::mechanics::nonlinear

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/mechanics/nonlinear/stride.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace fretwork::mechanics::nonlinear {
+namespace {
+
+/// rad: the first step of an increment turns no node farther, and prescribed rotations grow by no more.
+constexpr double kLongestTurn = 1.0;
+constexpr double kPrescribedTurn = 0.7;
+/// rad: of a whole increment.
+constexpr double kWholeTurn = 2.5;
+constexpr int kMostHalvings = 6;
+
+/// A component may move by so many times what the larger rate at the increment's ends makes of it, and by
+/// this share of the largest move besides.
+constexpr double kExplained = 2.0;
+constexpr double kOwnMove = 0.15;
+/// rad, and element lengths: moves as small as this are linear.
+constexpr double kSmallMove = 1e-6;
+
+/// rad: elements whose ends cannot be turned against each other by more than this are not looked at.
+constexpr double kSafeTurn = 2.5;
+
+class Strider {
+  public:
+    Strider(NonlinearSystem& system, Newton& newton, MixedNewton& mixed, double target)
+        : system_(system), unknowns_(system.unknowns()), newton_(newton), mixed_(mixed), target_(target) {
+        prescribed_turn_ = unknowns_.constraints().values.rightCols<3>().rowwise().norm().maxCoeff();
+    }
+
+    Termination run(PathPoint& point) {
+        PathPoint at = point;
+        correction_ = Eigen::VectorXd::Zero(unknowns_.equations());
+        longest_ = target_ - at.load_factor;
+        int halvings = 0;
+        while (at.load_factor < target_) {
+            const std::vector<double> stresses = mixed_.stresses();
+            const Termination found = increment(at);
+            if (found == Termination::Converged) continue;
+            if (++halvings > kMostHalvings) return found;
+            longest_ *= 0.5;
+            if (!mixed_.restore(at.configuration, at.load_factor, stresses)) return found;
+        }
+        point = std::move(at);
+        return Termination::Converged;
+    }
+
+  private:
+    Termination increment(PathPoint& at) {
+        const double turn = std::max(unknowns_.largest_rotation(at.rate),
+                                     prescribed_turn_ * (kLongestTurn / kPrescribedTurn));
+        const double left = kLongestTurn - unknowns_.largest_rotation(correction_);
+        longest_ = std::min({longest_, target_ - at.load_factor,
+                             std::max(left, 0.1 * kLongestTurn) / std::max(turn, 1e-300)});
+        const bool last = at.load_factor + longest_ >= target_;
+        PathPoint next = at;
+        next.load_factor = last ? target_ : at.load_factor + longest_;
+        const Eigen::VectorXd step = correction_ + longest_ * at.rate;
+        unknowns_.prescribe(next.load_factor, next.configuration);
+        mixed_.move(step, longest_, next.configuration);
+        const auto goal = last ? MixedNewton::Goal::Equilibrium : MixedNewton::Goal::Approach;
+        const Termination found = mixed_.solve(next.load_factor, goal, step, next.configuration);
+        if (found != Termination::Converged) return found;
+        unknowns_.unwind(at.configuration, next.configuration);
+        next.outcome = mixed_.outcome();
+        next.rate = newton_.solve_tangent(system_.load_rate());
+        const Eigen::VectorXd move = unknowns_.step_between(at.configuration, next.configuration);
+        const double turned = std::max(unknowns_.largest_rotation(move), longest_ * prescribed_turn_);
+        next.turn_bound = bound_relative_turn(system_, at, turned, next.configuration);
+        if (turned > kWholeTurn || next.turn_bound > std::numbers::pi) return Termination::Diverged;
+        if (is_jump(at, next, move)) return Termination::LimitLoad;
+        if (!last) correction_ = newton_.solve_tangent(system_.unbalanced());
+        longest_ *= 2.0;
+        at = std::move(next);
+        return Termination::Converged;
+    }
+
+    [[nodiscard]] bool is_jump(const PathPoint& from, const PathPoint& to,
+                               const Eigen::VectorXd& move) const {
+        if (unknowns_.largest_component(move) <= kSmallMove) return false;
+        const Eigen::ArrayXd unit = unknowns_.weights().array().sqrt();
+        const Eigen::ArrayXd made = unit * ((move - correction_).array().abs() - correction_.array().abs());
+        const Eigen::ArrayXd rates = unit * from.rate.array().abs().max(to.rate.array().abs());
+        const double step = to.load_factor - from.load_factor;
+        return (made > kExplained * step * rates + kOwnMove * made.maxCoeff()).any();
+    }
+
+    NonlinearSystem& system_;
+    const Unknowns& unknowns_;
+    Newton& newton_;
+    MixedNewton& mixed_;
+    double target_;
+    double prescribed_turn_ =
+        0.0;                ///< rad: the largest rotation that is prescribed at a node, at the full load
+    double longest_ = 0.0;  ///< increment of the load factor
+    Eigen::VectorXd correction_;  ///< what the last approach has left
+};
+
+}  // namespace
+
+double bound_relative_turn(const NonlinearSystem& system, const PathPoint& from, double turned,
+                           const Configuration& to) {
+    const double bound = from.turn_bound + 2.0 * turned;
+    if (bound < kSafeTurn) return bound;
+    const auto turn = system.relative_turn(to, from.configuration);
+    return turn.largest_change > 0.5 * std::numbers::pi ? 2.0 * std::numbers::pi : turn.largest;
+}
+
+Termination stride(NonlinearSystem& system, Newton& newton, MixedNewton& mixed, PathPoint& point,
+                   double target) {
+    return Strider(system, newton, mixed, target).run(point);
+}
+
+}  // namespace fretwork::mechanics::nonlinear

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/mechanics/nonlinear/mixed_newton.hpp>
+
+namespace fretwork::mechanics::nonlinear {
+
+/// An equilibrium of a load path.
+struct PathPoint {
+    Configuration configuration;
+    double load_factor = 0.0;
+    Eigen::VectorXd rate;  ///< of the unknowns in the load factor
+    sparse::Ldlt::Outcome outcome;
+    double turn_bound = 0.0;  ///< rad: the ends of no element are turned farther against each other
+};
+
+/// A bound on how far the ends of elements are turned against each other at the end of a step from a point;
+/// beyond pi if one of them has come so far that its turn, known up to whole turns, is not known any more. As
+/// long as rotations alone bound it below that, no element is asked.
+/// @param turned  rad: no node has turned farther
+double bound_relative_turn(const NonlinearSystem& system, const PathPoint& from, double turned,
+                           const Configuration& to);
+
+/// Follow a load path in few long increments of mixed iterations, each of which turns nodes by up to a
+/// radian. What it sees of the path are the ends of the increments. Converged if they all speak for one path:
+/// the same number of negative pivots, and no move much larger than the rates at both of its ends account
+/// for. Otherwise the point stays where it is; the path is then to be followed in smaller steps.
+Termination stride(NonlinearSystem& system, Newton& newton, MixedNewton& mixed, PathPoint& point,
+                   double target);
+
+}  // namespace fretwork::mechanics::nonlinear
