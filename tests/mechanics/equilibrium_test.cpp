@@ -311,6 +311,17 @@ TEST(Equilibrium, CompressedColumnIsUnstableBeyondEulerLoad) {
     }
 }
 
+// A load that hardly moves the column decides about its stability.
+TEST(Equilibrium, CompressedColumnIsUnstableHoweverLongTheStep) {
+    for (const double load : {0.5, 0.99, 1.01, 2.0}) {
+        Frame frame = thin_cantilever(4);
+        frame.loads.push_back({NodeIndex(1), {-load * kPi * kPi / 4.0, 0.0, 0.0}});
+        const Solution solution = full_load(frame);
+        EXPECT_TRUE(solution.converged()) << load;
+        EXPECT_EQ(solution.stable, load < 1.0) << load;
+    }
+}
+
 TEST(Equilibrium, StabilityUnderFixedMomentsIsThatOfSymmetricPart) {
     const Solution solution = full_load(sample::star());
     EXPECT_EQ(solution.stability, StabilityTest::SymmetricPart);

@@ -165,6 +165,24 @@ TEST(Session, GivesTheAnswerOfTheFinalProjectAfterAnyEdits) {
     }
 }
 
+/// Small enough for one stable equilibrium; the tolerance is that of the residuals on both sides.
+TEST(Session, GoesOnFromTheLastNonlinearEquilibrium) {
+    Session session(sample_surface(3, 2), cantilever({0.0, 0.0, -0.02}), {.model = "full", .threads = 1});
+    (void)session.solve();
+    EXPECT_EQ(session.last_work().starting_point, mechanics::StartingPoint::Rest);
+    session.set_load_case(cantilever({0.002, 0.001, -0.022}));
+    const auto result = session.solve();
+    EXPECT_EQ(session.last_work().starting_point, mechanics::StartingPoint::LastEquilibrium);
+    const auto anew = from_nothing(session);
+    EXPECT_LT(largest_difference(result.solution.displacements, anew.solution.displacements),
+              1e-7 * anew.solution.displacements.cwiseAbs().maxCoeff());
+    EXPECT_LT(result.solution.iterations, anew.solution.iterations);
+    session.paint(tiles({1}), "1-6+3-6");
+    (void)session.solve();
+    EXPECT_EQ(session.last_work().starting_point, mechanics::StartingPoint::Rest)
+        << "a full tile has other nodes";
+}
+
 TEST(Session, FailsAgainWhereASolveFailed) {
     Surface surface = sample_surface();
     reduction::Calibration calibration;

@@ -114,7 +114,8 @@ class LoadPath {
     }
 
     Termination stride_to(double target) {
-        if (!mixed_is_here_) mixed_.begin(point_.configuration, point_.load_factor);
+        if (!mixed_is_here_ && !mixed_.begin(point_.configuration, point_.load_factor))
+            return Termination::Diverged;
         const Termination found = nonlinear::stride(system_, newton_, mixed_, point_, target);
         mixed_is_here_ = found == Termination::Converged;
         if (!mixed_is_here_) return found;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <fretwork/base/control.hpp>
+#include <fretwork/mechanics/equilibrium_solver.hpp>
 #include <fretwork/mechanics/linear_solver.hpp>
 #include <fretwork/mechanics/result_file.hpp>
 #include <fretwork/simulation/load_case.hpp>
@@ -20,11 +21,14 @@ namespace fretwork::simulation {
 using CalibrationSource = std::function<std::vector<reduction::Calibration>(const std::string& pattern)>;
 
 /// A surface under a load case that is edited and solved again and again. It keeps what was computed: the
-/// tiles, the assembled structure, the order of elimination and the factors of linear solutions.
+/// tiles, the assembled structure, the order of elimination and the factors, and the last nonlinear
+/// equilibrium.
 ///
 /// Edits compute nothing. Each documents what it invalidates, and the next solve() computes that anew and
 /// nothing else. After any edits the answer is that of the edited surface simulated from
-/// nothing: the same bits where the factors were made anew, and within rounding where they were updated. An
+/// nothing: the same bits where the factors were made anew, and within rounding where they were updated. A
+/// nonlinear answer agrees with that from nothing within the solver's tolerance, wherever the loads have one
+/// stable equilibrium only: else it is the one that the edits have led to (mechanics::EquilibriumSolver). An
 /// edit that throws has changed nothing.
 ///
 /// Not from several threads at once. SimulationOptions::models must live as long as the session.
@@ -66,10 +70,11 @@ class Session {
     void set_load(std::size_t entry, const LoadCase::Load& load);
     void set_prescribed(std::size_t entry, const LoadCase::PrescribedDisplacement& displacement);
 
-    /// The equilibrium of the surface as it is now. A linear one is answered by the kept factors; a nonlinear
-    /// one is followed from rest. The result has no subject: result_subject() gives it. Throws InputError if
-    /// an edit has left what cannot be built, NumericalError if the structure is not held, and base::Stopped;
-    /// then all edits are kept, and the next call goes on.
+    /// The equilibrium of the surface as it is now. A linear one is answered by the kept factors. A nonlinear
+    /// one is looked for from the last equilibrium, if the nodes are the same and one load step is asked for;
+    /// else, and where it cannot be told to be of the same path, from rest. The result has no subject:
+    /// result_subject() gives it. Throws InputError if an edit has left what cannot be built, NumericalError
+    /// if the structure is not held, and base::Stopped; then all edits are kept, and the next call goes on.
     mechanics::Result solve(const base::Control& control = {});
 
     /// The linear displacements under nodal loads g, one column each (6n rows: node by node of the result's n
@@ -82,6 +87,8 @@ class Session {
         std::size_t tiles_built = 0;  ///< shared ones once
         using Factors = mechanics::FactorChange;
         Factors factors = Factors::Anew;  ///< of a linear solution
+        /// Of a nonlinear solution: what was kept to go on from.
+        mechanics::StartingPoint starting_point = mechanics::StartingPoint::Rest;
     };
     [[nodiscard]] const Work& last_work() const;
 

@@ -20,8 +20,10 @@ constexpr double kUseless = 0.5;
 /// rad: once steps are this short, the factors that are needed at the equilibrium anyway are made: they end
 /// the iteration in a step or two.
 constexpr double kNear = 2e-3;
-/// rad: factors made so near to the equilibrium are taken for its own.
+/// Factors made so near to the equilibrium are taken for its own: in rad, and as a share of all moves to it.
+/// A column's stability changes with a load that hardly moves it.
 constexpr double kSame = 2e-4;
+constexpr double kSameShare = 1e-3;
 /// rad: a step beyond this is divergence.
 constexpr double kTooFar = 3.0;
 
@@ -32,13 +34,13 @@ void MixedNewton::begin_at_rest(const Configuration& rest) {
     system_.evaluate_mixed(rest, 0.0, Demand::Tangent, stresses_);
     newton_.factorize_at_rest();
     outcome_ = {};
-    turned_ = 0.0;
+    turned_ = moved_ = 0.0;
 }
 
-void MixedNewton::begin(const Configuration& equilibrium, double load_factor) {
+bool MixedNewton::begin(const Configuration& equilibrium, double load_factor) {
     system_.evaluate_mixed(equilibrium, load_factor, Demand::Force, stresses_);
     stresses_.give_own();
-    factorize(equilibrium, load_factor);
+    return factorize(equilibrium, load_factor);
 }
 
 bool MixedNewton::restore(const Configuration& configuration, double load_factor,
@@ -52,7 +54,7 @@ bool MixedNewton::factorize(const Configuration& configuration, double load_fact
     system_.evaluate_mixed(configuration, load_factor, Demand::Tangent, stresses_);
     if (!std::isfinite(system_.relative_residual())) return false;
     outcome_ = newton_.factorize();
-    turned_ = 0.0;
+    turned_ = moved_ = 0.0;
     return outcome_.zero_pivot < 0;
 }
 
@@ -61,9 +63,21 @@ double MixedNewton::size_of(const Eigen::VectorXd& step) const {
 }
 
 void MixedNewton::move(const Eigen::VectorXd& step, double prescribed, Configuration& configuration) {
-    system_.extrapolate(step, prescribed, stresses_);
+    NodeValues motions = prescribed * unknowns_.constraints().values;
+    unknowns_.layout().scatter(step, motions);
+    system_.extrapolate(motions, stresses_);
     unknowns_.move(step, configuration);
     turned_ += unknowns_.largest_rotation(step);
+    moved_ += size_of(step);
+}
+
+MixedNewton::FirstStep MixedNewton::depart(Configuration& configuration) {
+    system_.extrapolate(unknowns_.hold(configuration), stresses_);
+    system_.evaluate_mixed(configuration, 1.0, Demand::Force, stresses_);
+    if (newton_.is_converged(configuration, {})) return {};
+    FirstStep first{system_.mixed_unbalanced(), newton_.solve_tangent(system_.mixed_unbalanced())};
+    if (unknowns_.largest_rotation(first.step) <= kTooFar) move(first.step, 0.0, configuration);
+    return first;
 }
 
 Termination MixedNewton::solve(double load_factor, Goal goal, const Eigen::VectorXd& first,
@@ -72,9 +86,11 @@ Termination MixedNewton::solve(double load_factor, Goal goal, const Eigen::Vecto
     Eigen::VectorXd step = first;
     double size = size_of(step);
     double turn = unknowns_.largest_rotation(step);
+    double travelled = size;
     bool anew = turn > kLongStep;
+    const auto is_same = [&] { return turned_ <= kSame && moved_ <= kSameShare * travelled; };
     for (int iteration = 0; iteration < kMostIterations; ++iteration) {
-        const bool is_near = turn <= (goal == Goal::Approach ? kApproach : kNear) && turned_ > kSame;
+        const bool is_near = turn <= (goal == Goal::Approach ? kApproach : kNear) && !is_same();
         if (anew || (is_near && (goal == Goal::Approach || options_.classify_stability))) {
             if (!factorize(configuration, load_factor)) return Termination::Diverged;
             if (outcome_.negative_pivots != negative) return Termination::LimitLoad;
@@ -87,7 +103,7 @@ Termination MixedNewton::solve(double load_factor, Goal goal, const Eigen::Vecto
             system_.evaluate_mixed(configuration, load_factor, Demand::Force, stresses_);
             if (!std::isfinite(system_.relative_residual())) return Termination::Diverged;
             if (goal == Goal::Equilibrium && newton_.is_converged(configuration, step)) {
-                if (turned_ <= kSame || !options_.classify_stability) return Termination::Converged;
+                if (is_same() || !options_.classify_stability) return Termination::Converged;
                 stresses_.give_own();
                 if (!factorize(configuration, load_factor)) return Termination::Diverged;
                 return outcome_.negative_pivots == negative ? Termination::Converged : Termination::LimitLoad;
@@ -101,6 +117,7 @@ Termination MixedNewton::solve(double load_factor, Goal goal, const Eigen::Vecto
         if (is_useless) continue;
         if (!(turn < kTooFar)) return Termination::Diverged;
         size *= ratio;
+        travelled += size;
         move(step, 0.0, configuration);
     }
     return Termination::IterationsSpent;

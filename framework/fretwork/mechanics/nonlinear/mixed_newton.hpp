@@ -26,8 +26,8 @@ class MixedNewton {
 
     /// Take the stresses and factorize the tangent at rest. Throws as Newton::factorize_at_rest.
     void begin_at_rest(const Configuration& rest);
-    /// The same at an equilibrium.
-    void begin(const Configuration& equilibrium, double load_factor);
+    /// The same at an equilibrium. False if the tangent there is singular.
+    bool begin(const Configuration& equilibrium, double load_factor);
 
     /// How well equations are to be solved.
     enum class Goal {
@@ -42,6 +42,14 @@ class MixedNewton {
 
     /// Make a step of the unknowns, and of the prescribed components by this share of their values.
     void move(const Eigen::VectorXd& step, double prescribed, Configuration& configuration);
+
+    /// From an equilibrium of other loads, prescribed values or supports, with the factors there: move what
+    /// is held to its values, and make a first step to the equilibrium at the full load.
+    struct FirstStep {
+        Eigen::VectorXd unbalanced;  ///< what it was solved for
+        Eigen::VectorXd step;
+    };
+    FirstStep depart(Configuration& configuration);
 
     /// Of the last factorization.
     [[nodiscard]] const sparse::Ldlt::Outcome& outcome() const { return outcome_; }
@@ -61,6 +69,7 @@ class MixedNewton {
     StressWorkspace stresses_;
     sparse::Ldlt::Outcome outcome_;
     double turned_ = 0.0;  ///< rad, at most, since the factors were made
+    double moved_ = 0.0;   ///< the same of whole steps, against the system's weights
 };
 
 }  // namespace fretwork::mechanics::nonlinear

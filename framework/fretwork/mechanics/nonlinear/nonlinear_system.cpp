@@ -46,6 +46,19 @@ NonlinearSystem::NonlinearSystem(const Assembly& assembly, int threads, const ba
       threads_(assembly.elements.size() < kBatch / 2 ? 1 : base::resolved_thread_count(threads)),
       batch_(threads_ > 1 ? kBatch : 1),
       answers_(batch_) {
+    values_.resize(unknowns_.layout().row().size());
+    take_up_loads();
+}
+
+void NonlinearSystem::refresh(const base::Control& control) {
+    control_.stop = control.stop;
+    unknowns_.refresh();
+    take_up_loads();
+}
+
+void NonlinearSystem::take_up_loads() {
+    const Assembly& assembly = unknowns_.assembly();
+    moment_nodes_.clear();
     for (int node = 0; node < static_cast<int>(assembly.nodes.size()); ++node) {
         const int free =
             3 - unknowns_.is_held(node, 3) - unknowns_.is_held(node, 4) - unknowns_.is_held(node, 5);
@@ -54,7 +67,6 @@ NonlinearSystem::NonlinearSystem(const Assembly& assembly, int threads, const ba
     unknowns_.layout().gather(rounding_forces(assembly, unknowns_.length()), rounding_);
     is_loaded_ = unknowns_.has_prescribed() || !assembly.loads.isZero(0.0);
     spin_maps_.resize(unknowns_.vector_nodes().size());
-    values_.resize(unknowns_.layout().row().size());
     prescribed_rate_.setZero(static_cast<Eigen::Index>(assembly.nodes.size()), kDofsPerNode);
 }
 
@@ -138,10 +150,7 @@ void NonlinearSystem::evaluate_element(std::size_t index, const Configuration& c
     }
 }
 
-void NonlinearSystem::extrapolate(const Eigen::VectorXd& step, double prescribed,
-                                  StressWorkspace& stresses) const {
-    NodeValues motions = prescribed * unknowns_.constraints().values;
-    unknowns_.layout().scatter(step, motions);
+void NonlinearSystem::extrapolate(const NodeValues& motions, StressWorkspace& stresses) const {
     for_elements(unknowns_.assembly().elements.size(), [&](std::size_t index) {
         thread_local Eigen::VectorXd motion;
         const auto nodes = unknowns_.assembly().elements[index]->nodes();

@@ -25,6 +25,10 @@ class NonlinearSystem {
 
     [[nodiscard]] const Unknowns& unknowns() const { return unknowns_; }
 
+    /// Take up the assembly as it is now, where its elements have been replaced by others of the same nodes,
+    /// or its loads or prescribed values have changed; and another control.
+    void refresh(const base::Control& control);
+
     /// Compute what the members below tell; the tangent and what depends on it only where it is asked for.
     void evaluate(const Configuration& configuration, double load_factor, Demand demand = Demand::Tangent);
 
@@ -32,9 +36,9 @@ class NonlinearSystem {
     /// takes the elements' own stresses and, with the tangent, the slopes of their strains.
     void evaluate_mixed(const Configuration& configuration, double load_factor, Demand demand,
                         StressWorkspace& stresses);
-    /// Extrapolate the given stresses along a step of the unknowns, and of the prescribed components by this
-    /// share of their values.
-    void extrapolate(const Eigen::VectorXd& step, double prescribed, StressWorkspace& stresses) const;
+    /// Extrapolate the given stresses along small motions of the nodes: steps of the unknowns, and of what is
+    /// prescribed.
+    void extrapolate(const NodeValues& motions, StressWorkspace& stresses) const;
     /// After a mixed evaluation of forces alone: what an old tangent, with the slopes of the same evaluation,
     /// is to be solved with. It vanishes where the unbalanced forces do and the given stresses are the own.
     [[nodiscard]] const Eigen::VectorXd& mixed_unbalanced() const { return mixed_unbalanced_; }
@@ -78,6 +82,7 @@ class NonlinearSystem {
         std::array<int, 3> equation;
         Eigen::Matrix3d matrix;
     };
+    void take_up_loads();
     void map_spins(const Configuration& configuration);
     /// What is asked of the elements; stresses in a mixed iteration only.
     struct Pass {

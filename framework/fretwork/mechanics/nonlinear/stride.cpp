@@ -72,21 +72,13 @@ class Strider {
         const double turned = std::max(unknowns_.largest_rotation(move), longest_ * prescribed_turn_);
         next.turn_bound = bound_relative_turn(system_, at, turned, next.configuration);
         if (turned > kWholeTurn || next.turn_bound > std::numbers::pi) return Termination::Diverged;
-        if (is_jump(at, next, move)) return Termination::LimitLoad;
+        const Eigen::VectorXd rates = longest_ * at.rate.cwiseAbs().cwiseMax(next.rate.cwiseAbs());
+        if (is_jump(unknowns_, (move - correction_).cwiseAbs() - correction_.cwiseAbs(), rates))
+            return Termination::LimitLoad;
         if (!last) correction_ = newton_.solve_tangent(system_.unbalanced());
         longest_ *= 2.0;
         at = std::move(next);
         return Termination::Converged;
-    }
-
-    [[nodiscard]] bool is_jump(const PathPoint& from, const PathPoint& to,
-                               const Eigen::VectorXd& move) const {
-        if (unknowns_.largest_component(move) <= kSmallMove) return false;
-        const Eigen::ArrayXd unit = unknowns_.weights().array().sqrt();
-        const Eigen::ArrayXd made = unit * ((move - correction_).array().abs() - correction_.array().abs());
-        const Eigen::ArrayXd rates = unit * from.rate.array().abs().max(to.rate.array().abs());
-        const double step = to.load_factor - from.load_factor;
-        return (made > kExplained * step * rates + kOwnMove * made.maxCoeff()).any();
     }
 
     NonlinearSystem& system_;
@@ -108,6 +100,14 @@ double bound_relative_turn(const NonlinearSystem& system, const PathPoint& from,
     if (bound < kSafeTurn) return bound;
     const auto turn = system.relative_turn(to, from.configuration);
     return turn.largest_change > 0.5 * std::numbers::pi ? 2.0 * std::numbers::pi : turn.largest;
+}
+
+bool is_jump(const Unknowns& unknowns, const Eigen::VectorXd& made, const Eigen::VectorXd& rates) {
+    const Eigen::ArrayXd unit = unknowns.weights().array().sqrt();
+    const Eigen::ArrayXd moved = unit * made.array();
+    const double largest = moved.size() > 0 ? moved.maxCoeff() : 0.0;
+    if (largest <= kSmallMove) return false;
+    return (moved > kExplained * unit * rates.array() + kOwnMove * largest).any();
 }
 
 Termination stride(NonlinearSystem& system, Newton& newton, MixedNewton& mixed, PathPoint& point,

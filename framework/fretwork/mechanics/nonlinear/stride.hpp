@@ -21,6 +21,11 @@ struct PathPoint {
 double bound_relative_turn(const NonlinearSystem& system, const PathPoint& from, double turned,
                            const Configuration& to);
 
+/// Whether a step has gone farther than the rates at its ends account for: then it may have passed over a gap
+/// of the path, to another one.
+/// @param made, rates  of the unknowns; the larger of both ends' rates, in absolute values, times the step
+bool is_jump(const Unknowns& unknowns, const Eigen::VectorXd& made, const Eigen::VectorXd& rates);
+
 /// Follow a load path in few long increments of mixed iterations, each of which turns nodes by up to a
 /// radian. What it sees of the path are the ends of the increments. Converged if they all speak for one path:
 /// the same number of negative pivots, and no move much larger than the rates at both of its ends account

@@ -28,19 +28,29 @@ Unknowns::Unknowns(const Assembly& assembly, const base::Control& control)
     : assembly_(assembly),
       constraints_(structure::constraints_of(assembly)),
       length_(structure::characteristic_length(assembly)),
-      layout_(lay_out(assembly, constraints_, control)),
-      vector_slot_(assembly.nodes.size(), -1),
-      has_prescribed_(!constraints_.values.isZero(0.0)) {
-    for (int node = 0; node < static_cast<int>(assembly.nodes.size()); ++node) {
+      layout_(lay_out(assembly, constraints_, control)) {
+    find_vector_nodes();
+    NodeValues weights = NodeValues::Ones(static_cast<Eigen::Index>(assembly.nodes.size()), kDofsPerNode);
+    weights.leftCols<3>() /= length_ * length_;
+    layout_->gather(weights, weights_);
+}
+
+void Unknowns::refresh() {
+    constraints_ = structure::constraints_of(assembly_);
+    find_vector_nodes();
+}
+
+void Unknowns::find_vector_nodes() {
+    has_prescribed_ = !constraints_.values.isZero(0.0);
+    vector_slot_.assign(assembly_.nodes.size(), -1);
+    vector_nodes_.clear();
+    for (int node = 0; node < static_cast<int>(assembly_.nodes.size()); ++node) {
         const int held = is_held(node, 3) + is_held(node, 4) + is_held(node, 5);
         const bool prescribed = !constraints_.values.row(node).tail<3>().isZero(0.0);
         if (held == 0 || (held == 3 && !prescribed)) continue;
         vector_slot_[at(node)] = static_cast<int>(vector_nodes_.size());
         vector_nodes_.push_back(node);
     }
-    NodeValues weights = NodeValues::Ones(static_cast<Eigen::Index>(assembly.nodes.size()), kDofsPerNode);
-    weights.leftCols<3>() /= length_ * length_;
-    layout_->gather(weights, weights_);
 }
 
 bool Unknowns::has_held_rotation(int node) const {
@@ -68,6 +78,23 @@ void Unknowns::prescribe(double load_factor, Configuration& configuration) const
             configuration.states[node].rotation = elements::exponential(configuration.rotation_vectors[node]);
         }
     }
+}
+
+NodeValues Unknowns::hold(Configuration& configuration) const {
+    NodeValues motions = NodeValues::Zero(static_cast<Eigen::Index>(assembly_.nodes.size()), kDofsPerNode);
+    for (int node = 0; node < static_cast<int>(assembly_.nodes.size()); ++node) {
+        Eigen::Vector3d& shift = configuration.states[at(node)].displacement;
+        Eigen::Vector3d& vector = configuration.rotation_vectors[at(node)];
+        for (int d = 0; d < kDofsPerNode; ++d) {
+            if (!is_held(node, d)) continue;
+            double& component = d < 3 ? shift[d] : vector[d - 3];
+            motions(node, d) = constraints_.values(node, d) - component;
+            component = constraints_.values(node, d);
+        }
+        if (!motions.row(node).tail<3>().isZero(0.0))
+            configuration.states[at(node)].rotation = elements::exponential(vector);
+    }
+    return motions;
 }
 
 void Unknowns::move(const Eigen::VectorXd& step, Configuration& configuration) const {

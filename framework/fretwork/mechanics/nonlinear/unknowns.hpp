@@ -30,9 +30,14 @@ class Unknowns {
     [[nodiscard]] const Assembly& assembly() const { return assembly_; }
     [[nodiscard]] int equations() const { return layout_->equations(); }
 
+    /// Take up other prescribed values of the assembly; what is held is as before.
+    void refresh();
+
     [[nodiscard]] Configuration rest() const;
     /// Move the prescribed components to this share of their values.
     void prescribe(double load_factor, Configuration& configuration) const;
+    /// Move all held components to their values at the full load. Returns the motions.
+    NodeValues hold(Configuration& configuration) const;
     /// Add a step of the unknowns.
     void move(const Eigen::VectorXd& step, Configuration& configuration) const;
     /// Give rotation vectors the whole turns that bring them next to those of the last equilibrium, so that
@@ -63,13 +68,15 @@ class Unknowns {
     [[nodiscard]] int vector_slot(int node) const { return vector_slot_[static_cast<std::size_t>(node)]; }
 
   private:
+    void find_vector_nodes();
+
     const Assembly& assembly_;
     structure::Constraints constraints_;
     double length_;
     std::unique_ptr<sparse::SystemLayout> layout_;
     std::vector<int> vector_nodes_;
     std::vector<int> vector_slot_;
-    bool has_prescribed_;
+    bool has_prescribed_ = false;
     Eigen::VectorXd weights_;
 };
 

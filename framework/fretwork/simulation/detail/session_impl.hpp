@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <fretwork/mechanics/equilibrium_solver.hpp>
 #include <fretwork/mechanics/linear_solver.hpp>
 #include <fretwork/simulation/conditions.hpp>
 #include <fretwork/simulation/detail/joined_tiles.hpp>
@@ -60,6 +61,7 @@ class Session::Impl {
     [[nodiscard]] bool is_nonlinear() const;
     [[nodiscard]] mechanics::Result make_result() const;
     void solve_path(mechanics::Result& result, const base::Control& control) const;
+    void solve_equilibrium(mechanics::Result& result, const base::Control& control);
 
     Surface surface_;
     LoadCase load_case_;
@@ -75,6 +77,7 @@ class Session::Impl {
     mechanics::Assembly assembly_;
     std::size_t tile_supports_ = 0;  ///< of the assembly: those inside of tiles come first
     std::optional<mechanics::LinearSolver> solver_;
+    std::optional<mechanics::EquilibriumSolver> equilibrium_solver_;
     Work work_;
 };
 

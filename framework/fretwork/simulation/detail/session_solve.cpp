@@ -114,6 +114,14 @@ void Session::Impl::solve_path(mechanics::Result& result, const base::Control& c
     result.solution = std::move(path.solution);
 }
 
+void Session::Impl::solve_equilibrium(mechanics::Result& result, const base::Control& control) {
+    if (!equilibrium_solver_)
+        equilibrium_solver_.emplace(mechanics::EquilibriumOptions{.threads = options_.threads});
+    result.solution = equilibrium_solver_->solve(assembly_, control);
+    result.load_steps = {result.solution};
+    work_.starting_point = equilibrium_solver_->starting_point();
+}
+
 mechanics::Result Session::Impl::solve(const base::Control& control) {
     options_.validate(surface_);
     // A surface that is no frame is refused before the work.
@@ -123,7 +131,9 @@ mechanics::Result Session::Impl::solve(const base::Control& control) {
     update(control);
     mechanics::Result result = make_result();
     result.solver = is_nonlinear() ? "newton" : "linear";
-    if (is_nonlinear()) {
+    if (is_nonlinear() && options_.load_steps == 1) {
+        solve_equilibrium(result, control);
+    } else if (is_nonlinear()) {
         solve_path(result, control);
     } else {
         result.solution = updated_solver(control).solve(assembly_.loads, control);

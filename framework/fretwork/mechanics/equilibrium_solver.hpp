@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/mechanics/equilibrium.hpp>
+
+#include <memory>
+
+namespace fretwork::mechanics {
+
+/// Where an equilibrium was looked for from.
+enum class StartingPoint {
+    Rest,            ///< by the path from rest
+    LastEquilibrium  ///< by continuation from the equilibrium before
+};
+
+/// The nonlinear equilibrium of a structure under its full load, found again and again between edits: the
+/// large displacements' counterpart of LinearSolver.
+///
+/// An answer from the last equilibrium is one to which the structure goes from there as the edit is made,
+/// without losing its stability on the way: the last and the new equilibrium are stable, and the move between
+/// them is of the size that the tangents at both ends account for. Where that cannot be said, the path is
+/// followed from rest. Both answers agree wherever the loads have one stable equilibrium only. Where they
+/// have several (a buckled surface, a snapped dome), an answer from the last equilibrium stays with the one
+/// that the edits led to, and the path from rest may lead to another.
+class EquilibriumSolver {
+  public:
+    /// Branch::Stable and located critical loads ask for the path: they are always answered from rest. Throws
+    /// InputError as EquilibriumOptions::validate.
+    explicit EquilibriumSolver(const EquilibriumOptions& options = {});
+    EquilibriumSolver(EquilibriumSolver&&) noexcept;
+    EquilibriumSolver& operator=(EquilibriumSolver&&) noexcept;
+    ~EquilibriumSolver();
+
+    /// The equilibrium of an assembly under its full load. What is done depends on how it differs from the
+    /// last one (elements are compared by address):
+    /// - loads and prescribed values: iterations with the last factors, and new ones once or twice;
+    /// - elements replaced by others of the same nodes: the same after new factors in the last equilibrium;
+    /// - supports: the order of elimination and the factors anew, in the last equilibrium;
+    /// - other nodes, or a last solution that had not converged or was not stable: all, from rest.
+    /// Throws as follow_load_path; then the next call starts from rest.
+    Solution solve(const Assembly& assembly, const base::Control& control = {});
+
+    /// Of the last solution.
+    [[nodiscard]] StartingPoint starting_point() const;
+
+  private:
+    class Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace fretwork::mechanics

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sample.hpp"
+#include "verification/benchmark_frames.hpp"
+
+#include <fretwork/base/error.hpp>
+#include <fretwork/mechanics/equilibrium_solver.hpp>
+
+#include <gtest/gtest.h>
+
+namespace fretwork::mechanics {
+namespace {
+
+/// Bent to some share of its length, a partly held rotation and a prescribed displacement included.
+Assembly bent_honeycomb() {
+    Assembly assembly = assemble(sample::honeycomb(9, 6));
+    assembly.loads *= 20.0;
+    return assembly;
+}
+
+Solution from_rest(const Assembly& assembly) {
+    constexpr double kFullLoad[] = {1.0};
+    return follow_load_path(assembly, kFullLoad).back();
+}
+
+/// Residuals of 1e-9 of the loads leave so much of the displacements.
+void expect_equal(const Solution& found, const Solution& expected, const std::string& what) {
+    ASSERT_TRUE(found.converged()) << what;
+    EXPECT_LT((found.displacements - expected.displacements).norm(), 1e-7 * expected.displacements.norm())
+        << what;
+    EXPECT_LT((found.reactions - expected.reactions).norm(), 1e-7 * expected.reactions.norm()) << what;
+    EXPECT_NEAR(found.energy, expected.energy, 1e-7 * expected.energy) << what;
+    EXPECT_EQ(found.stable, expected.stable) << what;
+    EXPECT_EQ(found.stability, expected.stability) << what;
+}
+
+/// One edit of some kind; the nodes stay.
+std::string edit(Assembly& assembly, sample::Random& random) {
+    const auto below = [&random](int count) {
+        return std::min(static_cast<int>(0.5 * (random.next() + 1.0) * count), count - 1);
+    };
+    const int node = 18 + below(static_cast<int>(assembly.nodes.size()) - 18);
+    switch (below(5)) {
+        case 0:
+            assembly.loads.row(node).head<3>() += 0.02 * random.vector(1.0).transpose();
+            return "a force";
+        case 1:
+            assembly.loads.row(node).tail<3>() += 2e-5 * random.vector(1.0).transpose();
+            return "a moment";
+        case 2:
+            assembly.prescribed[0].value += 1e-3 * random.next();
+            return "a prescribed displacement";
+        case 3: {
+            Frame stiffer = sample::honeycomb(9, 6);
+            const auto beam = static_cast<std::size_t>(below(static_cast<int>(stiffer.beams.size())));
+            stiffer.beams[beam].section = rectangle_section(0.003, 0.003);
+            assembly.elements[beam] = assemble(stiffer).elements[beam];
+            return "an element";
+        }
+        default:
+            if (assembly.supports.back().node == NodeIndex(30)) {
+                assembly.supports.pop_back();
+                return "a support removed";
+            }
+            assembly.supports.push_back({NodeIndex(30), DofSet::translations()});
+            return "a support added";
+    }
+}
+
+TEST(EquilibriumSolver, GivesTheAnswerFromRestAfterAnyEdits) {
+    sample::Random random(31);
+    Assembly assembly = bent_honeycomb();
+    EquilibriumSolver solver;
+    expect_equal(solver.solve(assembly), from_rest(assembly), "first");
+    int from_last = 0;
+    for (int i = 0; i < 40; ++i) {
+        const std::string what = edit(assembly, random);
+        const Solution found = solver.solve(assembly);
+        from_last += solver.starting_point() == StartingPoint::LastEquilibrium;
+        expect_equal(found, from_rest(assembly), what + ", " + std::to_string(i));
+    }
+    // Else the test would say nothing.
+    EXPECT_GT(from_last, 25);
+}
+
+TEST(EquilibriumSolver, StartsFromTheLastEquilibriumWhereTheNodesAreTheSame) {
+    Assembly assembly = bent_honeycomb();
+    EquilibriumSolver solver;
+    const Solution first = solver.solve(assembly);
+    EXPECT_EQ(solver.starting_point(), StartingPoint::Rest);
+    assembly.loads *= 1.1;
+    const Solution second = solver.solve(assembly);
+    EXPECT_EQ(solver.starting_point(), StartingPoint::LastEquilibrium);
+    EXPECT_LT(second.iterations, first.iterations);
+    const Assembly other = assemble(sample::honeycomb(9, 7));
+    (void)solver.solve(other);
+    EXPECT_EQ(solver.starting_point(), StartingPoint::Rest);
+}
+
+TEST(EquilibriumSolver, SolvesTheSameAssemblyAgainWithoutAStep) {
+    const Assembly assembly = bent_honeycomb();
+    EquilibriumSolver solver;
+    const Solution first = solver.solve(assembly);
+    const Solution again = solver.solve(assembly);
+    EXPECT_EQ(again.iterations, 0);
+    EXPECT_EQ((again.displacements - first.displacements).norm(), 0.0);
+}
+
+TEST(EquilibriumSolver, DoesNotGoOnFromAnUnstableEquilibrium) {
+    Frame frame = verification::thin_cantilever(4);
+    frame.loads.push_back({NodeIndex(1), {-3.0, 0.0, 0.0}});  // beyond Euler's load
+    Assembly assembly = assemble(frame);
+    EquilibriumSolver solver;
+    EXPECT_FALSE(solver.solve(assembly).stable);
+    assembly.loads *= 0.5;
+    EXPECT_TRUE(solver.solve(assembly).stable);
+    EXPECT_EQ(solver.starting_point(), StartingPoint::Rest);
+}
+
+/// Up to the limit load it goes on; beyond it the next equilibrium hangs, and no path leads there.
+TEST(EquilibriumSolver, TellsALimitLoadLikeThePathFromRest) {
+    Assembly toggle = assemble(verification::williams_toggle());
+    const NodeValues loads = toggle.loads;
+    EquilibriumSolver solver;
+    for (const double factor : {0.5, 0.7, 0.9, 0.99, 1.05, 1.5, 3.0}) {
+        toggle.loads = factor * loads;
+        EXPECT_EQ(solver.solve(toggle).converged(), factor < 0.9974) << factor;
+    }
+}
+
+TEST(EquilibriumSolver, RefusesAMechanismAndGoesOnWhenItIsHeldAgain) {
+    Assembly assembly = bent_honeycomb();
+    EquilibriumSolver solver;
+    const Solution held = solver.solve(assembly);
+    Assembly loose = assembly;
+    loose.supports.clear();
+    loose.prescribed.clear();
+    EXPECT_THROW((void)solver.solve(loose), base::NumericalError);
+    expect_equal(solver.solve(assembly), held, "held again");
+}
+
+TEST(EquilibriumSolver, GivesTheSameBitsWithAnyNumberOfThreads) {
+    const auto solve_with = [](int threads) {
+        Assembly assembly = assemble(sample::honeycomb(60, 30));
+        EquilibriumSolver solver({.threads = threads});
+        (void)solver.solve(assembly);
+        assembly.loads *= 1.3;
+        return solver.solve(assembly).displacements;
+    };
+    EXPECT_EQ((solve_with(1) - solve_with(3)).norm(), 0.0);
+}
+
+}  // namespace
+}  // namespace fretwork::mechanics
