@@ -27,14 +27,17 @@ say "3. Tile the outline $outline and paint it with the calibrated patterns"
 "$program" tile "$outline" --patterns random:1 --library "$out/library.db" --out "$out/project.json"
 "$program" case add "$out/project.json" experiments/cases/bridge.json
 
-say "4. Simulate it: every beam, nonlinear; then the two reduced models"
-for model in full paper6 condensed; do
-  "$program" simulate "$out/project.json" --model "$model" --out "$out/$model.json"
+say "4. Simulate it: every beam, nonlinear; then the reduced models, of which the first two are linear"
+reduced=(paper6 condensed corotational mixed:0.05)
+for model in full "${reduced[@]}"; do
+  "$program" simulate "$out/project.json" --model "$model" --out "$out/${model/:/-}.json"
 done
 
 say "5. Compare the reduced models with the full one (the columns of the paper's Table 3)"
 "$program" compare "$out/full.json" "$out/paper6.json" --name paper6 | tee "$out/comparison.csv"
-"$program" compare "$out/full.json" "$out/condensed.json" --name condensed | tail -n 1 | tee -a "$out/comparison.csv"
+for model in "${reduced[@]:1}"; do
+  "$program" compare "$out/full.json" "$out/${model/:/-}.json" --name "$model" | tail -n 1 | tee -a "$out/comparison.csv"
+done
 
 say "6. Draw it"
 "$program" export "$out/project.json" --case bridge --to "$out/surface.svg"

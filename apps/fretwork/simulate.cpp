@@ -57,6 +57,23 @@ double largest_rotation(const mechanics::Result& result) {
     return result.solution.displacements.rightCols<3>().rowwise().norm().maxCoeff();
 }
 
+std::string numbers_text(const std::vector<int>& numbers) {
+    std::vector<std::string> texts;
+    for (const int number : numbers) texts.push_back(std::to_string(number));
+    return base::join(texts, ", ");
+}
+
+/// Null if it was not asked for, or is not known.
+base::Json model_error_json(const mechanics::Result& result) {
+    const auto& error = result.model_error;
+    if (!error) return nullptr;
+    return {{"mean", error->mean}, {"largest", error->largest}, {"relative_l2", error->relative_l2}};
+}
+
+base::Json buckled_tiles_json(const mechanics::Result& result) {
+    return result.buckled_tiles ? base::Json(*result.buckled_tiles) : base::Json(nullptr);
+}
+
 void print_json(const mechanics::Result& result) {
     const auto& solution = result.solution;
     const base::Json json = {{"model", result.subject->model},
@@ -69,6 +86,9 @@ void print_json(const mechanics::Result& result) {
                              {"largest_rotation", largest_rotation(result)},
                              {"iterations", solution.iterations},
                              {"discretization_error", discretization_json(result)},
+                             {"full_tiles", result.subject->full_tiles},
+                             {"model_error_estimate", model_error_json(result)},
+                             {"buckled_tiles", buckled_tiles_json(result)},
                              {"seconds", result.seconds}};
     std::fputs(base::json_text(json).c_str(), stdout);
 }
@@ -84,6 +104,16 @@ void print(const mechanics::Result& result) {
                 result.seconds);
     if (const auto& error = result.discretization_error)
         std::printf("%s\n", discretization_text(*error).c_str());
+    if (!result.subject->full_tiles.empty())
+        std::printf("tiles in full: %s\n", numbers_text(result.subject->full_tiles).c_str());
+    if (const auto& error = result.model_error)
+        std::printf(
+            "error of the model, estimated: %.2g %% of the largest displacement on average, %.2g %% at "
+            "most\n",
+            100.0 * error->mean, 100.0 * error->largest);
+    if (result.buckled_tiles && !result.buckled_tiles->empty())
+        std::printf("tiles whose beams buckle between their interface nodes: %s\n",
+                    numbers_text(*result.buckled_tiles).c_str());
 }
 
 /// The result drawn or for ParaView, as `export` would write it.
@@ -127,6 +157,8 @@ ExitCode run(Options options) {
     add_drawings(options, surface, result, files);
     files.commit();
     options.json ? print_json(result) : print(result);
+    if (options.simulation.estimate_model_error && !result.model_error)
+        std::fprintf(stderr, "fretwork: the error of the model is not known: no better solution was found\n");
     return result.solution.converged() ? ExitCode::Done : ExitCode::DidNotSucceed;
 }
 
@@ -134,6 +166,7 @@ std::string models_help() {
     std::string text = "Model:";
     for (const reduction::TileModel& model : reduction::tile_models())
         text += "\n  " + model.name + ": " + model.summary;
+    text += "\n  mixed:SHARE: corotational, with that share of the tiles, the worst, in full (mixed:0.05)";
     return text;
 }
 
@@ -151,6 +184,9 @@ void add_simulate(CLI::App& app, ExitCode& exit_code) {
         ->capture_default_str();
     verb->add_flag("--estimate-error", options->simulation.estimate_error,
                    "Tell how far the full model is from endlessly fine divisions of its beams");
+    verb->add_flag("--estimate-model-error", options->simulation.estimate_model_error,
+                   "Tell how far a reduced model is from the full one, by a second solution of 5 % of the "
+                   "tiles in full");
     verb->add_option("--threads", options->simulation.threads, "Threads to use; 0: all there are")
         ->check(thread_check())
         ->capture_default_str();

@@ -5,6 +5,7 @@
 #include <fretwork/mechanics/condensation.hpp>
 #include <fretwork/mechanics/linear_element.hpp>
 #include <fretwork/mechanics/linear_solver.hpp>
+#include <fretwork/mechanics/modes.hpp>
 #include <fretwork/mechanics/structure/condensing.hpp>
 
 #include <Eigen/Eigenvalues>
@@ -54,6 +55,45 @@ TEST(Condensation, StiffnessHasTheSixRigidMotionsAndNoOthers) {
     const Eigen::VectorXd values = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(scaled).eigenvalues();
     EXPECT_LT(values.head(6).cwiseAbs().maxCoeff(), 1e-12 * values[35]);
     EXPECT_GT(values[6], 1e-8 * values[35]);
+}
+
+/// Divided beams held at both ends have frequencies far above those of the wheel.
+TEST(Condensation, MassGivesTheLowFrequenciesOfTheWholeFrame) {
+    Frame frame = sample::flat_wheel();
+    for (Beam& beam : frame.beams) beam.divisions = 3;
+    const Assembly whole = assemble(frame);
+    std::vector<NodeIndex> kept;
+    for (int i = 0; i < 12; ++i) kept.emplace_back(i);
+    Assembly reduced;
+    reduced.nodes = frame.nodes;
+    reduced.elements.push_back(
+        linear_element(kept, {.stiffness = condense(whole, kept), .mass = condense_mass(whole, kept)}));
+    reduced.supports = frame.supports;
+    reduced.loads = NodeValues::Zero(12, kDofsPerNode);
+    reduced.reported_nodes = 12;
+    const auto expected = vibration_modes(whole, 3);
+    const auto found = vibration_modes(reduced, 3);
+    for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_GE(found[i].value, expected[i].value * (1.0 - 1e-9));
+        EXPECT_LT(found[i].value,
+                  expected[i].value * 1.001);  // the inner nodes' own frequencies are 20 times as high
+    }
+}
+
+TEST(Condensation, MassInRigidMotionsIsThatOfTheBeams) {
+    const Frame frame = sample::flat_wheel();
+    const Eigen::MatrixXd mass = condense_mass(assemble(frame), tips());
+    double total = 0.0;
+    for (const Beam& beam : frame.beams)
+        total += 1240.0 * 4e-6 *
+                 (frame.nodes[static_cast<std::size_t>(beam.nodes[1].value)] -
+                  frame.nodes[static_cast<std::size_t>(beam.nodes[0].value)])
+                     .norm();
+    for (int c = 0; c < 3; ++c) {
+        Eigen::VectorXd motion = Eigen::VectorXd::Zero(36);
+        for (Eigen::Index i = c; i < 36; i += 6) motion[i] = 1.0;
+        EXPECT_NEAR(motion.dot(mass * motion), total, 1e-9 * total);
+    }
 }
 
 TEST(Condensation, OntoAllNodesIsTheStiffnessItself) {

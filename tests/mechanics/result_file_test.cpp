@@ -42,6 +42,15 @@ Result some_result() {
     result.solution.stability_losses = {{0.4, NodeIndex(1), Dof::ry, true},
                                         {0.6, NodeIndex(0), Dof::uz, false}};
     result.discretization_error = DiscretizationError{1e-5, 2.0 / 3.0, 0.1, true};
+    result.subject = ResultSubject{.model = "mixed:0.1",
+                                   .load_case = "a",
+                                   .load_case_text = R"({"name": "a"})",
+                                   .tessellation_hash = std::string(64, 'a'),
+                                   .painting_hash = std::string(64, 'b'),
+                                   .setting_hash = std::string(64, 'c'),
+                                   .full_tiles = {3, 14}};
+    result.model_error = ModelError{0.001, 1.0 / 3.0, 0.02};
+    result.buckled_tiles = {5};
     result.seconds = 0.25;
     return result;
 }
@@ -75,6 +84,10 @@ TEST_F(ResultFile, WrittenResultIsReadBackExactly) {
     EXPECT_TRUE(read.nodes[0].is_interface);
     EXPECT_EQ(read.nodes[1].rest_position, written.nodes[1].rest_position);
     EXPECT_EQ(read.discretization_error, written.discretization_error);
+    ASSERT_TRUE(read.subject);
+    EXPECT_EQ(read.subject->full_tiles, written.subject->full_tiles);
+    EXPECT_EQ(read.model_error, written.model_error);
+    EXPECT_EQ(read.buckled_tiles, written.buckled_tiles);
     EXPECT_EQ(read.solution.displacements, written.solution.displacements);
     EXPECT_EQ(read.solution.reactions, written.solution.reactions);
     EXPECT_EQ(read.solution.termination, Termination::LimitLoad);
@@ -108,6 +121,12 @@ TEST_F(ResultFile, TextIsReadAsTheFileIs) {
     } catch (const base::InputError& error) {
         EXPECT_THAT(error.what(), testing::StartsWith("somewhere"));
     }
+}
+
+TEST_F(ResultFile, FilesOfOlderFormatsAreRead) {
+    std::string text = result_text(some_result());
+    text.replace(text.find("result/3"), 8, "result/2");
+    EXPECT_EQ(parse_result(text, "somewhere").solution.energy, 2.5);
 }
 
 TEST_F(ResultFile, NumberThatIsNotFiniteIsNotWritten) {
@@ -145,7 +164,7 @@ TEST_F(ResultFile, AnEndThatIsNotThatOfTheLoadStepsIsRefused) {
 }
 
 TEST_F(ResultFile, TheFirstFormatHasNoSubjectAndTheSecondNamesItsProgram) {
-    EXPECT_THAT(complaint("fretwork/result/2", "fretwork/result/1"), HasSubstr("/program: is no key of"));
+    EXPECT_THAT(complaint("fretwork/result/3", "fretwork/result/1"), HasSubstr("/program: is no key of"));
     EXPECT_THAT(complaint("\"program\"", "\"solver_program\""), HasSubstr("unknown key 'solver_program'"));
 }
 

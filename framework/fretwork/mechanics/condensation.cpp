@@ -24,4 +24,8 @@ Eigen::MatrixXd condense(const Assembly& assembly, std::span<const NodeIndex> ke
     return is_small(assembly, kept) ? structure::condense_dense(task) : structure::condense_sparse(task);
 }
 
+Eigen::MatrixXd condense_mass(const Assembly& assembly, std::span<const NodeIndex> kept) {
+    return structure::condense_mass(structure::condensing_task(assembly, kept));
+}
+
 }  // namespace fretwork::mechanics

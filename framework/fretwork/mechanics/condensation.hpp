@@ -17,4 +17,11 @@ namespace fretwork::mechanics {
 /// the given ones are held.
 Eigen::MatrixXd condense(const Assembly& assembly, std::span<const NodeIndex> kept);
 
+/// The consistent mass that goes with it: that of the structure in the displacements which those of the kept
+/// nodes cause statically [Guyan1965]. Exact for rigid motions; natural frequencies come out too high, by the
+/// less the farther they are below those of the structure with these nodes held. 6n x 6n, symmetric. For
+/// structures of up to some hundred nodes: matrices are dense. Throws as condense, and InputError if an
+/// element's mass is not known.
+Eigen::MatrixXd condense_mass(const Assembly& assembly, std::span<const NodeIndex> kept);
+
 }  // namespace fretwork::mechanics

@@ -141,13 +141,32 @@ DiscretizationError read_error(const JsonReader& reader) {
             read_not_negative(reader.at("share")), reader.at("known").boolean()};
 }
 
+Json error_json(const ModelError& error) {
+    return {{"mean", error.mean}, {"largest", error.largest}, {"relative_l2", error.relative_l2}};
+}
+
+ModelError read_model_error(const JsonReader& reader) {
+    reader.allow_only({"mean", "largest", "relative_l2"});
+    return {read_not_negative(reader.at("mean")), read_not_negative(reader.at("largest")),
+            read_not_negative(reader.at("relative_l2"))};
+}
+
+std::vector<int> read_tiles(const JsonReader& reader) {
+    std::vector<int> tiles;
+    for (const JsonReader& tile : reader.elements())
+        tiles.push_back(static_cast<int>(tile.integer(0, std::numeric_limits<int>::max())));
+    return tiles;
+}
+
 Json subject_json(const ResultSubject& subject) {
-    return {{"model", subject.model},
-            {"is_reference", subject.is_reference},
-            {"load_case", Json::parse(subject.load_case_text)},
-            {"tessellation", subject.tessellation_hash},
-            {"painting", subject.painting_hash},
-            {"setting", subject.setting_hash}};
+    Json json = {{"model", subject.model},
+                 {"is_reference", subject.is_reference},
+                 {"load_case", Json::parse(subject.load_case_text)},
+                 {"tessellation", subject.tessellation_hash},
+                 {"painting", subject.painting_hash},
+                 {"setting", subject.setting_hash}};
+    if (!subject.full_tiles.empty()) json["full_tiles"] = subject.full_tiles;
+    return json;
 }
 
 /// A SHA-256.
@@ -160,14 +179,17 @@ std::string read_hash(const JsonReader& reader) {
 }
 
 ResultSubject read_subject(const JsonReader& reader) {
-    reader.allow_only({"model", "is_reference", "load_case", "tessellation", "painting", "setting"});
+    reader.allow_only(
+        {"model", "is_reference", "load_case", "tessellation", "painting", "setting", "full_tiles"});
+    const auto full_tiles = reader.find("full_tiles");
     return {.model = reader.at("model").string(),
             .is_reference = reader.at("is_reference").boolean(),
             .load_case = reader.at("load_case").at("name").string(),
             .load_case_text = reader.at("load_case").text(),
             .tessellation_hash = read_hash(reader.at("tessellation")),
             .painting_hash = read_hash(reader.at("painting")),
-            .setting_hash = read_hash(reader.at("setting"))};
+            .setting_hash = read_hash(reader.at("setting")),
+            .full_tiles = full_tiles ? read_tiles(*full_tiles) : std::vector<int>{}};
 }
 
 Result::Node read_node(const JsonReader& reader) {
@@ -187,6 +209,32 @@ std::string read_solver(const JsonReader& reader) {
     return name;
 }
 
+void check_keys(const JsonReader& document) {
+    document.allow_only({"format",
+                         "program",
+                         "subject",
+                         "solver",
+                         "load_factor",
+                         "converged",
+                         "stable",
+                         "stability",
+                         "termination",
+                         "energy",
+                         "residual",
+                         "iterations",
+                         "displacements",
+                         "reactions",
+                         "seconds",
+                         "nodes",
+                         "load_steps",
+                         "stability_losses",
+                         "vibration_modes",
+                         "buckling_modes",
+                         "discretization_error",
+                         "buckled_tiles",
+                         "model_error_estimate"});
+}
+
 /// What files of the first format did not have yet, and those of the second always do.
 void read_origin(const JsonReader& document, Result& result) {
     if (document.at("format").string() == "fretwork/result/1") {
@@ -197,6 +245,14 @@ void read_origin(const JsonReader& document, Result& result) {
     }
     result.program = document.at("program").string();
     if (const auto subject = document.find("subject")) result.subject = read_subject(*subject);
+}
+
+void read_errors(const JsonReader& document, Result& result) {
+    if (const auto error = document.find("discretization_error"))
+        result.discretization_error = read_error(*error);
+    if (const auto error = document.find("model_error_estimate"))
+        result.model_error = read_model_error(*error);
+    if (const auto tiles = document.find("buckled_tiles")) result.buckled_tiles = read_tiles(*tiles);
 }
 
 /// The result is the end of its load steps.
@@ -226,7 +282,7 @@ std::vector<Solution> read_steps(const JsonReader& reader, const std::vector<Res
 }  // namespace
 
 std::string result_text(const Result& result) {
-    Json json = {{"format", "fretwork/result/2"}, {"program", base::version()}, {"solver", result.solver}};
+    Json json = {{"format", "fretwork/result/3"}, {"program", base::version()}, {"solver", result.solver}};
     if (result.subject) json["subject"] = subject_json(*result.subject);
     append_solution(json, result.solution, result.nodes);
     json["seconds"] = result.seconds;
@@ -244,6 +300,8 @@ std::string result_text(const Result& result) {
     for (const Mode& mode : result.vibration_modes)
         json["vibration_modes"].push_back({{"frequency", mode.value}, {"shape", rows_json(mode.shape)}});
     if (result.discretization_error) json["discretization_error"] = error_json(*result.discretization_error);
+    if (result.model_error) json["model_error_estimate"] = error_json(*result.model_error);
+    if (result.buckled_tiles) json["buckled_tiles"] = *result.buckled_tiles;
     for (const Mode& mode : result.buckling_modes)
         json["buckling_modes"].push_back({{"load_factor", mode.value}, {"shape", rows_json(mode.shape)}});
     return base::json_text(json);
@@ -259,14 +317,8 @@ Result read_result(const std::filesystem::path& path) {
 
 Result parse_result(std::string_view text, const std::string& source) {
     const JsonReader document = JsonReader::from_text(text, source);
-    document.expect_format("result", 2);
-    document.allow_only({"format",          "program",        "subject",
-                         "solver",          "load_factor",    "converged",
-                         "stable",          "stability",      "termination",
-                         "energy",          "residual",       "iterations",
-                         "displacements",   "reactions",      "seconds",
-                         "nodes",           "load_steps",     "stability_losses",
-                         "vibration_modes", "buckling_modes", "discretization_error"});
+    document.expect_format("result", 3);
+    check_keys(document);
     Result result;
     result.solver = read_solver(document.at("solver"));
     read_origin(document, result);
@@ -275,8 +327,7 @@ Result parse_result(std::string_view text, const std::string& source) {
     result.seconds = read_not_negative(document.at("seconds"));
     if (const auto steps = document.find("load_steps")) result.load_steps = read_steps(*steps, result.nodes);
     check_end(document, result);
-    if (const auto error = document.find("discretization_error"))
-        result.discretization_error = read_error(*error);
+    read_errors(document, result);
     if (const auto modes = document.find("vibration_modes"))
         result.vibration_modes = read_modes(*modes, "frequency", result.nodes.size());
     if (const auto modes = document.find("buckling_modes"))

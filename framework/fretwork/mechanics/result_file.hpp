@@ -22,7 +22,16 @@ struct ResultSubject {
     std::string tessellation_hash;  ///< SHA-256, as the others
     std::string painting_hash;
     std::string setting_hash;
+    std::vector<int> full_tiles{};  ///< of a mixed model: those with all of their beams, ascending
     friend bool operator==(const ResultSubject&, const ResultSubject&) = default;
+};
+
+/// How far a surface's solution is from the full model's, by estimate: translations of the interface nodes.
+struct ModelError {
+    double mean = 0.0;         ///< the mean error, as a share of the largest displacement
+    double largest = 0.0;      ///< the largest error, as a share of the largest displacement
+    double relative_l2 = 0.0;  ///< of all translations
+    friend bool operator==(const ModelError&, const ModelError&) = default;
 };
 
 /// What `solve` and `simulate` write.
@@ -41,6 +50,10 @@ struct Result {
     std::vector<Mode> vibration_modes{};                        ///< only where asked for
     std::vector<Mode> buckling_modes{};                         ///< only where asked for
     std::optional<DiscretizationError> discretization_error{};  ///< of the solution; only where asked for
+    std::optional<ModelError> model_error{};  ///< of reduced models; only where asked for, and known
+    /// Tiles whose beams buckle between their interface nodes, ascending; only where the model error was
+    /// asked for.
+    std::optional<std::vector<int>> buckled_tiles{};
     double seconds = 0.0;
 };
 

@@ -2,6 +2,7 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/reduction/condensed_tile.hpp>
+#include <fretwork/reduction/corotational_tile.hpp>
 #include <fretwork/reduction/full_tile.hpp>
 #include <fretwork/reduction/paper6_tile.hpp>
 #include <fretwork/reduction/tile_model.hpp>
@@ -12,7 +13,7 @@ namespace fretwork::reduction {
 
 const std::vector<TileModel>& tile_models() {
     static const std::vector<TileModel> rows = {full_tile_model(), paper6_tile_model(),
-                                                condensed_tile_model()};
+                                                condensed_tile_model(), corotational_tile_model()};
     return rows;
 }
 

@@ -2,6 +2,7 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/simulation/comparison.hpp>
+#include <fretwork/simulation/detail/node_states.hpp>
 #include <fretwork/simulation/result_subject.hpp>
 
 #include <Eigen/Geometry>
@@ -57,12 +58,6 @@ void require_same_place(const Result::Node& full, const Result::Node& reduced) {
     }
 }
 
-Eigen::Quaterniond rotation_of(const Eigen::Vector3d& rotation_vector) {
-    const double angle = rotation_vector.norm();
-    if (angle == 0.0) return Eigen::Quaterniond::Identity();
-    return Eigen::Quaterniond(Eigen::AngleAxisd(angle, rotation_vector / angle));
-}
-
 double mean(const std::vector<double>& values) {
     return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
@@ -87,9 +82,9 @@ struct Errors {
     void add(const Eigen::Vector3d& rest, const auto& full, const auto& reduced) {
         const Eigen::Vector3d displacement = full.template head<3>();
         const Eigen::Vector3d difference = displacement - Eigen::Vector3d(reduced.template head<3>());
-        const Eigen::Quaterniond turned = rotation_of(full.template tail<3>());
+        const Eigen::Quaterniond turned = detail::rotation_of(full.template tail<3>());
         translation.push_back(difference.norm());
-        rotation.push_back(turned.angularDistance(rotation_of(reduced.template tail<3>())));
+        rotation.push_back(turned.angularDistance(detail::rotation_of(reduced.template tail<3>())));
         squared_difference += difference.squaredNorm();
         squared_displacement += displacement.squaredNorm();
         box.extend(rest.head<2>());

@@ -81,15 +81,6 @@ std::vector<std::string> named_models(const std::string& text) {
     return names;
 }
 
-bool is_reference(const Surface& surface, const SimulationOptions& options) {
-    const ModelChoice choice{options.model, options.models};
-    for (std::size_t t = 0; t < surface.tessellation.tiles.size(); ++t) {
-        if (tile_model(surface, choice, tiling::TileIndex(t)).role != reduction::Role::Reference)
-            return false;
-    }
-    return true;
-}
-
 /// The load case without what changes no displacement.
 std::string content_of(const std::string& load_case_text) {
     LoadCase load_case = parse_load_case(load_case_text, "the load case of a result");
@@ -116,7 +107,9 @@ void check_subject(const mechanics::ResultSubject& subject, const std::string& s
     bool must_be_reference = true;
     try {
         for (const std::string& name : named_models(subject.model)) {
-            const bool is_full = reduction::find_tile_model(name, models).role == reduction::Role::Reference;
+            const bool is_full =
+                reduction::find_tile_model(model_choice({.model = name, .models = models}).name, models)
+                    .role == reduction::Role::Reference;
             may_be_reference = may_be_reference || is_full;
             must_be_reference = must_be_reference && is_full;
         }

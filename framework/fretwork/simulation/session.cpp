@@ -80,6 +80,9 @@ void Session::set_prescribed(std::size_t entry, const LoadCase::PrescribedDispla
     impl_->set_load_case(edited);
 }
 
+std::vector<TileDeformation> Session::tile_deformations(const mechanics::Solution& solution) const {
+    return impl_->tile_deformations(solution);
+}
 Eigen::MatrixXd Session::solve_adjoint(const Eigen::MatrixXd& rows, const base::Control& control) {
     return impl_->solve_adjoint(rows, control);
 }

@@ -20,6 +20,12 @@ namespace fretwork::simulation {
 /// Where a session finds the calibrations of patterns that come in by painting, one for each tile model.
 using CalibrationSource = std::function<std::vector<reduction::Calibration>(const std::string& pattern)>;
 
+/// How far a tile is deformed.
+struct TileDeformation {
+    double energy = 0.0;    ///< J
+    double rotation = 0.0;  ///< rad, the largest of a node against the tile's frame
+};
+
 /// A surface under a load case that is edited and solved again and again. It keeps what was computed: the
 /// tiles, the assembled structure, the order of elimination and the factors, and the last nonlinear
 /// equilibrium.
@@ -81,6 +87,9 @@ class Session {
     /// nodes), with the supports of the load case and nothing prescribed: K^-1 g, for instance the adjoint of
     /// a target. Throws InputError if the rows are not as many, and as solve().
     Eigen::MatrixXd solve_adjoint(const Eigen::MatrixXd& rows, const base::Control& control = {});
+
+    /// How far each tile is deformed in a solution of this session; zero for tiles made of beams.
+    [[nodiscard]] std::vector<TileDeformation> tile_deformations(const mechanics::Solution& solution) const;
 
     /// What the last solve() or solve_adjoint() computed anew, and what it reused.
     struct Work {

@@ -1,15 +1,79 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/simulation/mixed_model.hpp>
+#include <fretwork/simulation/model_error.hpp>
 #include <fretwork/simulation/result_subject.hpp>
-#include <fretwork/simulation/session.hpp>
 #include <fretwork/simulation/simulate.hpp>
+#include <fretwork/simulation/tile_stability.hpp>
+
+#include <algorithm>
 
 namespace fretwork::simulation {
+namespace {
+
+std::vector<int> numbers(std::vector<tiling::TileIndex> tiles) {
+    std::vector<int> numbers;
+    for (const tiling::TileIndex tile : tiles) numbers.push_back(tile.value);
+    std::ranges::sort(numbers);
+    return numbers;
+}
+
+/// The tiles of a corotational solution need not be solved again for its estimate.
+bool is_corotational(const Surface& surface, const SimulationOptions& options) {
+    return options.model == kMixedTiles && is_nonlinear(surface, options);
+}
+
+class Simulation {
+  public:
+    Simulation(const Surface& surface, const LoadCase& load_case, const SimulationOptions& options,
+               const base::Control& control)
+        : surface_(surface), load_case_(load_case), options_(options), control_(control) {}
+
+    mechanics::Result run() {
+        mechanics::Result result = options_.estimate_model_error ? solve_with_estimate() : solve();
+        mechanics::ResultSubject subject = result_subject(surface_, load_case_, options_);
+        subject.full_tiles = std::move(full_tiles_);
+        result.subject = std::move(subject);
+        return result;
+    }
+
+  private:
+    mechanics::Result solve() {
+        const auto share = mixed_share(options_.model);
+        if (!share) return Session(surface_, load_case_, options_).solve(control_);
+        MixedSolution solution = solve_mixed(surface_, load_case_, options_, *share, control_);
+        full_tiles_ = numbers(solution.full_tiles);
+        return std::move(solution.mixed);
+    }
+
+    mechanics::Result solve_with_estimate() {
+        SimulationOptions plain = options_;
+        plain.estimate_model_error = false;
+        mechanics::Result result;
+        if (!is_corotational(surface_, options_))
+            result = Session(surface_, load_case_, plain).solve(control_);
+        SimulationOptions better = plain;
+        better.analysis = Analysis::OfTheModel;
+        MixedSolution solution = solve_mixed(surface_, load_case_, better, kEstimatingShare, control_);
+        if (is_corotational(surface_, options_)) result = std::move(solution.corotational);
+        result.model_error = model_error(result, solution.mixed);
+        if (result.solution.converged())
+            result.buckled_tiles = numbers(buckled_tiles(surface_, result.solution, options_, control_));
+        return result;
+    }
+
+    const Surface& surface_;
+    const LoadCase& load_case_;
+    const SimulationOptions& options_;
+    const base::Control& control_;
+    std::vector<int> full_tiles_;
+};
+
+}  // namespace
 
 mechanics::Result simulate(const Surface& surface, const LoadCase& load_case,
                            const SimulationOptions& options, const base::Control& control) {
-    mechanics::Result result = Session(surface, load_case, options).solve(control);
-    result.subject = result_subject(surface, load_case, options);
-    return result;
+    options.validate(surface);
+    return Simulation(surface, load_case, options, control).run();
 }
 
 }  // namespace fretwork::simulation

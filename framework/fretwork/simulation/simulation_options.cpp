@@ -1,19 +1,77 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
+#include <fretwork/base/quantity.hpp>
 #include <fretwork/simulation/simulation_options.hpp>
 
+#include <algorithm>
+#include <string_view>
+
 namespace fretwork::simulation {
+namespace {
+
+void check_mixed(const SimulationOptions& options) {
+    if (!mixed_share(options.model)) return;
+    (void)reference_choice(options);
+    if (options.analysis == Analysis::Linear)
+        throw base::InputError("model " + options.model +
+                               " is for large displacements: a linear analysis of tiles in full or condensed "
+                               "gives the same");
+    if (options.estimate_model_error)
+        throw base::InputError("the model error of " + options.model +
+                               " cannot be estimated; that of any other reduced model can");
+}
+
+void check_model_error(const Surface& surface, const SimulationOptions& options) {
+    if (!options.estimate_model_error) return;
+    if (options.analysis == Analysis::OfTheModel && is_reference(surface, options))
+        throw base::InputError("model " + options.model + " is the reference: it has no model error");
+}
+
+}  // namespace
+
+std::optional<double> mixed_share(const std::string& model) {
+    constexpr std::string_view kPrefix = "mixed:";
+    if (!model.starts_with(kPrefix)) return std::nullopt;
+    const auto share = base::read_number<double>(std::string_view(model).substr(kPrefix.size()));
+    if (!share || !(*share >= 0.0 && *share <= 1.0))
+        throw base::InputError("model " + model +
+                               ": the share of tiles in full is a number from 0 to 1, as in "
+                               "mixed:0.05");
+    return share;
+}
+
+ModelChoice model_choice(const SimulationOptions& options) {
+    return {mixed_share(options.model) ? kMixedTiles : options.model, options.models};
+}
+
+ModelChoice reference_choice(const SimulationOptions& options) {
+    const auto row =
+        std::ranges::find(options.models, reduction::Role::Reference, &reduction::TileModel::role);
+    if (row == options.models.end())
+        throw base::InputError("none of the tile models has all beams of a tile");
+    return {row->name, options.models};
+}
 
 bool is_nonlinear(const Surface& surface, const SimulationOptions& options) {
-    const ModelChoice choice{options.model, options.models};
-    return displacements(surface, choice) == reduction::Displacements::Large &&
+    return displacements(surface, model_choice(options)) == reduction::Displacements::Large &&
            options.analysis == Analysis::OfTheModel;
+}
+
+bool is_reference(const Surface& surface, const SimulationOptions& options) {
+    if (mixed_share(options.model)) return false;
+    const ModelChoice choice = model_choice(options);
+    for (std::size_t t = 0; t < surface.tessellation.tiles.size(); ++t) {
+        if (tile_model(surface, choice, tiling::TileIndex(t)).role != reduction::Role::Reference)
+            return false;
+    }
+    return true;
 }
 
 void SimulationOptions::validate(const Surface& surface) const {
     const bool nonlinear = is_nonlinear(surface, *this);
-    if (threads < 0)
-        throw base::InputError("threads: " + std::to_string(threads) + " must not be negative");
+    check_mixed(*this);
+    check_model_error(surface, *this);
+    if (threads < 0) throw base::InputError("threads: " + std::to_string(threads) + " must not be negative");
     if (estimate_error && !nonlinear)
         throw base::InputError(
             "the discretization error is estimated for nonlinear models made of beams only");

@@ -3,6 +3,7 @@
 
 #include <fretwork/simulation/model_choice.hpp>
 
+#include <optional>
 #include <span>
 #include <string>
 
@@ -12,18 +13,35 @@ namespace fretwork::simulation {
 enum class Analysis { OfTheModel, Linear };
 
 struct SimulationOptions {
-    std::string model = "full";  ///< a row of `models`, for the tiles that have none of their own
+    /// A row of `models`, for the tiles that have none of their own; or `mixed:SHARE` (mixed_model.hpp).
+    std::string model = "full";
     std::span<const reduction::TileModel> models = reduction::tile_models();
     Analysis analysis = Analysis::OfTheModel;  ///< of the model: what its row says
     bool estimate_error = false;  ///< Result::discretization_error; of nonlinear models made of beams only
-    int load_steps = 1;           ///< results at so many equal shares of the load; nonlinear only
-    int threads = 0;              ///< 0: all there are. They change no bit of the result.
+    bool estimate_model_error = false;  ///< Result::model_error, of reduced models (model_error.hpp)
+    int load_steps = 1;                 ///< results at so many equal shares of the load; nonlinear only
+    int threads = 0;                    ///< 0: all there are. They change no bit of the result.
     /// Throws InputError if a value makes no sense, or does not go with the others on this surface.
     void validate(const Surface& surface) const;
 };
 
+/// The row of the tiles of a mixed model that are not in full.
+inline constexpr const char* kMixedTiles = "corotational";
+
+/// The share of tiles in full of the model `mixed:SHARE`; none of any other name. Throws InputError unless
+/// the share is a number from 0 to 1.
+std::optional<double> mixed_share(const std::string& model);
+
+/// The tile models of these options; of a mixed model that of the tiles which are not in full.
+ModelChoice model_choice(const SimulationOptions& options);
+/// Every tile in full: the first row of the catalogue that is a reference. Throws InputError if none is.
+ModelChoice reference_choice(const SimulationOptions& options);
+
 /// Whether equilibrium is sought in the deformed state: a tile model of the surface is made for large
 /// displacements, and the analysis is that of the model. Throws InputError if there is no such model.
 bool is_nonlinear(const Surface& surface, const SimulationOptions& options);
+
+/// Whether every tile has all of its beams.
+bool is_reference(const Surface& surface, const SimulationOptions& options);
 
 }  // namespace fretwork::simulation

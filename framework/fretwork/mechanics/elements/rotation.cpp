@@ -38,6 +38,17 @@ SpinCoefficients spin_coefficients(double x) {
     return {first, second, first_slope, second_slope};
 }
 
+double series_of_second(double x) {
+    return 1.0 / 12 + x / 720 * (1 + x / 42 * (1 + x / 40));
+}
+
+/// 1 - [v] / 2 + second [v]^2
+Eigen::Matrix3d inverse_map_of(const Eigen::Vector3d& v, double second) {
+    Eigen::Matrix3d map = -0.5 * cross_matrix(v) + second * v * v.transpose();
+    map.diagonal().array() += 1.0 - second * v.squaredNorm();
+    return map;
+}
+
 }  // namespace
 
 Eigen::Quaterniond exponential(const Eigen::Vector3d& v) {
@@ -81,12 +92,16 @@ Eigen::Matrix3d spin_map(const Eigen::Vector3d& v) {
 Eigen::Matrix3d inverse_spin_map(const Eigen::Vector3d& v) {
     const double x = v.squaredNorm();
     const double half = 0.5 * std::sqrt(x);
-    const double second = x < kSmallSquare ? 1.0 / 12 + x / 720 * (1 + x / 42 * (1 + x / 40))
-                                           : (1.0 - half / std::tan(half)) / x;
-    // 1 - [v] / 2 + second [v]^2
-    Eigen::Matrix3d map = -0.5 * cross_matrix(v) + second * v * v.transpose();
-    map.diagonal().array() += 1.0 - second * x;
-    return map;
+    return inverse_map_of(v, x < kSmallSquare ? series_of_second(x) : (1.0 - half / std::tan(half)) / x);
+}
+
+LogarithmWithMap logarithm_with_map(const Eigen::Quaterniond& rotation) {
+    const Eigen::Vector3d v = logarithm(rotation);
+    const double x = v.squaredNorm();
+    if (x < kSmallSquare) return {v, inverse_map_of(v, series_of_second(x))};
+    // The half angle's tangent is that of the quaternion's parts.
+    const double ratio = rotation.vec().dot(v) / rotation.vec().squaredNorm();
+    return {v, inverse_map_of(v, (1.0 - 0.5 * ratio * rotation.w()) / x)};
 }
 
 Eigen::Matrix3d spin_map_derivative(const Eigen::Vector3d& v, const Eigen::Vector3d& a) {

@@ -29,6 +29,13 @@ Eigen::Matrix3d spin_map(const Eigen::Vector3d& rotation_vector);
 /// Its inverse, for rotations below a whole turn.
 Eigen::Matrix3d inverse_spin_map(const Eigen::Vector3d& rotation_vector);
 
+/// Both at once, at less cost.
+struct LogarithmWithMap {
+    Eigen::Vector3d rotation_vector;  ///< at most pi long
+    Eigen::Matrix3d inverse_spin_map;
+};
+LogarithmWithMap logarithm_with_map(const Eigen::Quaterniond& rotation);
+
 /// The derivative with respect to v of spin_map(v)^T a, for a fixed a.
 Eigen::Matrix3d spin_map_derivative(const Eigen::Vector3d& rotation_vector, const Eigen::Vector3d& a);
 

@@ -27,6 +27,10 @@ Eigen::MatrixXd condense_sparse(const CondensingTask& task);
 /// structure is flat and its elements decouple.
 Eigen::MatrixXd condense_dense(const CondensingTask& task);
 
+/// The mass of the kept nodes, where the inner ones follow them statically. By dense matrices. The inner nodes
+/// cannot move without strain (as condense_dense has checked).
+Eigen::MatrixXd condense_mass(const CondensingTask& task);
+
 /// Throws the NumericalError of inner nodes that can move without strain.
 [[noreturn]] void refuse_inner_mechanism(const Assembly& assembly, NodeIndex node);
 

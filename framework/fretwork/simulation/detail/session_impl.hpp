@@ -24,6 +24,7 @@ class Session::Impl {
           options_(std::move(options)),
           calibration_source_(std::move(calibrations)) {
         options_.validate(surface_);
+        require_row(options_);
         conditions_ = resolved(load_case_);
     }
 
@@ -41,9 +42,11 @@ class Session::Impl {
     void set_load_case(const LoadCase& load_case);
 
     mechanics::Result solve(const base::Control& control);
+    [[nodiscard]] std::vector<TileDeformation> tile_deformations(const mechanics::Solution& solution) const;
     Eigen::MatrixXd solve_adjoint(const Eigen::MatrixXd& rows, const base::Control& control);
 
   private:
+    static void require_row(const SimulationOptions& options);
     [[nodiscard]] ModelChoice choice() const { return {options_.model, options_.models}; }
     [[nodiscard]] Conditions resolved(const LoadCase& load_case);
     [[nodiscard]] std::size_t palette_entry(const std::string& id) const;

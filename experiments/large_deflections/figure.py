@@ -1,0 +1,73 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The mean error over the deflection, a dot for each surface and model, on logarithmic axes; times beside it."""
+import math
+import statistics
+
+COLOURS = {"condensed": "#888888", "corotational": "#0072b2", "mixed:0.05": "#d55e00", "mixed:0.1": "#009e73"}
+WIDTH, HEIGHT, LEFT, TOP, BOTTOM = 520, 360, 70, 20, 60
+UNDER_WEIGHT = ("cantilever", "bridge")
+
+
+class Axis:
+    def __init__(self, values, first, last):
+        self.low = 10.0 ** math.floor(math.log10(min(values)))
+        self.high = 10.0 ** math.ceil(math.log10(max(values)))
+        self.first, self.last = first, last
+
+    def __call__(self, value):
+        share = math.log(value / self.low) / math.log(self.high / self.low)
+        return self.first + share * (self.last - self.first)
+
+    def ticks(self):
+        tick = self.low
+        while tick <= self.high * 1.001:
+            yield tick
+            tick *= 10.0
+
+
+def text(x, y, content, anchor="middle", extra=""):
+    return f'<text x="{x:.1f}" y="{y:.1f}" text-anchor="{anchor}" {extra}>{content}</text>'
+
+
+def frame(across, up):
+    parts = []
+    for tick in across.ticks():
+        parts.append(f'<path d="M{across(tick):.1f} {up.first}V{up.last}" stroke="#ddd"/>')
+        parts.append(text(across(tick), up.first + 18, f"{100 * tick:g} %"))
+    for tick in up.ticks():
+        parts.append(f'<path d="M{across.first} {up(tick):.1f}H{across.last}" stroke="#ddd"/>')
+        parts.append(text(across.first - 6, up(tick) + 4, f"{100 * tick:g} %", "end"))
+    middle = (up.first + up.last) / 2
+    parts.append(text((across.first + across.last) / 2, up.first + 42, "largest displacement / span"))
+    parts.append(text(18, middle, "mean error / largest displacement", extra=f'transform="rotate(-90 18 {middle})"'))
+    return parts
+
+
+def mark(x, y, row, colour):
+    """Disks: cantilevers and bridges; rings: other loads."""
+    fill = colour if row["kind"] in UNDER_WEIGHT else "none"
+    return f'<circle cx="{x:.1f}" cy="{y:.1f}" r="3" fill="{fill}" fill-opacity="0.8" stroke="{colour}"/>'
+
+
+def legend(rows, models, x):
+    parts = [text(x, TOP + 12, "model: median time / condensed", "start")]
+    for i, model in enumerate(["full", *models]):
+        y = TOP + 36 + 20 * i
+        ratio = statistics.median(row[f"{model}_s"] / row["condensed_s"] for row in rows)
+        if model in COLOURS:
+            parts.append(f'<circle cx="{x + 5}" cy="{y - 4}" r="4" fill="{COLOURS[model]}"/>')
+        parts.append(text(x + 16, y, f"{model}: {ratio:.1f}", "start"))
+    parts.append(text(x, TOP + 150, "disks: cantilevers, bridges", "start"))
+    parts.append(text(x, TOP + 168, "rings: other loads", "start"))
+    return parts
+
+
+def errors_over_deflection(rows, models):
+    across = Axis([row["deflection"] for row in rows], LEFT, WIDTH)
+    up = Axis([max(row[f"{model}_mean"], 1e-6) for row in rows for model in models], HEIGHT - BOTTOM, TOP)
+    parts = [f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH + 230} {HEIGHT}" font-family="sans-serif" font-size="12">',
+             '<rect width="100%" height="100%" fill="white"/>', *frame(across, up)]
+    for model in models:
+        for row in rows:
+            parts.append(mark(across(row["deflection"]), up(max(row[f"{model}_mean"], 1e-6)), row, COLOURS[model]))
+    return "\n".join([*parts, *legend(rows, models, WIDTH + 20), "</svg>\n"])

@@ -1,0 +1,141 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Solve random painted surfaces with every model and compare each with the full one.
+
+Usage: run.py PROGRAM PATTERNS OUT [--count N] [--seed N]   (PATTERNS: ids, one a line)
+Rows go to OUT/rows.csv; those that are there already are kept and not computed again.
+"""
+import argparse
+import csv
+import json
+import pathlib
+import random
+import subprocess
+
+import surfaces
+
+MODELS = ("condensed", "corotational", "mixed:0.05", "mixed:0.1")
+SEARCH_STEPS = 6
+FIELDS = ["number", "kind", "shape", "tiles", "span", "deflection", "rotation", "full_s"]
+for name in MODELS:
+    FIELDS += [f"{name}_{what}" for what in ("mean", "largest", "l2", "s")]
+FIELDS += ["estimate_mean", "estimate_largest", "estimate_l2", "linear_estimate_mean", "mixed_difference_mean",
+           "buckled", "note"]
+
+
+class Failed(Exception):
+    pass
+
+
+class Fretwork:
+    def __init__(self, program, folder):
+        self.program, self.folder = str(program), folder
+
+    def __call__(self, *arguments):
+        done = subprocess.run([self.program, *map(str, arguments)], capture_output=True, text=True, cwd=self.folder)
+        if done.returncode != 0:
+            raise Failed((done.stderr.strip() or done.stdout.strip()).splitlines()[-1])
+        return done.stdout
+
+    def simulate(self, model, *options):
+        return json.loads(self("simulate", "project.json", "--case", "./case.json", "--model", model, "--json",
+                               "--out", model.replace(":", "-") + ".json", *options))
+
+    def compare(self, better, model):
+        return json.loads(self("compare", better.replace(":", "-") + ".json", model.replace(":", "-") + ".json", "--json"))
+
+
+def write(path, content):
+    path.write_text(json.dumps(content))
+
+
+def extent(boundary):
+    return max(p[0] for p in boundary), max(p[1] for p in boundary)
+
+
+def find_load(fretwork, surface, folder):
+    """Scale the load until the corotational model is deflected as wanted, to a fifth."""
+    width, height = extent(surface["outline"]["boundary"])
+    wanted = surface["target"] * width
+
+    def deflection(amount, model):
+        write(folder / "case.json", surfaces.load_case(surface["kind"], amount, width, height))
+        return fretwork.simulate(model)["largest_displacement"]
+
+    if surface["kind"] == "prescribed":
+        return deflection(wanted, "corotational")
+    amount = 0.01
+    amount *= wanted / deflection(amount, "condensed")  # what a linear surface would take
+    for _ in range(SEARCH_STEPS):
+        try:
+            found = deflection(amount, "corotational")
+        except Failed:  # beyond a limit load
+            amount *= 0.5
+            continue
+        if abs(found / wanted - 1) < 0.2:
+            return found
+        amount *= min(3.0, max(0.3, (wanted / found) ** 1.3))
+    return deflection(amount, "corotational")
+
+
+def errors(comparison):
+    scale = comparison["max_displacement_m"]
+    return {"mean": comparison["mean_translation_error_m"] / scale,
+            "largest": comparison["max_translation_error_m"] / scale, "l2": comparison["relative_l2_error"]}
+
+
+def row_of(fretwork, surface, patterns, folder):
+    rng = random.Random(surface["painting"])
+    write(folder / "outline.json", surface["outline"])
+    tiled = json.loads(fretwork("tile", "outline.json", "--patterns", f"random:{surface['painting'] % 10000}", "--palette",
+                                ",".join(rng.sample(patterns, 8)), "--out", "project.json", "--json"))
+    find_load(fretwork, surface, folder)
+    full = fretwork.simulate("full")
+    span = extent(surface["outline"]["boundary"])[0]
+    row = {"number": surface["number"], "kind": surface["kind"], "shape": surface["shape"], "tiles": tiled["tiles"], "span": span,
+           "deflection": full["largest_displacement"] / span, "rotation": full["largest_rotation"], "full_s": full["seconds"]}
+    for model in MODELS:
+        row[f"{model}_s"] = fretwork.simulate(model)["seconds"]
+        row.update({f"{model}_{what}": value for what, value in errors(fretwork.compare("full", model)).items()})
+    row["mixed_difference_mean"] = errors(fretwork.compare("mixed:0.1", "mixed:0.05"))["mean"]
+    estimate = fretwork.simulate("corotational", "--estimate-model-error")
+    row.update({f"estimate_{short}": estimate["model_error_estimate"][key]
+                for short, key in (("mean", "mean"), ("largest", "largest"), ("l2", "relative_l2"))})
+    row["buckled"] = len(estimate["buckled_tiles"])
+    row["linear_estimate_mean"] = fretwork.simulate("condensed", "--estimate-model-error")["model_error_estimate"]["mean"]
+    return row
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("program", type=pathlib.Path)
+    parser.add_argument("patterns", type=pathlib.Path)
+    parser.add_argument("out", type=pathlib.Path)
+    parser.add_argument("--count", type=int, default=126)
+    parser.add_argument("--seed", type=int, default=1)
+    options = parser.parse_args()
+    patterns = options.patterns.read_text().split()
+    folder = options.out / "surface"
+    folder.mkdir(parents=True, exist_ok=True)
+    table = options.out / "rows.csv"
+    done = set()
+    if table.exists():
+        done = {int(row["number"]) for row in csv.DictReader(table.open())}
+    fretwork = Fretwork(options.program.resolve(), folder)
+    with table.open("a", newline="") as file:
+        writer = csv.DictWriter(file, FIELDS, restval="")
+        if not done:
+            writer.writeheader()
+        for surface in surfaces.surfaces(options.count, options.seed):
+            if surface["number"] in done:
+                continue
+            try:
+                row = row_of(fretwork, surface, patterns, folder)
+            except Failed as failure:
+                row = {"number": surface["number"], "kind": surface["kind"], "shape": surface["shape"], "note": str(failure)}
+            writer.writerow({key: f"{value:.5g}" if isinstance(value, float) else value for key, value in row.items()})
+            file.flush()
+
+
+if __name__ == "__main__":
+    main()

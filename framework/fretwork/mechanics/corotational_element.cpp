@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/mechanics/corotational_element.hpp>
+#include <fretwork/mechanics/elements/corotational_element.hpp>
+#include <fretwork/mechanics/elements/rotation.hpp>
+
+#include <string>
+
+namespace fretwork::mechanics {
+namespace {
+
+/// Of rotations beside displacements, per squared distance of the nodes from their mean. Without rotations a
+/// frame is ill defined for slender tiles, whose nodes lie nearly in a line.
+constexpr double kRotationShare = 0.1;
+
+/// Rounding of a condensed stiffness, as a share of its entries.
+constexpr double kRigidForce = 1e-6;
+
+void require_size(const char* name, const Eigen::MatrixXd& matrix, Eigen::Index nodes) {
+    const Eigen::Index size = kDofsPerNode * nodes;
+    if (matrix.rows() == size && matrix.cols() == size) return;
+    throw base::InputError("a corotational element of " + std::to_string(nodes) + " nodes needs a " + name +
+                           " of " + std::to_string(size) + " rows and columns, not " +
+                           std::to_string(matrix.rows()) + " x " + std::to_string(matrix.cols()));
+}
+
+/// The six rigid motions of the nodes. Turns are per their radius, so that all columns are of one size.
+Eigen::MatrixXd rigid_motions(const Eigen::Matrix3Xd& arms, double radius) {
+    Eigen::MatrixXd motions = Eigen::MatrixXd::Zero(kDofsPerNode * arms.cols(), 6);
+    for (Eigen::Index i = 0; i < arms.cols(); ++i) {
+        motions.block<3, 3>(kDofsPerNode * i, 0).setIdentity();
+        motions.block<3, 3>(kDofsPerNode * i, 3) = -elements::cross_matrix(arms.col(i)) / radius;
+        motions.block<3, 3>(kDofsPerNode * i + 3, 3).setIdentity();
+        motions.block<3, 3>(kDofsPerNode * i + 3, 3) /= radius;
+    }
+    return motions;
+}
+
+}  // namespace
+
+CorotationalBody::CorotationalBody(Parts parts)
+    : arms_(3, static_cast<Eigen::Index>(parts.nodes.size())),
+      stiffness_(std::move(parts.stiffness)),
+      mass_(std::move(parts.mass)) {
+    if (parts.nodes.size() < 2)
+        throw base::InputError("a corotational element needs two nodes or more, not " +
+                               std::to_string(parts.nodes.size()));
+    for (Eigen::Index i = 0; i < arms_.cols(); ++i) arms_.col(i) = parts.nodes[static_cast<std::size_t>(i)];
+    arms_.colwise() -= arms_.rowwise().mean().eval();
+    require_size("stiffness", stiffness_, arms_.cols());
+    const double square = arms_.squaredNorm() / static_cast<double>(arms_.cols());
+    if (!(square > 0.0)) throw base::InputError("all nodes of a corotational element are at one place");
+    rotation_weight_ = kRotationShare * square;
+    const double largest = (stiffness_ * rigid_motions(arms_, std::sqrt(square))).cwiseAbs().maxCoeff();
+    if (!(largest <= kRigidForce * stiffness_.cwiseAbs().maxCoeff()))
+        throw base::InputError("the stiffness of a corotational element resists a rigid motion");
+}
+
+Eigen::MatrixXd CorotationalBody::mass() const {
+    if (!mass_)
+        throw base::InputError(
+            "natural frequencies need the mass of every element, and a corotational one was made without");
+    Eigen::MatrixXd mass = mass_();
+    require_size("mass", mass, arms_.cols());
+    return mass;
+}
+
+std::unique_ptr<const Element> corotational_element(std::vector<NodeIndex> nodes,
+                                                    std::shared_ptr<const CorotationalBody> body,
+                                                    const Eigen::Matrix3d& turn) {
+    if (static_cast<Eigen::Index>(nodes.size()) != body->arms().cols())
+        throw base::InputError("a corotational body of " + std::to_string(body->arms().cols()) +
+                               " nodes cannot be placed on " + std::to_string(nodes.size()));
+    return elements::make_corotational_element(std::move(nodes), std::move(body), turn);
+}
+
+}  // namespace fretwork::mechanics

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/mechanics/corotational_element.hpp>
+
+namespace fretwork::mechanics::elements {
+
+/// The body has as many nodes as are given. The usual numbers of nodes have code of their own, in which the
+/// compiler knows all sizes.
+std::unique_ptr<const Element> make_corotational_element(std::vector<NodeIndex> nodes,
+                                                         std::shared_ptr<const CorotationalBody> body,
+                                                         const Eigen::Matrix3d& turn);
+
+}  // namespace fretwork::mechanics::elements

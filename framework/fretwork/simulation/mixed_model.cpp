@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/simulation/mixed_model.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace fretwork::simulation {
+
+std::vector<tiling::TileIndex> worst_tiles(std::span<const TileDeformation> tiles, double share) {
+    constexpr double kRounding = 1e-9;  // 0.07 of 100 tiles are 7
+    const auto product = [&](tiling::TileIndex tile) {
+        const TileDeformation& deformation = tiles[static_cast<std::size_t>(tile)];
+        return deformation.energy * deformation.rotation;
+    };
+    std::vector<tiling::TileIndex> worst;
+    for (std::size_t t = 0; t < tiles.size(); ++t) {
+        if (product(tiling::TileIndex(t)) > 0.0) worst.emplace_back(t);
+    }
+    std::ranges::stable_sort(worst, std::greater(), product);
+    const double count = std::ceil(share * static_cast<double>(tiles.size()) - kRounding);
+    if (count < static_cast<double>(worst.size())) worst.resize(static_cast<std::size_t>(count));
+    return worst;
+}
+
+MixedSolution solve_mixed(const Surface& surface, const LoadCase& load_case, SimulationOptions options,
+                          double share, const base::Control& control) {
+    options.model = kMixedTiles;
+    MixedSolution solution;
+    Session session(surface, load_case, options);
+    solution.corotational = session.solve(control);
+    solution.mixed = solution.corotational;
+    if (!solution.corotational.solution.converged()) return solution;
+    solution.full_tiles = worst_tiles(session.tile_deformations(solution.corotational.solution), share);
+    if (solution.full_tiles.empty()) return solution;
+    session.set_tile_model(solution.full_tiles, reference_choice(options).name);
+    solution.mixed = session.solve(control);
+    solution.mixed.seconds += solution.corotational.seconds;
+    return solution;
+}
+
+}  // namespace fretwork::simulation

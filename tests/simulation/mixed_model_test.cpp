@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "../support.hpp"
+#include "honeycomb.hpp"
+
+#include <fretwork/simulation/comparison.hpp>
+#include <fretwork/simulation/mixed_model.hpp>
+#include <fretwork/simulation/model_error.hpp>
+#include <fretwork/simulation/simulate.hpp>
+#include <fretwork/simulation/tile_stability.hpp>
+
+namespace fretwork::simulation {
+namespace {
+
+using test::cantilever;
+using test::complaint_of;
+using test::honeycomb;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using tiling::TileIndex;
+
+Surface surface() {
+    return make_surface(honeycomb(4, 3, {"0-1+1-6", "1-6+3-6", "0-5+5-6"}), nullptr);
+}
+
+/// Bends the surface by more than half of its length.
+LoadCase heavy() {
+    return cantilever({0, 0, -0.3});
+}
+
+mechanics::Result solved(const std::string& model, const LoadCase& load_case = heavy()) {
+    return simulate(surface(), load_case, {.model = model});
+}
+
+TEST(WorstTiles, HaveTheLargestProductsOfEnergyAndRotation) {
+    const std::vector<TileDeformation> tiles = {{1.0, 0.1}, {3.0, 0.2}, {2.0, 0.0}, {0.1, 0.9}};
+    EXPECT_THAT(worst_tiles(tiles, 0.5), ElementsAre(TileIndex(1), TileIndex(0)));
+    EXPECT_THAT(worst_tiles(tiles, 0.51), ElementsAre(TileIndex(1), TileIndex(0), TileIndex(3)))
+        << "rounded up";
+    EXPECT_THAT(worst_tiles(tiles, 1.0), ElementsAre(TileIndex(1), TileIndex(0), TileIndex(3)))
+        << "a tile that is not deformed is not worth its beams";
+    EXPECT_THAT(worst_tiles(tiles, 0.0), IsEmpty());
+    EXPECT_EQ(worst_tiles(std::vector(100, TileDeformation{1.0, 1.0}), 0.07).size(), 7U)
+        << "0.07 times 100 is a little above 7 in floating point";
+}
+
+TEST(MixedModel, ShareIsANumberFromZeroToOne) {
+    EXPECT_EQ(mixed_share("mixed:0.05"), 0.05);
+    EXPECT_EQ(mixed_share("mixed:1"), 1.0);
+    EXPECT_EQ(mixed_share("corotational"), std::nullopt);
+    for (const char* wrong : {"mixed:", "mixed:1.5", "mixed:-0.1", "mixed:nan", "mixed:5%", "mixed:0.1 "})
+        EXPECT_THAT(complaint_of([&] { (void)mixed_share(wrong); }), HasSubstr("from 0 to 1")) << wrong;
+}
+
+TEST(MixedModel, ReachesFromCorotationalTilesToTheFullModel) {
+    const auto full = solved("full");
+    const auto corotational = solved("corotational");
+    EXPECT_EQ(solved("mixed:0").solution.displacements, corotational.solution.displacements);
+    const auto all = solved("mixed:1");
+    EXPECT_EQ(all.subject->full_tiles.size(), 12U);
+    EXPECT_LT(compare(full, all).relative_l2_error, 1e-7);  // the residual both are solved to
+    const auto some = solved("mixed:0.25");
+    EXPECT_EQ(some.subject->full_tiles.size(), 3U);
+    EXPECT_EQ(some.subject->model, "mixed:0.25");
+    EXPECT_LT(compare(full, some).mean_translation_error, compare(full, corotational).mean_translation_error);
+}
+
+TEST(MixedModel, TilesWithAModelOfTheirOwnKeepIt) {
+    Surface painted = surface();
+    painted.tile_models.assign(12, "full");
+    painted.tile_models[0] = "";
+    const auto result = simulate(painted, heavy(), {.model = "mixed:1"});
+    EXPECT_THAT(result.subject->full_tiles, ElementsAre(0));
+    EXPECT_EQ(result.subject->model, "mixed:1; full (11 tiles)");
+}
+
+TEST(MixedModel, IsForLargeDisplacements) {
+    EXPECT_THAT(complaint_of([&] {
+                    simulate(surface(), heavy(), {.model = "mixed:0.1", .analysis = Analysis::Linear});
+                }),
+                HasSubstr("large displacements"));
+}
+
+/// Within a factor of two: what larger surfaces show is in experiments/large_deflections.
+TEST(ModelError, IsEstimatedForEveryReducedModelThatHasOne) {
+    const auto full = solved("full");
+    for (const char* model : {"corotational", "condensed"}) {
+        const auto result = simulate(surface(), heavy(), {.model = model, .estimate_model_error = true});
+        ASSERT_TRUE(result.model_error) << model;
+        const Comparison truth = compare(full, result);
+        EXPECT_NEAR(result.model_error->relative_l2, truth.relative_l2_error, 0.5 * truth.relative_l2_error);
+        const double mean = truth.mean_translation_error / truth.max_displacement;
+        EXPECT_NEAR(result.model_error->mean, mean, 0.5 * mean) << model;
+        EXPECT_EQ(result.solution.displacements, solved(model).solution.displacements) << model;
+    }
+}
+
+TEST(ModelError, IsRefusedWhereThereIsNoBetterModel) {
+    const auto complaint = [](const std::string& model) {
+        return complaint_of(
+            [&] { simulate(surface(), heavy(), {.model = model, .estimate_model_error = true}); });
+    };
+    EXPECT_THAT(complaint("full"), HasSubstr("is the reference"));
+    EXPECT_THAT(complaint("mixed:0.05"), HasSubstr("cannot be estimated"));
+}
+
+/// Straight beams of 22.5 mm and 2 x 2 mm from a tile's center to its sides. Two opposite ones are one beam
+/// of twice that length, clamped at its ends: Euler's strain is 4 pi^2 I / (A l^2) = 0.0065.
+TEST(BuckledTiles, AreThoseWhoseBeamsBuckleWhileTheInterfaceIsHeld) {
+    const Surface two = make_surface(honeycomb(2, 1, {"0-6"}), nullptr);
+    const auto buckled = [&](double strain) {
+        mechanics::Solution solution;
+        const auto& nodes = two.tessellation.interface_nodes;
+        solution.displacements = mechanics::NodeValues::Zero(std::ssize(nodes), mechanics::kDofsPerNode);
+        for (std::size_t i = 0; i < nodes.size(); ++i)
+            solution.displacements.row(static_cast<Eigen::Index>(i)).head<2>() << -strain * nodes[i].x,
+                -strain * nodes[i].y;
+        return buckled_tiles(two, solution, {});
+    };
+    EXPECT_THAT(buckled(0.0), IsEmpty());
+    EXPECT_THAT(buckled(0.005), IsEmpty());
+    EXPECT_THAT(buckled(0.01), ElementsAre(TileIndex(0), TileIndex(1)));
+    EXPECT_THAT(buckled(-0.01), IsEmpty()) << "pulled";
+}
+
+TEST(BuckledTiles, ATurnOfTheWholeBucklesNothing) {
+    const Surface two = make_surface(honeycomb(2, 1, {"0-1+1-6"}), nullptr);
+    const auto& nodes = two.tessellation.interface_nodes;
+    const Eigen::Vector3d turn(0.3, 2.0, -1.0);
+    const Eigen::Matrix3d rotation = Eigen::AngleAxisd(turn.norm(), turn.normalized()).toRotationMatrix();
+    mechanics::Solution solution;
+    solution.displacements.resize(std::ssize(nodes), mechanics::kDofsPerNode);
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        const Eigen::Vector3d place(nodes[i].x, nodes[i].y, 0.0);
+        solution.displacements.row(static_cast<Eigen::Index>(i)) << (rotation * place - place).transpose(),
+            turn.transpose();
+    }
+    EXPECT_THAT(buckled_tiles(two, solution, {}), IsEmpty());
+}
+
+}  // namespace
+}  // namespace fretwork::simulation
