@@ -4,8 +4,12 @@ import { render } from 'preact';
 import { App } from './app';
 import { takeLatencies } from './document/latency';
 import * as store from './document/store';
-import { start } from './document/studio';
+import { cut, start } from './document/studio';
+import { surface } from './document/surface';
 import { watchKeys } from './manners/shortcuts';
+import type { Point } from './protocol/messages';
+import { toScreen, viewport } from './views/plane/viewport';
+import { currentScene } from './views/space/current';
 import { watchTips } from './widgets/tooltip';
 import './styles/tokens.css';
 import './styles/widgets.css';
@@ -15,10 +19,20 @@ watchKeys();
 watchTips();
 start();
 
-/** What the browser tests read. */
+/** What the browser tests read and do. */
+const forTests = {
+  takeLatencies,
+  store,
+  scene: currentScene,
+  cut,
+  /** The surface in space is not drawn but now, where a test has paused it. */
+  drawOnce: () => currentScene.value?.stage.drawOnce(),
+  planePlace: (tile: number): Point => toScreen(viewport.value, surface.value?.centers[tile] ?? [0, 0]),
+};
 declare global {
   interface Window {
-    fretwork: { takeLatencies: typeof takeLatencies; store: typeof store };
+    fretworkPaused?: boolean;
+    fretwork: typeof forTests;
   }
 }
-window.fretwork = { takeLatencies, store };
+window.fretwork = forTests;

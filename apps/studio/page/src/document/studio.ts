@@ -22,6 +22,8 @@ function socketAddress(): string {
 const connection = new Connection(socketAddress(), { state, event, binary, opened });
 
 export const start = (): void => connection.open();
+/** As if the line were cut; it mends itself. */
+export const cut = (): void => connection.cut();
 export const ask = <T = object>(what: string, more: object = {}): Promise<T> => connection.ask<T>(what, more);
 
 /** Ask, and tell people the server's words if it refuses. Resolves to null then. */

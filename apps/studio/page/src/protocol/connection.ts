@@ -57,6 +57,10 @@ export class Connection {
     return new Promise<T>((resolve, reject) => this.waiting.set(id, { resolve: resolve as (answer: never) => void, reject }));
   }
 
+  cut(): void {
+    this.socket?.close();
+  }
+
   private receive(data: string | ArrayBuffer): void {
     if (typeof data !== 'string') {
       this.listener.binary(decode(data));

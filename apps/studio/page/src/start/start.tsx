@@ -10,6 +10,8 @@ import { mode, selectedNodes, selectedTiles, startOpen } from '../document/ui';
 import { Button, Choice } from '../widgets/widgets';
 import { NumberField } from '../widgets/number';
 import { Mark } from '../panels/top_bar';
+import { startingPalette } from '../gallery/starting_palette';
+import type { PatternTable } from '../protocol/messages';
 import { ExampleDrawing } from './example_drawing';
 import './start.css';
 
@@ -19,6 +21,7 @@ const outline = signal<File | null>(null);
 const busy = signal<string | null>(null);
 const trouble = signal<string | null>(null);
 const over = signal(false);
+const PALETTE_SIZE = 24;
 const OUTLINES = '.svg,.dxf,.obj,.ply,.off,.json';
 
 async function begin(words: string, what: string, more: object): Promise<void> {
@@ -42,8 +45,15 @@ const fromExample = (name: string) => begin('Making the example …', 'new', { e
 async function fromOutline(): Promise<void> {
   const file = outline.value;
   if (!file) return;
-  const patterns = painting.value === 'random' ? { patterns: 'random:1' } : { patterns: '' };
+  const patterns = painting.value === 'random' ? { patterns: 'random:1', ...(await palette()) } : {};
   await begin(`Tiling ${file.name} …`, 'new', { outline: { name: file.name, text_base64: await base64(file) }, tile_size: tileSize.value, ...patterns });
+}
+
+/** Chance needs patterns to choose from: the library's calibrated ones, or a spread of all. */
+async function palette(): Promise<{ palette?: string }> {
+  if (hello.value?.has_library) return {};
+  const table = await ask<PatternTable>('patterns').catch(() => null);
+  return table ? { palette: startingPalette(table.patterns, PALETTE_SIZE).join(',') } : {};
 }
 
 /** A project is opened at once; an outline waits for its tile size. */

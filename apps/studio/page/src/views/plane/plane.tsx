@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The flat surface: paint tiles, choose nodes. Two canvases, so that moving the pointer does not draw all bars again.
 
-import { effect } from '@preact/signals';
+import { effect, type ReadonlySignal } from '@preact/signals';
 import { useEffect, useRef } from 'preact/hooks';
 import { tilePatterns } from '../../document/patterns_now';
 import { documentNow } from '../../document/store';
 import { surface } from '../../document/surface';
-import { mode } from '../../document/ui';
+import { heldNodes, loadMarks, prescribedMarks } from '../../document/marks';
+import { mode, probed, selectedNodes, selectedTiles } from '../../document/ui';
 import { theme } from '../../manners/theme';
 import { drawOverlay } from './draw_overlay';
 import { drawTiles } from './draw_tiles';
+import { drawing, hoveredNode, hoveredNodes, hoveredTiles } from './overlay_state';
 import { PlaneBar } from './plane_bar';
 import { attachPlanePointer } from './plane_pointer';
 import { fitted, viewport } from './viewport';
@@ -24,8 +26,8 @@ export function PlaneView() {
   useEffect(() => {
     const [box, tiles, marks] = [host.current as HTMLDivElement, lower.current as HTMLCanvasElement, upper.current as HTMLCanvasElement];
     const stops = [
-      effect(() => showTiles(tiles)),
-      effect(() => showMarks(marks)),
+      onFrame(tileSignals, () => showTiles(tiles)),
+      onFrame(markSignals, () => showMarks(marks)),
       effect(() => void (surface.value && fit())),
       attachPlanePointer(marks),
     ];
@@ -53,6 +55,27 @@ export function fit(): void {
   if (now) viewport.value = fitted(viewport.peek(), now.box, TOOLBAR_PX);
 }
 
+const tileSignals = [viewport, surface, theme, tilePatterns, documentNow];
+const markSignals = [
+  viewport, surface, theme, mode, probed, selectedNodes, selectedTiles, heldNodes, loadMarks, prescribedMarks, hoveredTiles, hoveredNode, hoveredNodes, drawing,
+];
+
+/** Draw in the next frame after one of some signals has changed: what a person does goes to the server first. */
+function onFrame(signals: readonly ReadonlySignal<unknown>[], draw: () => void): () => void {
+  let asked = 0;
+  const stop = effect(() => {
+    for (const signal of signals) void signal.value;
+    asked ||= requestAnimationFrame(() => {
+      asked = 0;
+      draw();
+    });
+  });
+  return () => {
+    cancelAnimationFrame(asked);
+    stop();
+  };
+}
+
 function sized(canvas: HTMLCanvasElement): { context: CanvasRenderingContext2D; ratio: number } {
   const { width, height } = viewport.value;
   const ratio = window.devicePixelRatio;
@@ -63,7 +86,6 @@ function sized(canvas: HTMLCanvasElement): { context: CanvasRenderingContext2D; 
 }
 
 function showTiles(canvas: HTMLCanvasElement): void {
-  void theme.value;
   const { context, ratio } = sized(canvas);
   const now = surface.value;
   const section = documentNow.value?.setting.section;
@@ -73,7 +95,6 @@ function showTiles(canvas: HTMLCanvasElement): void {
 }
 
 function showMarks(canvas: HTMLCanvasElement): void {
-  void theme.value;
   const { context, ratio } = sized(canvas);
   if (surface.value) drawOverlay(context, viewport.value, ratio, surface.value);
 }

@@ -39,27 +39,30 @@ const near = (place: Vector3, at: [number, number], view: View): boolean => {
   return seen !== null && Math.hypot(seen[0] - at[0], seen[1] - at[1]) < REACH_PX;
 };
 
-/** The handle under the pointer, taken; null where there is none. */
-export function grab(at: [number, number], view: View, arrows: ArrowScale): Drag | null {
-  for (const mark of loadMarks.peek()) {
-    for (const key of ['force', 'moment'] as const) {
-      const tip = middle(mark.nodes).addScaledVector(new Vector3(...mark[key]), arrows[key]);
-      if (Math.hypot(...mark[key]) > 0 && near(tip, at, view)) return dragArrow(mark, key, { view, arrows, tip });
-    }
-  }
-  for (const mark of prescribedMarks.peek()) {
-    if (mark.dof in AXES && near(middle(mark.nodes), at, view)) return dragDiamond(mark, at, view);
-  }
-  return null;
+interface Handle {
+  place: Vector3;
+  take(at: [number, number], view: View): Drag;
 }
 
-/** Whether there is something to take under the pointer, for the cursor. */
-export const overHandle = (at: [number, number], view: View, arrows: ArrowScale): boolean =>
-  loadMarks.peek().some((mark) =>
-    (['force', 'moment'] as const).some(
-      (key) => Math.hypot(...mark[key]) > 0 && near(middle(mark.nodes).addScaledVector(new Vector3(...mark[key]), arrows[key]), at, view),
-    ),
-  ) || prescribedMarks.peek().some((mark) => mark.dof in AXES && near(middle(mark.nodes), at, view));
+/** All that can be taken: tips of arrows, and diamonds. */
+export function handles(arrows: ArrowScale): Handle[] {
+  const tips = loadMarks.peek().flatMap((mark) =>
+    (['force', 'moment'] as const).flatMap((key) => {
+      if (Math.hypot(...mark[key]) === 0) return [];
+      const place = middle(mark.nodes).addScaledVector(new Vector3(...mark[key]), arrows[key]);
+      return [{ place, take: (_: [number, number], view: View) => dragArrow(mark, key, { view, arrows, tip: place }) }];
+    }),
+  );
+  const diamonds = prescribedMarks
+    .peek()
+    .filter((mark) => mark.dof in AXES)
+    .map((mark) => ({ place: middle(mark.nodes), take: (at: [number, number], view: View) => dragDiamond(mark, at, view) }));
+  return [...tips, ...diamonds];
+}
+
+/** The handle under the pointer; undefined where there is none. */
+export const handleAt = (at: [number, number], view: View, arrows: ArrowScale): Handle | undefined =>
+  handles(arrows).find(({ place }) => near(place, at, view));
 
 function dragArrow(mark: LoadMark, key: 'force' | 'moment', { view, arrows, tip }: { view: View; arrows: ArrowScale; tip: Vector3 }): Drag {
   const merge = newGesture('load');

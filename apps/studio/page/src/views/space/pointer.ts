@@ -4,7 +4,7 @@
 import { beams } from '../../document/store';
 import { surface } from '../../document/surface';
 import { mode, probed, selectedNodes } from '../../document/ui';
-import { grab, overHandle, type Drag } from './handles';
+import { handleAt, type Drag } from './handles';
 import { nearestOnScreen } from './placed';
 import type { SceneView } from './scene_view';
 
@@ -23,7 +23,7 @@ export function attachPointer(canvas: HTMLCanvasElement, view: SceneView): () =>
   const down = (event: PointerEvent) => {
     if (event.button !== 0) return;
     pressed = at(event);
-    drag = grab(pressed, seen(), view.arrows);
+    drag = handleAt(pressed, seen(), view.arrows)?.take(pressed, seen()) ?? null;
     if (!drag) return;
     view.stage.controls.enabled = false;
     view.dragging = true;
@@ -31,7 +31,7 @@ export function attachPointer(canvas: HTMLCanvasElement, view: SceneView): () =>
   };
   const move = (event: PointerEvent) => {
     if (drag) drag.move({ at: at(event), free: event.shiftKey, when: event.timeStamp });
-    else if (event.buttons === 0) canvas.style.cursor = overHandle(at(event), seen(), view.arrows) ? 'grab' : '';
+    else if (event.buttons === 0) canvas.style.cursor = handleAt(at(event), seen(), view.arrows) ? 'grab' : '';
   };
   const up = (event: PointerEvent) => {
     const place = at(event);

@@ -15,7 +15,9 @@ import { Bars } from './bars';
 import { FieldValues, fieldRow, available } from './fields';
 import { GapFiller } from './fill_gaps';
 import { arrowScale, MarksView, type ArrowScale } from './marks_view';
+import { handles } from './handles';
 import { legend } from './legend_state';
+import { onScreen } from './placed';
 import { Stage, type ViewName } from './stage';
 
 const BLUE = '#3b78c4';
@@ -145,6 +147,13 @@ export class SceneView {
     this.framed = tiles;
     this.stage.light(this.box());
     this.stage.look(this.box(), 'iso');
+  }
+
+  /** Where the handles are on the canvas, in pixels. */
+  handlePlaces(): ([number, number] | null)[] {
+    const { clientWidth: width, clientHeight: height } = this.stage.renderer.domElement;
+    this.stage.camera.updateMatrixWorld();
+    return handles(this.arrows).map(({ place }) => onScreen(place, this.stage.camera, { width, height }));
   }
 
   look(from: ViewName | null): void {

@@ -21,8 +21,8 @@ export class Stage {
   private readonly sun = new DirectionalLight('#fff4e2', 2.9);
   private readonly floor = new Mesh(new PlaneGeometry(1, 1), new ShadowMaterial({ opacity: 0.16 }));
   private asked = 0;
-  /** For measurements on machines that draw in software: everything but the drawing. */
-  paused = false;
+  /** For tests on machines that draw in software: everything but the drawing. */
+  private readonly paused = window.fretworkPaused === true;
   private framing: { box: Box3; from: ViewName | null } | null = null;
   private readonly before = new Set<() => void>();
 
@@ -61,7 +61,10 @@ export class Stage {
   }
 
   drawNow(): void {
-    if (this.paused) return;
+    if (!this.paused) this.drawOnce();
+  }
+
+  drawOnce(): void {
     for (const action of this.before) action();
     this.renderer.render(this.scene, this.camera);
   }

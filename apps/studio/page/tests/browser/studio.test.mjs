@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What somebody does with the studio, in a real browser against the real program.
+
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { test } from 'node:test';
+import { folder, fretwork, median, openPage, picture, repository, solved, startStudio } from './studio.mjs';
+
+const OUTLINE = `<svg xmlns="http://www.w3.org/2000/svg" width="260mm" height="180mm" viewBox="0 0 260 180"><path d="M10 10H250V90L160 170H10Z"/></svg>`;
+
+function makeProject(tileSide) {
+  const place = folder();
+  const project = join(place, 'surface.json');
+  fretwork('tile', join(repository, 'experiments/outlines/example_a.svg'), '--edge-length', tileSide, '--patterns', '0-1+1-6', '--out', project);
+  fretwork('case', 'add', project, join(repository, 'experiments/cases/bridge.json'));
+  return project;
+}
+
+/** Where a tile's middle is on the page. */
+const tilePlace = (page, tile) =>
+  page.evaluate((index) => {
+    const box = document.getElementById('plane').getBoundingClientRect();
+    const at = window.fretwork.planePlace(index);
+    return [box.left + at[0], box.top + at[1]];
+  }, tile);
+
+test('the first minute: an outline becomes a surface that is held, loaded and bent', async (t) => {
+  const { address } = await startStudio(t);
+  const page = await openPage(t, address);
+  await page.waitForSelector('[data-example]');
+  await picture(page, '1-start');
+  const began = Date.now();
+  const chooser = page.waitForEvent('filechooser');
+  await page.click('#choose-outline');
+  await (await chooser).setFiles({ name: 'corner.svg', mimeType: 'image/svg+xml', buffer: Buffer.from(OUTLINE) });
+  await page.click('#make');
+  await page.waitForFunction(() => window.fretwork.store.documentNow.value);
+  await page.click('#next-step');
+  await page.click('#choose-left');
+  await page.click('#hold-fixed');
+  await page.click('#next-step');
+  await page.click('#choose-right');
+  await page.click('#add-force');
+  await page.waitForFunction(() => window.fretwork.store.live.value?.info.largest_displacement > 0);
+  console.log(`from outline to bent surface: ${((Date.now() - began) / 1000).toFixed(1)} s, by a script on this machine`);
+  const moved = await page.evaluate(() => window.fretwork.store.live.value.info.largest_displacement);
+  assert.ok(moved > 1e-4, `it moved by ${moved} m`);
+  await picture(page, '2-bent');
+  assert.deepEqual(page.troubles, []);
+});
+
+test('what is edited on the page is saved, and the command line computes the same', async (t) => {
+  const project = makeProject('26mm');
+  const { address, place } = await startStudio(t, project);
+  const page = await openPage(t, address);
+  await solved(page);
+
+  const [x, y] = await tilePlace(page, 40);
+  await page.click('[data-pattern]:nth-child(9)');
+  const before = await page.evaluate(() => window.fretwork.store.revision.value);
+  await page.mouse.click(x, y);
+  await page.waitForFunction((old) => window.fretwork.store.live.value?.info.revision > old, before);
+  assert.equal(await page.evaluate(() => window.fretwork.store.documentNow.value.history.undo), 'paint 1 tile');
+
+  await page.click('[data-value=hold]');
+  await page.click('#choose-top');
+  await page.click('#hold-pinned');
+  await page.click('[data-value=load]');
+  await page.click('#choose-middle');
+  const supported = await page.evaluate(() => window.fretwork.store.revision.value);
+  await page.click('#add-force');
+  await page.waitForFunction((old) => window.fretwork.store.live.value?.info.revision > old, supported);
+
+  await page.click('[data-value=look]');
+  await page.click('[data-model=condensed]');
+  await page.waitForFunction(() => window.fretwork.store.live.value?.info.model === 'condensed');
+  await picture(page, '3-edited');
+  await page.keyboard.press('Control+s');
+  await page.waitForFunction(() => window.fretwork.store.documentNow.value.saved);
+  fretwork('simulate', project, '--case', 'bridge', '--model', 'condensed', '--out', join(place, 'result.json'));
+  const { displacements } = JSON.parse(readFileSync(join(place, 'result.json'), 'utf8'));
+  const shown = await page.evaluate(() => [...window.fretwork.store.live.value.solution.displacement]);
+  const largest = Math.max(...displacements.map(([ux, uy, uz]) => Math.hypot(ux, uy, uz)));
+  displacements.forEach(([ux, uy, uz], node) => {
+    const away = Math.hypot(ux - shown[3 * node], uy - shown[3 * node + 1], uz - shown[3 * node + 2]);
+    // The page has single precision: seven digits of the largest.
+    assert.ok(away < 1e-6 * largest, `node ${node}: ${away} m of ${largest} m apart`);
+  });
+
+  const held = () => page.evaluate(() => window.fretwork.store.documentNow.value.load_cases[0].supports.length);
+  assert.equal(await held(), 3);
+  for (let i = 0; i < 3; ++i) await page.click('#undo');
+  await page.waitForFunction(() => window.fretwork.store.documentNow.value.load_cases[0].supports.length === 2);
+  await page.reload();
+  await solved(page);
+  assert.equal(await held(), 2);
+  assert.ok(await page.isEnabled('#redo'), 'what was undone before a reload can be redone after it');
+
+  const download = page.waitForEvent('download');
+  await page.click('#export');
+  await page.click('[data-export=svg]');
+  const file = join(place, 'drawing.svg');
+  await (await download).saveAs(file);
+  assert.match(readFileSync(file, 'utf8'), /<svg/);
+  assert.deepEqual(page.troubles, []);
+});
+
+test('a server that goes and comes back is told, and nothing is lost', async (t) => {
+  const project = makeProject('40mm');
+  const { address } = await startStudio(t, project);
+  const page = await openPage(t, address);
+  await solved(page);
+  const revision = await page.evaluate(() => window.fretwork.store.revision.value);
+  await page.evaluate(() => window.fretwork.cut());
+  await page.waitForSelector('.lost');
+  await page.waitForSelector('.lost', { state: 'detached' });
+  await page.waitForFunction(() => window.fretwork.store.live.value !== null);
+  assert.equal(await page.evaluate(() => window.fretwork.store.revision.value), revision);
+});
+
+test('latency from the input event to new positions in the page', async (t) => {
+  const project = makeProject('12.1mm');
+  const { address } = await startStudio(t, project);
+  const page = await openPage(t, address);
+  await solved(page);
+  const tiles = await page.evaluate(() => window.fretwork.store.documentNow.value.tiles.length);
+  for (const model of await page.evaluate(() => window.fretwork.store.hello.value.models.map(({ name }) => name))) {
+    if (model !== 'condensed' && model !== 'corotational') continue;
+    await page.click('[data-value=look]');
+    await page.click(`[data-model=${model}]`);
+    await page.waitForFunction((name) => window.fretwork.store.live.value?.info.model === name, model);
+    const drag = await dragLoad(page);
+    const paint = await paintTiles(page);
+    console.log(`${tiles} tiles, ${model}: a dragged load ${words(drag)}; a painted tile ${words(paint)}`);
+    assert.ok(drag.length > 5 && paint.length > 5, 'new positions came for dragged loads and painted tiles');
+  }
+});
+
+const words = (samples) => `${median(samples).toFixed(0)} ms in the median, ${Math.max(...samples).toFixed(0)} ms at most (${samples.length} samples)`;
+
+async function dragLoad(page) {
+  await page.click('[data-value=load]');
+  const [tip] = await page.evaluate(() => window.fretwork.scene.value.handlePlaces());
+  const box = await page.locator('.space canvas').boundingBox();
+  await page.mouse.move(box.x + tip[0], box.y + tip[1]);
+  await page.evaluate(() => window.fretwork.takeLatencies());
+  await page.mouse.down();
+  for (let step = 1; step <= 40; ++step) {
+    await page.mouse.move(box.x + tip[0], box.y + tip[1] + 1.5 * step);
+    await page.waitForTimeout(25);
+  }
+  await page.mouse.up();
+  await page.waitForTimeout(500);
+  return page.evaluate(() => window.fretwork.takeLatencies());
+}
+
+async function paintTiles(page) {
+  await page.click('[data-value=paint]');
+  await page.click('[data-pattern]:nth-child(7)');
+  await page.evaluate(() => window.fretwork.takeLatencies());
+  for (let tile = 20; tile < 40; ++tile) {
+    await page.mouse.click(...(await tilePlace(page, tile * 10)));
+    await page.waitForTimeout(250);
+  }
+  return page.evaluate(() => window.fretwork.takeLatencies());
+}
+
+test('a wrong outline is told in words where it happens', async (t) => {
+  const { address } = await startStudio(t);
+  const page = await openPage(t, address);
+  const chooser = page.waitForEvent('filechooser');
+  await page.click('#choose-outline');
+  await (await chooser).setFiles({ name: 'broken.svg', mimeType: 'image/svg+xml', buffer: Buffer.from('<svg><path d="M0 0L1"/></svg>') });
+  await page.click('#make');
+  const told = await page.textContent('#start-trouble');
+  assert.match(told, /broken\.svg/);
+});
+
+test('pictures of the main views', async (t) => {
+  const project = makeProject('26mm');
+  const { address } = await startStudio(t, project);
+  const page = await openPage(t, address);
+  await solved(page);
+  await page.waitForSelector('[data-pattern]');
+  await picture(page, '4-paint');
+  await page.click('[data-value=hold]');
+  await picture(page, '5-hold');
+  await page.click('[data-value=load]');
+  await picture(page, '6-load');
+  await page.click('[data-value=look]');
+  await picture(page, '7-look');
+  await page.keyboard.press('?');
+  await picture(page, '8-help');
+  assert.deepEqual(page.troubles, []);
+});
