@@ -11,7 +11,7 @@ namespace fretwork::mechanics::nonlinear {
 /// Newton's method in displacements and stresses together. The stresses, extrapolated from the iteration
 /// before, stand in the geometric terms of the tangent; eliminated from the equations, they leave the
 /// unknowns and the sparsity as they are. What membrane stiffness makes of a long step is then no force that
-/// the next step has to undo: steps may turn nodes by a radian. [Magisano2017]
+/// the next step has to undo: steps may turn nodes by half a radian, and more. [Magisano2017]
 ///
 /// Factors are kept while they bring the steps down fast enough: with the slopes B0 of their configuration
 /// the equations of an old tangent are B(x)^T s + B0^T (K e(x) - s), and s <- K (e(x) + B0 dx).

@@ -8,12 +8,18 @@
 namespace fretwork::mechanics::nonlinear {
 namespace {
 
-/// rad: the first step of an increment turns no node farther, and prescribed rotations grow by no more.
-constexpr double kLongestTurn = 1.0;
+/// rad: the first step of an increment turns no node farther, and prescribed rotations grow by no more. Steps
+/// of a radian converge as well, but often by way of tangents that are not positive definite: then they are
+/// made again, half as long.
+constexpr double kLongestTurn = 0.4;
 constexpr double kPrescribedTurn = 0.7;
 /// rad: of a whole increment.
 constexpr double kWholeTurn = 2.5;
 constexpr int kMostHalvings = 6;
+/// An increment may be so many times as long as the last one, and is made so many times longer if it then is
+/// the last.
+constexpr double kGrowth = 4.0;
+constexpr double kRemainder = 1.3;
 
 /// A component may move by so many times what the larger rate at the increment's ends makes of it, and by
 /// this share of the largest move besides.
@@ -56,7 +62,8 @@ class Strider {
         const double left = kLongestTurn - unknowns_.largest_rotation(correction_);
         longest_ = std::min({longest_, target_ - at.load_factor,
                              std::max(left, 0.1 * kLongestTurn) / std::max(turn, 1e-300)});
-        const bool last = at.load_factor + longest_ >= target_;
+        const bool last = at.load_factor + kRemainder * longest_ >= target_;
+        if (last) longest_ = target_ - at.load_factor;
         PathPoint next = at;
         next.load_factor = last ? target_ : at.load_factor + longest_;
         const Eigen::VectorXd step = correction_ + longest_ * at.rate;
@@ -76,7 +83,7 @@ class Strider {
         if (is_jump(unknowns_, (move - correction_).cwiseAbs() - correction_.cwiseAbs(), rates))
             return Termination::LimitLoad;
         if (!last) correction_ = newton_.solve_tangent(system_.unbalanced());
-        longest_ *= 2.0;
+        longest_ *= kGrowth;
         at = std::move(next);
         return Termination::Converged;
     }

@@ -7,6 +7,9 @@
 #include <algorithm>
 #include <chrono>
 #include <future>
+#include <memory>
+#include <mutex>
+#include <system_error>
 #include <thread>
 #include <utility>
 
@@ -76,15 +79,49 @@ std::vector<int> permutation_of(Pattern& pattern) {
     return order;
 }
 
-/// The libraries that order cannot be asked to stop. So they work on a thread of their own, which is left to
-/// itself when the caller is asked to; it owns all that it uses.
+/// Threads whose caller has stopped waiting for them. The program waits for them when it ends: a thread must
+/// not outlive the libraries that it works with.
+class UnawaitedThreads {
+  public:
+    UnawaitedThreads() = default;
+    UnawaitedThreads(const UnawaitedThreads&) = delete;
+    UnawaitedThreads& operator=(const UnawaitedThreads&) = delete;
+    ~UnawaitedThreads() {
+        for (std::thread& thread : threads_) thread.join();
+    }
+    void take(std::thread thread) {
+        const std::lock_guard lock(mutex_);
+        threads_.push_back(std::move(thread));
+    }
+
+  private:
+    std::mutex mutex_;
+    std::vector<std::thread> threads_;
+};
+
+/// The libraries that order cannot be asked to stop. So they work on a thread of their own, for which nobody
+/// waits any more when the caller is asked to stop; it owns all that it uses. If the machine refuses a
+/// thread, the caller's does it, and stops after it.
 std::vector<int> permutation_unless_stopped(Pattern pattern, const base::Control& control) {
     constexpr auto kPause = std::chrono::milliseconds(10);
-    std::packaged_task<std::vector<int>()> task(
+    static UnawaitedThreads unawaited;
+    const auto task = std::make_shared<std::packaged_task<std::vector<int>()>>(
         [own = std::move(pattern)]() mutable { return permutation_of(own); });
-    std::future<std::vector<int>> order = task.get_future();
-    std::thread(std::move(task)).detach();
-    while (order.wait_for(kPause) != std::future_status::ready) control.check();
+    std::future<std::vector<int>> order = task->get_future();
+    std::thread thread;
+    try {
+        thread = std::thread([task] { (*task)(); });
+    } catch (const std::system_error&) {
+        (*task)();
+        control.check();
+        return order.get();
+    }
+    while (order.wait_for(kPause) != std::future_status::ready) {
+        if (!control.stop.stop_requested()) continue;
+        unawaited.take(std::move(thread));
+        throw base::Stopped();
+    }
+    thread.join();
     return order.get();
 }
 

@@ -40,7 +40,8 @@ NodeGraph node_graph(int nodes, Cliques cliques);
 
 /// An order of elimination with little fill of the nodes that have unknowns; the others do not appear. The
 /// graph of nodes is ordered, not that of unknowns: it is up to six times smaller and gives better orders.
-/// Throws Stopped; a thread that still orders a large graph then ends by itself, within seconds.
+/// Throws Stopped; a thread that still orders a large graph then ends by itself, within seconds, and the
+/// program not before it.
 std::vector<int> elimination_order(const NodeGraph& graph, std::span<const Components> free,
                                    const base::Control& control = {});
 
