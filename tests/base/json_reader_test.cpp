@@ -3,6 +3,9 @@
 
 #include <fretwork/base/json_reader.hpp>
 
+#include <cmath>
+#include <vector>
+
 namespace fretwork::base {
 namespace {
 
@@ -65,6 +68,22 @@ TEST(JsonReader, ADeepNestIsRefused) {
 
 TEST(JsonReader, ATooLargeNumberIsNamedWithItsLine) {
     EXPECT_THAT(complaint_of([] { parsed("{\"a\":\n 1e999}"); }), StartsWith("test.json: line 2, column "));
+}
+
+// Two parsers share the work, and both have to read a number to its last bit.
+TEST(JsonReader, NumbersAreReadToTheLastBit) {
+    const auto json = parsed(R"([0.1, 5e-324, 1.7976931348623157e308, -0.0, -3, 18446744073709551615,
+                                 18446744073709551616, 9007199254740993, 0.30000000000000004])");
+    EXPECT_EQ(json.numbers(9),
+              (std::vector<double>{0.1, 5e-324, 1.7976931348623157e308, -0.0, -3.0, 18446744073709551615.0,
+                                   18446744073709551616.0, 9007199254740993.0, 0.1 + 0.2}));
+    EXPECT_TRUE(std::signbit(json.elements()[3].number()));
+}
+
+TEST(JsonReader, HalvesOfCharactersAndBytesThatAreNoTextAreRefused) {
+    for (const char* text : {R"("\ud800")", R"("\udc00")", R"("\ud800x")", "\"\xff\"", "\"\xed\xa0\x80\""})
+        EXPECT_THAT(complaint_of([&] { parsed(text); }), HasSubstr("line 1, column ")) << text;
+    EXPECT_EQ(parsed(R"("\ud83d\ude00")").string(), "\xf0\x9f\x98\x80");
 }
 
 TEST(JsonReader, OutlivesTheReaderThatItCameFrom) {

@@ -4,6 +4,7 @@
 #include <fretwork/base/internal/json_text.hpp>
 
 #include <limits>
+#include <vector>
 
 namespace fretwork::base {
 namespace {
@@ -34,6 +35,16 @@ TEST(JsonText, PutsARowOfNumbersOnOneLine) {
     EXPECT_EQ(json_text(document), "{\n  \"rows\": [\n    [1, 2, 3],\n    [4, 5, 6]\n  ]\n}\n");
 }
 
+TEST(JsonText, ATableIsWrittenAsTheArrayOfItsRows) {
+    const std::vector<double> numbers = {0.1, -0.0, 3.0, 4e-300, 5.0, 6.0};
+    Json table, rows;
+    table["rows"] = number_rows(numbers, 3);
+    rows["rows"] = {{0.1, -0.0, 3.0}, {4e-300, 5.0, 6.0}};
+    EXPECT_EQ(json_text(table), json_text(rows));
+    EXPECT_EQ(json_text(number_rows({}, 3)), json_text(Json::array()));
+    EXPECT_THAT(test::complaint_of([&] { (void)number_rows(numbers, 4); }), testing::HasSubstr("rows of 4"));
+}
+
 // C0, C1, a mark that turns the direction of writing, and DEL; an umlaut is no danger.
 TEST(JsonText, EscapesWhatATerminalObeys) {
     const Json document = "a\x1b[31m\xc2\x9b\xe2\x80\xae\x7f\xc3\xa4";
@@ -47,6 +58,8 @@ TEST(JsonText, EscapesWhatATerminalObeys) {
 TEST(JsonText, RefusesNumbersThatAreNotFinite) {
     Json document;
     document["bad"] = {1.0, std::numeric_limits<double>::quiet_NaN()};
+    EXPECT_THAT(test::complaint_of([&] { json_text(document); }), testing::HasSubstr("'bad'"));
+    document["bad"] = number_rows(std::vector<double>{1.0, std::numeric_limits<double>::infinity()}, 2);
     EXPECT_THAT(test::complaint_of([&] { json_text(document); }), testing::HasSubstr("'bad'"));
 }
 

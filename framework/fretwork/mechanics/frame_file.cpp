@@ -284,8 +284,8 @@ Frame read_frame(const std::filesystem::path& path) {
 
 std::string frame_text(const Frame& frame) {
     Json document = {{"format", "fretwork/frame/1"}};
-    document["nodes"] = Json::array();
-    for (const Eigen::Vector3d& node : frame.nodes) document["nodes"].push_back(vector_json(node));
+    const double* const places = frame.nodes.empty() ? nullptr : frame.nodes.front().data();
+    document["nodes"] = base::number_rows({places, 3 * frame.nodes.size()}, 3);
     append_beams(document, frame);
     append_conditions(document, frame);
     return base::json_text(document);

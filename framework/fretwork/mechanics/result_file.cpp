@@ -21,13 +21,7 @@ constexpr StabilityTest kStabilityTests[] = {StabilityTest::None, StabilityTest:
                                              StabilityTest::SymmetricPart};
 
 Json rows_json(const NodeValues& values) {
-    Json rows = Json::array();
-    for (Eigen::Index i = 0; i < values.rows(); ++i) {
-        Json row = Json::array();
-        for (int d = 0; d < kDofsPerNode; ++d) row.push_back(values(i, d));
-        rows.push_back(std::move(row));
-    }
-    return rows;
+    return base::number_rows({values.data(), static_cast<std::size_t>(values.size())}, kDofsPerNode);
 }
 
 void append_solution(Json& json, const Solution& solution, const std::vector<Result::Node>& nodes) {

@@ -8,6 +8,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 
 namespace fretwork::base {
 namespace {
@@ -21,18 +22,16 @@ class Layout {
             return append_nested_array(value, depth);
         }
         if (value.is_array()) return append_plain_array(value);
+        if (value.is_binary()) return append_rows(value.get_binary(), depth);
         append_plain(value);
     }
     std::string take() && { return std::move(text_); }
 
   private:
     void append_plain(const Json& value) {
-        if (value.is_number_float() && !std::isfinite(value.get<double>())) {
-            throw NumericalError("a result holds a number that is not finite" +
-                                 (key_.empty() ? "" : ", under '" + key_ + "'"));
-        }
+        if (value.is_number_float()) return append_double(value.get<double>());
         if (value.is_string()) return append_quoted(value.get_ref<const std::string&>());
-        if (value.is_number()) return append_number(value);
+        if (value.is_number()) return append_integer(value);
         text_ += value.dump();
     }
 
@@ -47,20 +46,46 @@ class Layout {
         text_ += Json(text).dump(-1, ' ', !is_harmless, Json::error_handler_t::replace);
     }
 
-    /// The characters of Json::dump, which prepares for each value as for a whole document. Most of a large
-    /// document is numbers.
-    void append_number(const Json& number) {
-        std::array<char, 64> buffer{};
-        char* const first = buffer.data();
-        char* last = nullptr;
-        if (number.is_number_float()) {
-            last = nlohmann::detail::to_chars(first, first + buffer.size(), number.get<double>());
-        } else if (number.is_number_unsigned()) {
-            last = std::to_chars(first, first + buffer.size(), number.get<std::uint64_t>()).ptr;
-        } else {
-            last = std::to_chars(first, first + buffer.size(), number.get<std::int64_t>()).ptr;
+    /// The characters of Json::dump, which prepares for each value as for a whole document.
+    void append_double(double number) {
+        if (!std::isfinite(number)) {
+            throw NumericalError("a result holds a number that is not finite" +
+                                 (key_.empty() ? "" : ", under '" + key_ + "'"));
         }
-        text_.append(first, last);
+        std::array<char, 64> buffer{};
+        text_.append(buffer.data(),
+                     nlohmann::detail::to_chars(buffer.data(), buffer.data() + buffer.size(), number));
+    }
+
+    void append_integer(const Json& integer) {
+        std::array<char, 32> buffer{};
+        char* const last = buffer.data() + buffer.size();
+        const auto written = integer.is_number_unsigned()
+                                 ? std::to_chars(buffer.data(), last, integer.get<std::uint64_t>())
+                                 : std::to_chars(buffer.data(), last, integer.get<std::int64_t>());
+        text_.append(buffer.data(), written.ptr);
+    }
+
+    void append_rows(const Json::binary_t& table, int depth) {
+        const std::size_t count = table.size() / sizeof(double);
+        const std::size_t columns = table.subtype();
+        text_ += "[";
+        for (std::size_t i = 0; i < count; ++i) {
+            const bool starts_row = i % columns == 0;
+            if (i > 0) text_ += starts_row ? "]," : ", ";
+            if (starts_row) {
+                new_line(depth + 1);
+                text_ += "[";
+            }
+            double number = 0.0;
+            std::memcpy(&number, table.data() + i * sizeof(double), sizeof(double));
+            append_double(number);
+        }
+        if (count > 0) {
+            text_ += "]";
+            new_line(depth);
+        }
+        text_ += "]";
     }
 
     void append_plain_array(const Json& array) {
@@ -106,6 +131,15 @@ class Layout {
 };
 
 }  // namespace
+
+Json number_rows(std::span<const double> values, std::uint8_t columns) {
+    if (columns == 0 || values.size() % columns != 0)
+        throw InputError(std::to_string(values.size()) + " numbers do not fill rows of " +
+                         std::to_string(columns));
+    const auto bytes = std::as_bytes(values);
+    const auto* const first = reinterpret_cast<const std::uint8_t*>(bytes.data());
+    return Json::binary(std::vector<std::uint8_t>(first, first + bytes.size()), columns);
+}
 
 std::string json_text(const Json& document) {
     Layout layout;
