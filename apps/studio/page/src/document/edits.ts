@@ -4,7 +4,7 @@
 import type { Load, LoadCase, Prescribed, Support } from '../protocol/messages';
 import { Latest } from '../protocol/latest';
 import { ask, tryAsk } from './studio';
-import { documentNow, loadCase } from './store';
+import { documentNow, loadCase, working } from './store';
 import { settled } from './settled';
 import { tell } from './tell';
 import { pending } from './ui';
@@ -43,7 +43,7 @@ export function addLoadCase(from: Partial<LoadCase> = {}): void {
   let number = cases.length + 1;
   while (names.has(`load case ${number}`)) ++number;
   const load_case = { ...EMPTY, ...from, name: from.name ?? `load case ${number}` };
-  void tryAsk('set_load_case', { index: cases.length, load_case }).then((done) => done && selectLoadCase(cases.length));
+  void tryAsk('set_load_case', { index: cases.length, load_case });
 }
 
 /** Change the selected load case, or make the first one. */
@@ -116,6 +116,7 @@ export async function save(path?: string): Promise<void> {
 
 /** Compare the live model with the full one: solve that in the background, then ask for the difference. */
 export async function solveFull(): Promise<void> {
-  await tryAsk('solve', { model: 'full', background: true });
+  working.value = { model: 'full', share: 0, background: true };
+  if (!(await tryAsk('solve', { model: 'full', background: true }))) working.value = null;
 }
 export const cancelWork = (): void => void ask('cancel').catch(() => undefined);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which shape the 3D view shows: the live solution, a step of a load path, or a mode that swings.
 
-import { computed, signal } from '@preact/signals';
+import { computed, effect, signal } from '@preact/signals';
 import type { Solution } from '../protocol/binary';
 import { playing, scale, shapeIndex } from './look';
 import { live, shapes } from './store';
@@ -71,3 +71,9 @@ function tick(when: number): void {
   }
   requestAnimationFrame(tick);
 }
+
+/** Whole once all of it is there; then it plays. */
+effect(() => {
+  const now = shapes.value;
+  if (now && now.shapes.length === now.expected && !playing.peek()) play();
+});

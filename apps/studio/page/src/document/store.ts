@@ -26,14 +26,16 @@ export const problem = signal<string | null>(null);
 /** The last solution of other models, by name: the full model on demand. */
 export const others = signal<ReadonlyMap<string, SolvedModel>>(new Map());
 /** Work that lasts: which model, and how far it is (0 to 1). */
-export const working = signal<{ model: string; share: number } | null>(null);
+export const working = signal<{ model: string; share: number; background: boolean } | null>(null);
 /** The error of the live model against another one, on the nodes. */
-export const compared = signal<{ mean: number; largest: number; solution: Solution | null } | null>(null);
+export const compared = signal<{ mean: number; largest: number; relative: number; solution: Solution | null } | null>(null);
 
 export interface Shape {
-  kind: 'path' | 'modes' | 'buckling';
+  kind: 'path' | 'vibration' | 'buckling';
   values: number[];
   shapes: Solution[];
+  /** How many there will be. */
+  expected: number;
 }
 /** What is played back: the steps of a load path, or modes. */
 export const shapes = signal<Shape | null>(null);

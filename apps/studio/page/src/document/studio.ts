@@ -60,27 +60,32 @@ function take(message: ServerEvent): void {
     case 'document':
       forget();
       store.documentNow.value = message;
+      if (message.recovered) tell('Changes that were not saved are back. Undo leads to what is in the file.');
       break;
     case 'changed':
       change(message);
       break;
     case 'solving':
-      store.working.value = { model: message.model, share: message.share };
+      store.working.value = { model: message.model, share: message.share, background: message.background === true };
       break;
     case 'solved':
       awaited = { of: 'solved', info: message };
       break;
     case 'failed':
-      failed(message.model, message.error);
+      failed(message);
       break;
     case 'modes':
       awaited = { of: 'modes' };
       store.working.value = null;
-      store.shapes.value = { kind: message.kind ?? 'modes', values: message.values, shapes: [] };
+      store.shapes.value = { kind: message.kind, values: message.values, shapes: [], expected: message.values.length };
       break;
     case 'compared':
       awaited = { of: 'compared' };
-      store.compared.value = { mean: message.mean, largest: message.largest, solution: null };
+      store.compared.value = { mean: message.mean, largest: message.largest, relative: message.relative, solution: null };
+      store.working.value = null;
+      break;
+    case 'warning':
+      tell(message.text, 'error');
       break;
   }
 }
@@ -114,11 +119,10 @@ function change(message: Partial<StudioDocument>): void {
   }
 }
 
-function failed(model: string, error: string): void {
+function failed({ error, background }: { error: string; background?: boolean }): void {
   store.working.value = null;
-  const live = store.documentNow.value?.model;
-  if (model === live || !model) store.problem.value = error;
-  else tell(`${model}: ${error}`, 'error');
+  if (!background) store.problem.value = error;
+  else if (error !== 'cancelled') tell(error, 'error');
 }
 
 function binary(message: Beams | Solution): void {
@@ -144,10 +148,10 @@ function addShape(solution: Solution): void {
 function solved(info: Solved, solution: Solution, beams: Beams): void {
   if (solution.of !== beams.revision) return;
   if (info.step !== undefined) {
-    const first = info.step === 0 || store.shapes.value?.kind !== 'path';
-    const before = first ? { kind: 'path' as const, values: [], shapes: [] } : (store.shapes.value as store.Shape);
+    const first = info.step === 1 || store.shapes.value?.kind !== 'path';
+    const before = first ? { kind: 'path' as const, values: [], shapes: [], expected: info.steps ?? 0 } : (store.shapes.value as store.Shape);
     store.shapes.value = { ...before, values: [...before.values, info.load_factor], shapes: [...before.shapes, solution] };
-    if (info.step + 1 === info.steps) store.working.value = null;
+    if (info.step === info.steps) store.working.value = null;
     return;
   }
   const model = { info, solution, beams };
@@ -158,5 +162,5 @@ function solved(info: Solved, solution: Solution, beams: Beams): void {
   }
   store.live.value = model;
   store.problem.value = null;
-  if (store.working.value?.model === info.model) store.working.value = null;
+  if (!store.working.value?.background) store.working.value = null;
 }

@@ -4,7 +4,7 @@ import { Gauge, Play, Scale } from 'lucide-preact';
 import { cancelWork, setModel, solveFull } from '../document/edits';
 import { field, scale, shadows, showFull, showMarks, showRest, strength } from '../document/look';
 import { shapeIndex } from '../document/look';
-import { play } from '../document/shown';
+import { stop } from '../document/shown';
 import { compared, documentNow, hello, live, others, problem, shapes, working } from '../document/store';
 import { tryAsk } from '../document/studio';
 import { probed } from '../document/ui';
@@ -47,9 +47,11 @@ export function LookPanel() {
 }
 
 async function animate(what: 'path' | 'modes' | 'buckling', more: object): Promise<void> {
+  stop();
   shapes.value = null;
   shapeIndex.value = 0;
-  if (await tryAsk(what, more)) setTimeout(play, 150);
+  working.value = { model: 'full', share: 0, background: true };
+  if (!(await tryAsk(what, more))) working.value = null;
 }
 
 function Models() {
@@ -59,7 +61,8 @@ function Models() {
       {(hello.value?.models ?? []).map(({ name, summary, large_displacements }) => (
         <button key={name} type="button" role="radio" class="model" aria-checked={now?.model === name} data-model={name} onClick={() => setModel(name)}>
           <b>{name}</b>
-          <span>{summary}{large_displacements ? '' : ' For small displacements.'}</span>
+          <span>{summary}</span>
+          {!large_displacements && <em>small displacements</em>}
         </button>
       ))}
     </div>
@@ -106,10 +109,11 @@ function FullModel() {
   const error = compared.value;
   const compare = async () => {
     scale.value = 1;
-    if (await tryAsk('compare', { model: 'full' })) field.value = 'error';
+    field.value = 'error';
+    await tryAsk('compare', { model: 'full' });
   };
   if (isLive) return <p class="hint">The live model is the full one.</p>;
-  if (busy && busy.model === 'full') {
+  if (busy?.background) {
     return (
       <div class="working">
         <div class="progress" role="progressbar" aria-valuenow={Math.round(100 * busy.share)}><div style={{ width: `${100 * busy.share}%` }} /></div>
@@ -125,7 +129,7 @@ function FullModel() {
       </div>
       {full && <Check label="Lay it over, in grey" value={showFull.value} onChange={(value) => (showFull.value = value)} />}
       {full && <p class="hint">Its largest displacement: {shown(full.info.largest_displacement, 'length')}, in {digits(full.info.seconds)} s</p>}
-      {error && <p class="hint">Error: {shown(error.mean, 'length')} in the mean, {shown(error.largest, 'length')} at most</p>}
+      {error && <p class="hint">Error: {shown(error.mean, 'length')} in the mean, {shown(error.largest, 'length')} at most; {digits(100 * error.relative)} % of all movement</p>}
     </>
   );
 }

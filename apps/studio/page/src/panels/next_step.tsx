@@ -41,7 +41,7 @@ export function NextStep() {
 export function Status() {
   const busy = working.value;
   const now = live.value;
-  if (busy) return <span class="status" aria-live="polite"><i class="pulse" />computing {busy.model} {busy.share > 0.02 ? `${Math.round(100 * busy.share)} %` : ''}</span>;
+  if (busy) return <span class="status" aria-live="polite"><i class="pulse" />computing {busy.background ? 'in the background' : busy.model} {busy.share > 0.02 ? `${Math.round(100 * busy.share)} %` : ''}</span>;
   if (problem.value || !now) return <span class="status" />;
   return <span class="status" data-tip="Time of the last answer of the live model"><i class="ready" />{Math.max(1, Math.round(1000 * now.info.seconds))} ms</span>;
 }

@@ -82,6 +82,7 @@ export interface Hello {
   examples: Example[];
   layouts: string[];
   has_library: boolean;
+  can_recover?: boolean;
 }
 
 export interface Stiffness {
@@ -132,7 +133,8 @@ export type ServerEvent =
   | { event: 'solving'; revision: number; model: string; share: number; background?: boolean }
   | Solved
   | { event: 'failed'; revision: number; model: string; error: string; background?: boolean }
-  | { event: 'modes'; revision: number; values: number[]; kind?: 'modes' | 'buckling' }
-  | { event: 'compared'; revision: number; mean: number; largest: number };
+  | { event: 'modes'; revision: number; values: number[]; kind: 'vibration' | 'buckling' }
+  | { event: 'compared'; revision: number; model: string; mean: number; largest: number; relative: number }
+  | { event: 'warning'; revision: number; text: string };
 
 export type Answer = { id: number; ok: true } | { id: number; ok: false; error: string };

@@ -2,7 +2,7 @@
 // Where work begins: an example, an outline of one's own, or a project that is there.
 
 import { signal } from '@preact/signals';
-import { FileUp, FolderOpen, X } from 'lucide-preact';
+import { FileUp, FolderOpen, History, X } from 'lucide-preact';
 import { base64, openUpload } from '../document/files';
 import { documentNow, hello, line } from '../document/store';
 import { ask } from '../document/studio';
@@ -87,9 +87,9 @@ export function Start() {
         {trouble.value && <p class="trouble" role="alert" id="start-trouble">{trouble.value}</p>}
         <h2>Start from an example</h2>
         <div class="examples">
-          {(info?.examples ?? []).map((example, index) => (
+          {(info?.examples ?? []).map((example) => (
             <button key={example.name} type="button" class="example" data-example={example.name} disabled={busy.value !== null} onClick={() => void fromExample(example.name)}>
-              <ExampleDrawing index={index} />
+              <ExampleDrawing name={example.name} />
               <b>{example.title}</b>
               <span>{example.description}</span>
             </button>
@@ -100,6 +100,9 @@ export function Start() {
         <NewFromOutline />
         <div class="start-foot">
           <Button kind="bare" title="A project file of this machine" icon={FolderOpen} label="Open a project …" onPress={() => choose('.json', (file) => void takeFile(file))} />
+          {info?.can_recover && !documentNow.value && (
+            <Button kind="bare" title="What was open when the studio ended" icon={History} label="Continue where you stopped" onPress={() => void begin('Opening …', 'recover', {})} />
+          )}
           {busy.value && <span class="busy" role="status"><i class="pulse" />{busy.value}</span>}
         </div>
       </div>

@@ -132,7 +132,8 @@ test('latency from the input event to new positions in the page', async (t) => {
     await page.waitForFunction((name) => window.fretwork.store.live.value?.info.model === name, model);
     const drag = await dragLoad(page);
     const paint = await paintTiles(page);
-    console.log(`${tiles} tiles, ${model}: a dragged load ${words(drag)}; a painted tile ${words(paint)}`);
+    const seconds = await page.evaluate(() => window.fretwork.store.live.value.info.seconds);
+    console.log(`${tiles} tiles, ${model}, which solves in ${(1000 * seconds).toFixed(0)} ms: a dragged load ${words(drag)}; a painted tile ${words(paint)}`);
     assert.ok(drag.length > 5 && paint.length > 5, 'new positions came for dragged loads and painted tiles');
   }
 });
@@ -177,6 +178,15 @@ test('a wrong outline is told in words where it happens', async (t) => {
   assert.match(told, /broken\.svg/);
 });
 
+test('pictures of a large dark screen', async (t) => {
+  const { address } = await startStudio(t, makeProject('26mm'));
+  const page = await openPage(t, address, { width: 1920, height: 1080, theme: 'dark' });
+  await solved(page);
+  await page.waitForSelector('[data-pattern]');
+  await picture(page, '10-large-dark');
+  assert.deepEqual(page.troubles, []);
+});
+
 test('pictures of the main views', async (t) => {
   const project = makeProject('26mm');
   const { address } = await startStudio(t, project);
@@ -184,13 +194,20 @@ test('pictures of the main views', async (t) => {
   await solved(page);
   await page.waitForSelector('[data-pattern]');
   await picture(page, '4-paint');
+  await page.keyboard.press('c');
+  await page.click('text=Softer');
+  await picture(page, '4-gallery');
   await page.click('[data-value=hold]');
   await picture(page, '5-hold');
   await page.click('[data-value=load]');
   await picture(page, '6-load');
   await page.click('[data-value=look]');
   await picture(page, '7-look');
+  await page.click('#solve-full');
+  await page.waitForFunction(() => window.fretwork.store.others.value.has('full'));
+  await page.selectOption('#field', 'plain');
+  await picture(page, '8-overlay');
   await page.keyboard.press('?');
-  await picture(page, '8-help');
+  await picture(page, '9-help');
   assert.deepEqual(page.troubles, []);
 });

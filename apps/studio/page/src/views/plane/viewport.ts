@@ -16,7 +16,7 @@ export interface Viewport {
 
 export const viewport = signal<Viewport>({ zoom: 1000, center: [0, 0], width: 1, height: 1 });
 
-const MARGIN = 0.9;
+const MARGIN = 0.88;
 const FURTHEST = 40;
 
 export const toScreen = ({ zoom, center, width, height }: Viewport, [x, y]: Point): Point => [

@@ -37,6 +37,11 @@ export class GapFiller {
     return 1 / (x * x + y * y + z * z + 1e-12);
   }
 
+  /** Whether a solution has gaps. */
+  static needed({ displacement }: Solution): boolean {
+    return Number.isNaN(displacement[displacement.length - 1]);
+  }
+
   /** Put numbers where a solution has none. */
   fill(solution: Solution): void {
     const { displacement, rotation } = solution;

@@ -5,12 +5,12 @@ import { documentNow, live, others } from '../../document/store';
 import { showFull } from '../../document/look';
 import { shown as inUnits } from '../../document/units';
 import { gradientCss } from './colours';
-import { legend } from './legend_state';
+import { interpolated, legend } from './legend_state';
 
 export function LegendCard() {
   const now = legend.value;
   const full = showFull.value && others.value.has('full') && live.value?.info.model !== 'full';
-  if (!now && !full) return null;
+  if (!now && !full && !interpolated.value) return null;
   return (
     <div class="card legend" role="img" aria-label="Legend">
       {now && (
@@ -24,10 +24,11 @@ export function LegendCard() {
           </div>
         </>
       )}
+      {interpolated.value && <p class="hint legend-hint">This model knows how the rims of tiles move; what lies inside follows them.</p>}
       {full && (
         <div class="legend-models">
           <span><i style={{ background: '#9b9fa5' }} />full model</span>
-          <span><i style={{ background: '#3b78c4' }} />{documentNow.value?.model}</span>
+          {!now && <span><i style={{ background: '#3b78c4' }} />{documentNow.value?.model}</span>}
         </div>
       )}
     </div>

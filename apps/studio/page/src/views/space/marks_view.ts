@@ -2,7 +2,7 @@
 // Supports as spheres (fixed red, pinned green, single directions amber), forces and moments as arrows, prescribed displacements as diamonds.
 
 import {
-  Color, ConeGeometry, CylinderGeometry, Group, InstancedMesh, Matrix4, MeshStandardMaterial, OctahedronGeometry, Quaternion, SphereGeometry, Vector3,
+  Color, ConeGeometry, CylinderGeometry, Group, InstancedMesh, Matrix4, MeshBasicMaterial, MeshStandardMaterial, OctahedronGeometry, Quaternion, SphereGeometry, Vector3,
   type BufferGeometry,
 } from 'three';
 import { HOLD_COLOURS, heldNodes, loadMarks, prescribedMarks, size, type LoadMark } from '../../document/marks';
@@ -17,11 +17,11 @@ class Crowd {
   private readonly matrix = new Matrix4();
   private readonly tint = new Color();
 
-  constructor(private readonly geometry: BufferGeometry, private readonly group: Group) {
+  constructor(private readonly geometry: BufferGeometry, private readonly group: Group, private readonly lit = true) {
     this.mesh = this.make(64);
   }
   private make(room: number): InstancedMesh {
-    const mesh = new InstancedMesh(this.geometry, new MeshStandardMaterial({ roughness: 0.45 }), room);
+    const mesh = new InstancedMesh(this.geometry, this.lit ? new MeshStandardMaterial({ roughness: 0.45 }) : new MeshBasicMaterial(), room);
     mesh.frustumCulled = false;
     mesh.castShadow = true;
     this.group.add(mesh);
@@ -46,6 +46,7 @@ class Crowd {
   }
 }
 
+const MOST_SMALL_ARROWS = 24;
 const UP = new Vector3(0, 1, 0);
 const NO_TURN = new Quaternion();
 
@@ -65,8 +66,8 @@ export function arrowScale(marks: readonly LoadMark[], reach: number): ArrowScal
 export class MarksView {
   readonly group = new Group();
   private readonly spheres = new Crowd(new SphereGeometry(1, 24, 16), this.group);
-  private readonly shafts = new Crowd(new CylinderGeometry(1, 1, 1, 16).translate(0, 0.5, 0), this.group);
-  private readonly heads = new Crowd(new ConeGeometry(1, 1, 24).translate(0, -0.5, 0), this.group);
+  private readonly shafts = new Crowd(new CylinderGeometry(1, 1, 1, 16).translate(0, 0.5, 0), this.group, false);
+  private readonly heads = new Crowd(new ConeGeometry(1, 1, 24).translate(0, -0.5, 0), this.group, false);
   private readonly diamonds = new Crowd(new OctahedronGeometry(1), this.group);
 
   /** `side`: the tiles' mean side, which sets how large marks are. */
@@ -101,7 +102,8 @@ export class MarksView {
       this.arrow(from, mark.force, scale.force, { thick: 0.075 * side * thick, colour: themeColour('--force'), heads: 1 });
       this.arrow(from, mark.moment, scale.moment, { thick: 0.075 * side * thick, colour: themeColour('--moment'), heads: 2 });
       if (mark.nodes.length < 2) continue;
-      for (const node of mark.nodes) {
+      const every = Math.ceil(mark.nodes.length / MOST_SMALL_ARROWS);
+      for (const node of mark.nodes.filter((_, i) => i % every === 0)) {
         this.arrow(nodePlace(node), mark.force, 0.2 * scale.force, { thick: 0.024 * side, colour: themeColour('--force'), heads: 1 });
       }
     }

@@ -14,7 +14,7 @@ export function PlayBar() {
   const index = Math.min(shapeIndex.value, now.shapes.length - 1);
   const words = {
     path: `${digits(100 * (now.values[index] ?? 0))} % of the load`,
-    modes: `mode ${index + 1}: ${digits(now.values[index] ?? 0)} Hz`,
+    vibration: `mode ${index + 1}: ${digits(now.values[index] ?? 0)} Hz`,
     buckling: `mode ${index + 1}: at ${digits(now.values[index] ?? 0)} × the load`,
   }[now.kind];
   const close = () => {

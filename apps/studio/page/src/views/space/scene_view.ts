@@ -16,10 +16,12 @@ import { FieldValues, fieldRow, available } from './fields';
 import { GapFiller } from './fill_gaps';
 import { arrowScale, MarksView, type ArrowScale } from './marks_view';
 import { handles } from './handles';
-import { legend } from './legend_state';
+import { interpolated, legend } from './legend_state';
 import { onScreen } from './placed';
 import { Stage, type ViewName } from './stage';
 
+/** Solutions whose gaps were filled for the drawing. */
+const filled = new WeakSet<object>();
 const BLUE = '#3b78c4';
 const GREY = '#9b9fa5';
 
@@ -84,7 +86,11 @@ export class SceneView {
       this.stage.draw();
       return;
     }
-    this.gaps(bars)?.fill(now.solution);
+    if (GapFiller.needed(now.solution)) {
+      this.gaps(bars)?.fill(now.solution);
+      filled.add(now.solution);
+    }
+    interpolated.value = filled.has(now.solution);
     this.main.setSolution(now.solution);
     this.main.factor = now.factor;
     this.main.colour = BLUE;

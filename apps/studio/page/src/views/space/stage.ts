@@ -10,7 +10,9 @@ import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { drawsInSoftware } from './software';
 
 export type ViewName = 'iso' | 'top' | 'front' | 'side';
-const FRAME_MARGIN = 1.14;
+const FRAME_MARGIN = 1.12;
+/** What the bar at the bottom covers. */
+const BAR_PX = 56;
 const DIRECTIONS: Record<ViewName, [number, number, number]> = { iso: [-0.45, -1, 0.62], top: [0, -0.001, 1], front: [0, -1, 0.02], side: [1, -0.02, 0.02] };
 
 export class Stage {
@@ -21,6 +23,7 @@ export class Stage {
   private readonly sun = new DirectionalLight('#fff4e2', 2.9);
   private readonly floor = new Mesh(new PlaneGeometry(1, 1), new ShadowMaterial({ opacity: 0.16 }));
   private asked = 0;
+  private usable = 1;
   /** For tests on machines that draw in software: everything but the drawing. */
   private readonly paused = window.fretworkPaused === true;
   private framing: { box: Box3; from: ViewName | null } | null = null;
@@ -74,6 +77,8 @@ export class Stage {
     this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
     this.renderer.setSize(width, height, false);
     this.camera.aspect = width / height;
+    this.camera.setViewOffset(width, height, 0, BAR_PX / 2, width, height);
+    this.usable = Math.max(0.3, (height - BAR_PX) / height);
     this.camera.updateProjectionMatrix();
     if (this.framing) this.look(this.framing.box, this.framing.from);
     this.drawNow();
@@ -122,8 +127,8 @@ export class Stage {
 
   /** How far from its middle the camera must be to see all corners of a box, from where it looks now. */
   private distanceFor(box: Box3, center: Vector3): number {
-    const upward = Math.tan((this.camera.fov * Math.PI) / 360);
-    const sideward = upward * this.camera.aspect;
+    const upward = this.usable * Math.tan((this.camera.fov * Math.PI) / 360);
+    const sideward = (upward / this.usable) * this.camera.aspect;
     const turn = this.camera.quaternion.clone().invert();
     let distance = 1e-3;
     for (let corner = 0; corner < 8; ++corner) {
