@@ -27,8 +27,8 @@ export function ChosenPattern({ id }: { id: string }) {
         })}
       </dl>
       <div class="relations">
-        {RELATIONS.map(({ relation: kind, title }) => (
-          <button key={kind} type="button" class="chip" disabled={!row} aria-pressed={relation.value?.to === id && relation.value.relation === kind}
+        {RELATIONS.map(({ relation: kind, title, tip }) => (
+          <button key={kind} type="button" class="chip" data-tip={tip} disabled={!row} aria-pressed={relation.value?.to === id && relation.value.relation === kind}
             onClick={() => {
               const same = relation.value?.to === id && relation.value.relation === kind;
               relation.value = same ? null : { to: id, relation: kind };

@@ -6,11 +6,11 @@ import type { PatternRow } from '../protocol/messages';
 import { extent, onScale, propertyRow, type PropertyName } from './properties';
 
 export type Relation = 'like' | 'stiffer' | 'softer' | 'other_look';
-export const RELATIONS: { relation: Relation; title: string }[] = [
-  { relation: 'like', title: 'Like this' },
-  { relation: 'stiffer', title: 'Stiffer' },
-  { relation: 'softer', title: 'Softer' },
-  { relation: 'other_look', title: 'Same behaviour, other look' },
+export const RELATIONS: { relation: Relation; title: string; tip: string }[] = [
+  { relation: 'like', title: 'Like this', tip: 'Alike in behaviour and in look' },
+  { relation: 'stiffer', title: 'Stiffer', tip: 'Stiffer in bending, the nearest first' },
+  { relation: 'softer', title: 'Softer', tip: 'Softer in bending, the nearest first' },
+  { relation: 'other_look', title: 'Other look', tip: 'The same behaviour, another look' },
 ];
 
 const BEHAVIOUR: PropertyName[] = ['bending_young', 'bending_poisson', 'bending_shear', 'membrane_young', 'membrane_poisson'];

@@ -12,6 +12,7 @@ interface Tip {
 }
 const tip = signal<Tip | null>(null);
 const PAUSE_MS = 450;
+const HALF_WIDTH = 138;
 let timer = 0;
 
 export function watchTips(): void {
@@ -42,7 +43,7 @@ function show(element: HTMLElement): void {
 export function Tooltip() {
   const now = tip.value;
   if (!now) return null;
-  const x = Math.min(Math.max(now.x, 90), window.innerWidth - 90);
+  const x = Math.min(Math.max(now.x, HALF_WIDTH), window.innerWidth - HALF_WIDTH);
   return (
     <div class="tooltip" role="tooltip" style={{ left: `${x}px`, top: `${now.y}px`, transform: `translate(-50%, ${now.above ? '-100%' : '0'})` }}>
       {now.text}

@@ -28,7 +28,7 @@ export function LegendCard() {
       {full && (
         <div class="legend-models">
           <span><i style={{ background: '#9b9fa5' }} />full model</span>
-          {!now && <span><i style={{ background: '#3b78c4' }} />{documentNow.value?.model}</span>}
+          {!now && <span><i style={{ background: '#4a8ee0' }} />{documentNow.value?.model}</span>}
         </div>
       )}
     </div>

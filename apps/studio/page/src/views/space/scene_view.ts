@@ -22,7 +22,7 @@ import { Stage, type ViewName } from './stage';
 
 /** Solutions whose gaps were filled for the drawing. */
 const filled = new WeakSet<object>();
-const BLUE = '#3b78c4';
+const BLUE = '#4a8ee0';
 const GREY = '#9b9fa5';
 
 export class SceneView {
