@@ -5,6 +5,7 @@
 // unknowns a node, from its pattern to a solution: by this project's solver, and by others as a yardstick.
 // For one thread of theirs, set OPENBLAS_NUM_THREADS=1 and OMP_NUM_THREADS=1.
 #include <fretwork/mechanics/condensation.hpp>
+#include <fretwork/mechanics/corotational_element.hpp>
 #include <fretwork/mechanics/equilibrium.hpp>
 #include <fretwork/mechanics/linear_solver.hpp>
 #include <fretwork/mechanics/nonlinear/nonlinear_system.hpp>
@@ -278,6 +279,41 @@ void condense_by(benchmark::State& state, Elimination elimination) {
     state.counters["nodes"] = static_cast<double>(assembly.nodes.size());
 }
 
+/// The hexagon as one corotational element, its nodes moved by a tenth of their distance and turned by 0.2
+/// rad.
+struct CondensedHexagon {
+    std::unique_ptr<const Element> element;
+    std::vector<NodeState> states{6};
+
+    CondensedHexagon() {
+        const Frame frame = hexagon();
+        const CorotationalBody::Parts parts{{frame.nodes.begin(), frame.nodes.begin() + 6},
+                                            condense(assemble(frame), first_nodes(6))};
+        element = corotational_element(first_nodes(6), std::make_shared<CorotationalBody>(parts),
+                                       Eigen::Matrix3d::Identity());
+        std::mt19937 random(1);
+        std::uniform_real_distribution<double> share(-0.1, 0.1);
+        for (std::size_t i = 0; i < states.size(); ++i) {
+            const Eigen::Vector3d turn(share(random), share(random), share(random));
+            states[i].displacement = share(random) * frame.nodes[i];
+            states[i].rotation = Eigen::AngleAxisd(2.0 * turn.norm(), turn.normalized());
+        }
+    }
+};
+
+void corotational_hexagon(benchmark::State& state, Demand demand) {
+    const CondensedHexagon tile;
+    const auto size = static_cast<std::size_t>(tile.element->stress_count());
+    const std::vector<double> given(size, 0.0);
+    std::vector<double> own(size);
+    std::vector<double> slopes(size * size);
+    MixedResponse response;
+    for (auto _ : state) {
+        tile.element->evaluate_mixed(tile.states, demand, {given, own, slopes}, response);
+        benchmark::DoNotOptimize(response.force.data());
+    }
+}
+
 /// As many beams as 500 tiles of forty, to a deflection of a third of the length.
 void nonlinear_surface(benchmark::State& state) {
     const Frame frame = held_honeycomb(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)));
@@ -333,6 +369,8 @@ BENCHMARK(condense_hexagon)->Unit(benchmark::kMicrosecond);
 BENCHMARK(assemble_hexagon)->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(condense_by, dense, structure::condense_dense)->Apply(of_more_inner_nodes);
 BENCHMARK_CAPTURE(condense_by, sparse, structure::condense_sparse)->Apply(of_more_inner_nodes);
+BENCHMARK_CAPTURE(corotational_hexagon, force, Demand::Force)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(corotational_hexagon, tangent, Demand::Tangent)->Unit(benchmark::kMicrosecond);
 BENCHMARK(nonlinear_surface)->Apply(of_twenty_thousand_beams);
 
 }  // namespace

@@ -184,9 +184,10 @@ void add_simulate(CLI::App& app, ExitCode& exit_code) {
         ->capture_default_str();
     verb->add_flag("--estimate-error", options->simulation.estimate_error,
                    "Tell how far the full model is from endlessly fine divisions of its beams");
-    verb->add_flag("--estimate-model-error", options->simulation.estimate_model_error,
-                   "Tell how far a reduced model is from the full one, by a second solution of 5 % of the "
-                   "tiles in full");
+    verb->add_flag(
+        "--estimate-model-error", options->simulation.estimate_model_error,
+        "Tell how far a reduced model is from the full one, by a solution with 30 % of the tiles in "
+        "full");
     verb->add_option("--threads", options->simulation.threads, "Threads to use; 0: all there are")
         ->check(thread_check())
         ->capture_default_str();

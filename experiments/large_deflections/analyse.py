@@ -12,7 +12,7 @@ import sys
 import figure
 import surfaces
 
-MODELS = ("condensed", "corotational", "mixed:0.05", "mixed:0.1")
+MODELS = ("condensed", "corotational", "mixed:0.05", "mixed:0.1", "mixed:0.3")
 TELLING = 1e-3  # errors of the mean below a tenth of a percent are of no interest to an estimate
 
 
@@ -61,7 +61,7 @@ def group_table(rows):
 
 def time_table(rows):
     lines = []
-    for model in ("full", "corotational", "mixed:0.05", "mixed:0.1"):
+    for model in ("full", *MODELS[1:]):
         ratios = [row[f"{model}_s"] / row["condensed_s"] for row in rows]
         lines.append([model, f"{1e3 * statistics.median(row[f'{model}_s'] for row in rows):.0f}",
                       f"{statistics.median(ratios):.1f}", f"{quantile(ratios, 0.9):.1f}", f"{max(ratios):.0f}"])
@@ -73,8 +73,10 @@ def estimate_table(rows):
     for name, key, truth in (("corotational, mean", "estimate_mean", "corotational_mean"),
                              ("corotational, largest", "estimate_largest", "corotational_largest"),
                              ("corotational, L2", "estimate_l2", "corotational_l2"),
-                             ("condensed, mean", "linear_estimate_mean", "condensed_mean"),
-                             ("mixed:0.05 by mixed:0.1, mean", "mixed_difference_mean", "mixed:0.05_mean")):
+                             ("condensed, mean", "condensed_by_30", "condensed_mean"),
+                             ("mixed:0.05, mean", "mixed_by_30", "mixed:0.05_mean"),
+                             ("corotational, mean, with 5 % in full", "by_5", "corotational_mean"),
+                             ("corotational, mean, with 10 % in full", "by_10", "corotational_mean")):
         own = [row for row in rows if row[truth] >= TELLING]
         if not own:
             continue

@@ -3,7 +3,7 @@
 import math
 import statistics
 
-COLOURS = {"condensed": "#888888", "corotational": "#0072b2", "mixed:0.05": "#d55e00", "mixed:0.1": "#009e73"}
+COLOURS = {"condensed": "#888888", "corotational": "#0072b2", "mixed:0.05": "#d55e00", "mixed:0.1": "#009e73", "mixed:0.3": "#cc79a7"}
 WIDTH, HEIGHT, LEFT, TOP, BOTTOM = 520, 360, 70, 20, 60
 UNDER_WEIGHT = ("cantilever", "bridge")
 

@@ -45,6 +45,29 @@ TEST_F(SurfaceResults, AreComparedAndDrawn) {
     EXPECT_EQ(run("fretwork export p.json --result full.json --to x.svg").exit_code, 0);
 }
 
+TEST_F(SurfaceResults, OfMixedModelsSayWhichTilesAreInFull) {
+    const std::string simulate = "fretwork simulate p.json --case cantilever ";
+    const Outcome mixed = run(simulate + "--model mixed:0.1 --out mixed.json");
+    EXPECT_EQ(mixed.exit_code, 0) << mixed.err;
+    EXPECT_THAT(mixed.out, HasSubstr("tiles in full: "));
+    EXPECT_EQ(run("grep full_tiles mixed.json && fretwork compare full.json mixed.json").exit_code, 0);
+    EXPECT_EQ(run("fretwork export p.json --result mixed.json --to m.svg").exit_code, 0);
+    const Outcome wrong = run(simulate + "--model mixed:2 --out x.json");
+    EXPECT_EQ(wrong.exit_code, 2);
+    EXPECT_THAT(wrong.err, HasSubstr("mixed:2: the share of tiles in full is a number from 0 to 1"));
+}
+
+TEST_F(SurfaceResults, TellTheErrorOfTheirModelIfAsked) {
+    const std::string simulate = "fretwork simulate p.json --case cantilever --estimate-model-error ";
+    for (const std::string model : {"corotational", "condensed"}) {
+        const Outcome outcome = run(simulate + "--model " + model + " --out e.json");
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+        EXPECT_THAT(outcome.out, HasSubstr("error of the model, estimated: "));
+        EXPECT_EQ(run("grep model_error_estimate e.json && fretwork compare full.json e.json").exit_code, 0);
+    }
+    EXPECT_EQ(run(simulate + "--model full --out x.json").exit_code, 2);
+}
+
 TEST_F(SurfaceResults, AreRefusedIfTheyWereChangedByHand) {
     expect_refused("s/\"model\": \"full\"/\"model\": \"ful\"/", "/subject/model: unknown tile model 'ful'");
     expect_refused("s/\"is_reference\": true/\"is_reference\": false/",
