@@ -2,13 +2,13 @@
 // fretwork export: a project, and what was computed of it, as a drawing or a file for other programs.
 #include "file_options.hpp"
 #include "interrupt.hpp"
-#include "project_library.hpp"
 #include "surface_result.hpp"
 #include "verbs.hpp"
 
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/file.hpp>
 #include <fretwork/exports/writer_catalogue.hpp>
+#include <fretwork/simulation/project_library.hpp>
 #include <fretwork/simulation/result_subject.hpp>
 
 #include <algorithm>
@@ -49,8 +49,8 @@ void refuse_ignored_options(const CLI::App& verb, const Options& options) {
 }
 
 exports::Scene make_scene(const Options& options, const base::Control& control) {
-    const simulation::Project project = read_checked_project(options.project);
-    const auto library = open_project_library(options.project, project, options.library);
+    const simulation::Project project = simulation::read_checked_project(options.project);
+    const auto library = simulation::open_project_library(options.project, project, options.library);
     exports::Scene scene{simulation::make_surface(project, library ? &*library : nullptr)};
     if (!options.load_case.empty()) {
         scene.conditions =

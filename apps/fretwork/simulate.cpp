@@ -2,7 +2,6 @@
 // fretwork simulate: a project under one of its load cases, with the full or a reduced model.
 #include "file_options.hpp"
 #include "interrupt.hpp"
-#include "project_library.hpp"
 #include "solve_output.hpp"
 #include "verbs.hpp"
 
@@ -13,6 +12,7 @@
 #include <fretwork/exports/writer_catalogue.hpp>
 #include <fretwork/mechanics/frame_file.hpp>
 #include <fretwork/simulation/load_case_file.hpp>
+#include <fretwork/simulation/project_library.hpp>
 #include <fretwork/simulation/simulate.hpp>
 #include <fretwork/simulation/surface_frame.hpp>
 
@@ -145,8 +145,8 @@ mechanics::Result simulate(const Options& options, const Surface& surface, const
 ExitCode run(Options options) {
     LongWork work;
     if (options.linear) options.simulation.analysis = simulation::Analysis::Linear;
-    const Project project = read_checked_project(options.project);
-    const auto library = open_project_library(options.project, project, options.library);
+    const Project project = simulation::read_checked_project(options.project);
+    const auto library = simulation::open_project_library(options.project, project, options.library);
     const Surface surface = simulation::make_surface(project, library ? &*library : nullptr);
     options.simulation.validate(surface);
     const LoadCase load_case = chosen_load_case(project, options.load_case);

@@ -2,8 +2,6 @@
 // fretwork tile: an outline becomes a project, tiled and painted.
 #include "file_options.hpp"
 #include "interrupt.hpp"
-#include "project_library.hpp"
-#include "tile_painting.hpp"
 #include "verbs.hpp"
 
 #include <fretwork/base/error.hpp>
@@ -12,11 +10,11 @@
 #include <fretwork/base/quantity.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/library/library.hpp>
-#include <fretwork/reduction/setting.hpp>
 #include <fretwork/simulation/conditions.hpp>
+#include <fretwork/simulation/new_project.hpp>
 #include <fretwork/simulation/project.hpp>
 #include <fretwork/simulation/project_file.hpp>
-#include <fretwork/tiling/tessellate.hpp>
+#include <fretwork/simulation/project_library.hpp>
 
 #include <algorithm>
 #include <cstdio>
@@ -33,7 +31,7 @@ using simulation::Project;
 struct Options {
     std::string outline;
     std::string edge_length;
-    PaintingOptions painting;
+    simulation::PaintingChoice painting;
     std::string library;
     std::string layout;
     std::string out;
@@ -44,18 +42,7 @@ struct Options {
 std::optional<Library> open_library(const Options& options) {
     if (!options.library.empty()) return Library::open(options.library);
     if (!std::filesystem::exists(options.out)) return std::nullopt;
-    return open_project_library(options.out, simulation::read_project(options.out), "");
-}
-
-pattern::NodeLayout chosen_layout(const Options& options, const Library* library) {
-    if (!library) return pattern::find_node_layout(options.layout.empty() ? "paper7" : options.layout);
-    if (!options.layout.empty()) library->check_layout(pattern::find_node_layout(options.layout));
-    return library->layout();
-}
-
-double chosen_edge_length(const Options& options, const Library* library) {
-    if (!options.edge_length.empty()) return base::parse_length(options.edge_length);
-    return library ? library->setting().tile_side : reduction::paper_setting().tile_side;
+    return simulation::open_project_library(options.out, simulation::read_project(options.out), "");
 }
 
 /// The library of a project is named relative to the project file. Its setting goes into the project.
@@ -133,12 +120,12 @@ Project write(Project tiled, const Options& options, const Library* library) {
 }
 
 /// What was left out of the outline, in the form of a warning.
-void warn(const tiling::TessellationReport& report, const tiling::TessellationOptions& options) {
-    if (report.negligible_points == 0) return;
+void warn(const simulation::NewProject& made) {
+    if (made.report.negligible_points == 0) return;
     std::fprintf(
         stderr,
         "fretwork: %d points of the outline were left out: they lie within %.3g mm of the point before\n",
-        report.negligible_points, 1e3 * tiling::kNegligibleShare * options.edge_length);
+        made.report.negligible_points, 1e3 * tiling::kNegligibleShare * made.edge_length);
 }
 
 std::vector<std::string> names_of(const std::vector<simulation::LoadCase>& load_cases) {
@@ -178,20 +165,17 @@ void print(const tiling::TessellationReport& report, const Project& project, con
 
 void run(const Options& options) {
     LongWork work;
-    check(options.painting);
+    simulation::check(options.painting);
     const std::optional<Library> opened = open_library(options);
     const Library* library = opened ? &*opened : nullptr;
-    Project tiled;
-    tiled.layout = chosen_layout(options, library);
-    tiled.outline = tiling::read_outline(options.outline);
-    const tiling::TessellationOptions tessellation{.edge_length = chosen_edge_length(options, library),
-                                                   .control = work.control()};
-    tiling::TessellationResult result = tiling::tessellate(tiled.outline, tiled.layout, tessellation);
-    tiled.tessellation = std::move(result.tessellation);
-    paint(tiled.tessellation, options.painting, tiled.layout, library);
-    warn(result.report, tessellation);
-    const Project project = write(std::move(tiled), options, library);
-    options.json ? print_json(result.report, project) : print(result.report, project, options);
+    const tiling::Outline outline = tiling::read_outline(options.outline);
+    simulation::NewProjectOptions wanted{.layout = options.layout, .painting = options.painting};
+    if (!options.edge_length.empty()) wanted.edge_length = base::parse_length(options.edge_length);
+    wanted.control = work.control();
+    simulation::NewProject made = simulation::make_project(outline, wanted, library);
+    warn(made);
+    const Project project = write(std::move(made.project), options, library);
+    options.json ? print_json(made.report, project) : print(made.report, project, options);
 }
 
 }  // namespace

@@ -42,6 +42,22 @@ TEST(Condensation, LoadsOnKeptNodesGiveTheDisplacementsOfTheWholeFrame) {
     EXPECT_NEAR(found.energy, expected.energy, 1e-10 * expected.energy);
 }
 
+TEST(Condensation, TheOtherNodesFollowTheKeptOnesAsInTheWholeFrame) {
+    for (const bool is_flat : {true, false}) {
+        Frame frame = sample::flat_wheel();
+        if (!is_flat) frame.nodes.back().z() += 0.003;  // membrane and bending are coupled then
+        frame.loads.push_back({NodeIndex(3), {0.5, -0.3, 0.7}, {0.001, 0.002, 0.003}});
+        const Assembly whole = assemble(frame);
+        const NodeValues moved = solve_linear(whole).displacements;
+        const Eigen::MatrixXd follow = following(whole, tips());
+        const auto inner = static_cast<Eigen::Index>(frame.nodes.size()) - 6;
+        ASSERT_EQ(follow.rows(), 6 * inner);
+        const Eigen::VectorXd found = follow * Eigen::Map<const Eigen::VectorXd>(moved.data(), 36);
+        const Eigen::Map<const Eigen::VectorXd> expected(moved.data() + 36, 6 * inner);
+        EXPECT_LT((found - expected).norm(), 1e-10 * expected.norm());
+    }
+}
+
 TEST(Condensation, StiffnessHasTheSixRigidMotionsAndNoOthers) {
     const Eigen::MatrixXd stiffness = condense(assemble(sample::flat_wheel()), tips());
     EXPECT_EQ(stiffness, stiffness.transpose());

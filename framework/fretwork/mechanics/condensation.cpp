@@ -28,4 +28,8 @@ Eigen::MatrixXd condense_mass(const Assembly& assembly, std::span<const NodeInde
     return structure::condense_mass(structure::condensing_task(assembly, kept));
 }
 
+Eigen::MatrixXd following(const Assembly& assembly, std::span<const NodeIndex> kept) {
+    return structure::following(structure::condensing_task(assembly, kept));
+}
+
 }  // namespace fretwork::mechanics

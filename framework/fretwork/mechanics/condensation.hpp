@@ -24,4 +24,9 @@ Eigen::MatrixXd condense(const Assembly& assembly, std::span<const NodeIndex> ke
 /// element's mass is not known.
 Eigen::MatrixXd condense_mass(const Assembly& assembly, std::span<const NodeIndex> kept);
 
+/// How the other nodes follow the kept ones, statically: rows of six for each reported node that is not kept,
+/// in their order, and columns of six for each kept one. Exact while only kept nodes are loaded and held. For
+/// structures of up to some hundred nodes: matrices are dense. Throws as condense.
+Eigen::MatrixXd following(const Assembly& assembly, std::span<const NodeIndex> kept);
+
 }  // namespace fretwork::mechanics

@@ -2,6 +2,7 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/mechanics/corotational_element.hpp>
 #include <fretwork/mechanics/elements/corotational_element.hpp>
+#include <fretwork/mechanics/elements/corotational_pose.hpp>
 #include <fretwork/mechanics/elements/rotation.hpp>
 
 #include <string>
@@ -72,6 +73,24 @@ std::unique_ptr<const Element> corotational_element(std::vector<NodeIndex> nodes
         throw base::InputError("a corotational body of " + std::to_string(body->arms().cols()) +
                                " nodes cannot be placed on " + std::to_string(nodes.size()));
     return elements::make_corotational_element(std::move(nodes), std::move(body), turn);
+}
+
+std::optional<CorotationalMotion> corotational_motion(const CorotationalBody& body,
+                                                      const Eigen::Matrix3d& turn,
+                                                      std::span<const NodeState> states) {
+    const Eigen::Quaterniond turned(turn);
+    elements::CorotationalPose<Eigen::Dynamic> pose(body, turned, states);
+    if (!pose.has_frame()) return std::nullopt;
+    CorotationalMotion motion{Eigen::Matrix3d::Identity(), Eigen::Vector3d::Zero(),
+                              NodeValues(pose.count(), kDofsPerNode)};
+    for (Eigen::Index i = 0; i < pose.count(); ++i) {
+        motion.shift += states[static_cast<std::size_t>(i)].displacement / static_cast<double>(pose.count());
+        motion.in_frame.row(i).head<3>() = (pose.arm(i) - pose.rest_arm(i)).transpose();
+        motion.in_frame.row(i).tail<3>() = pose.rotation(i).transpose();
+    }
+    pose.turn_into_structure(turned);
+    motion.axes = pose.axes();
+    return motion;
 }
 
 }  // namespace fretwork::mechanics

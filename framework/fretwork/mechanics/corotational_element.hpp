@@ -7,6 +7,8 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
+#include <span>
 #include <vector>
 
 namespace fretwork::mechanics {
@@ -38,6 +40,19 @@ class CorotationalBody {
     double rotation_weight_ = 0.0;
     std::function<Eigen::MatrixXd()> mass_;
 };
+
+/// How the nodes of a corotational element lie in some states.
+struct CorotationalMotion {
+    Eigen::Matrix3d axes;   ///< from the body's axes as they turn with the nodes to the structure's
+    Eigen::Vector3d shift;  ///< of the nodes' mean, m, in the structure's axes
+    /// Displacements and rotation vectors that the frame leaves, in the body's axes as they turn with it.
+    NodeValues in_frame{};
+};
+/// @param turn  the rotation from the body's axes to those of the structure
+/// Nothing where the nodes have no frame: they are too far from any turn of their places at rest.
+std::optional<CorotationalMotion> corotational_motion(const CorotationalBody& body,
+                                                      const Eigen::Matrix3d& turn,
+                                                      std::span<const NodeState> states);
 
 /// An element of any number of nodes that moves and turns at will and answers with its linear stiffness what
 /// its nodes do against a frame of their own, such as a condensed tile: see

@@ -3,6 +3,8 @@
 #include <fretwork/mechanics/condensation.hpp>
 #include <fretwork/reduction/condensed_tile.hpp>
 
+#include <memory>
+#include <utility>
 #include <vector>
 
 namespace fretwork::reduction {
@@ -31,15 +33,17 @@ Eigen::MatrixXd condensed_frame(const mechanics::Frame& tile, int interface_node
 }
 
 TileModel condensed_tile_model() {
-    return {
-        .name = "condensed",
-        .summary = "the beams of each tile, condensed onto its interface nodes; linear",
-        .sharing = Sharing::Congruent,
-        .build = [](const TileInput& input) {
-            return stiffness_tile(condensed_frame(fan_frame(input.layout, input.fan, input.polygon,
-                                                            {input.setting.section, input.setting.material}),
-                                                  input.fan.interface_node_count));
-        }};
+    return {.name = "condensed",
+            .summary = "the beams of each tile, condensed onto its interface nodes; linear",
+            .sharing = Sharing::Congruent,
+            .build = [](const TileInput& input) {
+                const int interface_nodes = input.fan.interface_node_count;
+                mechanics::Frame beams = fan_frame(input.layout, input.fan, input.polygon,
+                                                   {input.setting.section, input.setting.material});
+                Eigen::MatrixXd stiffness = condensed_frame(beams, interface_nodes);
+                return stiffness_tile(std::move(stiffness),
+                                      std::make_shared<InnerNodes>(std::move(beams), interface_nodes));
+            }};
 }
 
 }  // namespace fretwork::reduction

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/mechanics/condensation.hpp>
 #include <fretwork/mechanics/corotational_element.hpp>
+#include <fretwork/mechanics/rotation_vector.hpp>
 #include <fretwork/reduction/condensed_tile.hpp>
 #include <fretwork/reduction/corotational_tile.hpp>
 #include <fretwork/reduction/response.hpp>
@@ -11,10 +12,26 @@
 namespace fretwork::reduction {
 namespace {
 
+using mechanics::CorotationalMotion;
+using mechanics::kDofsPerNode;
+using mechanics::NodeValues;
+
+std::vector<mechanics::NodeState> states_of(const NodeValues& rows) {
+    std::vector<mechanics::NodeState> states;
+    for (Eigen::Index i = 0; i < rows.rows(); ++i)
+        states.push_back(
+            {rows.row(i).head<3>().transpose(), mechanics::rotation_of(rows.row(i).tail<3>().transpose())});
+    return states;
+}
+
 class CorotationalTile final : public TileStructure {
   public:
-    explicit CorotationalTile(mechanics::CorotationalBody::Parts parts)
-        : body_(std::make_shared<mechanics::CorotationalBody>(std::move(parts))) {}
+    CorotationalTile(mechanics::CorotationalBody::Parts parts, std::shared_ptr<const InnerNodes> inner)
+        : mean_(Eigen::Vector3d::Zero()), inner_(std::move(inner)) {
+        for (const Eigen::Vector3d& node : parts.nodes)
+            mean_ += node / static_cast<double>(parts.nodes.size());
+        body_ = std::make_shared<mechanics::CorotationalBody>(std::move(parts));
+    }
 
     [[nodiscard]] std::span<const Eigen::Vector3d> inner_nodes() const override { return {}; }
 
@@ -23,21 +40,54 @@ class CorotationalTile final : public TileStructure {
             mechanics::corotational_element({place.nodes.begin(), place.nodes.end()}, body_, place.turn));
     }
 
+    /// The inner nodes follow in the tile's frame, and are carried by it.
+    [[nodiscard]] std::optional<BeamMotion> beam_motion(const TileMotion& motion) const override {
+        if (motion.displacements == Displacements::Small) return condensed_motion(*inner_, motion);
+        const auto moved = mechanics::corotational_motion(*body_, motion.turn, states_of(motion.nodes));
+        if (!moved) return std::nullopt;
+        const NodeValues followed = inner_->follow(moved->in_frame);
+        const Eigen::Index own = motion.nodes.rows();
+        BeamMotion beams{NodeValues(own + followed.rows(), kDofsPerNode),
+                         NodeValues(own + followed.rows(), kDofsPerNode)};
+        beams.nodes << motion.nodes, carried(followed, *moved, motion.turn);
+        beams.in_frame << turned(moved->in_frame, motion.turn), turned(followed, motion.turn);
+        return beams;
+    }
+
   private:
+    /// From rows seen from the frame to displacements and rotations in the surface's axes.
+    [[nodiscard]] NodeValues carried(const NodeValues& rows, const CorotationalMotion& moved,
+                                     const Eigen::Matrix3d& turn) const {
+        NodeValues result(rows.rows(), kDofsPerNode);
+        for (Eigen::Index i = 0; i < rows.rows(); ++i) {
+            const Eigen::Vector3d arm = inner_->places()[static_cast<std::size_t>(i)] - mean_;
+            const Eigen::Vector3d arm_now = arm + rows.row(i).head<3>().transpose();
+            result.row(i).head<3>() = (moved.shift + moved.axes * arm_now - turn * arm).transpose();
+            const Eigen::Quaterniond spin = mechanics::rotation_of(rows.row(i).tail<3>().transpose());
+            const Eigen::Matrix3d rotation = moved.axes * spin.toRotationMatrix() * turn.transpose();
+            result.row(i).tail<3>() = mechanics::rotation_vector_of(Eigen::Quaterniond(rotation)).transpose();
+        }
+        return result;
+    }
+
+    Eigen::Vector3d mean_;  ///< of the interface nodes, m
+    std::shared_ptr<const InnerNodes> inner_;
     std::shared_ptr<const mechanics::CorotationalBody> body_;
 };
 
 }  // namespace
 
 std::shared_ptr<const TileStructure> corotational_tile(mechanics::Frame tile, int interface_nodes) {
-    mechanics::CorotationalBody::Parts parts{{tile.nodes.begin(), tile.nodes.begin() + interface_nodes},
-                                             condensed_frame(tile, interface_nodes)};
-    parts.mass = [tile = std::move(tile), interface_nodes] {
+    const auto inner = std::make_shared<const InnerNodes>(std::move(tile), interface_nodes);
+    const auto& nodes = inner->tile().nodes;
+    mechanics::CorotationalBody::Parts parts{{nodes.begin(), nodes.begin() + interface_nodes},
+                                             condensed_frame(inner->tile(), interface_nodes)};
+    parts.mass = [inner] {
         std::vector<mechanics::NodeIndex> kept;
-        for (int i = 0; i < interface_nodes; ++i) kept.emplace_back(i);
-        return mechanics::condense_mass(mechanics::assemble(tile), kept);
+        for (int i = 0; i < inner->interface_nodes(); ++i) kept.emplace_back(i);
+        return mechanics::condense_mass(mechanics::assemble(inner->tile()), kept);
     };
-    return std::make_shared<CorotationalTile>(std::move(parts));
+    return std::make_shared<CorotationalTile>(std::move(parts), inner);
 }
 
 TileModel corotational_tile_model() {

@@ -12,7 +12,7 @@ TileModel full_tile_model() {
             .build = [](const TileInput& input) {
                 return beam_tile(fan_frame(input.layout, input.fan, input.polygon,
                                            {input.setting.section, input.setting.material}),
-                                 input.fan.interface_node_count);
+                                 input.fan.interface_node_count, TileBeams::OfThePattern);
             }};
 }
 

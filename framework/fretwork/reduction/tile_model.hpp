@@ -38,9 +38,6 @@ struct TileParameter {
     std::function<Bounds(const Setting&)> bounds;  ///< of a calibration
 };
 
-/// Which displacements a tile model is made for.
-enum class Displacements { Small, Large };
-
 /// The reference is the full model; reduced models are compared with it.
 enum class Role { Reference, Reduced };
 

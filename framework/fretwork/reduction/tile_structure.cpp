@@ -14,8 +14,10 @@ using mechanics::NodeIndex;
 
 class BeamTile final : public TileStructure {
   public:
-    BeamTile(mechanics::Frame frame, int interface_nodes)
-        : frame_(std::move(frame)), interface_nodes_(static_cast<std::size_t>(interface_nodes)) {}
+    BeamTile(mechanics::Frame frame, int interface_nodes, TileBeams beams)
+        : frame_(std::move(frame)),
+          interface_nodes_(static_cast<std::size_t>(interface_nodes)),
+          beams_(beams) {}
 
     [[nodiscard]] std::span<const Eigen::Vector3d> inner_nodes() const override {
         return std::span(frame_.nodes).subspan(interface_nodes_);
@@ -29,20 +31,33 @@ class BeamTile final : public TileStructure {
         }
     }
 
+    [[nodiscard]] std::optional<BeamMotion> beam_motion(const TileMotion& motion) const override {
+        if (beams_ == TileBeams::Substitutes) return std::nullopt;
+        return BeamMotion{.nodes = motion.nodes, .displacements = motion.displacements};
+    }
+
   private:
     mechanics::Frame frame_;
     std::size_t interface_nodes_;
+    TileBeams beams_;
 };
 
 class StiffnessTile final : public TileStructure {
   public:
-    explicit StiffnessTile(Eigen::MatrixXd stiffness) : stiffness_(std::move(stiffness)) {}
+    StiffnessTile(Eigen::MatrixXd stiffness, std::shared_ptr<const InnerNodes> inner)
+        : stiffness_(std::move(stiffness)), inner_(std::move(inner)) {}
 
     [[nodiscard]] std::span<const Eigen::Vector3d> inner_nodes() const override { return {}; }
 
     void add_to(StructureParts& surface, const TilePlace& place) const override {
         surface.elements.push_back(mechanics::linear_element({place.nodes.begin(), place.nodes.end()},
                                                              {.stiffness = turned(place.turn)}));
+    }
+
+    /// Linear, whatever the solution.
+    [[nodiscard]] std::optional<BeamMotion> beam_motion(const TileMotion& motion) const override {
+        if (!inner_) return std::nullopt;
+        return condensed_motion(*inner_, motion);
     }
 
   private:
@@ -58,20 +73,37 @@ class StiffnessTile final : public TileStructure {
     }
 
     Eigen::MatrixXd stiffness_;
+    std::shared_ptr<const InnerNodes> inner_;
 };
 
 }  // namespace
 
-std::shared_ptr<const TileStructure> beam_tile(mechanics::Frame frame, int interface_nodes) {
-    return std::make_shared<BeamTile>(std::move(frame), interface_nodes);
+BeamMotion condensed_motion(const InnerNodes& inner, const TileMotion& motion) {
+    const mechanics::NodeValues followed = inner.follow(turned(motion.nodes, motion.turn.transpose()));
+    BeamMotion beams;
+    beams.nodes.resize(motion.nodes.rows() + followed.rows(), kDofsPerNode);
+    beams.nodes << motion.nodes, turned(followed, motion.turn);
+    return beams;
 }
 
-std::shared_ptr<const TileStructure> stiffness_tile(Eigen::MatrixXd stiffness) {
+mechanics::NodeValues turned(const mechanics::NodeValues& rows, const Eigen::Matrix3d& turn) {
+    mechanics::NodeValues result(rows.rows(), kDofsPerNode);
+    result.leftCols<3>().noalias() = rows.leftCols<3>() * turn.transpose();
+    result.rightCols<3>().noalias() = rows.rightCols<3>() * turn.transpose();
+    return result;
+}
+
+std::shared_ptr<const TileStructure> beam_tile(mechanics::Frame frame, int interface_nodes, TileBeams beams) {
+    return std::make_shared<BeamTile>(std::move(frame), interface_nodes, beams);
+}
+
+std::shared_ptr<const TileStructure> stiffness_tile(Eigen::MatrixXd stiffness,
+                                                    std::shared_ptr<const InnerNodes> inner) {
     if (stiffness.rows() != stiffness.cols() || stiffness.rows() % kDofsPerNode != 0)
         throw base::InputError(
             "the stiffness of a tile has six rows and columns for each interface node, not " +
             std::to_string(stiffness.rows()) + " x " + std::to_string(stiffness.cols()));
-    return std::make_shared<StiffnessTile>(std::move(stiffness));
+    return std::make_shared<StiffnessTile>(std::move(stiffness), std::move(inner));
 }
 
 mechanics::Assembly assemble(const StructureParts& parts, const base::Control& control) {

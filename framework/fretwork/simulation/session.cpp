@@ -38,6 +38,10 @@ const LoadCase& Session::load_case() const {
 const SimulationOptions& Session::options() const {
     return impl_->options();
 }
+std::optional<reduction::BeamMotion> Session::beam_motion(tiling::TileIndex tile,
+                                                          const mechanics::Solution& solution) const {
+    return impl_->beam_motion(tile, solution);
+}
 const Session::Work& Session::last_work() const {
     return impl_->last_work();
 }

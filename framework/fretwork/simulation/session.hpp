@@ -11,6 +11,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -90,6 +91,11 @@ class Session {
 
     /// How far each tile is deformed in a solution of this session; zero for tiles made of beams.
     [[nodiscard]] std::vector<TileDeformation> tile_deformations(const mechanics::Solution& solution) const;
+
+    /// How the beams of a tile move in a solution that this session gave since the last edit; nothing if its
+    /// model does not tell that. Several threads may ask at once.
+    [[nodiscard]] std::optional<reduction::BeamMotion> beam_motion(tiling::TileIndex tile,
+                                                                   const mechanics::Solution& solution) const;
 
     /// What the last solve() or solve_adjoint() computed anew, and what it reused.
     struct Work {

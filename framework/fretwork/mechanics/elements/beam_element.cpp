@@ -12,16 +12,6 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-BeamEnergy::Stiffness stiffness_of(const Section& section, const Material& material) {
-    const double shear = material.shear_modulus();
-    return {.axial = material.young_modulus * section.area,
-            .torsion = shear * section.J,
-            .bending2 = material.young_modulus * section.I2,
-            .bending3 = material.young_modulus * section.I3,
-            .shear_flexibility2 = section.shear_area2 ? 1.0 / (shear * *section.shear_area2) : 0.0,
-            .shear_flexibility3 = section.shear_area3 ? 1.0 / (shear * *section.shear_area3) : 0.0};
-}
-
 /// The chord's vector is the difference of the end displacements.
 void expand_force(const MotionVector& motion, Eigen::VectorXd& force) {
     force.resize(2 * kDofsPerNode);
@@ -62,9 +52,19 @@ void expand_tangent(const MotionMatrix& motion, Eigen::MatrixXd& tangent) {
 
 }  // namespace
 
+BeamEnergy::Stiffness beam_stiffness(const Section& section, const Material& material) {
+    const double shear = material.shear_modulus();
+    return {.axial = material.young_modulus * section.area,
+            .torsion = shear * section.J,
+            .bending2 = material.young_modulus * section.I2,
+            .bending3 = material.young_modulus * section.I3,
+            .shear_flexibility2 = section.shear_area2 ? 1.0 / (shear * *section.shear_area2) : 0.0,
+            .shear_flexibility3 = section.shear_area3 ? 1.0 / (shear * *section.shear_area3) : 0.0};
+}
+
 BeamElement::BeamElement(const Geometry& geometry, const Section& section, const Material& material)
     : geometry_(geometry),
-      energy_(stiffness_of(section, material), geometry.length),
+      energy_(beam_stiffness(section, material), geometry.length),
       line_mass_(material.density * section.area),
       line_inertia_(material.density * (section.I2 + section.I3)) {}
 

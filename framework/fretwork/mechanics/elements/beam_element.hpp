@@ -8,6 +8,8 @@
 
 namespace fretwork::mechanics::elements {
 
+BeamEnergy::Stiffness beam_stiffness(const Section& section, const Material& material);
+
 /// A straight beam between two nodes that may move and turn at will.
 ///
 /// Its energy is a function of deformations that no rigid motion changes (BeamEnergy), measured against the

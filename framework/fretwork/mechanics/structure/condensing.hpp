@@ -31,6 +31,9 @@ Eigen::MatrixXd condense_dense(const CondensingTask& task);
 /// cannot move without strain (as condense_dense has checked).
 Eigen::MatrixXd condense_mass(const CondensingTask& task);
 
+/// How the inner nodes follow the kept ones: mechanics::following.
+Eigen::MatrixXd following(const CondensingTask& task);
+
 /// Throws the NumericalError of inner nodes that can move without strain.
 [[noreturn]] void refuse_inner_mechanism(const Assembly& assembly, NodeIndex node);
 

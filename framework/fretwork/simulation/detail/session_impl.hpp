@@ -44,6 +44,8 @@ class Session::Impl {
     mechanics::Result solve(const base::Control& control);
     [[nodiscard]] std::vector<TileDeformation> tile_deformations(const mechanics::Solution& solution) const;
     Eigen::MatrixXd solve_adjoint(const Eigen::MatrixXd& rows, const base::Control& control);
+    [[nodiscard]] std::optional<reduction::BeamMotion> beam_motion(tiling::TileIndex tile,
+                                                                   const mechanics::Solution& solution) const;
 
   private:
     static void require_row(const SimulationOptions& options);
@@ -82,6 +84,7 @@ class Session::Impl {
     std::optional<mechanics::LinearSolver> solver_;
     std::optional<mechanics::EquilibriumSolver> equilibrium_solver_;
     Work work_;
+    reduction::Displacements solved_in_ = reduction::Displacements::Small;  ///< the last solution
 };
 
 }  // namespace fretwork::simulation

@@ -131,10 +131,12 @@ mechanics::Result Session::Impl::solve(const base::Control& control) {
     const auto started = Clock::now();
     update(control);
     mechanics::Result result = make_result();
-    result.solver = is_nonlinear() ? "newton" : "linear";
-    if (is_nonlinear() && options_.load_steps == 1) {
+    const bool is_large = is_nonlinear();
+    solved_in_ = is_large ? reduction::Displacements::Large : reduction::Displacements::Small;
+    result.solver = is_large ? "newton" : "linear";
+    if (is_large && options_.load_steps == 1) {
         solve_equilibrium(result, control);
-    } else if (is_nonlinear()) {
+    } else if (is_large) {
         solve_path(result, control);
     } else {
         result.solution = updated_solver(control).solve(assembly_.loads, control);
@@ -169,6 +171,22 @@ std::vector<TileDeformation> Session::Impl::tile_deformations(const mechanics::S
         }
     }
     return tiles;
+}
+
+std::optional<reduction::BeamMotion> Session::Impl::beam_motion(TileIndex tile,
+                                                                const mechanics::Solution& solution) const {
+    const auto t = static_cast<std::size_t>(tile);
+    const auto& interface_nodes = surface_.tessellation.tiles[t].interface_nodes;
+    const auto first = static_cast<Eigen::Index>(starts_[t].inner_node);
+    const auto inner = static_cast<Eigen::Index>(starts_[t + 1].inner_node) - first;
+    const auto count = std::ssize(interface_nodes);
+    reduction::TileMotion motion{.nodes = mechanics::NodeValues(count + inner, mechanics::kDofsPerNode),
+                                 .turn = tiles_[t].turn,
+                                 .displacements = solved_in_};
+    for (std::ptrdiff_t i = 0; i < count; ++i)
+        motion.nodes.row(i) = solution.displacements.row(interface_nodes[static_cast<std::size_t>(i)].value);
+    motion.nodes.bottomRows(inner) = solution.displacements.middleRows(first, inner);
+    return tiles_[t].structure->beam_motion(motion);
 }
 
 Eigen::MatrixXd Session::Impl::solve_adjoint(const Eigen::MatrixXd& rows, const base::Control& control) {

@@ -7,20 +7,20 @@
 
 #include <string>
 
-namespace fretwork::app {
+namespace fretwork::simulation {
 
-/// How `fretwork tile` is to paint.
-struct PaintingOptions {
+/// How a new surface is to be painted, as people write it.
+struct PaintingChoice {
     std::string patterns;  ///< random:SEED, a painting file, or the id of one pattern; empty: no painting
     std::string
         palette;  ///< for random:SEED: a painting file, or ids with commas between; empty: the library's
 };
 
-/// Throws InputError where --palette is given and --patterns is not random:SEED.
-void check(const PaintingOptions& options);
+/// Throws InputError where a palette is given and the patterns are not random:SEED.
+void check(const PaintingChoice& choice);
 
-/// Paint as the options say. `library` may be null. Throws InputError.
-void paint(tiling::Tessellation& tessellation, const PaintingOptions& options,
+/// Paint as it is chosen. `library` may be null. Throws InputError; it names the options of `fretwork tile`.
+void paint(tiling::Tessellation& tessellation, const PaintingChoice& choice,
            const pattern::NodeLayout& layout, const library::Library* library);
 
-}  // namespace fretwork::app
+}  // namespace fretwork::simulation

@@ -1,21 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "project_library.hpp"
-
 #include <fretwork/base/error.hpp>
 #include <fretwork/reduction/tile_model.hpp>
 #include <fretwork/simulation/project_file.hpp>
+#include <fretwork/simulation/project_library.hpp>
 
 #include <filesystem>
 
-namespace fretwork::app {
+namespace fretwork::simulation {
 
-std::string library_path_of(const std::string& project_file, const simulation::Project& project) {
+std::string library_path_of(const std::string& project_file, const Project& project) {
     if (project.library_path.empty()) return "";
     return (std::filesystem::path(project_file).parent_path() / project.library_path).string();
 }
 
-std::optional<library::Library> open_project_library(const std::string& project_file,
-                                                     const simulation::Project& project,
+std::optional<library::Library> open_project_library(const std::string& project_file, const Project& project,
                                                      const std::string& wanted) {
     if (!wanted.empty()) return library::Library::open(wanted);
     if (project.library_path.empty()) return std::nullopt;
@@ -30,8 +28,8 @@ std::optional<library::Library> open_project_library(const std::string& project_
     return library;
 }
 
-simulation::Project read_checked_project(const std::string& file) {
-    simulation::Project project = simulation::read_project(file);
+Project read_checked_project(const std::string& file) {
+    Project project = read_project(file);
     for (std::size_t i = 0; i < project.tile_models.size(); ++i) {
         try {
             (void)reduction::find_tile_model(project.tile_models[i].model);
@@ -42,4 +40,4 @@ simulation::Project read_checked_project(const std::string& file) {
     return project;
 }
 
-}  // namespace fretwork::app
+}  // namespace fretwork::simulation

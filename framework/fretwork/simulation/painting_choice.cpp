@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tile_painting.hpp"
-
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/quantity.hpp>
 #include <fretwork/base/text.hpp>
+#include <fretwork/simulation/painting_choice.hpp>
 #include <fretwork/tiling/painting.hpp>
 
 #include <filesystem>
 
-namespace fretwork::app {
+namespace fretwork::simulation {
 namespace {
 
 using tiling::Tessellation;
@@ -27,14 +26,14 @@ std::vector<std::string> palette_of(const std::string& option, const pattern::No
 
 /// The patterns that a random painting chooses from: those that are named, else those that the library has
 /// calibrated.
-std::vector<std::string> chosen_palette(const PaintingOptions& options, const pattern::NodeLayout& layout,
+std::vector<std::string> chosen_palette(const PaintingChoice& choice, const pattern::NodeLayout& layout,
                                         const library::Library* library) {
-    if (std::filesystem::path(options.palette).extension() == ".json")
-        return tiling::read_painting(options.palette, layout).patterns;
-    if (!options.palette.empty()) return palette_of("--palette", layout, base::split(options.palette, ','));
+    if (std::filesystem::path(choice.palette).extension() == ".json")
+        return tiling::read_painting(choice.palette, layout).patterns;
+    if (!choice.palette.empty()) return palette_of("--palette", layout, base::split(choice.palette, ','));
     if (!library)
         throw base::InputError(
-            "--patterns", options.patterns,
+            "--patterns", choice.patterns,
             "a painting by chance needs patterns to choose from: give --palette or --library");
     std::vector<std::string> palette;
     for (const library::PatternEntry& entry : library->patterns()) {
@@ -53,32 +52,32 @@ std::uint64_t parse_seed(std::string_view text) {
 
 }  // namespace
 
-void check(const PaintingOptions& options) {
-    if (options.palette.empty() || options.patterns.starts_with(kRandom)) return;
+void check(const PaintingChoice& choice) {
+    if (choice.palette.empty() || choice.patterns.starts_with(kRandom)) return;
     throw base::InputError("--palette", "",
                            "is what --patterns random:SEED chooses from, and --patterns is " +
-                               (options.patterns.empty() ? "not given" : "'" + options.patterns + "'"));
+                               (choice.patterns.empty() ? "not given" : "'" + choice.patterns + "'"));
 }
 
-void paint(Tessellation& tessellation, const PaintingOptions& options, const pattern::NodeLayout& layout,
+void paint(Tessellation& tessellation, const PaintingChoice& choice, const pattern::NodeLayout& layout,
            const library::Library* library) {
-    if (options.patterns.empty()) return;
-    if (options.patterns.starts_with(kRandom)) {
-        const auto palette = chosen_palette(options, layout, library);
-        const auto seed = parse_seed(std::string_view(options.patterns).substr(kRandom.size()));
+    if (choice.patterns.empty()) return;
+    if (choice.patterns.starts_with(kRandom)) {
+        const auto palette = chosen_palette(choice, layout, library);
+        const auto seed = parse_seed(std::string_view(choice.patterns).substr(kRandom.size()));
         return tiling::paint_randomly(tessellation, palette, seed);
     }
-    if (std::filesystem::path(options.patterns).extension() != ".json") {
-        const auto palette = palette_of("--patterns", layout, {options.patterns});
+    if (std::filesystem::path(choice.patterns).extension() != ".json") {
+        const auto palette = palette_of("--patterns", layout, {choice.patterns});
         return tiling::paint_uniformly(tessellation, palette.front());
     }
     try {
-        tiling::paint(tessellation, tiling::read_painting(options.patterns, layout));
+        tiling::paint(tessellation, tiling::read_painting(choice.patterns, layout));
     } catch (const base::InputError& error) {
         const std::string message = error.what();
-        if (message.starts_with(options.patterns)) throw;
-        throw base::InputError(options.patterns, "/tiles", message);
+        if (message.starts_with(choice.patterns)) throw;
+        throw base::InputError(choice.patterns, "/tiles", message);
     }
 }
 
-}  // namespace fretwork::app
+}  // namespace fretwork::simulation

@@ -7,20 +7,19 @@
 #include <optional>
 #include <string>
 
-namespace fretwork::app {
+namespace fretwork::simulation {
 
 /// Where a project's library lies; empty if it names none.
-std::string library_path_of(const std::string& project_file, const simulation::Project& project);
+std::string library_path_of(const std::string& project_file, const Project& project);
 
 /// The library that a project is to be simulated with: the one that is asked for, else the project's own (its
 /// path is relative to the project file), else none. Throws InputError if the project's library has changed
 /// since the project was made.
-std::optional<library::Library> open_project_library(const std::string& project_file,
-                                                     const simulation::Project& project,
+std::optional<library::Library> open_project_library(const std::string& project_file, const Project& project,
                                                      const std::string& wanted);
 
 /// Read a project, and check that there are the tile models that it names for single tiles. Throws InputError
 /// that names the file and the place.
-simulation::Project read_checked_project(const std::string& file);
+Project read_checked_project(const std::string& file);
 
-}  // namespace fretwork::app
+}  // namespace fretwork::simulation

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/base64.hpp>
+#include <fretwork/base/error.hpp>
+
+#include <nettle/base64.h>
+
+namespace fretwork::base {
+
+std::string decode_base64(std::string_view text, const std::string& source) {
+    base64_decode_ctx context;
+    base64_decode_init(&context);
+    std::string bytes(BASE64_DECODE_LENGTH(text.size()), '\0');
+    std::size_t size = bytes.size();
+    const bool is_decoded = base64_decode_update(
+        &context, &size, reinterpret_cast<std::uint8_t*>(bytes.data()), text.size(), text.data());
+    if (!is_decoded || base64_decode_final(&context) == 0) throw InputError(source, "", "is no Base64 text");
+    bytes.resize(size);
+    return bytes;
+}
+
+}  // namespace fretwork::base

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/base/control.hpp>
+#include <fretwork/library/library.hpp>
+#include <fretwork/simulation/painting_choice.hpp>
+#include <fretwork/simulation/project.hpp>
+#include <fretwork/tiling/tessellate.hpp>
+
+#include <optional>
+#include <string>
+
+namespace fretwork::simulation {
+
+/// How an outline becomes a project.
+struct NewProjectOptions {
+    std::optional<double> edge_length{};  ///< m, wanted mean side of the tiles; none: the library's tile
+                                          ///< side, or the paper's
+    std::string layout{};                 ///< a name or a file; empty: the library's, or paper7
+    PaintingChoice painting{};
+    base::Control control{};
+};
+
+/// A project without load cases, and how its tiling came out.
+struct NewProject {
+    Project project;
+    tiling::TessellationReport report;
+    double edge_length = 0.0;  ///< m, that was wanted
+};
+
+/// Tile an outline and paint it. `library` may be null; the project is not linked with it. Throws as
+/// tiling::tessellate and paint; InputError if the library is one of another layout.
+NewProject make_project(const tiling::Outline& outline, const NewProjectOptions& options,
+                        const library::Library* library);
+
+}  // namespace fretwork::simulation

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/parallel.hpp>
+#include <fretwork/mechanics/rotation_vector.hpp>
+#include <fretwork/simulation/surface_beams.hpp>
+
+#include <limits>
+
+namespace fretwork::simulation {
+namespace {
+
+using mechanics::kDofsPerNode;
+using mechanics::NodeValues;
+using tiling::TileIndex;
+
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+
+/// The numbers of the painted tiles.
+std::vector<TileIndex> painted_tiles(const tiling::Tessellation& tessellation) {
+    std::vector<TileIndex> painted;
+    for (std::size_t t = 0; t < tessellation.tiles.size(); ++t) {
+        if (tessellation.tiles[t].pattern >= 0) painted.emplace_back(t);
+    }
+    return painted;
+}
+
+tiling::TessellationFan painted_fan(const Surface& surface, std::span<const TileIndex> painted) {
+    if (painted.size() == surface.tessellation.tiles.size()) return surface_fan(surface);
+    tiling::Tessellation part = surface.tessellation;
+    part.tiles.clear();
+    for (const TileIndex tile : painted)
+        part.tiles.push_back(surface.tessellation.tiles[static_cast<std::size_t>(tile)]);
+    return tiling::assemble_fans(surface.layout, part);
+}
+
+/// Where the parts of all tiles begin, from where those of the painted ones do.
+std::vector<SurfaceBeams::Start> starts_of(const tiling::Tessellation& tessellation,
+                                           const tiling::TessellationFan& fan) {
+    std::vector<SurfaceBeams::Start> starts;
+    SurfaceBeams::Start next{tessellation.interface_nodes.size(), 0};
+    std::size_t painted = 0;
+    for (const tiling::Tile& tile : tessellation.tiles) {
+        starts.push_back(next);
+        if (tile.pattern < 0) continue;
+        next.inner_node += fan.tile_nodes[painted].size() - tile.interface_nodes.size();
+        next.beam = static_cast<std::size_t>(fan.first_edge[painted + 1]);
+        ++painted;
+    }
+    starts.push_back(next);
+    return starts;
+}
+
+/// Fills in what the tiles tell, one by one.
+class StateWriter {
+  public:
+    StateWriter(const Session& session, const SurfaceBeams& beams,
+                std::span<const mechanics::BeamSection> sections, BeamState& state)
+        : session_(session), beams_(beams), sections_(sections), state_(state) {}
+
+    void write(TileIndex tile, const mechanics::Solution& solution) const {
+        const auto motion = session_.beam_motion(tile, solution);
+        const auto t = static_cast<std::size_t>(tile);
+        const auto first = static_cast<Eigen::Index>(beams_.starts[t].inner_node);
+        const auto count = static_cast<Eigen::Index>(beams_.starts[t + 1].inner_node) - first;
+        if (!motion) return;
+        state_.nodes.middleRows(first, count) = motion->nodes.bottomRows(count);
+        if (!sections_.empty()) write_forces(t, *motion);
+    }
+
+  private:
+    /// The row of a node of the surface among those of its tile.
+    class RowOf {
+      public:
+        RowOf(const Session& session, const SurfaceBeams& beams, std::size_t tile)
+            : interface_(session.surface().tessellation.tiles[tile].interface_nodes),
+              interface_count_(beams.interface_nodes),
+              first_inner_(beams.starts[tile].inner_node) {}
+        Eigen::Index operator()(mechanics::NodeIndex node) const {
+            const auto n = static_cast<std::size_t>(node);
+            if (n >= interface_count_) return static_cast<Eigen::Index>(interface_.size() + n - first_inner_);
+            Eigen::Index row = 0;
+            while (interface_[static_cast<std::size_t>(row)].value != node.value) ++row;
+            return row;
+        }
+
+      private:
+        const std::vector<tiling::InterfaceIndex>& interface_;
+        std::size_t interface_count_;
+        std::size_t first_inner_;
+    };
+
+    static mechanics::NodeState state_of(const NodeValues& rows, Eigen::Index row) {
+        return {rows.row(row).head<3>().transpose(),
+                mechanics::rotation_of(rows.row(row).tail<3>().transpose())};
+    }
+
+    void write_forces(std::size_t tile, const reduction::BeamMotion& motion) const {
+        const RowOf row_of(session_, beams_, tile);
+        const NodeValues& rows = motion.in_frame.rows() > 0 ? motion.in_frame : motion.nodes;
+        for (std::size_t b = beams_.starts[tile].beam; b < beams_.starts[tile + 1].beam; ++b) {
+            const Eigen::Index from = row_of(beams_.ends[b][0]);
+            const Eigen::Index to = row_of(beams_.ends[b][1]);
+            const auto ends = motion.displacements == reduction::Displacements::Large
+                                  ? sections_[b].large(state_of(rows, from), state_of(rows, to))
+                                  : sections_[b].linear(rows.row(from).transpose(), rows.row(to).transpose());
+            for (std::size_t end = 0; end < 2; ++end) {
+                const mechanics::SectionForces& f = ends[end];
+                state_.forces.row(static_cast<Eigen::Index>(2 * b + end)) << f.N, f.V2, f.V3, f.T, f.M2, f.M3,
+                    mechanics::largest_normal_stress(f, sections_[b].section());
+            }
+        }
+    }
+
+    const Session& session_;
+    const SurfaceBeams& beams_;
+    std::span<const mechanics::BeamSection> sections_;
+    BeamState& state_;
+};
+
+}  // namespace
+
+SurfaceBeams surface_beams(const Surface& surface) {
+    const auto painted = painted_tiles(surface.tessellation);
+    const tiling::TessellationFan fan = painted_fan(surface, painted);
+    SurfaceBeams beams;
+    beams.interface_nodes = surface.tessellation.interface_nodes.size();
+    beams.nodes.reserve(fan.nodes.size());
+    for (const pattern::Point2& node : fan.nodes) beams.nodes.emplace_back(node.x, node.y, 0.0);
+    for (const tiling::TessellationFan::Edge& edge : fan.edges) {
+        beams.ends.push_back(
+            {mechanics::NodeIndex(edge.nodes[0].value), mechanics::NodeIndex(edge.nodes[1].value)});
+        beams.tiles.push_back(painted[static_cast<std::size_t>(edge.tile)]);
+    }
+    beams.starts = starts_of(surface.tessellation, fan);
+    return beams;
+}
+
+std::vector<mechanics::BeamSection> beam_sections(const SurfaceBeams& beams,
+                                                  const reduction::Setting& setting) {
+    std::vector<mechanics::BeamSection> sections;
+    sections.reserve(beams.ends.size());
+    for (const auto& [a, b] : beams.ends) {
+        sections.emplace_back(
+            mechanics::Beam{.nodes = {a, b}, .section = setting.section, .material = setting.material},
+            std::array{beams.nodes[static_cast<std::size_t>(a)], beams.nodes[static_cast<std::size_t>(b)]});
+    }
+    return sections;
+}
+
+BeamState beam_state(const Session& session, const mechanics::Solution& solution, const SurfaceBeams& beams,
+                     std::span<const mechanics::BeamSection> sections) {
+    BeamState state;
+    const auto interface_nodes = static_cast<Eigen::Index>(beams.interface_nodes);
+    state.nodes.setConstant(static_cast<Eigen::Index>(beams.nodes.size()), kDofsPerNode, kUnknown);
+    state.nodes.topRows(interface_nodes) = solution.displacements.topRows(interface_nodes);
+    state.forces.setConstant(static_cast<Eigen::Index>(2 * sections.size()), 7, kUnknown);
+    const StateWriter writer(session, beams, sections, state);
+    base::parallel_for(beams.starts.size() - 1, session.options().threads,
+                       [&](std::size_t t) { writer.write(TileIndex(t), solution); });
+    return state;
+}
+
+}  // namespace fretwork::simulation
