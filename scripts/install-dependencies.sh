@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Install what is missing on Debian 12, and nothing else. Works as root and with sudo; says nothing when all is there.
-# Usage: scripts/install-dependencies.sh [demo|test|check]     (each holds the ones before it; default: test)
+# Usage: scripts/install-dependencies.sh [demo|test|check|studio]   (test holds demo, check holds test; studio: demo and
+# Node.js with npm, unless there is one that fits; default: test)
 set -euo pipefail
 
 demo=(g++ cmake ninja-build git ca-certificates
@@ -11,11 +12,18 @@ demo=(g++ cmake ninja-build git ca-certificates
 test=("${demo[@]}" libgtest-dev libgmock-dev libbenchmark-dev clang-format gringo)
 check=("${test[@]}" clang-tidy-16 sqlite3 slurm-wlm munge snakemake python3-numpy python3-scipy python3-matplotlib)
 
+# A Node.js of 18.18 or newer, wherever it comes from, and npm.
+has_fitting_node() {
+  command -v npm >/dev/null && command -v node >/dev/null &&
+    node -e 'const [a, b] = process.versions.node.split(".").map(Number); process.exit(a > 18 || (a === 18 && b >= 18) ? 0 : 1)'
+}
+
 case "${1:-test}" in
   demo) wanted=("${demo[@]}") ;;
   test) wanted=("${test[@]}") ;;
   check) wanted=("${check[@]}") ;;
-  *) echo "install-dependencies.sh: unknown set '$1'; there is: demo, test, check" >&2; exit 2 ;;
+  studio) wanted=("${demo[@]}"); has_fitting_node || wanted+=(nodejs npm) ;;
+  *) echo "install-dependencies.sh: unknown set '$1'; there is: demo, test, check, studio" >&2; exit 2 ;;
 esac
 
 if ! command -v apt-get >/dev/null; then

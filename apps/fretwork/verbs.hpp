@@ -35,5 +35,6 @@ void add_compare(CLI::App& app, ExitCode& exit_code);
 void add_solve(CLI::App& app, ExitCode& exit_code);
 void add_optimizers(CLI::App& app, ExitCode& exit_code);
 void add_export(CLI::App& app, ExitCode& exit_code);
+void add_studio(CLI::App& app, ExitCode& exit_code);
 
 }  // namespace fretwork::app

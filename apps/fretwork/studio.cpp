@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// fretwork studio: a server of one document, for a page in the browser.
+#include "file_options.hpp"
+#include "interrupt.hpp"
+#include "verbs.hpp"
+
+#include <cstdio>
+#include <cstdlib>
+#include <fcntl.h>
+#include <memory>
+#include <spawn.h>
+#include <stop_token>
+#include <studio/page.hpp>
+#include <studio/studio.hpp>
+
+extern char** environ;
+
+namespace fretwork::app {
+namespace {
+
+struct Options {
+    std::string project;
+    std::string page;
+    bool no_browser = false;
+    studio::StudioOptions studio;
+};
+
+/// Where programs keep what outlives a run: $XDG_STATE_HOME, else ~/.local/state.
+std::filesystem::path state_folder() {
+    const char* state = std::getenv("XDG_STATE_HOME");
+    if (state != nullptr && *state == '/') return std::filesystem::path(state) / "fretwork";
+    const char* home = std::getenv("HOME");
+    const std::filesystem::path root = home != nullptr && *home == '/' ? home : "/tmp";
+    return root / ".local" / "state" / "fretwork";
+}
+
+/// The desktop's own command opens it; where there is none, people have the address.
+void open_browser(std::string address) {
+    std::string program = "xdg-open";
+    char* arguments[] = {program.data(), address.data(), nullptr};
+    posix_spawn_file_actions_t quiet;
+    ::posix_spawn_file_actions_init(&quiet);
+    for (const int stream : {1, 2})
+        ::posix_spawn_file_actions_addopen(&quiet, stream, "/dev/null", O_WRONLY, 0);
+    pid_t child = 0;
+    (void)::posix_spawnp(&child, program.c_str(), &quiet, nullptr, arguments, environ);
+    ::posix_spawn_file_actions_destroy(&quiet);
+}
+
+void run(Options options) {
+    if (!options.project.empty()) options.studio.project = std::filesystem::absolute(options.project);
+    options.studio.page =
+        options.page.empty() ? studio::usual_page_path() : std::filesystem::path(options.page);
+    options.studio.state_folder = state_folder();
+    LongWork work;
+    studio::Studio studio(options.studio);
+    const std::stop_callback stop(work.control().stop, [&studio] { studio.stop(); });
+    std::printf("%s\n", studio.address().c_str());
+    std::fflush(stdout);
+    if (!options.no_browser) open_browser(studio.address());
+    studio.run();
+}
+
+}  // namespace
+
+void add_studio(CLI::App& app, ExitCode&) {
+    CLI::App* verb = app.add_subcommand(
+        "studio", "Paint, hold and load a surface in the browser, and see it bend. Ends with Ctrl-C");
+    const auto options = std::make_shared<Options>();
+    verb->add_option("project", options->project, "Project file (default: a screen to choose one from)");
+    verb->add_option("--address", options->studio.address, "Address to listen at")->capture_default_str();
+    verb->add_option("--port", options->studio.port, "Port (default: 8080, or the next one that is free)")
+        ->check(CLI::Range(1, 65535));
+    verb->add_flag("--no-browser", options->no_browser, "Print the address, and open no browser");
+    verb->add_option("--page", options->page,
+                     "Page to serve (default: the one that was built with the program)");
+    declare_files(*verb, {input("project"), input("--page")});
+    verb->footer(
+        "Example: fretwork studio project.json\n"
+        "On another machine: ssh -L 8080:localhost:8080 MACHINE fretwork studio --no-browser --port 8080 "
+        "project.json");
+    verb->callback([options] { run(*options); });
+}
+
+}  // namespace fretwork::app

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/base/control.hpp>
+
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <mutex>
+#include <stop_token>
+#include <string>
+#include <thread>
+
+namespace fretwork::studio {
+
+/// A thread that does one piece of work after the other.
+class Background {
+  public:
+    /// A piece of work. It may throw base::Error and std::bad_alloc: `failed` is then told, on the thread.
+    struct Job {
+        std::function<void(const base::Control&)> work;
+        std::function<void(const std::string& error)> failed;
+        /// How far it is, 0 to 1; may be empty.
+        std::function<void(double share)> told{};
+    };
+    /// So many may wait; more are refused.
+    static constexpr std::size_t kMostWaiting = 16;
+
+    Background();
+    Background(const Background&) = delete;
+    Background& operator=(const Background&) = delete;
+    /// Stops what is under way.
+    ~Background();
+
+    /// Throws InputError if too many are waiting.
+    void add(Job job);
+    /// Stop what is under way and forget what waits; each is told that it failed.
+    void cancel();
+
+  private:
+    void run(const std::stop_token& ending);
+    void work(const Job& job, const std::stop_token& stop);
+
+    std::mutex mutex_;
+    std::condition_variable_any changed_;
+    std::deque<Job> waiting_;
+    std::stop_source stop_;  ///< of the job under way
+    std::jthread thread_;
+};
+
+}  // namespace fretwork::studio

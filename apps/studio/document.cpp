@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document.hpp"
+
+#include <algorithm>
+
+namespace fretwork::studio {
+
+std::filesystem::path folder_of(const std::optional<std::filesystem::path>& project) {
+    return project ? std::filesystem::absolute(*project).parent_path() : std::filesystem::current_path();
+}
+
+Document::Document(State state, std::optional<std::filesystem::path> path, std::int64_t revision)
+    : history_(std::move(state)), path_(std::move(path)), revision_(revision) {
+    if (path_) saved_ = now();
+}
+
+Document Document::recovered(Document saved, State changed) {
+    saved.add({std::move(changed), "changes that were not saved"});
+    saved.is_recovered_ = true;
+    return saved;
+}
+
+DocumentStatus Document::status() const {
+    return {.revision = revision_,
+            .path = path_,
+            .is_saved = is_saved(),
+            .is_recovered = is_recovered_,
+            .selected_load_case = selected_,
+            .undo = history_.undo_label(),
+            .redo = history_.redo_label()};
+}
+
+void Document::moved() {
+    ++revision_;
+    const std::size_t cases = now()->load_cases->size();
+    selected_ = std::min(selected_, cases == 0 ? 0 : cases - 1);
+}
+
+void Document::add(Edited edited) {
+    const std::size_t before = now()->load_cases->size();
+    history_.add(std::move(edited));
+    moved();
+    const std::size_t cases = now()->load_cases->size();
+    if (cases > before) selected_ = cases - 1;  // the new one is what people want to see
+}
+
+bool Document::undo() {
+    const bool is_done = history_.undo();
+    if (is_done) moved();
+    return is_done;
+}
+
+bool Document::redo() {
+    const bool is_done = history_.redo();
+    if (is_done) moved();
+    return is_done;
+}
+
+void Document::select_load_case(std::size_t index) {
+    selected_ = index;
+    ++revision_;
+}
+
+void Document::saved_as(const std::filesystem::path& path) {
+    path_ = path;
+    saved_ = now();
+    is_recovered_ = false;
+    ++revision_;
+}
+
+}  // namespace fretwork::studio

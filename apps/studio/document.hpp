@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document_json.hpp"
+#include "history.hpp"
+#include "live_solver.hpp"
+
+#include <filesystem>
+#include <optional>
+
+namespace fretwork::studio {
+
+/// The document of a server: its history, its file, and which load case is looked at.
+class Document {
+  public:
+    /// A new one, or one that was read from `path`.
+    Document(State state, std::optional<std::filesystem::path> path, std::int64_t revision);
+    /// One whose unsaved changes were found: to undo them is to have what lies in its file.
+    static Document recovered(Document saved, State changed);
+
+    [[nodiscard]] const StatePtr& now() const { return history_.now(); }
+    [[nodiscard]] const std::optional<std::filesystem::path>& path() const { return path_; }
+    [[nodiscard]] std::int64_t revision() const { return revision_; }
+    [[nodiscard]] bool is_saved() const { return now() == saved_; }
+    [[nodiscard]] SolverInput solver_input() const { return {{now(), selected_}, revision_}; }
+    [[nodiscard]] DocumentStatus status() const;
+    [[nodiscard]] const History& history() const { return history_; }
+
+    void add(Edited edited);
+    /// False if there is nothing to undo, or to redo.
+    bool undo();
+    bool redo();
+    void select_load_case(std::size_t index);
+    /// Its present state lies in this file now.
+    void saved_as(const std::filesystem::path& path);
+
+  private:
+    void moved();
+
+    History history_;
+    std::optional<std::filesystem::path> path_;
+    StatePtr saved_;
+    std::int64_t revision_;
+    std::size_t selected_ = 0;
+    bool is_recovered_ = false;
+};
+
+/// The folder to which paths in a project are relative.
+std::filesystem::path folder_of(const std::optional<std::filesystem::path>& project);
+
+}  // namespace fretwork::studio

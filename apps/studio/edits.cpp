@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edits.hpp"
+
+#include <fretwork/base/error.hpp>
+#include <fretwork/reduction/setting_file.hpp>
+#include <fretwork/reduction/tile_model.hpp>
+#include <fretwork/simulation/conditions.hpp>
+#include <fretwork/simulation/load_case_file.hpp>
+#include <fretwork/tiling/painting.hpp>
+
+#include <algorithm>
+#include <map>
+
+namespace fretwork::studio {
+namespace {
+
+using base::JsonReader;
+using simulation::LoadCase;
+
+template <class Value>
+State::Part<Value> part(Value value) {
+    return std::make_shared<const Value>(std::move(value));
+}
+
+std::string counted(std::size_t count, const std::string& noun) {
+    return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+}
+
+std::vector<std::size_t> read_tiles(const JsonReader& json, const State& state) {
+    std::vector<std::size_t> tiles;
+    const long long last = static_cast<long long>(state.tile_count()) - 1;
+    for (const JsonReader& tile : json.elements())
+        tiles.push_back(static_cast<std::size_t>(tile.integer(0, last)));
+    if (tiles.empty()) json.fail("is empty, where at least one tile is needed");
+    return tiles;
+}
+
+/// The places of patterns in a palette, which grows by those that are new.
+class PaletteWriter {
+  public:
+    PaletteWriter(Painting& painting, const pattern::NodeLayout& layout)
+        : painting_(painting), layout_(layout) {}
+
+    int place_of(const JsonReader& json) {
+        const std::string text = json.string();
+        const auto [known, is_new] = places_.try_emplace(text, 0);
+        if (is_new) known->second = find_or_add(json, text);
+        return known->second;
+    }
+
+  private:
+    int find_or_add(const JsonReader& json, const std::string& text) {
+        std::string id;
+        try {
+            id = tiling::make_palette(layout_, std::vector{text}).front();
+        } catch (const base::InputError& error) {
+            json.fail(error.what());
+        }
+        const auto found = std::ranges::find(painting_.palette, id);
+        const auto place = found - painting_.palette.begin();
+        if (found == painting_.palette.end()) painting_.palette.push_back(id);
+        return static_cast<int>(place);
+    }
+
+    Painting& painting_;
+    const pattern::NodeLayout& layout_;
+    std::map<std::string, int> places_;
+};
+
+Edited paint(const State& state, const JsonReader& request) {
+    request.allow_only({"id", "do", "merge", "tiles", "pattern", "patterns"});
+    Edited edit{state, ""};
+    Painting painting = *state.painting;
+    PaletteWriter palette(painting, state.ground->layout);
+    std::size_t count = 0;
+    if (const auto patterns = request.find("patterns")) {
+        if (request.find("tiles") || request.find("pattern"))
+            request.fail("has either tiles and a pattern, or patterns");
+        const auto ids = patterns->elements(state.tile_count());
+        for (std::size_t t = 0; t < ids.size(); ++t) {
+            const int place = palette.place_of(ids[t]);
+            count += place != painting.patterns[t] ? 1 : 0;
+            painting.patterns[t] = place;
+        }
+    } else {
+        const auto tiles = read_tiles(request.at("tiles"), state);
+        const int place = palette.place_of(request.at("pattern"));
+        for (const std::size_t tile : tiles) painting.patterns[tile] = place;
+        count = tiles.size();
+    }
+    edit.state.painting = part(std::move(painting));
+    edit.label = "paint " + counted(count, "tile");
+    return edit;
+}
+
+Edited turn(const State& state, const JsonReader& request) {
+    request.allow_only({"id", "do", "merge", "tiles", "by"});
+    const auto tiles = read_tiles(request.at("tiles"), state);
+    const auto by = request.at("by").integer(-1000, 1000);
+    Painting painting = *state.painting;
+    for (const std::size_t tile : tiles) {
+        const auto sides = static_cast<long long>(state.ground->tessellation.tiles[tile].vertices.size());
+        painting.turns[tile] = static_cast<int>(((painting.turns[tile] + by) % sides + sides) % sides);
+    }
+    Edited edit{state, "turn " + counted(tiles.size(), "tile")};
+    edit.state.painting = part(std::move(painting));
+    return edit;
+}
+
+/// The name of a tile model of the catalogue.
+std::string read_model(const JsonReader& json) {
+    try {
+        return reduction::find_tile_model(json.string()).name;
+    } catch (const base::InputError& error) {
+        json.fail(error.what());
+    }
+}
+
+Edited set_model(const State& state, const JsonReader& request) {
+    request.allow_only({"id", "do", "merge", "model", "linear"});
+    const std::string model = read_model(request.at("model"));
+    Edited edit{state, "model " + model};
+    edit.state.model = part(model);
+    if (const auto linear = request.find("linear"))
+        edit.state.analysis =
+            linear->boolean() ? simulation::Analysis::Linear : simulation::Analysis::OfTheModel;
+    return edit;
+}
+
+Edited set_tile_model(const State& state, const JsonReader& request) {
+    request.allow_only({"id", "do", "merge", "tiles", "model"});
+    const auto tiles = read_tiles(request.at("tiles"), state);
+    const JsonReader name = request.at("model");
+    const std::string model = name.string().empty() ? "" : read_model(name);
+    auto models = *state.tile_models;
+    for (const std::size_t tile : tiles) models[tile] = model;
+    Edited edit{state, "model of " + counted(tiles.size(), "tile")};
+    edit.state.tile_models = part(std::move(models));
+    return edit;
+}
+
+/// With another setting the library's calibrations are those of other tiles: the document leaves it.
+Edited set_setting(const State& state, const JsonReader& request) {
+    request.allow_only({"id", "do", "merge", "setting"});
+    Edited edit{state, "material and section"};
+    const auto setting = reduction::parse_setting(request.at("setting").text(), "message: /setting");
+    if (setting == *state.setting) return edit;
+    edit.state.setting = part(setting);
+    if (!state.library->path.empty()) edit.state.library = part(LibraryLink{});
+    return edit;
+}
+
+std::size_t read_index(const JsonReader& json, std::size_t last) {
+    return static_cast<std::size_t>(json.integer(0, static_cast<long long>(last)));
+}
+
+Edited set_load_case(const State& state, const JsonReader& request) {
+    request.allow_only({"id", "do", "merge", "index", "load_case"});
+    auto cases = *state.load_cases;
+    const std::size_t index = read_index(request.at("index"), cases.size());
+    const JsonReader json = request.at("load_case");
+    LoadCase load_case = simulation::parse_load_case(json.text(), "message: /load_case");
+    simulation::check_selections(load_case, state.ground->tessellation);
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+        if (i != index && cases[i].name == load_case.name)
+            json.at("name").fail("'" + load_case.name + "' is the name of another load case");
+    }
+    Edited edit{state, (index == cases.size() ? "new load case " : "load case ") + load_case.name};
+    if (index == cases.size())
+        cases.push_back(std::move(load_case));
+    else
+        cases[index] = std::move(load_case);
+    edit.state.load_cases = part(std::move(cases));
+    return edit;
+}
+
+Edited remove_load_case(const State& state, const JsonReader& request) {
+    request.allow_only({"id", "do", "merge", "index"});
+    auto cases = *state.load_cases;
+    const JsonReader json = request.at("index");
+    if (cases.empty()) json.fail("there is no load case to remove");
+    const std::size_t index = read_index(json, cases.size() - 1);
+    Edited edit{state, "remove load case " + cases[index].name};
+    cases.erase(cases.begin() + static_cast<std::ptrdiff_t>(index));
+    edit.state.load_cases = part(std::move(cases));
+    return edit;
+}
+
+struct EditRow {
+    std::string_view name;
+    Edited (*make)(const State&, const JsonReader&);
+};
+constexpr EditRow kEdits[] = {
+    {"paint", paint},
+    {"turn", turn},
+    {"set_model", set_model},
+    {"set_tile_model", set_tile_model},
+    {"set_setting", set_setting},
+    {"set_load_case", set_load_case},
+    {"remove_load_case", remove_load_case},
+};
+
+}  // namespace
+
+std::optional<Edited> edited(const State& state, std::string_view name, const JsonReader& request) {
+    const auto row = std::ranges::find(kEdits, name, &EditRow::name);
+    if (row == std::end(kEdits)) return std::nullopt;
+    Edited edit = row->make(state, request);
+    if (const auto merge = request.find("merge")) edit.merge = std::string(name) + ":" + merge->string();
+    return edit;
+}
+
+}  // namespace fretwork::studio

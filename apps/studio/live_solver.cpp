@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "live_solver.hpp"
+#include "progress.hpp"
+
+#include <fretwork/base/error.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+#include <numbers>
+
+namespace fretwork::studio {
+namespace {
+
+// While somebody drags, input comes faster than solves end: a solve that ends soon is not stopped, or nothing
+// would ever be seen. One that takes longer is, but not again and again.
+constexpr std::chrono::milliseconds kLeastPatience{100};
+constexpr std::chrono::milliseconds kMostPatience{400};
+constexpr std::chrono::milliseconds kLongestSilence{1000};
+
+}  // namespace
+
+std::vector<std::string> warnings_of(const mechanics::Result& result) {
+    const mechanics::Solution& solution = result.solution;
+    std::vector<std::string> warnings;
+    if (!solution.converged())
+        warnings.emplace_back("the solution is not an equilibrium: it ends at " +
+                              std::to_string(std::lround(100 * solution.load_factor)) + " % of the load");
+    if (!solution.stable) warnings.emplace_back("the equilibrium is not stable: the surface would snap");
+    constexpr double kSmallTurn = 0.2;  // rad; the sine is off by 0.7 %
+    if (result.solver == "linear" && solution.displacements.rows() > 0) {
+        const double turn = solution.displacements.rightCols<3>().rowwise().norm().maxCoeff();
+        if (turn > kSmallTurn)
+            warnings.emplace_back(
+                "a linear model is right for small displacements only, and this one turns by " +
+                std::to_string(std::lround(turn * 180 / std::numbers::pi)) + " degrees");
+    }
+    return warnings;
+}
+
+LiveSolver::LiveSolver(SolverListener listener)
+    : listener_(std::move(listener)), thread_([this](const std::stop_token& ending) { run(ending); }) {}
+
+LiveSolver::~LiveSolver() {
+    thread_.request_stop();
+    const std::scoped_lock lock(mutex_);
+    stop_.request_stop();
+}
+
+void LiveSolver::submit(SolverInput input) {
+    const std::scoped_lock lock(mutex_);
+    waiting_ = std::move(input);
+    const auto now = Clock::now();
+    if (!unanswered_since_) unanswered_since_ = now;
+    if (is_to_be_stopped(now)) stop_.request_stop();
+    changed_.notify_one();
+}
+
+bool LiveSolver::is_to_be_stopped(Clock::time_point now) const {
+    if (!began_ || now - *unanswered_since_ > kLongestSilence) return false;
+    const auto patience = std::clamp<Clock::duration>(last_took_ * 3 / 2, kLeastPatience, kMostPatience);
+    return now - *began_ > patience;
+}
+
+std::optional<LiveSolver::Turn> LiveSolver::next_turn(const std::stop_token& ending) {
+    std::unique_lock lock(mutex_);
+    began_.reset();
+    if (!changed_.wait(lock, ending, [this] { return waiting_.has_value(); })) return std::nullopt;
+    if (ending.stop_requested()) return std::nullopt;
+    Turn turn{std::move(*waiting_), {}};
+    waiting_.reset();
+    stop_ = std::stop_source();
+    turn.stop = stop_.get_token();
+    began_ = Clock::now();
+    return turn;
+}
+
+void LiveSolver::end_turn(Clock::time_point began) {
+    const std::scoped_lock lock(mutex_);
+    const auto now = Clock::now();
+    last_took_ = now - began;
+    unanswered_since_.reset();
+    if (waiting_) unanswered_since_ = now;
+}
+
+void LiveSolver::run(const std::stop_token& ending) {
+    while (const auto turn = next_turn(ending)) {
+        const auto began = Clock::now();
+        try {
+            solve(turn->input, turn->stop);
+        } catch (const base::Stopped&) {
+            continue;  // newer input is there
+        } catch (const base::Error& error) {
+            listener_.failed(turn->input, error.what());
+        } catch (const std::bad_alloc&) {
+            listener_.failed(turn->input, "out of memory");
+        }
+        end_turn(began);
+    }
+}
+
+void LiveSolver::update_beams(const SolverInput& input) {
+    const StatePtr& state = input.situation.state;
+    if (state_of_beams_ && state_of_beams_->ground == state->ground &&
+        state_of_beams_->painting == state->painting)
+        return;
+    sections_.clear();
+    const auto project = make_project(*state, "/");
+    simulation::Surface surface{project.layout, project.tessellation, {}, *state->setting, {}};
+    beams_ = std::make_shared<const simulation::SurfaceBeams>(simulation::surface_beams(surface));
+    state_of_beams_ = state;
+    beams_revision_ = input.revision;
+    listener_.beams({beams_, beams_revision_, state->ground, state->painting});
+}
+
+void LiveSolver::update_sections(const State& state) {
+    if (!sections_.empty() && setting_of_sections_ == state.setting) return;
+    sections_ = simulation::beam_sections(*beams_, *state.setting);
+    setting_of_sections_ = state.setting;
+}
+
+void LiveSolver::solve(const SolverInput& input, const std::stop_token& stop) {
+    update_beams(input);
+    ToldProgress progress([&](const std::string&, double share) { listener_.told(input, share); });
+    simulation::Session& session = session_.follow(input.situation);
+    auto solved = std::make_shared<SolvedSurface>();
+    solved->result = session.solve({.stop = stop, .progress = &progress});
+    solved->model = *input.situation.state->model;
+    solved->revision = input.revision;
+    solved->beams_revision = beams_revision_;
+    solved->beams = beams_;
+    update_sections(*input.situation.state);
+    solved->state = simulation::beam_state(session, solved->result.solution, *beams_, sections_);
+    solved->warnings = warnings_of(solved->result);
+    listener_.solved(std::move(solved));
+}
+
+}  // namespace fretwork::studio

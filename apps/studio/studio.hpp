@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace fretwork::studio {
+
+struct StudioOptions {
+    std::optional<std::filesystem::path> project{};  ///< to begin with; none: the start screen
+    std::string address = "127.0.0.1";
+    std::optional<int> port{};           ///< none: 8080, or the next one that is free
+    std::filesystem::path page;          ///< the page's HTML file
+    std::filesystem::path state_folder;  ///< for autosaves of documents without a file
+};
+
+/// The studio's server: one document, shown by any number of pages. The protocol is protocol.md.
+class Studio {
+  public:
+    /// It listens when this returns. Throws InputError if the project cannot be read, IoError if the port is
+    /// taken.
+    explicit Studio(const StudioOptions& options);
+    Studio(const Studio&) = delete;
+    Studio& operator=(const Studio&) = delete;
+    ~Studio();
+
+    /// What to open in a browser.
+    [[nodiscard]] std::string address() const;
+    /// Serve until stop() is called.
+    void run();
+    /// From any thread.
+    void stop();
+
+  private:
+    class Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace fretwork::studio

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Documents from files and outlines, and files from documents.
+#include "examples.hpp"
+#include "pattern_list.hpp"
+#include "studio_impl.hpp"
+
+#include <fretwork/base/base64.hpp>
+#include <fretwork/base/error.hpp>
+#include <fretwork/base/file.hpp>
+#include <fretwork/base/scratch.hpp>
+#include <fretwork/exports/writer_catalogue.hpp>
+#include <fretwork/simulation/new_project.hpp>
+#include <fretwork/simulation/project_file.hpp>
+#include <fretwork/simulation/project_library.hpp>
+
+namespace fretwork::studio {
+
+using base::Json;
+using simulation::Project;
+
+namespace {
+
+/// An outline that was dropped onto the page. Its name says what kind of file it is.
+tiling::Outline read_dropped_outline(const std::string& name, std::string_view content) {
+    const auto temporary = std::filesystem::temp_directory_path();
+    const base::Scratch folder(temporary / "outline", base::Scratch::Kind::Folder);
+    const std::string ending = std::filesystem::path(name).extension().string();
+    const auto path = folder.path() / ("outline" + ending);
+    base::write_file_atomically(path, content);
+    try {
+        return tiling::read_outline(path);
+    } catch (const base::GeometryError& error) {
+        throw base::GeometryError(name + std::string(error.what()).substr(path.string().size()));
+    } catch (const base::InputError& error) {
+        throw base::InputError(name + std::string(error.what()).substr(path.string().size()));
+    }
+}
+
+/// What `new` asks for.
+struct NewRequest {
+    std::string example;
+    std::string outline_name;
+    std::string outline;  ///< the file's content
+    simulation::NewProjectOptions options;
+};
+
+NewRequest read_new(const base::JsonReader& json) {
+    json.allow_only({"id", "do", "outline", "example", "tile_size", "patterns", "palette", "layout"});
+    NewRequest wanted;
+    if (const auto example = json.find("example")) {
+        json.allow_only({"id", "do", "example"});
+        wanted.example = example->string();
+        return wanted;
+    }
+    const base::JsonReader outline = json.at("outline");
+    outline.allow_only({"name", "text_base64"});
+    wanted.outline_name = outline.at("name").string();
+    wanted.outline = base::decode_base64(outline.at("text_base64").string(), wanted.outline_name);
+    const auto text_of = [&](const char* key) {
+        const auto value = json.find(key);
+        return value ? value->string() : std::string();
+    };
+    wanted.options.layout = text_of("layout");
+    wanted.options.painting = {text_of("patterns"), text_of("palette")};
+    if (const auto size = json.find("tile_size")) wanted.options.edge_length = size->positive_number();
+    return wanted;
+}
+
+/// Where there is a file already, it must be a project: others are not to be lost.
+void require_project_file(const std::filesystem::path& path) {
+    if (path.extension() != ".json")
+        throw base::InputError(path.string(), "", "is no name for a project, which ends with .json");
+    if (!std::filesystem::exists(path)) return;
+    const auto json = base::JsonReader::from_file(path);
+    json.expect_format("project", 1000);
+}
+
+}  // namespace
+
+void Studio::Impl::make_new(const Request& request) {
+    in_background(
+        files_, request, [this, request, wanted = read_new(request.json)](const base::Control& control) {
+            NewRequest asked = wanted;
+            asked.options.control = control;
+            auto project = std::make_shared<Project>(
+                !asked.example.empty()
+                    ? make_example(asked.example, control)
+                    : simulation::make_project(read_dropped_outline(asked.outline_name, asked.outline),
+                                               asked.options, nullptr)
+                          .project);
+            return [this, request, project] {
+                answer(request, {{"tiles", project->tessellation.tiles.size()}});
+                show(Document(make_state(*project, folder_of({})), {}, next_revision()));
+            };
+        });
+}
+
+Document Studio::Impl::read_document(const std::filesystem::path& path) {
+    const auto project = simulation::read_checked_project(path.string());
+    Document saved(make_state(project, folder_of(path)), path, next_revision());
+    take_place(path);
+    const auto& autosave = autosave_place_->file();
+    std::error_code unknown;
+    if (!std::filesystem::exists(autosave) ||
+        std::filesystem::last_write_time(autosave, unknown) < std::filesystem::last_write_time(path, unknown))
+        return saved;
+    try {
+        State changed =
+            make_state(simulation::read_checked_project(autosave.string()), autosave.parent_path());
+        return Document::recovered(std::move(saved), std::move(changed));
+    } catch (const base::Error& error) {  // what lies in the file can be opened all the same
+        broadcast(Json{{"event", "warning"}, {"text", error.what()}});
+        return saved;
+    }
+}
+
+void Studio::Impl::open(const Request& request) {
+    request.json.allow_only({"id", "do", "path"});
+    Document next = read_document(std::filesystem::absolute(request.json.at("path").string()));
+    answer(request);
+    show(std::move(next));
+}
+
+void Studio::Impl::recover(const Request& request) {
+    request.json.allow_only({"id", "do"});
+    const auto& autosave = autosave_place_->file();
+    if (document_ || !std::filesystem::exists(autosave))
+        throw base::InputError("there is nothing to recover");
+    Document next(make_state(simulation::read_checked_project(autosave.string()), autosave.parent_path()), {},
+                  next_revision());
+    answer(request);
+    show(std::move(next));
+}
+
+void Studio::Impl::upload(const Request& request) {
+    request.json.allow_only({"id", "do", "name", "text_base64"});
+    const auto name = request.json.find("name");
+    const std::string source = name ? name->string() : "the file";
+    in_background(
+        files_, request,
+        [this, request, source, text = request.json.at("text_base64").string()](const base::Control&) {
+            auto project = std::make_shared<Project>(
+                simulation::parse_project(base::decode_base64(text, source), source));
+            // Its library lies on another machine.
+            project->library_path.clear();
+            project->library_hash.clear();
+            return [this, request, project] {
+                answer(request);
+                show(Document(make_state(*project, folder_of({})), {}, next_revision()));
+            };
+        });
+}
+
+void Studio::Impl::download(const Request& request) {
+    request.json.allow_only({"id", "do"});
+    const Document& shown = document(request);
+    answer(request,
+           {{"text", simulation::project_text(make_project(*shown.now(), folder_of(shown.path())))}});
+}
+
+void Studio::Impl::save(const Request& request) {
+    request.json.allow_only({"id", "do", "path"});
+    Document& shown = document(request);
+    const auto wanted = request.json.find("path");
+    if (!wanted && !shown.path()) throw base::InputError("the document has no file yet: name one");
+    const auto path = wanted ? std::filesystem::absolute(wanted->string()) : *shown.path();
+    if (!shown.path() || path != *shown.path()) require_project_file(path);
+    simulation::write_project(make_project(*shown.now(), folder_of(path)), path);
+    autosave_.forget(autosave_place_->file());
+    shown.saved_as(path);
+    take_place(path);
+    autosave_.forget(autosave_place_->file());
+    answer(request, {{"path", path.string()}});
+    broadcast(changed_event(*shown.now(), *shown.now(), shown.status()));
+}
+
+void Studio::Impl::patterns(const Request& request) {
+    request.json.allow_only({"id", "do", "layout"});
+    const auto name = request.json.find("layout");
+    const std::string layout = name ? name->string() : std::string("paper7");
+    const StatePtr state = document_ ? document_->now() : nullptr;
+    in_background(files_, request, [this, request, layout, state](const base::Control& control) {
+        const auto list = std::make_shared<const Json>(pattern_list(layout, state.get(), control));
+        return [this, request, list] { answer(request, *list); };
+    });
+}
+
+void Studio::Impl::export_file(const Target& target, std::function<void(HttpAnswer)> answer) {
+    const std::string name = target.value("to");
+    if (!document_) return answer({.status = 404, .body = "there is no document yet\n"});
+    const auto state = document_->now();
+    const auto input = document_->solver_input();
+    const auto solved = last_solved_ && last_solved_->revision == input.revision ? last_solved_ : nullptr;
+    const auto folder = folder_of(document_->path());
+    const auto tell = [this, answer](HttpAnswer given) {
+        server_.post([answer, given = std::move(given)] { answer(given); });
+    };
+    files_.add(
+        {.work =
+             [=](const base::Control&) {
+                 if (name == "project.json")
+                     return tell({.type = "application/json",
+                                  .body = simulation::project_text(make_project(*state, folder)),
+                                  .download_name = name});
+                 const auto& writer = exports::find_writer(name);
+                 const auto library = open_library(*state);
+                 exports::Scene scene{surface_of(*state, library ? &*library : nullptr)};
+                 if (!state->load_cases->empty())
+                     scene.conditions = simulation::resolve(load_case_of(input.situation), scene.surface);
+                 if (solved) scene.results.push_back({solved->model, solved->result});
+                 tell(
+                     {.type = "application/octet-stream", .body = writer.text(scene), .download_name = name});
+             },
+         .failed = [tell](const std::string& error) { tell({.status = 422, .body = error + "\n"}); }});
+}
+
+HttpAnswer Studio::Impl::page() const {
+    constexpr const char* kNoPage =
+        "<!doctype html><html lang=\"en\"><meta charset=\"utf-8\"><title>Fretwork studio</title>"
+        "<p>The studio's server runs, but its page was not built with this program. In the repository, "
+        "<code>make studio</code> builds it (it needs Node.js 18 or newer and npm) and opens it here.</p>"
+        "</html>\n";
+    HttpAnswer answer{.type = "text/html; charset=utf-8", .body = kNoPage};
+    if (std::filesystem::is_regular_file(options_.page)) answer.body = base::read_text_file(options_.page);
+    return answer;
+}
+
+void Studio::Impl::get(const Target& target, std::function<void(HttpAnswer)> answer) {
+    try {
+        if (target.path == "/") return answer(page());
+        if (target.path == "/export") return export_file(target, answer);
+        answer({.status = 404, .body = "there is nothing at this address\n"});
+    } catch (const base::Error& error) {
+        answer({.status = 503, .body = std::string(error.what()) + "\n"});
+    }
+}
+
+}  // namespace fretwork::studio

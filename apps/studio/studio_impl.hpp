@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "autosave.hpp"
+#include "background.hpp"
+#include "document.hpp"
+#include "http_server.hpp"
+#include "live_solver.hpp"
+#include "studio.hpp"
+
+#include <fretwork/base/internal/json_text.hpp>
+#include <fretwork/base/json_reader.hpp>
+#include <fretwork/simulation/surface_modes.hpp>
+
+#include <map>
+#include <set>
+#include <span>
+
+namespace fretwork::studio {
+
+/// What Studio hides. Everything here runs on the server's thread, but for what is handed to other threads;
+/// these come back by post().
+class Studio::Impl final : public Service {
+  public:
+    explicit Impl(const StudioOptions& options);
+    ~Impl() override;
+
+    [[nodiscard]] std::string address() const;
+    void run() { server_.run(); }
+    void stop() { server_.stop(); }
+
+    void get(const Target& target, std::function<void(HttpAnswer)> answer) override;
+    void connected(ClientId client) override;
+    void disconnected(ClientId client) override;
+    void received(ClientId client, std::string_view message) override;
+
+  private:
+    /// A request that waits for its answer.
+    struct Request {
+        ClientId client;
+        base::Json id;  ///< null where the message does not say it
+        base::JsonReader json;
+    };
+    using Handler = void (Impl::*)(const Request&);
+    struct RequestRow {
+        std::string_view name;
+        Handler handle;
+    };
+    static std::span<const RequestRow> requests();
+
+    // studio.cpp: messages and events
+    void dispatch(const Request& request);
+    void answer(const Request& request, base::Json members = base::Json::object());
+    void refuse(ClientId client, const base::Json& id, const std::string& error);
+    void broadcast(const Outgoing& outgoing);
+    void broadcast(const base::Json& event);
+    /// Work in another thread, whose outcome comes back to this one: an answer, or a refusal.
+    void in_background(Background& thread, const Request& request,
+                       std::function<std::function<void()>(const base::Control&)> work);
+
+    // studio_document.cpp: the document and what is shown of it
+    void hello(const Request& request);
+    void undo(const Request& request);
+    void redo(const Request& request);
+    void select_load_case(const Request& request);
+    [[nodiscard]] Document& document(const Request& request);
+    [[nodiscard]] std::int64_t next_revision() const { return document_ ? document_->revision() + 1 : 1; }
+    void show(Document next);
+    /// The document of a file, with its unsaved changes if there are any.
+    [[nodiscard]] Document read_document(const std::filesystem::path& path);
+    void recover(const Request& request);
+    /// Keep what is not saved in the place for the document of this file.
+    void keep();
+    void take_place(const std::optional<std::filesystem::path>& path);
+    /// Whether something that was computed is of the document that is shown.
+    [[nodiscard]] bool is_shown(std::int64_t revision) const;
+    void tell_change(const State& before);
+    void solve_live();
+    void tell_beams(const ShownBeams& shown);
+    void tell_solved(const SolvedPtr& solved);
+    void tell_failed(const SolverInput& input, const std::string& error);
+    [[nodiscard]] SolverListener listener();
+
+    // studio_jobs.cpp: what takes longer and is asked for
+    struct Job {
+        SolverInput input;
+        std::shared_ptr<const simulation::SurfaceBeams> beams;
+        std::int64_t beams_revision = 0;
+        std::string model;
+    };
+    [[nodiscard]] Job make_job(const Request& request, const std::string& model);
+    /// The revision of the beams that are shown; -1 while those of the document are being built.
+    [[nodiscard]] std::int64_t beams_revision_now() const;
+    void start(const Request& request, Job job,
+               std::function<std::vector<Outgoing>(const Job&, const base::Control&)> work);
+    void solve(const Request& request);
+    void path(const Request& request);
+    void modes_of(const Request& request, simulation::ModeKind kind);
+    void modes(const Request& request);
+    void buckling(const Request& request);
+    void compare(const Request& request);
+    void cancel(const Request& request);
+
+    // studio_files.cpp: files
+    void make_new(const Request& request);
+    void open(const Request& request);
+    void upload(const Request& request);
+    void download(const Request& request);
+    void save(const Request& request);
+    void patterns(const Request& request);
+    void export_file(const Target& target, std::function<void(HttpAnswer)> answer);
+    [[nodiscard]] HttpAnswer page() const;
+
+    StudioOptions options_;
+    std::string token_;
+    HttpServer server_;
+    std::set<ClientId> clients_;  ///< that have said hello
+    std::optional<Document> document_;
+    std::int64_t first_revision_ = 0;  ///< of the document
+    Outgoing beams_;                   ///< the last message of beams; a new client gets it, too
+    Outgoing solved_;                  ///< the last live solution, or why there is none
+    SolvedPtr last_solved_;
+    std::optional<ShownBeams> last_beams_;
+    std::optional<AutosavePlace> autosave_place_;
+    std::optional<std::filesystem::path> place_is_of_;  ///< the document's file; none: it was never saved
+    Autosave autosave_;
+    Background files_;  ///< what takes a second or two
+    Background jobs_;   ///< what takes as long as it takes
+    LiveSolver solver_;
+};
+
+/// The event and the message of a solution. With `more` in the event it is none that a newer one replaces.
+Outgoing solved_message(const SolvedSurface& solved, const base::Json& more = {});
+
+}  // namespace fretwork::studio

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What takes longer and is asked for: other models, modes, the load path, comparisons.
+#include "frames.hpp"
+#include "studio_impl.hpp"
+
+#include <fretwork/base/error.hpp>
+#include <fretwork/simulation/comparison.hpp>
+#include <fretwork/simulation/surface_modes.hpp>
+
+#include <functional>
+
+namespace fretwork::studio {
+
+using base::Json;
+
+namespace {
+
+constexpr long long kMostModes = 50;
+constexpr long long kMostSteps = 200;
+
+/// A surface that is solved once, with the beams that were shown when it was asked for.
+class OneSolve {
+  public:
+    OneSolve(const SolverInput& input, std::shared_ptr<const simulation::SurfaceBeams> beams,
+             const simulation::SimulationOptions& options)
+        : beams_(std::move(beams)),
+          library_(open_library(*input.situation.state)),
+          session_(surface_of(*input.situation.state, library_ ? &*library_ : nullptr),
+                   load_case_of(input.situation), options),
+          sections_(simulation::beam_sections(*beams_, session_.surface().setting)) {}
+
+    mechanics::Result solve(const base::Control& control) { return session_.solve(control); }
+    [[nodiscard]] simulation::BeamState state_in(const mechanics::Solution& solution) const {
+        return simulation::beam_state(session_, solution, *beams_, sections_);
+    }
+
+  private:
+    std::shared_ptr<const simulation::SurfaceBeams> beams_;
+    std::optional<library::Library> library_;
+    simulation::Session session_;
+    std::vector<mechanics::BeamSection> sections_;
+};
+
+/// The live thread needs the other processor.
+simulation::SimulationOptions options_of(const State& state, const std::string& model) {
+    return {.model = model, .analysis = state.analysis, .threads = 1};
+}
+
+}  // namespace
+
+Studio::Impl::Job Studio::Impl::make_job(const Request& request, const std::string& model) {
+    const Document& shown = document(request);
+    if (!last_beams_ || last_beams_->revision != beams_revision_now())
+        throw base::InputError("the surface is being built: try again in a moment");
+    return {shown.solver_input(), last_beams_->beams, last_beams_->revision, model};
+}
+
+std::int64_t Studio::Impl::beams_revision_now() const {
+    return last_beams_ && last_beams_->painting == document_->now()->painting &&
+                   last_beams_->ground == document_->now()->ground
+               ? last_beams_->revision
+               : -1;
+}
+
+void Studio::Impl::start(const Request& request, Job job,
+                         std::function<std::vector<Outgoing>(const Job&, const base::Control&)> work) {
+    const auto told = [this, job](double share) {
+        server_.post([this, job, share] {
+            broadcast(Json{{"event", "solving"},
+                           {"revision", job.input.revision},
+                           {"model", job.model},
+                           {"background", true},
+                           {"share", share}});
+        });
+    };
+    const auto failed = [this, job](const std::string& error) {
+        server_.post([this, job, error] {
+            broadcast(Json{{"event", "failed"},
+                           {"revision", job.input.revision},
+                           {"model", job.model},
+                           {"background", true},
+                           {"error", error}});
+        });
+    };
+    jobs_.add({.work =
+                   [this, job, work](const base::Control& control) {
+                       auto messages = std::make_shared<const std::vector<Outgoing>>(work(job, control));
+                       server_.post([this, job, messages] {
+                           if (!is_shown(job.input.revision) || !document_ ||
+                               job.beams_revision != beams_revision_now())
+                               return;  // of other beams than those that are shown
+                           for (const Outgoing& message : *messages) broadcast(message);
+                       });
+                   },
+               .failed = failed,
+               .told = told});
+    answer(request);
+}
+
+void Studio::Impl::solve(const Request& request) {
+    request.json.allow_only({"id", "do", "model", "background"});
+    if (const auto background = request.json.find("background"); background && !background->boolean())
+        background->fail("is false, where only true is possible: the live model is solved by itself");
+    start(request, make_job(request, request.json.at("model").string()),
+          [](const Job& job, const base::Control& control) -> std::vector<Outgoing> {
+              OneSolve one(job.input, job.beams, options_of(*job.input.situation.state, job.model));
+              SolvedSurface solved{
+                  job.model, job.input.revision, job.beams_revision, job.beams, one.solve(control), {}, {}};
+              solved.state = one.state_in(solved.result.solution);
+              solved.warnings = warnings_of(solved.result);
+              return {solved_message(solved, Json{{"background", true}})};
+          });
+}
+
+void Studio::Impl::path(const Request& request) {
+    request.json.allow_only({"id", "do", "steps"});
+    const auto steps = request.json.at("steps").integer(2, kMostSteps);
+    const std::string model = *document(request).now()->model;
+    start(request, make_job(request, model), [steps](const Job& job, const base::Control& control) {
+        auto options = options_of(*job.input.situation.state, job.model);
+        options.load_steps = static_cast<int>(steps);
+        OneSolve one(job.input, job.beams, options);
+        SolvedSurface solved{
+            job.model, job.input.revision, job.beams_revision, job.beams, one.solve(control), {}, {}};
+        std::vector<Outgoing> messages;
+        for (const mechanics::Solution& step : std::exchange(solved.result.load_steps, {})) {
+            solved.result.solution = step;
+            solved.state = one.state_in(step);
+            solved.warnings = warnings_of(solved.result);
+            messages.push_back(solved_message(
+                solved, Json{{"background", true}, {"step", messages.size() + 1}, {"steps", steps}}));
+        }
+        return messages;
+    });
+}
+
+void Studio::Impl::modes_of(const Request& request, simulation::ModeKind kind) {
+    request.json.allow_only({"id", "do", "count"});
+    const auto count = static_cast<int>(request.json.at("count").integer(1, kMostModes));
+    const bool is_buckling = kind == simulation::ModeKind::Buckling;
+    start(request, make_job(request, is_buckling ? "buckling" : "modes"),
+          [count, kind, is_buckling](const Job& job, const base::Control& control) -> std::vector<Outgoing> {
+              const State& state = *job.input.situation.state;
+              const auto modes = simulation::surface_modes(
+                  surface_of(state, nullptr), load_case_of(job.input.situation), kind, count, {control});
+              Json values = Json::array();
+              for (const mechanics::Mode& mode : modes) values.push_back(mode.value);
+              const Json event = {{"event", "modes"},
+                                  {"revision", job.input.revision},
+                                  {"kind", is_buckling ? "buckling" : "vibration"},
+                                  {"values", values}};
+              Outgoing message{{text_part(event.dump())}};
+              for (const mechanics::Mode& mode : modes)
+                  message.parts.push_back(binary_part(
+                      solution_message({mode.shape, {}}, {job.input.revision, job.beams_revision})));
+              return {message};
+          });
+}
+
+void Studio::Impl::modes(const Request& request) {
+    modes_of(request, simulation::ModeKind::Vibration);
+}
+
+void Studio::Impl::buckling(const Request& request) {
+    modes_of(request, simulation::ModeKind::Buckling);
+}
+
+void Studio::Impl::compare(const Request& request) {
+    request.json.allow_only({"id", "do", "model"});
+    const SolvedPtr live = last_solved_;
+    Job job = make_job(request, request.json.at("model").string());
+    if (!live || live->revision != job.input.revision)
+        throw base::InputError(
+            "there is no live solution to compare with: wait for it, or mend what keeps "
+            "it from being solved");
+    start(request, job, [live](const Job& asked, const base::Control& control) -> std::vector<Outgoing> {
+        OneSolve one(asked.input, asked.beams, options_of(*asked.input.situation.state, asked.model));
+        const mechanics::Result reference = one.solve(control);
+        const simulation::BeamState state = one.state_in(reference.solution);
+        const auto comparison = simulation::compare(reference, live->result);
+        const Json event = {{"event", "compared"},
+                            {"revision", asked.input.revision},
+                            {"model", asked.model},
+                            {"live", live->model},
+                            {"mean", comparison.mean_translation_error},
+                            {"largest", comparison.max_translation_error},
+                            {"relative", comparison.relative_l2_error},
+                            {"fields", {"error"}}};
+        const Eigen::MatrixXf error =
+            (state.nodes - live->state.nodes).leftCols<3>().rowwise().norm().cast<float>();
+        std::string positions =
+            solution_message({state.nodes, {}}, {asked.input.revision, asked.beams_revision}, error);
+        return {{{text_part(event.dump()), binary_part(std::move(positions))}}};
+    });
+}
+
+void Studio::Impl::cancel(const Request& request) {
+    request.json.allow_only({"id", "do"});
+    jobs_.cancel();
+    answer(request);
+}
+
+}  // namespace fretwork::studio

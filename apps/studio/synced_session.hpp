@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "state.hpp"
+
+#include <fretwork/library/library.hpp>
+#include <fretwork/simulation/session.hpp>
+
+#include <optional>
+
+namespace fretwork::studio {
+
+/// A state, and which of its load cases is looked at.
+struct Situation {
+    StatePtr state;
+    std::size_t load_case = 0;
+};
+
+/// A session that follows a document: what differs from the state before becomes edits of the session, so
+/// that everything else is kept.
+class SyncedSession {
+  public:
+    SyncedSession() = default;
+    SyncedSession(const SyncedSession&) = delete;
+    SyncedSession& operator=(const SyncedSession&) = delete;
+
+    /// The session at this situation. Throws what the session throws at an edit that it refuses; then the
+    /// next call begins anew.
+    simulation::Session& follow(const Situation& wanted);
+
+  private:
+    void begin(const Situation& wanted);
+    void edit(const State& before, const Situation& wanted);
+    void paint(const Painting& before, const Painting& now);
+
+    std::optional<library::Library> library_;
+    std::optional<simulation::Session> session_;
+    Situation now_{};
+};
+
+/// The surface of a state. `library` is that of its link, or null.
+simulation::Surface surface_of(const State& state, const library::Library* library);
+/// The library of a state, if it names one. Throws InputError if it has changed, or is not there.
+std::optional<library::Library> open_library(const State& state);
+/// Throws InputError that says what to do if the document has no such load case.
+const simulation::LoadCase& load_case_of(const Situation& situation);
+
+}  // namespace fretwork::studio

@@ -1,0 +1,422 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What pages ask of a server, and what they are told.
+#include "running_studio.hpp"
+
+#include <fretwork/simulation/load_case_file.hpp>
+#include <fretwork/simulation/simulate.hpp>
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace fretwork::studio {
+namespace {
+
+using base::Json;
+using simulation::Project;
+using test::Client;
+using test::header;
+using test::RunningStudio;
+using testing::HasSubstr;
+
+/// The next solution: its event, and the message that follows it.
+struct Solved {
+    Json event;
+    std::string positions;
+};
+Solved next_solution(Client& client) {
+    Solved solved;
+    solved.event = client.event({"solved"});
+    do {
+        solved.positions = client.binary();
+    } while (header(solved.positions, 1) != 2);
+    return solved;
+}
+/// The solution of the newest revision.
+Solved solution_of(Client& client, std::int64_t revision) {
+    Solved solved = next_solution(client);
+    while (solved.event["revision"] < revision) solved = next_solution(client);
+    return solved;
+}
+
+Json load_case_json(double force) {
+    return Json::parse(simulation::load_case_text(test::cantilever({0, 0, force})));
+}
+
+/// What the page would save.
+std::string text_of(Client& client) {
+    return client.ask("download")["text"].get<std::string>();
+}
+
+TEST(StudioMessages, AServerWithoutAProjectSaysSo) {
+    const RunningStudio studio;
+    Client client(studio.address());
+    const Json answer = client.ask("hello", {{"protocol", 1}});
+    EXPECT_FALSE(answer["has_document"].get<bool>());
+    EXPECT_EQ(answer["examples"].size(), 3U);
+    EXPECT_GE(answer["models"].size(), 3U);
+    EXPECT_THAT(client.ask("undo")["error"].get<std::string>(), HasSubstr("no document yet"));
+}
+
+TEST(StudioMessages, HelloComesFirstAndTellsTheWholeDocument) {
+    const Project project = test::studio_project();
+    const RunningStudio studio(project);
+    Client client(studio.address());
+    EXPECT_THAT(client.ask("undo")["error"].get<std::string>(), HasSubstr("hello"));
+    client.hello();
+    const Json document = client.event({"document"});
+    EXPECT_EQ(document["tiles"].size(), project.tessellation.tiles.size());
+    EXPECT_EQ(document["painting"].size(), project.tessellation.tiles.size());
+    EXPECT_EQ(document["load_cases"][0]["name"], "cantilever");
+    EXPECT_TRUE(document["saved"].get<bool>());
+    EXPECT_EQ(document["rim"].size(), 1U) << "one boundary, no hole";
+    const std::string beams = client.binary();
+    EXPECT_EQ(header(beams, 0), 0x46575254U);
+    EXPECT_EQ(header(beams, 1), 1U);
+    EXPECT_EQ(next_solution(client).event["model"], document["model"]);
+}
+
+TEST(StudioMessages, MalformedOnesAreAnsweredWithOneLineAndChangeNothing) {
+    const RunningStudio studio(test::studio_project());
+    Client client(studio.address());
+    client.hello();
+    const std::string before = text_of(client);
+    for (const char* message :
+         {"",
+          "{",
+          "[]",
+          "7",
+          "\"paint\"",
+          "{}",
+          R"({"do": 3})",
+          R"({"id": "x", "do": "undo"})",
+          R"({"id": -1})",
+          R"({"id": 1, "do": "fly"})",
+          R"({"id": 1, "do": "paint"})",
+          R"({"id": 1, "do": "paint", "tiles": [], "pattern": "0-6"})",
+          R"({"id": 1, "do": "paint", "tiles": [0.5], "pattern": "0-6"})",
+          R"({"id": 1, "do": "paint", "tiles": [1e9], "pattern": "0-6"})",
+          R"({"id": 1, "do": "paint", "tiles": [0], "pattern": "nonsense"})",
+          R"({"id": 1, "do": "paint", "tiles": [0], "pattern": "0-1"})",
+          R"({"id": 1, "do": "paint", "tiles": [0], "pattern": "0-6", "colour": "red"})",
+          R"({"id": 1, "do": "turn", "tiles": [0], "by": "much"})",
+          R"({"id": 1, "do": "set_model", "model": "condensd"})",
+          R"({"id": 1, "do": "set_load_case", "index": 0, "load_case": {}})",
+          R"({"id": 1, "do": "set_load_case", "index": 7, "load_case": {}})",
+          R"({"id": 1, "do": "remove_load_case", "index": 1})",
+          R"({"id": 1, "do": "select_load_case", "index": 1})",
+          R"({"id": 1, "do": "set_setting", "setting": {"section": {}}})",
+          R"({"id": 1, "do": "open", "path": "/nowhere.json"})",
+          R"({"id": 1, "do": "save", "path": "/etc/passwd"})",
+          R"({"id": 1, "do": "upload", "text_base64": "?"})",
+          R"({"id": 1, "do": "new", "example": "nothing"})",
+          R"({"id": 1, "id": 2, "do": "undo"})"}) {
+        client.send_text(message);
+        Json answer = client.receive().json;
+        while (!answer.is_object() || !answer.contains("ok")) answer = client.receive().json;
+        EXPECT_FALSE(answer["ok"].get<bool>()) << message;
+        const auto error = answer["error"].get<std::string>();
+        EXPECT_FALSE(error.empty()) << message;
+        EXPECT_EQ(error.find('\n'), std::string::npos) << message;
+    }
+    EXPECT_EQ(text_of(client), before);
+}
+
+TEST(StudioMessages, WhatIsNoMessageEndsTheConnectionAndNotTheServer) {
+    const RunningStudio studio(test::studio_project());
+    const std::string huge = std::string("\x81\xff") + std::string("\0\0\1\0\0\0\0\0", 8) + "0000";
+    const std::string binary = std::string("\x82\x81") + std::string(4, '\0') + "x";
+    const std::string not_masked = std::string("\x81\x01") + "x";
+    for (const std::string& bytes : {huge, binary, not_masked, std::string(10'000, '\xff')}) {
+        Client client(studio.address());
+        client.hello();
+        client.send_raw(bytes);
+        EXPECT_THROW(while (true) client.receive(), std::runtime_error);
+    }
+    Client client(studio.address());
+    client.hello();
+}
+
+TEST(StudioMessages, TwoPagesSeeEachOthersEdits) {
+    const RunningStudio studio(test::studio_project());
+    Client one(studio.address());
+    Client two(studio.address());
+    one.hello();
+    two.hello();
+    ASSERT_TRUE(one.ask("paint", {{"tiles", {3, 4}}, {"pattern", "0-5+5-6"}})["ok"].get<bool>());
+    const Json seen = two.event({"changed"});
+    EXPECT_EQ(seen["palette"].back(), "0-5+5-6");
+    EXPECT_EQ(seen["painting"][3], seen["palette"].size() - 1);
+    EXPECT_EQ(seen["history"]["undo"], "paint 2 tiles");
+    ASSERT_TRUE(two.ask("undo")["ok"].get<bool>());
+    (void)one.event({"changed"});
+    EXPECT_EQ(one.event({"changed"})["history"]["undo"], nullptr);
+    EXPECT_EQ(text_of(one), text_of(two));
+}
+
+TEST(StudioMessages, DisplacementsAreThoseOfTheCommandLine) {
+    const Project project = test::studio_project();
+    const RunningStudio studio(project);
+    Client client(studio.address());
+    client.hello();
+    for (const char* model : {"condensed", "full"}) {
+        ASSERT_TRUE(client.ask("set_model", {{"model", model}})["ok"].get<bool>());
+        const Json changed = client.event({"changed"});
+        const Solved solved = solution_of(client, changed["revision"]);
+        const auto expected = simulation::simulate(simulation::make_surface(project, nullptr),
+                                                   project.load_cases.front(), {.model = model});
+        const auto& rows = expected.solution.displacements;
+        const auto nodes = static_cast<std::size_t>(header(solved.positions, 3));
+        const auto found = test::floats(solved.positions, 0, 6 * nodes);
+        const double largest = rows.leftCols<3>().rowwise().norm().maxCoeff();
+        EXPECT_NEAR(solved.event["largest_displacement"].get<double>(), largest, 1e-9 * largest);
+        for (std::size_t n = 0; n < project.tessellation.interface_nodes.size(); ++n) {
+            for (std::size_t d = 0; d < 3; ++d) {
+                // Floats have seven digits.
+                EXPECT_NEAR(found[3 * n + d],
+                            rows(static_cast<Eigen::Index>(n), static_cast<Eigen::Index>(d)), 1e-6 * largest);
+            }
+        }
+        EXPECT_TRUE(std::ranges::all_of(found, [](float value) { return std::isfinite(value); }))
+            << "inner nodes are known, too";
+    }
+}
+
+TEST(StudioMessages, ASurfaceThatIsNotHeldIsToldInWords) {
+    Project project = test::studio_project();
+    project.load_cases.front().supports.clear();
+    const RunningStudio studio(project);
+    Client client(studio.address());
+    client.hello();
+    const Json failed = client.event({"failed"});
+    EXPECT_FALSE(failed["error"].get<std::string>().empty());
+    ASSERT_TRUE(client.ask("set_load_case", {{"index", 0}, {"load_case", load_case_json(-0.01)}})["ok"]);
+    (void)next_solution(client);
+}
+
+TEST(StudioMessages, APageThatLeavesDuringAJobHarmsNobody) {
+    const RunningStudio studio(test::studio_project(12, 10));
+    Client stays(studio.address());
+    stays.hello();
+    (void)next_solution(stays);
+    {
+        Client leaves(studio.address());
+        leaves.hello();
+        ASSERT_TRUE(leaves.ask("solve", {{"model", "full"}, {"background", true}})["ok"].get<bool>());
+        leaves.send_text(R"({"id": 9, "do": "patterns"})");
+        leaves.leave();
+    }
+    Json event = stays.event({"solved"});
+    while (!event.contains("background")) event = stays.event({"solved"});
+    EXPECT_EQ(event["model"], "full");
+    ASSERT_TRUE(stays.ask("paint", {{"tiles", {0}}, {"pattern", "0-6"}})["ok"].get<bool>());
+}
+
+TEST(StudioMessages, JobsAreCancelledWhenThatIsAskedFor) {
+    const RunningStudio studio(test::studio_project(20, 16));
+    Client client(studio.address());
+    client.hello();
+    (void)next_solution(client);
+    for (int i = 0; i < 3; ++i) ASSERT_TRUE(client.ask("path", {{"steps", 200}}).contains("ok"));
+    ASSERT_TRUE(client.ask("solve", {{"model", "full"}})["ok"].get<bool>());
+    ASSERT_TRUE(client.ask("solve", {{"model", "full"}})["ok"].get<bool>());
+    ASSERT_TRUE(client.ask("cancel")["ok"].get<bool>());
+    Json failed = client.event({"failed"});
+    while (failed["error"] != "cancelled") failed = client.event({"failed"});
+    EXPECT_TRUE(failed["background"].get<bool>());
+}
+
+TEST(StudioMessages, ModesAndComparisonsCarryTheirPositions) {
+    const RunningStudio studio(test::studio_project());
+    Client client(studio.address());
+    client.hello();
+    ASSERT_TRUE(client.ask("set_model", {{"model", "condensed"}})["ok"].get<bool>());
+    const Solved live = solution_of(client, client.event({"changed"})["revision"]);
+    ASSERT_TRUE(client.ask("modes", {{"count", 2}})["ok"].get<bool>());
+    const Json modes = client.event({"modes"});
+    ASSERT_EQ(modes["values"].size(), 2U);
+    EXPECT_LE(modes["values"][0], modes["values"][1]);
+    EXPECT_EQ(header(client.binary(), 3), header(live.positions, 3));
+    (void)client.binary();
+    ASSERT_TRUE(client.ask("compare", {{"model", "full"}})["ok"].get<bool>());
+    const Json compared = client.event({"compared"});
+    EXPECT_GT(compared["largest"], 0.0);
+    EXPECT_LE(compared["mean"], compared["largest"]);
+    const std::string positions = client.binary();
+    EXPECT_EQ(header(positions, 5), 1U) << "one field: the error";
+}
+
+TEST(StudioHistory, UndoAndRedoGiveTheSameDocument) {
+    const RunningStudio studio(test::studio_project());
+    Client client(studio.address());
+    client.hello();
+    std::vector<std::string> texts = {text_of(client)};
+    const auto edit = [&](const char* name, const Json& more) {
+        const Json answer = client.ask(name, more);
+        ASSERT_TRUE(answer["ok"].get<bool>()) << answer;
+        texts.push_back(text_of(client));
+    };
+    edit("paint", {{"tiles", {1, 2}}, {"pattern", "0-5+5-6"}});
+    edit("turn", {{"tiles", {2, 3}}, {"by", 2}});
+    edit("set_tile_model", {{"tiles", {0}}, {"model", "full"}});
+    edit("set_load_case", {{"index", 0}, {"load_case", load_case_json(-0.2)}});
+    Json second = load_case_json(0.1);
+    second["name"] = "second";
+    edit("set_load_case", {{"index", 1}, {"load_case", second}});
+    edit("remove_load_case", {{"index", 0}});
+    const std::size_t last = texts.size() - 1;
+    for (std::size_t i = 0; i < last; ++i) {
+        EXPECT_NE(texts[i], texts[i + 1]);
+    }
+    for (std::size_t i = last; i > 0; --i) {
+        ASSERT_TRUE(client.ask("undo")["ok"].get<bool>());
+        EXPECT_EQ(text_of(client), texts[i - 1]);
+    }
+    EXPECT_FALSE(client.ask("undo")["ok"].get<bool>());
+    // Another page: the history is the server's.
+    Client reloaded(studio.address());
+    reloaded.hello();
+    for (std::size_t i = 0; i < last; ++i) {
+        ASSERT_TRUE(reloaded.ask("redo")["ok"].get<bool>());
+        EXPECT_EQ(text_of(reloaded), texts[i + 1]);
+    }
+    EXPECT_FALSE(reloaded.ask("redo")["ok"].get<bool>());
+}
+
+TEST(StudioHistory, ADragIsOneStep) {
+    const RunningStudio studio(test::studio_project());
+    Client client(studio.address());
+    client.hello();
+    const std::string before = text_of(client);
+    for (int i = 1; i <= 5; ++i) {
+        ASSERT_TRUE(
+            client.ask("set_load_case",
+                       {{"index", 0}, {"load_case", load_case_json(-0.01 * i)}, {"merge", "drag 1"}})["ok"]);
+    }
+    ASSERT_TRUE(client.ask("undo")["ok"].get<bool>());
+    EXPECT_EQ(text_of(client), before);
+}
+
+TEST(StudioHistory, ManyEditsEndAsOneEdit) {
+    // Whatever the way to it, the surface answers as one that was made so at once.
+    const RunningStudio studio(test::studio_project());
+    Client client(studio.address());
+    client.hello();
+    ASSERT_TRUE(client.ask("set_model", {{"model", "condensed"}})["ok"].get<bool>());
+    std::mt19937 random(1);
+    const std::vector<std::string> patterns = {"0-6", "0-5+5-6", "0-1+1-6", "0-1+1-3+1-6"};
+    std::int64_t revision = 0;
+    for (int i = 0; i < 60; ++i) {
+        Json answer;
+        switch (random() % 4) {
+            case 0:
+                answer =
+                    client.ask("paint", {{"tiles", {random() % 12}}, {"pattern", patterns[random() % 4]}});
+                break;
+            case 1:
+                answer = client.ask("turn", {{"tiles", {random() % 12}}, {"by", 1 + random() % 5}});
+                break;
+            case 2:
+                answer = client.ask("undo");
+                break;
+            default:
+                answer = client.ask(
+                    "set_load_case",
+                    {{"index", 0},
+                     {"load_case", load_case_json(-0.001 * static_cast<double>(1 + random() % 9))}});
+        }
+        if (answer["ok"].get<bool>()) revision = client.event({"changed"})["revision"];
+    }
+    const Solved solved = solution_of(client, revision);
+    const Project project = simulation::parse_project(text_of(client), "download");
+    const auto expected = simulation::simulate(simulation::make_surface(project, nullptr),
+                                               project.load_cases.front(), {.model = "condensed"});
+    const double largest = expected.solution.displacements.leftCols<3>().rowwise().norm().maxCoeff();
+    EXPECT_NEAR(solved.event["largest_displacement"].get<double>(), largest, 1e-6 * largest);
+}
+
+TEST(StudioFiles, SavedAndOpenedAgainItIsTheSameDocument) {
+    const RunningStudio studio(test::studio_project());
+    Client client(studio.address());
+    client.hello();
+    ASSERT_TRUE(client.ask("paint", {{"tiles", {1}}, {"pattern", "0-5+5-6"}})["ok"].get<bool>());
+    ASSERT_TRUE(client.ask("turn", {{"tiles", {1}}, {"by", 2}})["ok"].get<bool>());
+    const std::string text = text_of(client);
+    const std::string path = (studio.folder() / "copy.json").string();
+    ASSERT_TRUE(client.ask("save", {{"path", path}})["ok"].get<bool>());
+    EXPECT_EQ(base::read_text_file(path), text);
+    ASSERT_TRUE(client.ask("open", {{"path", path}})["ok"].get<bool>());
+    EXPECT_EQ(text_of(client), text);
+}
+
+TEST(StudioFiles, AFileThatIsNoProjectIsNotOverwritten) {
+    const RunningStudio studio(test::studio_project());
+    Client client(studio.address());
+    client.hello();
+    const auto other = studio.folder() / "other.json";
+    base::write_file_atomically(other, R"({"format": "fretwork/setting/1"})");
+    EXPECT_FALSE(client.ask("save", {{"path", other.string()}})["ok"].get<bool>());
+    EXPECT_EQ(base::read_text_file(other), R"({"format": "fretwork/setting/1"})");
+}
+
+TEST(StudioFiles, AnOutlineBecomesADocument) {
+    const RunningStudio studio;
+    Client client(studio.address());
+    client.hello();
+    // { "format": "fretwork/outline/1", "boundary": [[0,0],[0.2,0],[0.2,0.2],[0,0.2]] }
+    const std::string outline =
+        "eyJmb3JtYXQiOiAiZnJldHdvcmsvb3V0bGluZS8xIiwgImJvdW5kYXJ5IjogW1swLDBdLFswLjIsMF0sWzAuMiwwLjJdLFswLDAu"
+        "Ml1dIH0=";
+    const Json answer = client.ask("new", {{"outline", {{"name", "square.json"}, {"text_base64", outline}}},
+                                           {"tile_size", 0.026},
+                                           {"patterns", "0-1+1-6"}});
+    ASSERT_TRUE(answer["ok"].get<bool>()) << answer;
+    const Json document = client.event({"document"});
+    EXPECT_EQ(document["tiles"].size(), answer["tiles"]);
+    EXPECT_THAT(client.event({"failed"})["error"].get<std::string>(), HasSubstr("no load case yet"));
+    const Json refused =
+        client.ask("new", {{"outline", {{"name", "../../x.zip"}, {"text_base64", outline}}}});
+    EXPECT_FALSE(refused["ok"].get<bool>());
+}
+
+TEST(StudioFiles, EveryExampleBendsAtOnce) {
+    const RunningStudio studio;
+    Client client(studio.address());
+    const Json hello = client.ask("hello", {{"protocol", 1}});
+    for (const Json& example : hello["examples"]) {
+        ASSERT_TRUE(client.ask("new", {{"example", example["name"]}})["ok"].get<bool>());
+        const Json document = client.event({"document"});
+        const Solved solved = solution_of(client, document["revision"]);
+        EXPECT_TRUE(solved.event["converged"].get<bool>()) << example;
+        EXPECT_GT(solved.event["largest_displacement"], 0.005) << example;
+    }
+}
+
+TEST(StudioFiles, UnsavedChangesAreThereAfterARestart) {
+    RunningStudio studio(test::studio_project());
+    std::string text;
+    {
+        Client client(studio.address());
+        client.hello();
+        ASSERT_TRUE(client.ask("paint", {{"tiles", {1}}, {"pattern", "0-5+5-6"}})["ok"].get<bool>());
+        text = text_of(client);
+    }
+    studio.restart();
+    Client client(studio.address());
+    client.hello();
+    EXPECT_TRUE(client.event({"document"})["recovered"].get<bool>());
+    EXPECT_EQ(text_of(client), text);
+    ASSERT_TRUE(client.ask("undo")["ok"].get<bool>()) << "to what lies in the file";
+    EXPECT_EQ(text_of(client), base::read_text_file(studio.project_file()));
+    ASSERT_TRUE(client.ask("redo")["ok"].get<bool>());
+    ASSERT_TRUE(client.ask("save")["ok"].get<bool>());
+    studio.restart();
+    Client again(studio.address());
+    again.hello();
+    EXPECT_FALSE(again.event({"document"})["recovered"].get<bool>()) << "it was saved";
+}
+
+}  // namespace
+}  // namespace fretwork::studio
