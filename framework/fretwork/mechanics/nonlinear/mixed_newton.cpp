@@ -71,12 +71,27 @@ void MixedNewton::move(const Eigen::VectorXd& step, double prescribed, Configura
     moved_ += size_of(step);
 }
 
+/// What is held moves together with the unknowns: alone it would fold the elements at it.
 MixedNewton::FirstStep MixedNewton::depart(Configuration& configuration) {
-    system_.extrapolate(unknowns_.hold(configuration), stresses_);
+    Configuration next = configuration;
+    NodeValues motions = unknowns_.hold(next);
+    const bool holds_move = !motions.isZero(0.0);
     system_.evaluate_mixed(configuration, 1.0, Demand::Force, stresses_);
-    if (newton_.is_converged(configuration, {})) return {};
-    FirstStep first{system_.mixed_unbalanced(), newton_.solve_tangent(system_.mixed_unbalanced())};
-    if (unknowns_.largest_rotation(first.step) <= kTooFar) move(first.step, 0.0, configuration);
+    if (!holds_move && newton_.is_converged(configuration, {})) return {};
+    FirstStep first{system_.mixed_unbalanced(), {}};
+    if (holds_move) {
+        system_.extrapolate(motions, stresses_);
+        system_.evaluate_mixed(configuration, 1.0, Demand::Force, stresses_);
+        first.unbalanced = system_.mixed_unbalanced() + system_.lag();
+    }
+    first.step = newton_.solve_tangent(first.unbalanced);
+    unknowns_.layout().scatter(first.step, motions);
+    system_.extrapolate(motions, stresses_);
+    turned_ += motions.rightCols<3>().rowwise().norm().maxCoeff();
+    moved_ += size_of(first.step);
+    if (!(unknowns_.largest_rotation(first.step) <= kTooFar)) return first;
+    unknowns_.move(first.step, next);
+    configuration = std::move(next);
     return first;
 }
 

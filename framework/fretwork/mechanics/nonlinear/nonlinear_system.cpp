@@ -296,6 +296,12 @@ void NonlinearSystem::evaluate(const Configuration& configuration, double load_f
     if (pass.has_lag()) unknowns_.layout().gather(mapped(loads - given_internal_) - lag_, mixed_unbalanced_);
 }
 
+Eigen::VectorXd NonlinearSystem::lag() const {
+    Eigen::VectorXd lag;
+    unknowns_.layout().gather(lag_, lag);
+    return lag;
+}
+
 Eigen::VectorXd NonlinearSystem::skew_product(const Eigen::VectorXd& x) const {
     Eigen::VectorXd y = Eigen::VectorXd::Zero(x.size());
     for (const SkewBlock& block : skew_) {

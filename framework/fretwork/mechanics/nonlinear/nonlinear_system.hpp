@@ -42,6 +42,8 @@ class NonlinearSystem {
     /// After a mixed evaluation of forces alone: what an old tangent, with the slopes of the same evaluation,
     /// is to be solved with. It vanishes where the unbalanced forces do and the given stresses are the own.
     [[nodiscard]] const Eigen::VectorXd& mixed_unbalanced() const { return mixed_unbalanced_; }
+    /// After the same: B0^T (s - given), what the old tangent makes of given stresses that are not the own.
+    [[nodiscard]] Eigen::VectorXd lag() const;
 
     /// The solution at the configuration of the last evaluation, but for how it came about and whether it is
     /// stable.
