@@ -183,6 +183,30 @@ void full_model(benchmark::State& state) {
     const LoadCase load_case = cantilever();
     for (auto _ : state) benchmark::DoNotOptimize(simulate(surface, load_case, {.model = "full"}));
 }
+void full_model_linear(benchmark::State& state) {
+    const Surface& surface = surface_of(Lattice::Irregular, static_cast<int>(state.range(0)));
+    const LoadCase load_case = cantilever();
+    for (auto _ : state)
+        benchmark::DoNotOptimize(
+            simulate(surface, load_case, {.model = "full", .analysis = Analysis::Linear}));
+}
+
+/// A load changed by a tenth, from the last equilibrium.
+void full_model_new_load(benchmark::State& state) {
+    Session session(surface_of(Lattice::Irregular, static_cast<int>(state.range(0))), cantilever(),
+                    {.model = "full"});
+    benchmark::DoNotOptimize(session.solve());
+    int round = 0;
+    double from_last = 0.0;
+    for (auto _ : state) {
+        session.set_load_case(cantilever(++round % 2 == 0 ? 0.01 : 0.011));
+        benchmark::DoNotOptimize(session.solve());
+        from_last += session.last_work().starting_point == mechanics::StartingPoint::LastEquilibrium;
+    }
+    state.counters["from_last"] = from_last / round;
+}
+BENCHMARK(full_model_linear)->Arg(100)->Arg(500)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(full_model_new_load)->Arg(100)->Arg(500)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(full_model)->Arg(100)->Arg(500)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 }  // namespace
