@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/task.hpp>
 #include <fretwork/mechanics/elements/rotation.hpp>
 #include <fretwork/mechanics/equilibrium_solver.hpp>
 #include <fretwork/mechanics/nonlinear/stride.hpp>
@@ -92,6 +93,7 @@ class EquilibriumSolver::Impl {
     }
 
     std::optional<Solution> stride_from_rest(const Assembly& assembly) {
+        const base::Task task(options_.control, "load path (thousandths of the load)", 1000);
         equations_ = std::make_unique<Equations>(assembly, options_);
         auto& [own, system, newton, mixed] = *equations_;
         point_ = {system.unknowns().rest(), 0.0, {}, {}, 0.0};
