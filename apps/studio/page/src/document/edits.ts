@@ -5,6 +5,7 @@ import type { Load, LoadCase, Prescribed, Support } from '../protocol/messages';
 import { Latest } from '../protocol/latest';
 import { ask, tryAsk } from './studio';
 import { documentNow, loadCase, working } from './store';
+import { tilePatterns } from './patterns_now';
 import { settled } from './settled';
 import { tell } from './tell';
 import { pending } from './ui';
@@ -21,11 +22,30 @@ export interface Paint {
   patterns: string[];
 }
 
-export async function paint({ tiles, patterns }: Paint, merge?: string): Promise<void> {
+/** The patterns of all tiles, with new ones on some. */
+function withPainted(tiles: readonly number[], patterns: readonly string[]): string[] {
+  const all = [...tilePatterns.peek()];
+  tiles.forEach((tile, i) => (all[tile] = patterns[i]));
+  return all;
+}
+
+export async function paint({ tiles, patterns }: Paint, merge = newGesture('paint')): Promise<void> {
   if (tiles.length === 0) return;
+  const all = withPainted(tiles, patterns);
   const same = patterns.every((pattern) => pattern === patterns[0]);
-  const done = await tryAsk('paint', { tiles, ...(same ? { pattern: patterns[0] } : { patterns }), merge });
-  if (!done) pending.value = new Map();
+  if (!same && all.every((pattern) => pattern)) await sendPaint({ patterns: all, merge });
+  else for (const [pattern, some] of grouped(tiles, patterns)) await sendPaint({ tiles: some, pattern, merge });
+}
+
+async function sendPaint(request: object): Promise<void> {
+  if (!(await tryAsk('paint', request))) pending.value = new Map();
+}
+
+/** Tiles by the pattern that they get: how paint is sent while some tiles have none yet. */
+function grouped(tiles: readonly number[], patterns: readonly string[]): Map<string, number[]> {
+  const groups = new Map<string, number[]>();
+  tiles.forEach((tile, i) => groups.set(patterns[i], [...(groups.get(patterns[i]) ?? []), tile]));
+  return groups;
 }
 
 export const turn = (tiles: number[], by: number): void => void tryAsk('turn', { tiles, by });

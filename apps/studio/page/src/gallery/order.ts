@@ -3,6 +3,7 @@
 import { computed } from '@preact/signals';
 import { documentNow, patternTable } from '../document/store';
 import { patternEdges } from '../pattern/pattern_id';
+import { startingPalette } from './starting_palette';
 import type { PatternRow } from '../protocol/messages';
 
 export const rowsById = computed<ReadonlyMap<string, PatternRow>>(
@@ -11,5 +12,12 @@ export const rowsById = computed<ReadonlyMap<string, PatternRow>>(
 
 const softness = (id: string): number => rowsById.value.get(id)?.bending?.young ?? patternEdges(id).length * 1e-6;
 
-/** The document's palette from soft to stiff: what gradients and images run through. */
-export const orderedPalette = computed<string[]>(() => [...(documentNow.value?.palette ?? [])].sort((a, b) => softness(a) - softness(b)));
+const SPREAD = 12;
+
+/** What chance, gradients and images choose from, soft to stiff: the document's palette; a spread of all patterns where that has but one. */
+export const orderedPalette = computed<string[]>(() => {
+  const own = documentNow.value?.palette ?? [];
+  const rows = patternTable.value?.patterns ?? [];
+  const palette = own.length > 1 || rows.length === 0 ? own : startingPalette(rows, SPREAD);
+  return [...palette].sort((a, b) => softness(a) - softness(b));
+});

@@ -53,7 +53,7 @@ export function PaintPanel() {
           <Button title="Paint them with the pattern above" icon={PaintBucket} label="Fill"
             onPress={() => { const pattern = brushOrFirst.value; if (pattern) void paint({ tiles: targets(), patterns: targets().map(() => pattern) }); }} />
           <Button title="Patterns of the palette by chance; again for another chance" icon={Dices} label="Random"
-            onPress={() => void paint({ tiles: targets(), patterns: byChance(targets(), documentNow.value?.palette ?? [], seed++) })} />
+            onPress={() => void paint({ tiles: targets(), patterns: byChance(targets(), orderedPalette.value, seed++) })} />
           <Button title="By a picture: dark places get the stiffest patterns of the palette" icon={ImageDown} label="Image" onPress={chooseImage} />
           <Button title="Turn the patterns by one vertex" shortcut="T" icon={RotateCw} onPress={() => turn(targets(), 1)} />
         </div>

@@ -17,7 +17,7 @@ import { GapFiller } from './fill_gaps';
 import { arrowScale, MarksView, type ArrowScale } from './marks_view';
 import { handles } from './handles';
 import { interpolated, legend } from './legend_state';
-import { onScreen } from './placed';
+import { nodePlace, onScreen } from './placed';
 import { Stage, type ViewName } from './stage';
 
 /** Solutions whose gaps were filled for the drawing. */
@@ -36,7 +36,8 @@ export class SceneView {
   private readonly marks = new MarksView();
   private readonly values = new FieldValues();
   private filler: { of: Beams; gaps: GapFiller } | null = null;
-  private framed: object | null = null;
+  /** What the camera was last set for: again when it is bent for the first time. */
+  private framed: { of: object; bent: boolean } | null = null;
   private readonly stops: (() => void)[] = [];
 
   constructor(canvas: HTMLCanvasElement) {
@@ -144,15 +145,20 @@ export class SceneView {
   private box(): Box3 {
     const tiles = surface.peek();
     if (!tiles) return new Box3(new Vector3(-1, -1, 0), new Vector3(1, 1, 0));
-    return new Box3(new Vector3(...tiles.box.min, 0), new Vector3(...tiles.box.max, 0));
+    const box = new Box3(new Vector3(...tiles.box.min, 0), new Vector3(...tiles.box.max, 0));
+    const place = new Vector3();
+    for (let node = 0; shown.peek() && node < tiles.nodes.length; ++node) box.expandByPoint(nodePlace(node, place));
+    return box;
   }
 
   private frame(): void {
     const tiles = surface.value;
-    if (!tiles || this.framed === tiles) return;
-    this.framed = tiles;
+    const bent = live.value !== null;
+    if (!tiles || (this.framed?.of === tiles && (this.framed.bent || !bent))) return;
+    const first = this.framed?.of !== tiles;
+    this.framed = { of: tiles, bent };
     this.stage.light(this.box());
-    this.stage.look(this.box(), 'iso');
+    if (first || this.stage.untouched) this.stage.look(this.box(), 'iso');
   }
 
   /** Where the handles are on the canvas, in pixels. */

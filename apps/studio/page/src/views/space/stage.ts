@@ -139,6 +139,11 @@ export class Stage {
     return distance;
   }
 
+  /** Whether nobody has turned the view since it was set. */
+  get untouched(): boolean {
+    return this.framing !== null;
+  }
+
   /** The picture as a file, twice as fine as on the screen, on transparent ground. */
   async picture(): Promise<Blob> {
     const ratio = this.renderer.getPixelRatio();
