@@ -77,7 +77,7 @@ TEST(SectionForces, TurnWithTheBeam) {
 }
 
 TEST(SectionForces, OfSmallDisplacementsAreTheSameEitherWay) {
-    const Frame frame = cantilever({1e-3, 2e-6, -5e-6}, {1e-7, 2e-7, -3e-7});
+    const Frame frame = cantilever({1e-6, 2e-6, -5e-6}, {1e-7, 2e-7, -3e-7});
     const NodeValues moved = solve({frame, {}}, {.solver = Solver::Linear}).solution.displacements;
     const auto linear = linear_forces(frame);
     const auto large = section_of(frame).large(

@@ -78,11 +78,11 @@ TEST(BeamState, OfCorotationalTilesIsThatOfCondensedOnesWhereDisplacementsAreSma
 
 TEST(BeamState, OfCorotationalTilesFollowsTheFullModelFarBeyondSmallDisplacements) {
     const Surface surface = sample_surface();
-    const LoadCase load_case = test::cantilever({0, 0, -0.05});
+    const LoadCase load_case = test::cantilever({0, 0, -0.2});
     const BeamState full = state_of(surface, load_case, {.model = "full"});
     const BeamState corotational = state_of(surface, load_case, {.model = "corotational"});
     const double deflection = full.nodes.leftCols<3>().rowwise().norm().maxCoeff();
-    ASSERT_GT(deflection, 0.02) << "a quarter of the span";
+    ASSERT_GT(deflection, 0.02) << "an eighth of the span";
     // The model itself is off by some per cent here; inner nodes are not worse than interface nodes.
     const Eigen::VectorXd errors = (corotational.nodes - full.nodes).leftCols<3>().rowwise().norm();
     const auto interface_nodes = static_cast<Eigen::Index>(surface.tessellation.interface_nodes.size());
