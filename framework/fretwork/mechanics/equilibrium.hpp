@@ -39,9 +39,11 @@ struct EquilibriumOptions {
 std::vector<double> even_load_factors(int steps);
 
 /// Follow the load path from rest through the given load factors (ascending, > 0; 1 = the full load):
-/// corotational Newton with a consistent tangent, and a predictor from the path so far. One solution for each
-/// factor; once a factor is not reached, it and those after it say so, and hold the last equilibrium that was
-/// found and its factor.
+/// corotational Newton with a consistent tangent, and a predictor from the path so far. Where critical loads
+/// need not be located and a load is far, the path goes there in few long increments of a mixed Newton
+/// method, as long as what it meets speaks for one path; else, and where that is in doubt, in small steps.
+/// One solution for each factor; once a factor is not reached, it and those after it say so, and hold the
+/// last equilibrium that was found and its factor.
 ///
 /// With Branch::Stable, an equilibrium that has lost its stability is pushed along its lowest mode and let
 /// down to a stable one, and the path goes on from there; each such place is told.
