@@ -4,7 +4,7 @@ import math
 import statistics
 
 COLOURS = {"condensed": "#888888", "corotational": "#0072b2", "mixed:0.05": "#d55e00", "mixed:0.1": "#009e73", "mixed:0.3": "#cc79a7"}
-WIDTH, HEIGHT, LEFT, TOP, BOTTOM = 520, 360, 70, 20, 60
+WIDTH, HEIGHT, LEFT, TOP, BOTTOM = 540, 360, 100, 20, 60
 UNDER_WEIGHT = ("cantilever", "bridge")
 
 
@@ -57,8 +57,8 @@ def legend(rows, models, x):
         if model in COLOURS:
             parts.append(f'<circle cx="{x + 5}" cy="{y - 4}" r="4" fill="{COLOURS[model]}"/>')
         parts.append(text(x + 16, y, f"{model}: {ratio:.1f}", "start"))
-    parts.append(text(x, TOP + 150, "disks: cantilevers, bridges", "start"))
-    parts.append(text(x, TOP + 168, "rings: other loads", "start"))
+    parts.append(text(x, TOP + 170, "disks: cantilevers, bridges", "start"))
+    parts.append(text(x, TOP + 188, "rings: other loads", "start"))
     return parts
 
 
