@@ -25,7 +25,7 @@ using testing::HasSubstr;
 const std::set<std::string> kOtherTexts = {
     "--edges",      "--min-angle",   "--max-valence", "--filter", "--tile-side", "--beam-width", "--require",
     "--forbid",     "--edge-length", "--shard",       "--model",  "--optimizer", "--name",       "--problems",
-    "--optimizers", "--policy",      "--solver",      "--branch", "--masses",    "pattern"};
+    "--optimizers", "--policy",      "--solver",      "--branch", "--masses",    "pattern",      "--address"};
 
 /// --patterns lists ids; that of `tile` may be a file.
 bool is_other_text(const CLI::App& verb, const CLI::Option& option) {
