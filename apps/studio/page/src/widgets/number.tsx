@@ -17,7 +17,7 @@ interface NumberProps {
 export function NumberField({ label, value, quantity, onChange, narrow, least, id }: NumberProps) {
   const [draft, setDraft] = useState<string | null>(null);
   const unit = unitOf(quantity);
-  const text = draft ?? digits(value * unit.per, 5).replace(/(\.\d*?)0+$/, '$1').replace(/\.$/, '');
+  const text = draft ?? digits(value * unit.per, 4).replace(/(\.\d*?)0+$/, '$1').replace(/\.$/, '');
   const read = draft === null ? value : typed(draft, quantity);
   const wrong = read === null || (least !== undefined && read < least);
   const commit = () => {
@@ -37,7 +37,7 @@ export function NumberField({ label, value, quantity, onChange, narrow, least, i
   };
   return (
     <span class={`number${narrow ? ' narrow' : ''}`}>
-      <input id={id} inputMode="decimal" aria-label={`${label}${unit.name ? `, in ${unit.name}` : ''}`} class={wrong ? 'wrong' : ''} aria-invalid={wrong} value={text}
+      <input id={id} inputMode="decimal" aria-label={`${label}${unit.name ? `, in ${unit.name}` : ''}`} class={wrong ? 'wrong' : ''} aria-invalid={wrong} value={text} style={{ paddingRight: `${14 + 7 * unit.name.length}px` }}
         onFocus={(event) => event.currentTarget.select()} onInput={(event) => setDraft(event.currentTarget.value)} onBlur={commit} onKeyDown={keys} />
       <i>{unit.name}</i>
     </span>

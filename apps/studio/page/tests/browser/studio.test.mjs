@@ -125,20 +125,21 @@ test('latency from the input event to new positions in the page', async (t) => {
   const page = await openPage(t, address);
   await solved(page);
   const tiles = await page.evaluate(() => window.fretwork.store.documentNow.value.tiles.length);
+  let other = 7;
   for (const model of await page.evaluate(() => window.fretwork.store.hello.value.models.map(({ name }) => name))) {
     if (model !== 'condensed' && model !== 'corotational') continue;
     await page.click('[data-value=look]');
     await page.click(`[data-model=${model}]`);
     await page.waitForFunction((name) => window.fretwork.store.live.value?.info.model === name, model);
     const drag = await dragLoad(page);
-    const paint = await paintTiles(page);
+    const paint = await paintTiles(page, other++);
     const seconds = await page.evaluate(() => window.fretwork.store.live.value.info.seconds);
     console.log(`${tiles} tiles, ${model}, which solves in ${(1000 * seconds).toFixed(0)} ms: a dragged load ${words(drag)}; a painted tile ${words(paint)}`);
     assert.ok(drag.length > 5 && paint.length > 5, 'new positions came for dragged loads and painted tiles');
   }
 });
 
-const words = (samples) => `${median(samples).toFixed(0)} ms in the median, ${Math.max(...samples).toFixed(0)} ms at most (${samples.length} samples)`;
+const words = (samples) => samples.length === 0 ? 'no samples' : `${median(samples).toFixed(0)} ms in the median, ${Math.max(...samples).toFixed(0)} ms at most (${samples.length} samples)`;
 
 async function dragLoad(page) {
   await page.click('[data-value=load]');
@@ -156,9 +157,10 @@ async function dragLoad(page) {
   return page.evaluate(() => window.fretwork.takeLatencies());
 }
 
-async function paintTiles(page) {
+/** With a pattern that they do not have yet. */
+async function paintTiles(page, place) {
   await page.click('[data-value=paint]');
-  await page.click('[data-pattern]:nth-child(7)');
+  await page.click(`[data-pattern]:nth-child(${place})`);
   await page.evaluate(() => window.fretwork.takeLatencies());
   for (let tile = 20; tile < 40; ++tile) {
     await page.mouse.click(...(await tilePlace(page, tile * 10)));

@@ -22,6 +22,7 @@ import { Stage, type ViewName } from './stage';
 
 /** Solutions whose gaps were filled for the drawing. */
 const filled = new WeakSet<object>();
+const MOST_SHOWN = 0.35;
 const BLUE = '#4a8ee0';
 const GREY = '#9b9fa5';
 
@@ -147,7 +148,9 @@ export class SceneView {
     if (!tiles) return new Box3(new Vector3(-1, -1, 0), new Vector3(1, 1, 0));
     const box = new Box3(new Vector3(...tiles.box.min, 0), new Vector3(...tiles.box.max, 0));
     const place = new Vector3();
-    for (let node = 0; shown.peek() && node < tiles.nodes.length; ++node) box.expandByPoint(nodePlace(node, place));
+    // A linear model may send nodes absurdly far: the view stays with the surface.
+    const room = box.clone().expandByScalar(MOST_SHOWN * box.getSize(new Vector3()).length());
+    for (let node = 0; shown.peek() && node < tiles.nodes.length; ++node) box.expandByPoint(room.clampPoint(nodePlace(node, place), place));
     return box;
   }
 
