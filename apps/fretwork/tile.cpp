@@ -169,7 +169,8 @@ void run(const Options& options) {
     const std::optional<Library> opened = open_library(options);
     const Library* library = opened ? &*opened : nullptr;
     const tiling::Outline outline = tiling::read_outline(options.outline);
-    simulation::NewProjectOptions wanted{.layout = options.layout, .painting = options.painting};
+    simulation::NewProjectOptions wanted{
+        .outline_name = options.outline, .layout = options.layout, .painting = options.painting};
     if (!options.edge_length.empty()) wanted.edge_length = base::parse_length(options.edge_length);
     wanted.control = work.control();
     simulation::NewProject made = simulation::make_project(outline, wanted, library);

@@ -60,6 +60,7 @@ NewRequest read_new(const base::JsonReader& json) {
         const auto value = json.find(key);
         return value ? value->string() : std::string();
     };
+    wanted.options.outline_name = wanted.outline_name;
     wanted.options.layout = text_of("layout");
     wanted.options.painting = {text_of("patterns"), text_of("palette")};
     if (const auto size = json.find("tile_size")) wanted.options.edge_length = size->positive_number();

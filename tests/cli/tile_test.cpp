@@ -27,6 +27,26 @@ TEST(TileCommand, KeepsTheLoadCasesOfAProjectThatIsThere) {
     EXPECT_THAT(run_command("fretwork case list p.json", folder.path()).out, HasSubstr("cantilever"));
 }
 
+TEST(TileCommand, NamesTheFileOfAnOutlineThatCannotBeTiled) {
+    const TemporaryFolder folder;
+    folder.file(
+        "needle.json",
+        R"({"format": "fretwork/outline/1", "boundary": [[0, 0], [0.4, 0], [0.4, 0.3], [0.2001, 0.3], [0.2, 0.5], [0.1999, 0.3], [0, 0.3]]})");
+    folder.file("speck.json",
+                R"({"format": "fretwork/outline/1", "boundary": [[0, 0], [0.001, 0], [0, 0.001]]})");
+    folder.file("country.json",
+                R"({"format": "fretwork/outline/1", "boundary": [[0, 0], [4e5, 0], [0, 4e5]]})");
+    for (const std::string name : {"needle.json", "speck.json", "country.json"}) {
+        const Outcome refused = run_command("fretwork tile " + name + " --out p.json", folder.path());
+        EXPECT_EQ(refused.exit_code, 2) << name;
+        EXPECT_THAT(refused.err, testing::StartsWith("fretwork: " + name + ": ")) << name;
+    }
+    const Outcome size =
+        run_command("fretwork tile speck.json --edge-length 1e-300mm --out p.json", folder.path());
+    EXPECT_EQ(size.exit_code, 2);
+    EXPECT_THAT(size.err, Not(HasSubstr("speck.json"))) << "what is wrong is the edge length";
+}
+
 TEST(TileCommand, KeepsTheLibraryOfAProjectThatIsThere) {
     const TemporaryFolder folder;
     const std::string tile = "fretwork tile experiments/outlines/specimen.svg --edge-length ";

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
+#include <fretwork/reduction/detail/one_interface_node.hpp>
 #include <fretwork/reduction/paper6_problem.hpp>
 #include <fretwork/reduction/paper6_tile.hpp>
 
@@ -49,13 +50,6 @@ std::vector<TileParameter> parameters() {
             {"theta", "rad", Linear, bounds_of(&P::theta)}, {"R", "m", Linear, bounds_of(&P::R)}};
 }
 
-void require_one_interface_node(const TileInput& input) {
-    const std::size_t count = input.layout.interface_nodes().size();
-    if (count == 1) return;
-    throw base::InputError("layout '" + input.layout.name() + "' has " + std::to_string(count) +
-                           " interface nodes on a side; the paper's reduced model is made for one");
-}
-
 }  // namespace
 
 mechanics::Frame paper6_tile(const Paper6Parameters& parameters, const Setting& setting,
@@ -90,7 +84,7 @@ TileModel paper6_tile_model() {
             .parameters = parameters(),
             .build =
                 [](const TileInput& input) {
-                    require_one_interface_node(input);
+                    detail::require_one_interface_node(input.layout, "the paper's reduced model is");
                     return beam_tile(paper6_tile(Paper6Parameters::from_values(input.parameters),
                                                  input.setting, input.polygon),
                                      input.fan.interface_node_count);

@@ -4,6 +4,7 @@
 #include <fretwork/mechanics/discretization.hpp>
 #include <fretwork/mechanics/equilibrium.hpp>
 #include <fretwork/pattern/fan.hpp>
+#include <fretwork/reduction/detail/one_interface_node.hpp>
 #include <fretwork/reduction/detail/scenario_loads.hpp>
 #include <fretwork/reduction/response.hpp>
 
@@ -48,13 +49,6 @@ Response respond(const mechanics::Frame& tile, const Scenario& scenario, const S
         if (errors[i].known) response.samples[i].discretization_error = errors[i].share;
     }
     return response;
-}
-
-void require_one_interface_node(const pattern::NodeLayout& layout) {
-    if (layout.interface_nodes().size() == 1) return;
-    throw base::InputError("layout '" + layout.name() + "' has " +
-                           std::to_string(layout.interface_nodes().size()) +
-                           " interface nodes on a side; scenarios are made for one");
 }
 
 }  // namespace
@@ -114,7 +108,7 @@ Response follow_scenario(const mechanics::Assembly& tile, const Scenario& scenar
 
 std::vector<Response> compute_responses(const pattern::NodeLayout& layout, const pattern::Pattern& pattern,
                                         const Setting& setting, const ResponseOptions& options) {
-    require_one_interface_node(layout);
+    detail::require_one_interface_node(layout, "scenarios are");
     const mechanics::Frame tile =
         mechanics::refined(pattern_frame(layout, pattern, setting), setting.divisions);
     mechanics::validate(scenario_frame(tile, setting.scenarios.front()));

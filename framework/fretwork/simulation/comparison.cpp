@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/text.hpp>
+#include <fretwork/mechanics/rotation_vector.hpp>
 #include <fretwork/simulation/comparison.hpp>
-#include <fretwork/simulation/detail/node_states.hpp>
 #include <fretwork/simulation/result_subject.hpp>
 
 #include <Eigen/Geometry>
@@ -82,9 +82,9 @@ struct Errors {
     void add(const Eigen::Vector3d& rest, const auto& full, const auto& reduced) {
         const Eigen::Vector3d displacement = full.template head<3>();
         const Eigen::Vector3d difference = displacement - Eigen::Vector3d(reduced.template head<3>());
-        const Eigen::Quaterniond turned = detail::rotation_of(full.template tail<3>());
+        const Eigen::Quaterniond turned = mechanics::rotation_of(full.template tail<3>());
         translation.push_back(difference.norm());
-        rotation.push_back(turned.angularDistance(detail::rotation_of(reduced.template tail<3>())));
+        rotation.push_back(turned.angularDistance(mechanics::rotation_of(reduced.template tail<3>())));
         squared_difference += difference.squaredNorm();
         squared_displacement += displacement.squaredNorm();
         box.extend(rest.head<2>());

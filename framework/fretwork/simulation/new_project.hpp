@@ -14,6 +14,7 @@ namespace fretwork::simulation {
 
 /// How an outline becomes a project.
 struct NewProjectOptions {
+    std::string outline_name{};           ///< its file; begins what is said of the outline, if not empty
     std::optional<double> edge_length{};  ///< m, wanted mean side of the tiles; none: the library's tile
                                           ///< side, or the paper's
     std::string layout{};                 ///< a name or a file; empty: the library's, or paper7
@@ -29,7 +30,8 @@ struct NewProject {
 };
 
 /// Tile an outline and paint it. `library` may be null; the project is not linked with it. Throws as
-/// tiling::tessellate and paint; InputError if the library is one of another layout.
+/// tiling::tessellate, with the outline's name, and paint; InputError if the library is one of another
+/// layout.
 NewProject make_project(const tiling::Outline& outline, const NewProjectOptions& options,
                         const library::Library* library);
 

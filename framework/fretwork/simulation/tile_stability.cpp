@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/parallel.hpp>
 #include <fretwork/mechanics/equilibrium.hpp>
+#include <fretwork/mechanics/rotation_vector.hpp>
 #include <fretwork/simulation/detail/node_states.hpp>
 #include <fretwork/simulation/detail/tile_builder.hpp>
 #include <fretwork/simulation/tile_stability.hpp>
@@ -41,7 +42,7 @@ mechanics::Assembly held_tile(const reduction::TileStructure& tile, std::span<co
     mechanics::Assembly assembly = reduction::assemble(reduction::tile_parts(tile, places));
     for (std::size_t i = 0; i < states.size(); ++i) {
         assembly.supports.push_back({NodeIndex(i), mechanics::DofSet::all()});
-        const Eigen::Vector3d rotation = detail::rotation_vector(states[i].rotation);
+        const Eigen::Vector3d rotation = mechanics::rotation_vector_of(states[i].rotation);
         for (int d = 0; d < 3; ++d) {
             const auto dof = static_cast<std::size_t>(d);
             assembly.prescribed.push_back(

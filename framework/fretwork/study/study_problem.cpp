@@ -20,13 +20,13 @@ namespace {
 
 constexpr int kSyntheticProblems = 12;
 
-/// A calibration that owns what it refers to.
-class Calibration final {
+/// The paper's problem with what it refers to.
+class OwnedProblem final {
   public:
-    Calibration(const std::vector<reduction::Response>& responses, const reduction::Setting& setting)
+    OwnedProblem(const std::vector<reduction::Response>& responses, const reduction::Setting& setting)
         : model_(setting), objective_(responses, setting), problem_(model_, objective_, setting) {}
-    Calibration(const Calibration&) = delete;
-    Calibration& operator=(const Calibration&) = delete;
+    OwnedProblem(const OwnedProblem&) = delete;
+    OwnedProblem& operator=(const OwnedProblem&) = delete;
     [[nodiscard]] const reduction::Paper6Problem& problem() const { return problem_; }
 
   private:
@@ -37,7 +37,7 @@ class Calibration final {
 
 std::shared_ptr<const reduction::Paper6Problem> make_calibration(
     const std::vector<reduction::Response>& responses, const reduction::Setting& setting) {
-    const auto owner = std::make_shared<const Calibration>(responses, setting);
+    const auto owner = std::make_shared<const OwnedProblem>(responses, setting);
     return {owner, &owner->problem()};
 }
 

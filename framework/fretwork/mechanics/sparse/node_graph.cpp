@@ -16,11 +16,12 @@
 namespace fretwork::mechanics::sparse {
 namespace {
 
-struct Session {
-    Session() { cholmod_start(&common); }
-    Session(const Session&) = delete;
-    Session& operator=(const Session&) = delete;
-    ~Session() { cholmod_finish(&common); }
+/// CHOLMOD between its start and its end.
+struct Cholmod {
+    Cholmod() { cholmod_start(&common); }
+    Cholmod(const Cholmod&) = delete;
+    Cholmod& operator=(const Cholmod&) = delete;
+    ~Cholmod() { cholmod_finish(&common); }
     cholmod_common common;
 };
 
@@ -59,8 +60,8 @@ void choose_methods(cholmod_common& common, std::size_t nodes) {
 
 std::vector<int> permutation_of(Pattern& pattern) {
     const std::size_t size = pattern.start.size() - 1;
-    Session session;
-    choose_methods(session.common, size);
+    Cholmod cholmod;
+    choose_methods(cholmod.common, size);
     cholmod_sparse matrix{};
     matrix.nrow = matrix.ncol = size;
     matrix.nzmax = pattern.row.size();
@@ -71,11 +72,11 @@ std::vector<int> permutation_of(Pattern& pattern) {
     matrix.xtype = CHOLMOD_PATTERN;
     matrix.dtype = CHOLMOD_DOUBLE;
     matrix.sorted = matrix.packed = 1;
-    cholmod_factor* factor = cholmod_analyze(&matrix, &session.common);
+    cholmod_factor* factor = cholmod_analyze(&matrix, &cholmod.common);
     if (factor == nullptr) throw base::NumericalError("the nodes could not be ordered: out of memory");
     const int* permutation = static_cast<const int*>(factor->Perm);
     std::vector<int> order(permutation, permutation + size);
-    cholmod_free_factor(&factor, &session.common);
+    cholmod_free_factor(&factor, &cholmod.common);
     return order;
 }
 
