@@ -62,20 +62,20 @@ bool LiveSolver::is_to_be_stopped(Clock::time_point now) const {
     return now - *began_ > patience;
 }
 
-std::optional<LiveSolver::Turn> LiveSolver::next_turn(const std::stop_token& ending) {
+std::optional<LiveSolver::Attempt> LiveSolver::next_attempt(const std::stop_token& ending) {
     std::unique_lock lock(mutex_);
     began_.reset();
     if (!changed_.wait(lock, ending, [this] { return waiting_.has_value(); })) return std::nullopt;
     if (ending.stop_requested()) return std::nullopt;
-    Turn turn{std::move(*waiting_), {}};
+    Attempt attempt{std::move(*waiting_), {}};
     waiting_.reset();
     stop_ = std::stop_source();
-    turn.stop = stop_.get_token();
+    attempt.stop = stop_.get_token();
     began_ = Clock::now();
-    return turn;
+    return attempt;
 }
 
-void LiveSolver::end_turn(Clock::time_point began) {
+void LiveSolver::end_attempt(Clock::time_point began) {
     const std::scoped_lock lock(mutex_);
     const auto now = Clock::now();
     last_took_ = now - began;
@@ -84,18 +84,18 @@ void LiveSolver::end_turn(Clock::time_point began) {
 }
 
 void LiveSolver::run(const std::stop_token& ending) {
-    while (const auto turn = next_turn(ending)) {
+    while (const auto attempt = next_attempt(ending)) {
         const auto began = Clock::now();
         try {
-            solve(turn->input, turn->stop);
+            solve(attempt->input, attempt->stop);
         } catch (const base::Stopped&) {
             continue;  // newer input is there
         } catch (const base::Error& error) {
-            listener_.failed(turn->input, error.what());
+            listener_.failed(attempt->input, error.what());
         } catch (const std::bad_alloc&) {
-            listener_.failed(turn->input, "out of memory");
+            listener_.failed(attempt->input, "out of memory");
         }
-        end_turn(began);
+        end_attempt(began);
     }
 }
 

@@ -65,13 +65,13 @@ class LiveSolver {
   private:
     using Clock = std::chrono::steady_clock;
     /// What is to be solved next, and how it is told to stop.
-    struct Turn {
+    struct Attempt {
         SolverInput input;
         std::stop_token stop;
     };
     void run(const std::stop_token& ending);
-    std::optional<Turn> next_turn(const std::stop_token& ending);
-    void end_turn(Clock::time_point began);
+    std::optional<Attempt> next_attempt(const std::stop_token& ending);
+    void end_attempt(Clock::time_point began);
     [[nodiscard]] bool is_to_be_stopped(Clock::time_point now) const;
     void solve(const SolverInput& input, const std::stop_token& stop);
     void update_beams(const SolverInput& input);

@@ -10,21 +10,13 @@ namespace {
 using namespace test;
 using testing::HasSubstr;
 
-TEST(PatternDrawing, ShowsTheNumberedNodesAndTheId) {
+TEST(PatternSheet, IsAtTrueScale) {
     const auto layout = pattern::find_node_layout("paper7");
-    const Svg svg(pattern_svg(layout, pattern::parse_pattern_id(layout, "0-1+1-6")));
-    EXPECT_EQ(svg.count("circle"), layout.nodes().size());
-    EXPECT_THAT(svg.words(), HasSubstr("0\n1\n2\n3\n4\n5\n6\n"));
-    EXPECT_THAT(svg.words(), HasSubstr("paper7:0-1+1-6"));
-}
-
-TEST(PatternDrawing, IsAtTrueScale) {
-    const auto layout = pattern::find_node_layout("paper7");
-    const auto pattern = pattern::parse_pattern_id(layout, "0-1+1-6");
+    const std::vector<pattern::Pattern> patterns = {pattern::parse_pattern_id(layout, "0-1+1-6")};
     PatternDrawingOptions options;
-    const double width = Svg(pattern_svg(layout, pattern, options)).width_mm();
+    const double width = Svg(pattern_sheet_svg(layout, patterns, options)).width_mm();
     options.tile_side *= 2.0;
-    EXPECT_NEAR(Svg(pattern_svg(layout, pattern, options)).width_mm(), 2.0 * width, 0.01);
+    EXPECT_NEAR(Svg(pattern_sheet_svg(layout, patterns, options)).width_mm(), 2.0 * width, 0.01);
 }
 
 TEST(PatternSheet, HasAFanWithItsIdForEveryPattern) {
@@ -37,9 +29,12 @@ TEST(PatternSheet, HasAFanWithItsIdForEveryPattern) {
     for (const char* id : {"0-1+1-6", "1-6+3-6", "0-1+0-6+1-6"}) EXPECT_THAT(svg.words(), HasSubstr(id));
 }
 
-TEST(PatternSheet, WithoutPatternsShowsTheLayoutOnly) {
-    const Svg svg(pattern_sheet_svg(pattern::find_node_layout("paper7"), {}));
+TEST(PatternSheet, WithoutPatternsShowsTheNumberedNodesOfTheLayoutOnly) {
+    const auto layout = pattern::find_node_layout("paper7");
+    const Svg svg(pattern_sheet_svg(layout, {}));
     EXPECT_EQ(svg.count("polygon"), 1U);
+    EXPECT_EQ(svg.count("circle"), layout.nodes().size());
+    EXPECT_THAT(svg.words(), HasSubstr("0\n1\n2\n3\n4\n5\n6\n"));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include "svg_reading.hpp"
 
 #include <fretwork/exports/colours.hpp>
+#include <fretwork/exports/detail/panels.hpp>
 #include <fretwork/exports/surface_drawing.hpp>
 
 #include <set>
@@ -13,6 +14,10 @@ namespace {
 using namespace test;
 using testing::HasSubstr;
 using testing::Not;
+
+std::string setup_svg(const simulation::Surface& surface, const simulation::Conditions& conditions) {
+    return detail::setup_panel(surface, conditions, {}).document("Setup");
+}
 
 class SurfaceDrawing : public testing::Test {
   protected:

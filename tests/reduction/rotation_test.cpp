@@ -109,7 +109,7 @@ TEST(GrowingRotation, JacobianAgreesWithFiniteDifferences) {
                 constexpr double kStep = 1e-5;
                 const Eigen::Vector3d e = kStep * Eigen::Vector3d::Unit(i);
                 const auto change = [&](const Eigen::Vector3d& moved) {
-                    return rotation_vector(rotation_of(v).conjugate() * rotation_of(moved));
+                    return rotation_vector_of(rotation_of(v).conjugate() * rotation_of(moved));
                 };
                 const Eigen::Vector3d slope = (change(v + e) - change(v - e)) / (2.0 * kStep);
                 EXPECT_LT((jacobian.col(i) - slope).norm(), 1e-9) << v.transpose();

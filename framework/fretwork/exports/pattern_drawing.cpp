@@ -17,6 +17,7 @@ using pattern::Pattern;
 using pattern::Point2;
 
 constexpr const char* kBeamColour = "#22303c";
+constexpr const char* kEdgeColour = "#8fa3b5";
 constexpr const char* kRimColour = "#b8c0c8";
 constexpr const char* kInterfaceColour = "#1b9e77";
 
@@ -29,26 +30,16 @@ Point2 at(const pattern::LayoutNode& node, const std::array<Point2, 3>& triangle
     return place;
 }
 
-/// How the edges on a base triangle are drawn; `width` as a share of the triangle's side.
-struct EdgeStyle {
-    const char* colour;
-    double width;
-};
-constexpr EdgeStyle kChosenEdges{kBeamColour, 0.03};
-constexpr EdgeStyle kCandidateEdges{"#8fa3b5", 0.006};
-
-/// The base triangle with all nodes of the layout, numbered, and the edges of a pattern.
-void draw_base_triangle(SvgCanvas& canvas, const NodeLayout& layout, const Pattern& pattern,
-                        const std::array<Point2, 3>& triangle, const EdgeStyle& style) {
+/// The base triangle with all nodes of the layout, numbered, and all candidate edges.
+void draw_base_triangle(SvgCanvas& canvas, const NodeLayout& layout, const std::array<Point2, 3>& triangle) {
     const double size = std::hypot(triangle[2].x - triangle[1].x, triangle[2].y - triangle[1].y);
     canvas.polygon(triangle, {"#f4f6f8", kRimColour, 0.008 * size, 1.0});
     std::vector<std::array<Point2, 2>> edges;
-    for (const pattern::EdgeIndex index : pattern.edges()) {
-        const pattern::Edge& edge = layout.candidate_edges()[static_cast<std::size_t>(index)];
+    for (const pattern::Edge& edge : layout.candidate_edges()) {
         edges.push_back({at(layout.nodes()[static_cast<std::size_t>(edge.first)], triangle),
                          at(layout.nodes()[static_cast<std::size_t>(edge.second)], triangle)});
     }
-    canvas.segments(edges, {"none", style.colour, style.width * size, 1.0});
+    canvas.segments(edges, {"none", kEdgeColour, 0.006 * size, 1.0});
     for (std::size_t i = 0; i < layout.nodes().size(); ++i) {
         const pattern::LayoutNode& node = layout.nodes()[i];
         const bool is_interface = node.region == pattern::Region::Interface;
@@ -61,31 +52,13 @@ void draw_base_triangle(SvgCanvas& canvas, const NodeLayout& layout, const Patte
 
 /// The base triangle with all candidate edges, around the origin and as large as a fan.
 void draw_layout(SvgCanvas& canvas, const NodeLayout& layout, double side) {
-    Pattern::Bits candidates;
-    for (std::size_t e = 0; e < layout.candidate_edges().size(); ++e) candidates.set(e);
     const std::array<Point2, 3> triangle = {Point2{0.0, 0.8 * side}, Point2{-0.92 * side, -0.8 * side},
                                             Point2{0.92 * side, -0.8 * side}};
-    draw_base_triangle(canvas, layout, Pattern(candidates), triangle, kCandidateEdges);
+    draw_base_triangle(canvas, layout, triangle);
     canvas.text({0.0, -1.13 * side}, layout.name(), 0.13 * side, Anchor::Middle);
 }
 
 }  // namespace
-
-std::string pattern_svg(const NodeLayout& layout, const Pattern& pattern,
-                        const PatternDrawingOptions& options) {
-    const double side = options.tile_side;
-    // The triangle stands as sector 0 does in the fan: v0 above, v1 and v2 below, drawn as large as the fan
-    // is high.
-    const std::array<Point2, 3> triangle = {Point2{-2.3 * side, 0.85 * side},
-                                            Point2{-3.3 * side, -0.85 * side},
-                                            Point2{-1.3 * side, -0.85 * side}};
-    SvgCanvas canvas({-3.6 * side, -1.3 * side, 1.2 * side, 1.15 * side}, 1.0);
-    draw_base_triangle(canvas, layout, pattern, triangle, kChosenEdges);
-    detail::draw_fan(canvas, layout, pattern, {{0.0, 0.0}, pattern_colour(0)}, options);
-    const std::string id = pattern_id(layout, pattern);
-    canvas.text({-1.2 * side, -1.2 * side}, layout.name() + ":" + id, 0.14 * side, Anchor::Middle);
-    return canvas.document("Pattern " + id);
-}
 
 std::string pattern_sheet_svg(const NodeLayout& layout, std::span<const Pattern> patterns,
                               const PatternDrawingOptions& options) {

@@ -15,11 +15,6 @@ struct PatternDrawingOptions {
     int sides = 6;
 };
 
-/// One pattern as an SVG: beside each other the base triangle with the numbered nodes, and the fan with beams
-/// of true width.
-std::string pattern_svg(const pattern::NodeLayout& layout, const pattern::Pattern& pattern,
-                        const PatternDrawingOptions& options = {});
-
 /// The layout with its candidate edges, and many patterns as a sheet of fans with their ids, as in the
 /// paper's Fig. 3b and Fig. 2.
 std::string pattern_sheet_svg(const pattern::NodeLayout& layout, std::span<const pattern::Pattern> patterns,

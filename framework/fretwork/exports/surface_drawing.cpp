@@ -64,10 +64,6 @@ std::string surface_svg(const Surface& surface, const Conditions* conditions) {
     return detail::surface_panel(surface, conditions).document(surface_title(surface));
 }
 
-std::string setup_svg(const Surface& surface, const Conditions& conditions, const ViewOptions& view) {
-    return detail::setup_panel(surface, conditions, view).document("Simulation setup");
-}
-
 std::string deformed_svg(std::span<const DeformedLayer> layers, const DeformedViewOptions& options) {
     return detail::deformed_panel(layers, options)
         .document("Deformed state, " + detail::scale_note(options.scale));

@@ -23,11 +23,6 @@ struct ViewOptions {
 std::string surface_svg(const simulation::Surface& surface,
                         const simulation::Conditions* conditions = nullptr);
 
-/// The simulation setup in parallel projection: the flat surface, balls where it is held, and forces as
-/// arrows as long as they are large (moments: with two heads). As in the paper's Figs. 12 to 14.
-std::string setup_svg(const simulation::Surface& surface, const simulation::Conditions& conditions,
-                      const ViewOptions& view = {});
-
 /// One of the deformed states that are drawn over each other.
 struct DeformedLayer {
     std::string label;   ///< for the legend

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
-#include <fretwork/base/file.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/exports/line_files.hpp>
 #include <fretwork/exports/surface_drawing.hpp>
@@ -67,10 +66,6 @@ const WriterRow& find_writer(const std::filesystem::path& path) {
         endings.emplace_back(writer.ending);
     }
     throw base::InputError(path.string(), "", base::unknown_name_message("ending", ending, endings));
-}
-
-void write_scene(const Scene& scene, const std::filesystem::path& path) {
-    base::write_file_atomically(path, find_writer(path).text(scene));
 }
 
 }  // namespace fretwork::exports

@@ -39,7 +39,4 @@ std::span<const WriterRow> writer_catalogue();
 /// The writer for a file, by its ending. Throws InputError that lists what there is.
 const WriterRow& find_writer(const std::filesystem::path& path);
 
-/// Write a scene to a file whose ending names the kind. Throws InputError, IoError; then nothing is written.
-void write_scene(const Scene& scene, const std::filesystem::path& path);
-
 }  // namespace fretwork::exports

@@ -32,8 +32,8 @@ double extent(const Frame& frame) {
 
 /// `length`: over which a displacement counts as a rotation, so that where next to nothing turns, as in a
 /// truss, rounding is not taken for an error.
-DiscretizationError compare(const Solution& solution, const Solution& other, double error_of_difference,
-                            double length) {
+DiscretizationError error_between(const Solution& solution, const Solution& other, double error_of_difference,
+                                  double length) {
     DiscretizationError error;
     const NodeValues difference = other.displacements - solution.displacements;
     const bool is_near = largest_row(difference, 0) <= kSameBranch * largest_row(solution.displacements, 0);
@@ -85,8 +85,8 @@ std::vector<DiscretizationError> estimate_discretization_error(const Frame& fram
     const auto others = follow_load_path(assemble(other), load_factors, options);
     std::vector<DiscretizationError> errors;
     for (std::size_t i = 0; i < others.size(); ++i)
-        errors.push_back(compare(solutions[i], others[i], from_coarser ? kErrorFromCoarser : kErrorFromFiner,
-                                 extent(frame)));
+        errors.push_back(error_between(solutions[i], others[i],
+                                       from_coarser ? kErrorFromCoarser : kErrorFromFiner, extent(frame)));
     return errors;
 }
 

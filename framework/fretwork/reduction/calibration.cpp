@@ -30,8 +30,8 @@ std::vector<NamedValue> named(const TileModel& model, const std::vector<double>&
     return result;
 }
 
-Calibration compare(const TileModel& model, const CalibrationInput& input, const Objective& objective,
-                    const base::Control& control) {
+Calibration evaluate(const TileModel& model, const CalibrationInput& input, const Objective& objective,
+                     const base::Control& control) {
     const ModelTile tile(model, input.layout, input.pattern, input.setting);
     Calibration result;
     result.model = model.name;
@@ -94,7 +94,7 @@ Calibration calibrate(const TileModel& model, const CalibrationInput& input,
         throw base::NumericalError(
             "no sample of the responses can be used: none converged to a state to fit");
     }
-    if (model.parameters.empty()) return compare(model, input, objective, options.control);
+    if (model.parameters.empty()) return evaluate(model, input, objective, options.control);
     if (model.problem) return fit(model, *model.problem(objective, input.setting), objective, options);
     const ModelTile tile(model, input.layout, input.pattern, input.setting);
     return fit(model, DifferenceProblem(model, tile, objective, input.setting), objective, options);

@@ -129,7 +129,7 @@ Objective::Sample Objective::make_sample(const Response::Sample& sample, double 
         const Vector3d translation = row.head<3>();
         const Eigen::Quaterniond rotation = detail::rotation_of(row.tail<3>());
         translations += translation.norm();
-        rotations += detail::rotation_vector(rotation).norm();
+        rotations += detail::rotation_vector_of(rotation).norm();
         result.targets.push_back({translation, rotation.conjugate()});
     }
     result.translation_factor =
@@ -185,7 +185,7 @@ double Objective::answer_error(const Sample& sample, const mechanics::NodeValues
         const Target& target = sample.targets[node];
         translations += (Vector3d(row.head<3>()) - target.translation).norm();
         const Eigen::Quaterniond rotation = detail::rotation_of(row.tail<3>());
-        rotations += detail::rotation_vector(target.inverse_rotation * rotation).norm();
+        rotations += detail::rotation_vector_of(target.inverse_rotation * rotation).norm();
     }
     return sample.translation_factor * translations + sample.rotation_factor * rotations;
 }
@@ -214,7 +214,7 @@ struct Objective::NodeTerm {
              const std::array<double, 2>& rounding) {
         const double m = sample.magnitude;
         const Vector3d difference = motion.missed_translation(sample, node);
-        const Vector3d angle = detail::rotation_vector(motion.missed_rotation(sample, node));
+        const Vector3d angle = detail::rotation_vector_of(motion.missed_rotation(sample, node));
         const SmoothNorm translation = smooth_norm(difference, rounding[0]);
         const SmoothNorm rotation = smooth_norm(angle, rounding[1]);
         // The rotation vector `angle` changes by J_r(angle)^-1 J_r(turn) m du. It is itself a fixed vector of

@@ -25,7 +25,7 @@ Eigen::Quaterniond rotation_of(const Eigen::Vector3d& vector) {
     return {std::cos(angle / 2.0), half.x(), half.y(), half.z()};
 }
 
-Eigen::Vector3d rotation_vector(const Eigen::Quaterniond& rotation) {
+Eigen::Vector3d rotation_vector_of(const Eigen::Quaterniond& rotation) {
     const double sine = rotation.vec().norm();
     const double sign = rotation.w() < 0.0 ? -1.0 : 1.0;
     if (sine * sine < kSmallSquare) return sign * (2.0 + sine * sine / 3.0) * rotation.vec();

@@ -43,10 +43,10 @@ const pattern::Fan& TileBuilder::fan_of(const Surface& surface, const tiling::Ti
     return entry->second;
 }
 
-TileBuilder::Request TileBuilder::request(const Order& order, tiling::TileIndex index, double grid) {
-    const Surface& surface = order.surface;
+TileBuilder::Request TileBuilder::request(const TilesToBuild& wanted, tiling::TileIndex index, double grid) {
+    const Surface& surface = wanted.surface;
     const tiling::Tile& tile = surface.tessellation.tiles[static_cast<std::size_t>(index)];
-    const reduction::TileModel& model = tile_model(surface, order.choice, index);
+    const reduction::TileModel& model = tile_model(surface, wanted.choice, index);
     std::vector<double> parameters = tile_parameters(surface, index, model);
     Request request{&model,
                     &fan_of(surface, tile),
@@ -70,23 +70,22 @@ void TileBuilder::drop_unused() {
     looked_at_size_ = shared_.size() + kMostUnused;
 }
 
-std::vector<BuiltTile> TileBuilder::build(const Order& order, const BuildOptions& options) {
+std::vector<BuiltTile> TileBuilder::build(const TilesToBuild& wanted, const BuildOptions& options) {
     if (shared_.size() > looked_at_size_) drop_unused();
-    const double grid = congruence_grid(order.surface.tessellation);
+    const double grid = congruence_grid(wanted.surface.tessellation);
     std::vector<Request> requests;
-    requests.reserve(order.tiles.size());  // pointers to them, and views of their keys, are kept
+    requests.reserve(wanted.tiles.size());  // pointers to them, and views of their keys, are kept
     std::vector<Request*> missing;
-    std::set<std::string_view> ordered;
-    for (const tiling::TileIndex tile : order.tiles) {
+    std::set<std::string_view> missing_keys;
+    for (const tiling::TileIndex tile : wanted.tiles) {
         options.control.check();
-        Request& wanted = requests.emplace_back(request(order, tile, grid));
-        const bool is_there = shared_.contains(wanted.key);
-        if (wanted.key.empty() || (!is_there && ordered.insert(wanted.key).second))
-            missing.push_back(&wanted);
+        Request& next = requests.emplace_back(request(wanted, tile, grid));
+        const bool is_there = shared_.contains(next.key);
+        if (next.key.empty() || (!is_there && missing_keys.insert(next.key).second)) missing.push_back(&next);
     }
     base::parallel_for(missing.size(), options.threads, [&](std::size_t i) {
         options.control.check();
-        missing[i]->tile.structure = missing[i]->build(order.surface);
+        missing[i]->tile.structure = missing[i]->build(wanted.surface);
     });
     for (const Request* request : missing) {
         if (!request->key.empty()) shared_[request->key] = request->tile.structure;

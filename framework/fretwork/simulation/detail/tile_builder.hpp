@@ -38,14 +38,13 @@ struct BuildOptions {
 /// then all that are unused are dropped.
 class TileBuilder {
   public:
-    /// What is built: tiles of a surface.
-    struct Order {
+    struct TilesToBuild {
         const Surface& surface;
         const ModelChoice& choice;
         std::span<const tiling::TileIndex> tiles;
     };
     /// The tiles in their order. Throws as the models do, and as tile_parameters().
-    std::vector<BuiltTile> build(const Order& order, const BuildOptions& options);
+    std::vector<BuiltTile> build(const TilesToBuild& wanted, const BuildOptions& options);
     /// All tiles of a surface.
     std::vector<BuiltTile> build_all(const Surface& surface, const ModelChoice& choice,
                                      const BuildOptions& options);
@@ -62,7 +61,7 @@ class TileBuilder {
 
   private:
     struct Request;
-    Request request(const Order& order, tiling::TileIndex tile, double grid);
+    Request request(const TilesToBuild& wanted, tiling::TileIndex tile, double grid);
     const pattern::Fan& fan_of(const Surface& surface, const tiling::Tile& tile);
     void drop_unused();
 

@@ -65,7 +65,7 @@ class NearPlaces {
         }
         CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
             control_.check();
-            compare(*a.handle(), *b.handle());
+            look_between(*a.handle(), *b.handle());
         });
         return narrowest_;
     }
@@ -91,7 +91,7 @@ class NearPlaces {
     }
 
     /// The nearest points of two segments that do not cross: one of them is an end.
-    void compare(const Piece& a, const Piece& b) {
+    void look_between(const Piece& a, const Piece& b) {
         for (const auto& [point, other] : {std::pair(&a, &b), std::pair(&b, &a)}) {
             note(*point, 0.0, *other);
             note(*point, distance(point->from, point->to), *other);
