@@ -178,36 +178,86 @@ FRETWORK_EDIT(moved_support);
 FRETWORK_EDIT(repainted_tile);
 FRETWORK_EDIT(new_material);
 
-void full_model(benchmark::State& state) {
-    const Surface& surface = surface_of(Lattice::Irregular, static_cast<int>(state.range(0)));
-    const LoadCase load_case = cantilever();
-    for (auto _ : state) benchmark::DoNotOptimize(simulate(surface, load_case, {.model = "full"}));
-}
-void full_model_linear(benchmark::State& state) {
-    const Surface& surface = surface_of(Lattice::Irregular, static_cast<int>(state.range(0)));
-    const LoadCase load_case = cantilever();
-    for (auto _ : state)
-        benchmark::DoNotOptimize(
-            simulate(surface, load_case, {.model = "full", .analysis = Analysis::Linear}));
+// ---- large displacements: a cantilever bent to about two fifths of its span ----
+
+const Surface& irregular(const benchmark::State& state) {
+    return surface_of(Lattice::Irregular, static_cast<int>(state.range(0)));
 }
 
-/// A load changed by a tenth, from the last equilibrium.
-void full_model_new_load(benchmark::State& state) {
-    Session session(surface_of(Lattice::Irregular, static_cast<int>(state.range(0))), cantilever(),
-                    {.model = "full"});
+/// The force at which the linear surface is deflected by 0.45 of its length: the nonlinear one by 0.4.
+double bending_force(const Surface& surface) {
+    static std::map<const Surface*, double> forces;
+    if (const auto found = forces.find(&surface); found != forces.end()) return found->second;
+    const mechanics::Result result = simulate(surface, cantilever(1.0), {.model = "condensed"});
+    double length = 0.0;
+    for (const pattern::Point2& point : surface.tessellation.vertices) length = std::max(length, point.x);
+    return forces[&surface] =
+               0.45 * length / result.solution.displacements.leftCols<3>().rowwise().norm().maxCoeff();
+}
+
+void bent_linear(benchmark::State& state, const char* model) {
+    const Surface& surface = irregular(state);
+    const LoadCase load_case = cantilever(bending_force(surface));
+    for (auto _ : state)
+        benchmark::DoNotOptimize(
+            simulate(surface, load_case, {.model = model, .analysis = Analysis::Linear}));
+}
+
+void bent_from_rest(benchmark::State& state, const char* model) {
+    const Surface& surface = irregular(state);
+    const LoadCase load_case = cantilever(bending_force(surface));
+    for (auto _ : state) {
+        const mechanics::Result result = simulate(surface, load_case, {.model = model});
+        state.counters["iterations"] = result.solution.iterations;
+        state.counters["residual"] = result.solution.residual;
+        state.counters["converged"] = result.solution.converged();
+    }
+}
+
+/// Solve, edit and solve again from the last equilibrium, and so on.
+template <class Edit>
+void time_bent_edits(benchmark::State& state, const char* model, const Edit& edit) {
+    const Surface& surface = irregular(state);
+    Session session(surface, cantilever(bending_force(surface)), {.model = model});
     benchmark::DoNotOptimize(session.solve());
     int round = 0;
     double from_last = 0.0;
     for (auto _ : state) {
-        session.set_load_case(cantilever(++round % 2 == 0 ? 0.01 : 0.011));
+        edit(session, ++round);
         benchmark::DoNotOptimize(session.solve());
         from_last += session.last_work().starting_point == mechanics::StartingPoint::LastEquilibrium;
     }
     state.counters["from_last"] = from_last / round;
 }
-BENCHMARK(full_model_linear)->Arg(100)->Arg(500)->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK(full_model_new_load)->Arg(100)->Arg(500)->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK(full_model)->Arg(100)->Arg(500)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+/// The load changed by a tenth.
+void bent_new_load(benchmark::State& state, const char* model) {
+    const double force = bending_force(irregular(state));
+    time_bent_edits(state, model, [force](Session& session, int round) {
+        session.set_load_case(cantilever(force * (round % 2 == 0 ? 1.0 : 1.1)));
+    });
+}
+
+void bent_repainted_tile(benchmark::State& state, const char* model) {
+    const auto count = static_cast<int>(state.range(0));
+    time_bent_edits(state, model, [count](Session& session, int round) {
+        const tiling::TileIndex tile(static_cast<int>(static_cast<long long>(round) * 7919 % count));
+        session.paint({&tile, 1}, patterns()[static_cast<std::size_t>(round % 24)]);
+    });
+}
+
+void bent_sizes(benchmark::internal::Benchmark* bench) {
+    for (const int tiles : {100, 500, 2000, 10000}) bench->Arg(tiles);
+    bench->Unit(benchmark::kMillisecond)->UseRealTime();
+}
+#define FRETWORK_BENT(name)                                                   \
+    BENCHMARK_CAPTURE(name, corotational, "corotational")->Apply(bent_sizes); \
+    BENCHMARK_CAPTURE(name, full, "full")->Apply(bent_sizes)
+BENCHMARK_CAPTURE(bent_linear, condensed, "condensed")->Apply(bent_sizes);
+BENCHMARK_CAPTURE(bent_linear, full, "full")->Apply(bent_sizes);
+FRETWORK_BENT(bent_from_rest);
+FRETWORK_BENT(bent_new_load);
+FRETWORK_BENT(bent_repainted_tile);
 
 }  // namespace
 }  // namespace fretwork::simulation

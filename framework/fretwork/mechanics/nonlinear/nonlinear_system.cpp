@@ -14,10 +14,20 @@ std::size_t at(int index) {
     return static_cast<std::size_t>(index);
 }
 
-/// Elements that threads evaluate before they are added, one after the other, and what one thread takes of
-/// them at a time. What is in a batch stays in the cache.
-constexpr std::size_t kBatch = 2048;
-constexpr std::size_t kPiece = 64;
+/// Numbers in the tangents that threads evaluate before these are added, one after the other, and in what one
+/// thread takes of them at a time. What is in a batch stays in the cache.
+constexpr std::size_t kBatchNumbers = 300'000;
+constexpr std::size_t kPieceNumbers = 10'000;
+
+/// Numbers in the tangents of all elements.
+std::size_t tangent_numbers(const Assembly& assembly) {
+    std::size_t sum = 0;
+    for (const auto& element : assembly.elements) {
+        const std::size_t size = element->nodes().size() * kDofsPerNode;
+        sum += size * size;
+    }
+    return sum;
+}
 
 /// What the forces on each node come to in floating point where the elements at it are near rest: rounding of
 /// their geometry times their stiffness. A stiff element far away adds nothing.
@@ -43,9 +53,13 @@ NodeValues rounding_forces(const Assembly& assembly, double length) {
 NonlinearSystem::NonlinearSystem(const Assembly& assembly, int threads, const base::Control& control)
     : unknowns_(assembly, {.stop = control.stop}),
       control_{.stop = control.stop},
-      threads_(assembly.elements.size() < kBatch / 2 ? 1 : base::resolved_thread_count(threads)),
-      batch_(threads_ > 1 ? kBatch : 1),
-      answers_(batch_) {
+      threads_(tangent_numbers(assembly) < kBatchNumbers / 2 ? 1 : base::resolved_thread_count(threads)) {
+    if (threads_ > 1) {
+        const std::size_t numbers = tangent_numbers(assembly) / assembly.elements.size();  // of one element
+        batch_ = std::max<std::size_t>(1, kBatchNumbers / numbers);
+        piece_ = std::max<std::size_t>(1, kPieceNumbers / numbers);
+    }
+    answers_.resize(batch_);
     values_.resize(unknowns_.layout().row().size());
     take_up_loads();
 }
@@ -110,10 +124,10 @@ void NonlinearSystem::add_prescribed_rate(std::span<const NodeIndex> nodes, cons
 }
 
 void NonlinearSystem::for_elements(std::size_t count, const std::function<void(std::size_t)>& body) const {
-    base::parallel_for((count + kPiece - 1) / kPiece, threads_, [&](std::size_t piece) {
+    base::parallel_for((count + piece_ - 1) / piece_, threads_, [&](std::size_t piece) {
         control_.check();
-        const std::size_t end = std::min(count, (piece + 1) * kPiece);
-        for (std::size_t i = piece * kPiece; i < end; ++i) body(i);
+        const std::size_t end = std::min(count, (piece + 1) * piece_);
+        for (std::size_t i = piece * piece_; i < end; ++i) body(i);
     });
 }
 

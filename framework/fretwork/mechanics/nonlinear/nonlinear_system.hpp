@@ -119,7 +119,8 @@ class NonlinearSystem {
     std::vector<Eigen::Matrix3d> spin_maps_;  ///< of the vector nodes
     base::Control control_;
     int threads_;
-    std::size_t batch_;  ///< elements that are evaluated before they are added
+    std::size_t batch_ = 1;  ///< elements that are evaluated before they are added
+    std::size_t piece_ = 1;  ///< elements that one thread takes at a time
     std::vector<Answer> answers_;
 
     NodeValues internal_;
