@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "hinged_cantilever.hpp"
 #include "sample.hpp"
 #include "verification/benchmark_frames.hpp"
 
@@ -419,11 +420,7 @@ TEST(Equilibrium, BadOptionsAndFactorsAreRefused) {
 }
 
 TEST(Equilibrium, MechanismIsRefusedWithItsNode) {
-    Frame frame = sample::cantilever();
-    frame.nodes.emplace_back(2.0, 0.0, 0.0);
-    frame.beams.push_back(frame.beams[0]);
-    frame.beams[1].nodes = {NodeIndex(1), NodeIndex(2)};
-    frame.beams[1].releases = {{0, {{false, false, false, false, true, false}}}};
+    const Frame frame = sample::hinged_cantilever({2.0, 0.0, 0.0});
     try {
         full_load(frame);
         FAIL();

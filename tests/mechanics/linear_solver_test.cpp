@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "hinged_cantilever.hpp"
 #include "sample.hpp"
 
 #include <fretwork/base/error.hpp>
@@ -118,11 +119,7 @@ TEST(LinearSolver, HingedBeamUnderOwnWeightMatchesClosedForm) {
 
 TEST(LinearSolver, HingePassesNoMoment) {
     // Two cantilevers that meet in a hinge share the load as two springs 3 E I / L^3.
-    Frame frame = sample::cantilever();
-    frame.nodes.emplace_back(3.0, 0.0, 0.0);
-    frame.beams.push_back(frame.beams[0]);
-    frame.beams[1].nodes = {NodeIndex(1), NodeIndex(2)};
-    frame.beams[1].releases = {{0, {{false, false, false, false, true, false}}}};
+    Frame frame = sample::hinged_cantilever({3.0, 0.0, 0.0});
     sample::clamp(frame, 2);
     frame.loads.push_back({NodeIndex(1), {0.0, 0.0, -1.0}});
     for (const int divisions : {1, 4}) {
@@ -255,12 +252,8 @@ TEST(LinearSolver, UpdatedSolverGivesBitsOfNewSolver) {
 }
 
 TEST(LinearSolver, MechanismIsNamedByItsNode) {
-    // A hinge in every component at the only beam of node 1: the node is loose.
-    Frame frame = sample::cantilever();
-    frame.nodes.emplace_back(2.0, 0.0, 0.0);
-    frame.beams.push_back(frame.beams[0]);
-    frame.beams[1].nodes = {NodeIndex(1), NodeIndex(2)};
-    frame.beams[1].releases = {{0, {{false, false, false, false, true, false}}}};
+    // Only a hinge holds the second beam: it swings.
+    const Frame frame = sample::hinged_cantilever({2.0, 0.0, 0.0});
     try {
         solve_linear(assemble(frame));
         FAIL();

@@ -78,11 +78,13 @@ class ExternalTileModel : public testing::Test {
 
 TEST_F(ExternalTileModel, IsCalibratedIntoALibrary) {
     const auto library = calibrated_library();
-    const auto record = library.best_calibration(kPattern, "scaled");
-    ASSERT_TRUE(record.has_value());
-    ASSERT_EQ(record->calibration.parameters.size(), 1U);
-    EXPECT_EQ(record->calibration.parameters[0].name, "factor");
-    EXPECT_TRUE(record->calibration.converged);
+    const auto calibrations = library.best_calibrations(kPattern);
+    ASSERT_EQ(calibrations.size(), 1U);
+    const reduction::Calibration& found = calibrations[0];
+    EXPECT_EQ(found.model, "scaled");
+    ASSERT_EQ(found.parameters.size(), 1U);
+    EXPECT_EQ(found.parameters[0].name, "factor");
+    EXPECT_TRUE(found.converged);
 
     // The factor is the best one: others near it are worse.
     const auto layout = pattern::find_node_layout("paper7");
@@ -92,11 +94,11 @@ TEST_F(ExternalTileModel, IsCalibratedIntoALibrary) {
     const TileModel& model = reduction::find_tile_model("scaled", catalogue());
     const reduction::ModelTile tile(model, layout, pattern, own);
     const reduction::Objective objective(responses, own);
-    const double best = record->calibration.parameters[0].value;
+    const double best = found.parameters[0].value;
     const auto error_at = [&](double factor) {
         return objective.value(tile.displacements(std::vector{factor}));
     };
-    EXPECT_NEAR(error_at(best), record->calibration.objective, 1e-9 * record->calibration.objective);
+    EXPECT_NEAR(error_at(best), found.objective, 1e-9 * found.objective);
     EXPECT_GT(error_at(1.02 * best), error_at(best));
     EXPECT_GT(error_at(best / 1.02), error_at(best));
 }
@@ -104,7 +106,7 @@ TEST_F(ExternalTileModel, IsCalibratedIntoALibrary) {
 TEST_F(ExternalTileModel, SimulatesASurfaceAndIsComparedWithTheFullModel) {
     const auto library = calibrated_library();
     const Surface surface = make_surface(honeycomb(), &library);
-    const double factor = library.best_calibration(kPattern, "scaled")->calibration.parameters[0].value;
+    const double factor = library.best_calibrations(kPattern).at(0).parameters[0].value;
     const LoadCase load_case = test::cantilever({0.0, 0.0, -0.001});
     const auto scaled = simulate(surface, load_case, {.model = "scaled", .models = catalogue()});
     const auto condensed = simulate(surface, load_case, {.model = "condensed"});

@@ -317,16 +317,6 @@ std::vector<CalibrationRecord> Library::calibrations(std::string_view pattern_id
     return detail::read_calibrations(impl_->database, pattern_id, setting());
 }
 
-std::optional<CalibrationRecord> Library::best_calibration(std::string_view pattern_id,
-                                                           std::string_view model) const {
-    std::optional<CalibrationRecord> best;
-    for (CalibrationRecord& record : calibrations(pattern_id)) {
-        if (record.calibration.model != model) continue;
-        if (!best || record.calibration.objective < best->calibration.objective) best = std::move(record);
-    }
-    return best;
-}
-
 std::vector<reduction::Calibration> Library::best_calibrations(std::string_view pattern_id) const {
     std::map<std::string, reduction::Calibration> best;
     for (CalibrationRecord& record : calibrations(pattern_id)) {

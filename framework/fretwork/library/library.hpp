@@ -147,9 +147,6 @@ class Library {
     [[nodiscard]] std::vector<reduction::Response> responses(std::string_view pattern_id) const;
     /// All calibrations of a pattern, sorted by key.
     [[nodiscard]] std::vector<CalibrationRecord> calibrations(std::string_view pattern_id) const;
-    /// Of a pattern's calibrations of a tile model the one with the smallest objective.
-    [[nodiscard]] std::optional<CalibrationRecord> best_calibration(std::string_view pattern_id,
-                                                                    std::string_view model) const;
     /// For each tile model that a pattern has calibrations of, the one with the smallest objective, by name.
     [[nodiscard]] std::vector<reduction::Calibration> best_calibrations(std::string_view pattern_id) const;
     /// Of a pattern's calibrations of models to which something is fitted, the one with the smallest

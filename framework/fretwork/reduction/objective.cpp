@@ -90,9 +90,7 @@ Objective::Objective(const std::vector<Response>& responses, const Setting& sett
     check_fit(responses, setting);
     for (std::size_t s = 0; s < responses.size(); ++s) {
         first_samples_.push_back(samples_.size());
-        const auto used = used_samples(responses[s], setting);
-        left_out_ += responses[s].samples.size() - used.size();
-        for (const Response::Sample* sample : used) {
+        for (const Response::Sample* sample : used_samples(responses[s], setting)) {
             samples_.push_back(make_sample(*sample, setting.scenarios[s].weight, metric));
         }
         set_steps(std::span(samples_).subspan(first_samples_.back()));

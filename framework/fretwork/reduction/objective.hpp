@@ -52,7 +52,6 @@ class Objective {
                                                              double smoothing) const;
 
     [[nodiscard]] std::size_t sample_count() const { return samples_.size(); }
-    [[nodiscard]] std::size_t left_out() const { return left_out_; }
 
   private:
     /// The displacement of one interface node in a sample.
@@ -82,7 +81,6 @@ class Objective {
     [[nodiscard]] double scenario_error(std::size_t scenario, const UnitDisplacements& model) const;
 
     ErrorMetric metric_;
-    std::size_t left_out_ = 0;
     std::vector<Sample> samples_;
     std::vector<std::size_t> first_samples_;  ///< of each scenario; at last: the number of samples
 };
