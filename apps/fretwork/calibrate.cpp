@@ -105,6 +105,16 @@ void print_json(const Result& result) {
     std::fputs(base::json_text(document).c_str(), stdout);
 }
 
+/// Options of a search, where there is nothing to search for.
+void refuse_ignored_options(const CLI::App& verb, const Options& options) {
+    if (!reduction::find_tile_model(options.fill.model).parameters.empty()) return;
+    for (const char* option : {"--optimizer", "--starts", "--budget", "--seed"}) {
+        if (verb.count(option) > 0)
+            throw base::InputError(option, "",
+                                   "is for models with parameters, and " + options.fill.model + " has none");
+    }
+}
+
 ExitCode calibrate(Options options) {
     LongWork work;
     options.fill.control = work.control();
@@ -170,7 +180,10 @@ void add_calibrate(CLI::App& app, ExitCode& exit_code) {
     verb->add_flag("--json", options->json, "Print for programs");
     declare_files(*verb, {update("--library", kLibraryFile), input("--setting")});
     verb->footer(kExample);
-    verb->callback([options, &exit_code] { exit_code = calibrate(*options); });
+    verb->callback([options, verb, &exit_code] {
+        refuse_ignored_options(*verb, *options);
+        exit_code = calibrate(*options);
+    });
 }
 
 }  // namespace fretwork::app

@@ -48,18 +48,33 @@ void refuse_ignored_options(const CLI::App& verb, const Options& options) {
     }
 }
 
+/// The supports and loads that are drawn must be those of the results.
+void check_load_case(const simulation::LoadCase& load_case, const Options& options,
+                     const exports::Scene& scene) {
+    const auto drawn = simulation::result_subject(scene.surface, load_case, {});
+    for (std::size_t i = 0; i < scene.results.size(); ++i) {
+        const auto& subject = scene.results[i].result.subject;
+        const std::string difference = subject ? simulation::subject_difference(*subject, drawn) : "";
+        if (!difference.empty())
+            throw base::InputError(options.results[i], "",
+                                   "is no result of the load case '" + load_case.name +
+                                       "' of --case: they differ in " + difference);
+    }
+}
+
 exports::Scene make_scene(const Options& options, const base::Control& control) {
     const simulation::Project project = simulation::read_checked_project(options.project);
     const auto library = simulation::open_project_library(options.project, project, options.library);
     exports::Scene scene{simulation::make_surface(project, library ? &*library : nullptr)};
-    if (!options.load_case.empty()) {
-        scene.conditions =
-            simulation::resolve(simulation::find_load_case(project, options.load_case), scene.surface);
-    }
     for (const std::string& file : options.results) {
         control.check();
         scene.results.push_back(
             {std::filesystem::path(file).stem().string(), read_own_result(file, scene.surface)});
+    }
+    if (!options.load_case.empty()) {
+        const simulation::LoadCase& load_case = simulation::find_load_case(project, options.load_case);
+        check_load_case(load_case, options, scene);
+        scene.conditions = simulation::resolve(load_case, scene.surface);
     }
     scene.displacement_scale = options.scale;
     return scene;

@@ -99,6 +99,8 @@ void print(const mechanics::Result& result) {
                 base::printable(result.subject->load_case).c_str(), result.solver.c_str(),
                 std::string(mechanics::termination_name(solution.termination)).c_str(),
                 solution.stable ? "" : ", unstable");
+    if (!solution.converged())
+        std::printf("the last equilibrium found is at %.3g of the load\n", solution.load_factor);
     std::printf("largest displacement %.4g mm, largest rotation %.4g deg, %.3g s\n",
                 1e3 * largest_displacement(result), largest_rotation(result) * kDegreesPerRadian,
                 result.seconds);
@@ -157,9 +159,10 @@ ExitCode run(Options options) {
     add_drawings(options, surface, result, files);
     files.commit();
     options.json ? print_json(result) : print(result);
-    if (options.simulation.estimate_model_error && !result.model_error)
+    const bool misses_error = options.simulation.estimate_model_error && !result.model_error;
+    if (misses_error)
         std::fprintf(stderr, "fretwork: the error of the model is not known: no better solution was found\n");
-    return result.solution.converged() ? ExitCode::Done : ExitCode::DidNotSucceed;
+    return result.solution.converged() && !misses_error ? ExitCode::Done : ExitCode::DidNotSucceed;
 }
 
 std::string models_help() {

@@ -169,6 +169,18 @@ TEST(AtomicFile, WithoutACommitLeavesNoTrace) {
     EXPECT_EQ(entries(folder.path()), 0U);
 }
 
+TEST(AtomicFile, RefusesAPipeThatNobodyReads) {
+    const TemporaryFolder folder;
+    const auto pipe = folder.path() / "pipe";
+    ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+    EXPECT_THAT(complaint_of([&] { AtomicFile file(pipe); }), testing::HasSubstr("that no program reads"));
+    const int reader = ::open(pipe.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+    write_file_atomically(pipe, "content");
+    char content[8] = {};
+    EXPECT_EQ(::read(reader, content, sizeof content), 7);
+    ::close(reader);
+}
+
 TEST(File, ThatIsAPipeWaitsForASlowWriter) {
     const TemporaryFolder folder;
     const auto pipe = folder.path() / "pipe";

@@ -95,6 +95,17 @@ TEST_F(SurfaceResults, AreComparedUnderANameThatATerminalDoesNotObey) {
     EXPECT_THAT(outcome.out, HasSubstr("a\\x1b[31m"));
 }
 
+TEST_F(SurfaceResults, AreDrawnWithTheirOwnLoadCaseOnly) {
+    ASSERT_EQ(run("sed s/cantilever/other/ experiments/cases/cantilever.json > other.json"
+                  " && fretwork case add p.json other.json")
+                  .exit_code,
+              0);
+    EXPECT_EQ(run("fretwork export p.json --case cantilever --result full.json --to own.svg").exit_code, 0);
+    const Outcome outcome = run("fretwork export p.json --case other --result full.json --to mix.svg");
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_THAT(outcome.err, AllOf(StartsWith("fretwork: full.json: "), HasSubstr("'other' of --case")));
+}
+
 TEST_F(SurfaceResults, AreHeldAgainstFiniteTolerancesOnly) {
     for (const std::string value : {"inf", "nan", "-1", "1e999", "x"}) {
         const Outcome outcome = run("fretwork compare full.json condensed.json --tolerance=" + value);

@@ -34,6 +34,17 @@ bool is_device(const std::filesystem::path& path) {
     return std::filesystem::exists(path, ignored) && !std::filesystem::is_regular_file(path, ignored);
 }
 
+/// To wait for somebody who reads a pipe could take forever, and signals would not end it.
+int open_device(const std::filesystem::path& path) {
+    const int descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NONBLOCK);
+    if (descriptor < 0 && errno == ENXIO)
+        throw IoError(path.string() + ": cannot be written: it is a pipe that no program reads");
+    if (descriptor < 0) fail_to_write(path, errno);
+    // What is written later may wait.
+    (void)::fcntl(descriptor, F_SETFL, ::fcntl(descriptor, F_GETFL) & ~O_NONBLOCK);
+    return descriptor;
+}
+
 }  // namespace
 
 /// Where the content of one file goes until it is whole. Devices and pipes (/dev/stdout) cannot be replaced,
@@ -41,8 +52,7 @@ bool is_device(const std::filesystem::path& path) {
 struct AtomicFile::Impl {
     explicit Impl(std::filesystem::path path) : named(std::move(path)), target(link_target(named)) {
         if (is_device(target)) {
-            device = ::open(target.c_str(), O_WRONLY | O_CLOEXEC);
-            if (device < 0) fail_to_write(named, errno);
+            device = open_device(target);
         } else {
             scratch.emplace(target, Scratch::Kind::File);
         }
