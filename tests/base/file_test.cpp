@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "support.hpp"
 
+#include <array>
 #include <chrono>
 #include <csignal>
 #include <fcntl.h>
@@ -179,6 +180,15 @@ TEST(AtomicFile, RefusesAPipeThatNobodyReads) {
     char content[8] = {};
     EXPECT_EQ(::read(reader, content, sizeof content), 7);
     ::close(reader);
+}
+
+TEST(AtomicFile, WritesToAPipeThatOnlyALinkOfTheKernelNames) {
+    std::array<int, 2> ends{};
+    ASSERT_EQ(::pipe2(ends.data(), O_CLOEXEC), 0);
+    write_file_atomically("/proc/self/fd/" + std::to_string(ends[1]), "content");
+    std::array<char, 8> content{};
+    EXPECT_EQ(::read(ends[0], content.data(), content.size()), 7);
+    for (const int end : ends) ::close(end);
 }
 
 TEST(File, ThatIsAPipeWaitsForASlowWriter) {

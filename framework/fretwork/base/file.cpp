@@ -71,7 +71,10 @@ std::filesystem::path link_target(std::filesystem::path path) {
     for (int i = 0; i < kMostLinks && std::filesystem::is_symlink(path, fault); ++i) {
         const std::filesystem::path target = std::filesystem::read_symlink(path, fault);
         if (fault) return path;
-        path = path.parent_path() / target;
+        std::filesystem::path next = path.parent_path() / target;
+        // Links of the kernel, such as /dev/stdout to a pipe, lead to what has no name.
+        if (std::filesystem::exists(path, fault) && !std::filesystem::exists(next, fault)) return path;
+        path = std::move(next);
     }
     return path;
 }
