@@ -173,10 +173,10 @@ TEST_F(TwoAtOnce, PatternsThatManyProcessesAddToANewLibraryAreAllKept) {
 
 TEST_F(TwoAtOnce, AnEmptyFileBecomesALibraryOfAllProcessesThatFindIt) {
     ASSERT_EQ(run("touch L.db && fretwork enumerate --edges 2..5 --library all.db").exit_code, 0);
-    const auto outcome = run_at_once_on("L.db", {"fretwork enumerate --library L.db --edges 2",
-                                                 "fretwork enumerate --library L.db --edges 3",
-                                                 "fretwork enumerate --library L.db --edges 4",
-                                                 "fretwork enumerate --library L.db --edges 5"});
+    const auto outcome = run_at_once_on(
+        "L.db",
+        {"fretwork enumerate --library L.db --edges 2", "fretwork enumerate --library L.db --edges 3",
+         "fretwork enumerate --library L.db --edges 4", "fretwork enumerate --library L.db --edges 5"});
     EXPECT_EQ(number_done(outcome), 4);
     EXPECT_EQ(patterns_of("L.db"), patterns_of("all.db"));
 }

@@ -20,8 +20,8 @@ class Stopped : public Error {
 struct Control {
     std::stop_token stop{};        ///< looked at at least every 50 ms; the default never asks to stop
     Progress* progress = nullptr;  ///< told how far the work is; null: nobody listens. Not owned.
-    /// Asked at every look, too, on whichever thread looks: true asks to stop. For a caller that has no second
-    /// thread to ask from, and for tests. Null: nobody is asked. Not owned.
+    /// Asked at every look, too, on whichever thread looks: true asks to stop. For a caller that has no
+    /// second thread to ask from, and for tests. Null: nobody is asked. Not owned.
     const std::function<bool()>* question = nullptr;
 
     /// Whether the caller has asked to stop. Cheap enough for every iteration of a solver.

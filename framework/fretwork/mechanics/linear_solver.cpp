@@ -121,7 +121,8 @@ class LinearSolver::Impl {
 
     /// All free dofs at rest, the held ones where they are to be.
     [[nodiscard]] Iterate start(const NodeValues& loads) const {
-        Iterate iterate{.displacements = structure_.constraints().values};
+        Iterate iterate;
+        iterate.displacements = structure_.constraints().values;
         for (const Subsystem& system : structure_.systems()) iterate.parts.push_back({&system});
         for_each(iterate.parts, [&](Part& part) {
             part.system->layout().gather(loads, part.unbalanced);

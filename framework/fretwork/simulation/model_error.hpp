@@ -7,8 +7,8 @@
 
 namespace fretwork::simulation {
 
-/// The share of tiles in full with which solutions are compared. With 5 % in full, the difference is below 0.7
-/// of the true mean error on nearly half of the surfaces of experiments/large_deflections, with 30 % on a
+/// The share of tiles in full with which solutions are compared. With 5 % in full, the difference is below
+/// 0.7 of the true mean error on nearly half of the surfaces of experiments/large_deflections, with 30 % on a
 /// tenth.
 inline constexpr double kEstimatingShare = 0.3;
 

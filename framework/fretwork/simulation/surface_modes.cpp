@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fretwork/simulation/surface_modes.hpp>
 #include <fretwork/simulation/surface_frame.hpp>
+#include <fretwork/simulation/surface_modes.hpp>
 
 #include <algorithm>
 
@@ -8,8 +8,7 @@ namespace fretwork::simulation {
 namespace {
 
 /// Every beam of every tile.
-mechanics::Assembly full_assembly(Surface surface, const LoadCase& load_case,
-                                  const base::Control& control) {
+mechanics::Assembly full_assembly(Surface surface, const LoadCase& load_case, const base::Control& control) {
     surface.tile_models.clear();
     const auto& models = reduction::tile_models();
     const auto full = std::ranges::find(models, reduction::Role::Reference, &reduction::TileModel::role);

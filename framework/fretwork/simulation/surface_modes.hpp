@@ -12,8 +12,8 @@ namespace fretwork::simulation {
 /// Which modes of a surface are wanted.
 enum class ModeKind { Vibration, Buckling };
 
-/// The lowest modes of a surface with all of its beams, as a load case holds and (for buckling) loads it; rows
-/// as those of surface_beams. Throws as mechanics::vibration_modes, and InputError as surface_frame.
+/// The lowest modes of a surface with all of its beams, as a load case holds and (for buckling) loads it;
+/// rows as those of surface_beams. Throws as mechanics::vibration_modes, and InputError as surface_frame.
 std::vector<mechanics::Mode> surface_modes(const Surface& surface, const LoadCase& load_case, ModeKind kind,
                                            int count, const mechanics::ModeOptions& options = {});
 

@@ -43,10 +43,10 @@ KnownValue find_known_value(const std::string& id, const KnownValueOptions& opti
     }
     KnownValue known{id, 0.0, 0.0, ""};
     for (const char* name : {"gauss-newton-multistart", "ceres-multistart"}) {
-        const auto report = minimize(
-            *entry.problem, optimization::find_optimizer(name),
-            {.starts = options.starts, .seed = kReferenceSeed},
-            {.cost = std::numeric_limits<long>::max() / 2, .control = options.control.silent()});
+        const auto report =
+            minimize(*entry.problem, optimization::find_optimizer(name),
+                     {.starts = options.starts, .seed = kReferenceSeed},
+                     {.cost = std::numeric_limits<long>::max() / 2, .control = options.control.silent()});
         if (!known.found_by.empty() && report.value >= known.best_value) continue;
         known.best_value = report.value;
         known.found_by = std::string(name) + " with " + std::to_string(options.starts) + " starts";

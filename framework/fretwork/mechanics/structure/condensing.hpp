@@ -27,8 +27,8 @@ Eigen::MatrixXd condense_sparse(const CondensingTask& task);
 /// structure is flat and its elements decouple.
 Eigen::MatrixXd condense_dense(const CondensingTask& task);
 
-/// The mass of the kept nodes, where the inner ones follow them statically. By dense matrices. The inner nodes
-/// cannot move without strain (as condense_dense has checked).
+/// The mass of the kept nodes, where the inner ones follow them statically. By dense matrices. The inner
+/// nodes cannot move without strain (as condense_dense has checked).
 Eigen::MatrixXd condense_mass(const CondensingTask& task);
 
 /// How the inner nodes follow the kept ones: mechanics::following.
