@@ -324,11 +324,20 @@ TEST(LinearSolver, ResidualThatRoundingExplainsIsConverged) {
     EXPECT_NEAR(solution.displacements(2, 2), 1.0 / (3.0 * 1e9 * std::pow(0.02, 4) / 12.0), 1e-6);
 }
 
+// What rounding leaves differs from one length and one compiler to the next; so many lengths are tried, down
+// to those at which the structure is refused as a mechanism.
 TEST(LinearSolver, SolutionWithLargeResidualHasNotConverged) {
-    Frame frame = with_a_short_last_beam(6e-5);
-    const Solution solution = solve_linear(assemble(frame));
-    EXPECT_EQ(solution.termination, Termination::IterationsSpent);
-    EXPECT_GT(solution.residual, 1e-4);
+    int not_converged = 0;
+    for (double length = 1e-4; length > 2.5e-5; length *= 0.98) {
+        try {
+            const Solution solution = solve_linear(assemble(with_a_short_last_beam(length)));
+            EXPECT_EQ(solution.converged(), solution.residual <= 1e-4) << length;
+            if (solution.termination == Termination::IterationsSpent) ++not_converged;
+        } catch (const base::NumericalError&) {
+            break;
+        }
+    }
+    EXPECT_GT(not_converged, 0);
 }
 
 /// Asks to stop as soon as it is told of a step.
