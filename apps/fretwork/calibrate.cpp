@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "file_options.hpp"
+#include "ignored_options.hpp"
 #include "interrupt.hpp"
 #include "pattern_choice.hpp"
 #include "verbs.hpp"
@@ -108,11 +109,8 @@ void print_json(const Result& result) {
 /// Options of a search, where there is nothing to search for.
 void refuse_ignored_options(const CLI::App& verb, const Options& options) {
     if (!reduction::find_tile_model(options.fill.model).parameters.empty()) return;
-    for (const char* option : {"--optimizer", "--starts", "--budget", "--seed"}) {
-        if (verb.count(option) > 0)
-            throw base::InputError(option, "",
-                                   "is for models with parameters, and " + options.fill.model + " has none");
-    }
+    refuse_given(verb, {"--optimizer", "--starts", "--budget", "--seed"},
+                 "is for models with parameters, and " + options.fill.model + " has none");
 }
 
 ExitCode calibrate(Options options) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fretwork export: a project, and what was computed of it, as a drawing or a file for other programs.
 #include "file_options.hpp"
+#include "ignored_options.hpp"
 #include "interrupt.hpp"
 #include "surface_result.hpp"
 #include "verbs.hpp"
@@ -42,10 +43,7 @@ void refuse_ignored_options(const CLI::App& verb, const Options& options) {
     const bool has_drawing = std::ranges::any_of(
         options.to, [](const std::string& path) { return exports::find_writer(path).is_drawing; });
     if (has_drawing) return;
-    for (const char* option : {"--case", "--scale"}) {
-        if (verb.count(option) > 0)
-            throw base::InputError(option, "", "is for drawings, and no --to names one (.svg)");
-    }
+    refuse_given(verb, {"--case", "--scale"}, "is for drawings, and no --to names one (.svg)");
 }
 
 /// The supports and loads that are drawn must be those of the results.

@@ -19,6 +19,12 @@ bool is_small(const Assembly& assembly, std::span<const NodeIndex> kept) {
 
 }  // namespace
 
+std::vector<NodeIndex> first_nodes(int count) {
+    std::vector<NodeIndex> nodes;
+    for (int i = 0; i < count; ++i) nodes.emplace_back(i);
+    return nodes;
+}
+
 Eigen::MatrixXd condense(const Assembly& assembly, std::span<const NodeIndex> kept) {
     const structure::CondensingTask task = structure::condensing_task(assembly, kept);
     return is_small(assembly, kept) ? structure::condense_dense(task) : structure::condense_sparse(task);

@@ -10,6 +10,9 @@
 
 namespace fretwork::mechanics {
 
+/// The first so many nodes of a structure.
+std::vector<NodeIndex> first_nodes(int count);
+
 /// Condense the linear stiffness of a structure onto some of its nodes (Schur complement): exact for small
 /// displacements while only these nodes are loaded and held. Supports and loads of the assembly are left
 /// aside. Returns the 6n x 6n matrix of the n nodes in the given order: symmetric, positive semidefinite,

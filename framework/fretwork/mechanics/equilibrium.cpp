@@ -71,8 +71,7 @@ class LoadPath {
         point_.rate = newton_.solve_tangent(system_.load_rate());
         rest_rate_ = unknowns_.largest_component(point_.rate);
         predictor_.add(0.0, point_.configuration, point_.rate);
-        prescribed_turn_ =
-            structure::constraints_of(assembly).values.rightCols<3>().rowwise().norm().maxCoeff();
+        prescribed_turn_ = unknowns_.largest_prescribed_rotation();
     }
 
     /// @param task  is told the share of the last load factor, in thousandths
@@ -285,8 +284,7 @@ class LoadPath {
         solution.termination = termination;
         if (options_.classify_stability) {
             solution.stable = point_.outcome.positive_definite();
-            solution.stability =
-                system_.is_conservative() ? StabilityTest::Tangent : StabilityTest::SymmetricPart;
+            solution.stability = system_.stability_test();
         }
         solution.iterations = newton_.take_iterations();
         solution.stability_losses = std::exchange(losses_, {});

@@ -107,9 +107,7 @@ class EquilibriumSolver::Impl {
     Solution settled() {
         is_settled_ = has_factors_ = true;
         Solution solution = equations_->system.describe(point_.configuration, 1.0);
-        if (options_.classify_stability)
-            solution.stability =
-                equations_->system.is_conservative() ? StabilityTest::Tangent : StabilityTest::SymmetricPart;
+        if (options_.classify_stability) solution.stability = equations_->system.stability_test();
         solution.iterations = equations_->newton.take_iterations();
         return solution;
     }

@@ -107,8 +107,7 @@ class Tracer {
         system_.evaluate(configuration_, factor_);
         Solution solution = system_.describe(configuration_, factor_);
         solution.stable = outcome_.positive_definite();
-        solution.stability =
-            system_.is_conservative() ? StabilityTest::Tangent : StabilityTest::SymmetricPart;
+        solution.stability = system_.stability_test();
         solution.iterations = newton_.take_iterations();
         return solution;
     }

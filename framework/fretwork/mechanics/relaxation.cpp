@@ -159,8 +159,7 @@ class Relaxation {
         solution.iterations = iterations;
         sparse::Ldlt factors(unknowns_.layout());
         solution.stable = factors.factorize(system_.tangent()).positive_definite();
-        solution.stability =
-            system_.is_conservative() ? StabilityTest::Tangent : StabilityTest::SymmetricPart;
+        solution.stability = system_.stability_test();
         return solution;
     }
 

@@ -27,9 +27,7 @@ void require_beams_at_interface(const mechanics::Frame& tile, int interface_node
 
 Eigen::MatrixXd condensed_frame(const mechanics::Frame& tile, int interface_nodes) {
     require_beams_at_interface(tile, interface_nodes);
-    std::vector<mechanics::NodeIndex> kept;
-    for (int i = 0; i < interface_nodes; ++i) kept.emplace_back(i);
-    return mechanics::condense(mechanics::assemble(tile), kept);
+    return mechanics::condense(mechanics::assemble(tile), mechanics::first_nodes(interface_nodes));
 }
 
 TileModel condensed_tile_model() {

@@ -7,7 +7,6 @@
 #include <fretwork/reduction/response.hpp>
 
 #include <utility>
-#include <vector>
 
 namespace fretwork::reduction {
 namespace {
@@ -15,14 +14,6 @@ namespace {
 using mechanics::CorotationalMotion;
 using mechanics::kDofsPerNode;
 using mechanics::NodeValues;
-
-std::vector<mechanics::NodeState> states_of(const NodeValues& rows) {
-    std::vector<mechanics::NodeState> states;
-    for (Eigen::Index i = 0; i < rows.rows(); ++i)
-        states.push_back(
-            {rows.row(i).head<3>().transpose(), mechanics::rotation_of(rows.row(i).tail<3>().transpose())});
-    return states;
-}
 
 class CorotationalTile final : public TileStructure {
   public:
@@ -43,7 +34,8 @@ class CorotationalTile final : public TileStructure {
     /// The inner nodes follow in the tile's frame, and are carried by it.
     [[nodiscard]] std::optional<BeamMotion> beam_motion(const TileMotion& motion) const override {
         if (motion.displacements == Displacements::Small) return condensed_motion(*inner_, motion);
-        const auto moved = mechanics::corotational_motion(*body_, motion.turn, states_of(motion.nodes));
+        const auto moved =
+            mechanics::corotational_motion(*body_, motion.turn, mechanics::node_states(motion.nodes));
         if (!moved) return std::nullopt;
         const NodeValues followed = inner_->follow(moved->in_frame);
         const Eigen::Index own = motion.nodes.rows();
@@ -83,9 +75,8 @@ std::shared_ptr<const TileStructure> corotational_tile(mechanics::Frame tile, in
     mechanics::CorotationalBody::Parts parts{{nodes.begin(), nodes.begin() + interface_nodes},
                                              condensed_frame(inner->tile(), interface_nodes)};
     parts.mass = [inner] {
-        std::vector<mechanics::NodeIndex> kept;
-        for (int i = 0; i < inner->interface_nodes(); ++i) kept.emplace_back(i);
-        return mechanics::condense_mass(mechanics::assemble(inner->tile()), kept);
+        return mechanics::condense_mass(mechanics::assemble(inner->tile()),
+                                        mechanics::first_nodes(inner->interface_nodes()));
     };
     return std::make_shared<CorotationalTile>(std::move(parts), inner);
 }

@@ -4,7 +4,6 @@
 #include <fretwork/reduction/inner_nodes.hpp>
 
 #include <utility>
-#include <vector>
 
 namespace fretwork::reduction {
 
@@ -17,9 +16,7 @@ std::span<const Eigen::Vector3d> InnerNodes::places() const {
 
 mechanics::NodeValues InnerNodes::follow(const mechanics::NodeValues& interface_nodes) const {
     std::call_once(computed_, [this] {
-        std::vector<mechanics::NodeIndex> kept;
-        for (int i = 0; i < interface_nodes_; ++i) kept.emplace_back(i);
-        matrix_ = mechanics::following(mechanics::assemble(tile_), kept);
+        matrix_ = mechanics::following(mechanics::assemble(tile_), mechanics::first_nodes(interface_nodes_));
     });
     // Rows lie one behind the other, so all of them are one column.
     mechanics::NodeValues moved(matrix_.rows() / mechanics::kDofsPerNode, mechanics::kDofsPerNode);

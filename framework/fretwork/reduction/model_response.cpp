@@ -25,8 +25,7 @@ StructureParts ModelTile::parts(std::span<const double> parameters) const {
 }
 
 UnitDisplacements ModelTile::displacements(std::span<const double> parameters) const {
-    std::vector<mechanics::NodeIndex> kept;
-    for (std::size_t i = 0; i < interface_nodes_.size(); ++i) kept.emplace_back(i);
+    const auto kept = mechanics::first_nodes(static_cast<int>(interface_nodes_.size()));
     return unit_displacements(mechanics::condense(assemble(parts(parameters)), kept), setting_);
 }
 

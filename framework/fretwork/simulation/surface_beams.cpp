@@ -88,11 +88,6 @@ class StateWriter {
         std::size_t first_inner_;
     };
 
-    static mechanics::NodeState state_of(const NodeValues& rows, Eigen::Index row) {
-        return {rows.row(row).head<3>().transpose(),
-                mechanics::rotation_of(rows.row(row).tail<3>().transpose())};
-    }
-
     void write_forces(std::size_t tile, const reduction::BeamMotion& motion) const {
         const RowOf row_of(session_, beams_, tile);
         const NodeValues& rows = motion.in_frame.rows() > 0 ? motion.in_frame : motion.nodes;
@@ -100,7 +95,8 @@ class StateWriter {
             const Eigen::Index from = row_of(beams_.ends[b][0]);
             const Eigen::Index to = row_of(beams_.ends[b][1]);
             const auto ends = motion.displacements == reduction::Displacements::Large
-                                  ? sections_[b].large(state_of(rows, from), state_of(rows, to))
+                                  ? sections_[b].large(mechanics::node_state(rows.row(from)),
+                                                       mechanics::node_state(rows.row(to)))
                                   : sections_[b].linear(rows.row(from).transpose(), rows.row(to).transpose());
             for (std::size_t end = 0; end < 2; ++end) {
                 const mechanics::SectionForces& f = ends[end];

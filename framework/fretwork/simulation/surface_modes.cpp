@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/simulation/simulation_options.hpp>
 #include <fretwork/simulation/surface_frame.hpp>
 #include <fretwork/simulation/surface_modes.hpp>
-
-#include <algorithm>
 
 namespace fretwork::simulation {
 namespace {
@@ -10,10 +9,8 @@ namespace {
 /// Every beam of every tile.
 mechanics::Assembly full_assembly(Surface surface, const LoadCase& load_case, const base::Control& control) {
     surface.tile_models.clear();
-    const auto& models = reduction::tile_models();
-    const auto full = std::ranges::find(models, reduction::Role::Reference, &reduction::TileModel::role);
     const Conditions conditions = resolve(load_case, surface);
-    return mechanics::assemble(surface_frame(surface, {full->name, models}, conditions, control),
+    return mechanics::assemble(surface_frame(surface, reference_choice({}), conditions, control),
                                {.control = control});
 }
 

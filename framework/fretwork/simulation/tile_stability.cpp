@@ -2,7 +2,6 @@
 #include <fretwork/base/parallel.hpp>
 #include <fretwork/mechanics/equilibrium.hpp>
 #include <fretwork/mechanics/rotation_vector.hpp>
-#include <fretwork/simulation/detail/node_states.hpp>
 #include <fretwork/simulation/detail/tile_builder.hpp>
 #include <fretwork/simulation/tile_stability.hpp>
 
@@ -67,7 +66,7 @@ std::vector<tiling::TileIndex> buckled_tiles(const Surface& surface, const mecha
     full.tile_models.clear();
     detail::TileBuilder builder;
     const auto built = builder.build_all(full, reference_choice(options), {options.threads, control});
-    const std::vector<NodeState> states = detail::node_states(solution.displacements);
+    const std::vector<NodeState> states = mechanics::node_states(solution.displacements);
     std::vector<char> is_buckled(built.size(), 0);
     base::parallel_for(built.size(), options.threads, [&](std::size_t t) {
         control.check();

@@ -51,13 +51,13 @@ NodeValues rounding_forces(const Assembly& assembly, double length) {
 }  // namespace
 
 NonlinearSystem::NonlinearSystem(const Assembly& assembly, int threads, const base::Control& control)
-    : unknowns_(assembly, {.stop = control.stop}),
-      control_{.stop = control.stop},
-      threads_(tangent_numbers(assembly) < kBatchNumbers / 2 ? 1 : base::resolved_thread_count(threads)) {
+    : unknowns_(assembly, {.stop = control.stop}), control_{.stop = control.stop} {
+    const std::size_t numbers = tangent_numbers(assembly);
+    if (numbers >= kBatchNumbers / 2) threads_ = base::resolved_thread_count(threads);
     if (threads_ > 1) {
-        const std::size_t numbers = tangent_numbers(assembly) / assembly.elements.size();  // of one element
-        batch_ = std::max<std::size_t>(1, kBatchNumbers / numbers);
-        piece_ = std::max<std::size_t>(1, kPieceNumbers / numbers);
+        const std::size_t one = numbers / assembly.elements.size();
+        batch_ = std::max<std::size_t>(1, kBatchNumbers / one);
+        piece_ = std::max<std::size_t>(1, kPieceNumbers / one);
     }
     answers_.resize(batch_);
     values_.resize(unknowns_.layout().row().size());

@@ -68,6 +68,10 @@ class NonlinearSystem {
     /// False if external moments act: their direction stays fixed in space, so they have no potential. The
     /// moments of gravity stand for forces, which have one.
     [[nodiscard]] bool is_conservative() const { return skew_.empty() || !unknowns_.assembly().has_moments; }
+    /// What the tangent's pivots tell of stability.
+    [[nodiscard]] StabilityTest stability_test() const {
+        return is_conservative() ? StabilityTest::Tangent : StabilityTest::SymmetricPart;
+    }
     /// How far the ends of elements are turned against each other, and how much farther than in another
     /// configuration near it: the largest of each.
     struct RelativeTurn {
@@ -118,7 +122,7 @@ class NonlinearSystem {
     std::vector<int> moment_nodes_;           ///< with applied moments and at least two free rotations
     std::vector<Eigen::Matrix3d> spin_maps_;  ///< of the vector nodes
     base::Control control_;
-    int threads_;
+    int threads_ = 1;
     std::size_t batch_ = 1;  ///< elements that are evaluated before they are added
     std::size_t piece_ = 1;  ///< elements that one thread takes at a time
     std::vector<Answer> answers_;

@@ -35,7 +35,7 @@ class Strider {
   public:
     Strider(NonlinearSystem& system, Newton& newton, MixedNewton& mixed, double target)
         : system_(system), unknowns_(system.unknowns()), newton_(newton), mixed_(mixed), target_(target) {
-        prescribed_turn_ = unknowns_.constraints().values.rightCols<3>().rowwise().norm().maxCoeff();
+        prescribed_turn_ = unknowns_.largest_prescribed_rotation();
     }
 
     Termination run(PathPoint& point) {

@@ -60,6 +60,10 @@ class Unknowns {
     [[nodiscard]] bool is_held(int node, int dof) const;
     [[nodiscard]] bool has_held_rotation(int node) const;
     [[nodiscard]] bool has_prescribed() const { return has_prescribed_; }
+    /// The largest rotation that is prescribed at a node, at the full load, rad.
+    [[nodiscard]] double largest_prescribed_rotation() const {
+        return constraints_.values.rightCols<3>().rowwise().norm().maxCoeff();
+    }
     /// The characteristic length of the elements, m.
     [[nodiscard]] double length() const { return length_; }
     /// Nodes some of whose rotation vector's components are unknowns or prescribed, and a node's place among

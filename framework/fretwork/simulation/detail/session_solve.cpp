@@ -2,8 +2,8 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/mechanics/discretization.hpp>
 #include <fretwork/mechanics/equilibrium.hpp>
+#include <fretwork/mechanics/rotation_vector.hpp>
 #include <fretwork/mechanics/solve.hpp>
-#include <fretwork/simulation/detail/node_states.hpp>
 #include <fretwork/simulation/detail/session_impl.hpp>
 #include <fretwork/simulation/surface_frame.hpp>
 
@@ -154,7 +154,7 @@ mechanics::Result Session::Impl::solve(const base::Control& control) {
 }
 
 std::vector<TileDeformation> Session::Impl::tile_deformations(const mechanics::Solution& solution) const {
-    const std::vector<mechanics::NodeState> states = detail::node_states(solution.displacements);
+    const std::vector<mechanics::NodeState> states = mechanics::node_states(solution.displacements);
     const std::size_t first = assembly_.elements.size() - starts_.back().element;
     std::vector<TileDeformation> tiles(tiles_.size());
     std::vector<mechanics::NodeState> own;
