@@ -79,6 +79,15 @@ class Running {
         return (status("SigCgt", 16) >> static_cast<unsigned>(number - 1) & 1U) != 0;
     }
     [[nodiscard]] bool has_one_thread() const { return status("Threads", 10) == 1; }
+    [[nodiscard]] bool has_open(const std::filesystem::path& path) const {
+        const std::filesystem::path file = std::filesystem::canonical(path);
+        std::error_code gone;
+        for (std::filesystem::directory_iterator entry("/proc/" + std::to_string(child_) + "/fd", gone), end;
+             entry != end; entry.increment(gone)) {
+            if (std::filesystem::read_symlink(entry->path(), gone) == file) return true;
+        }
+        return false;
+    }
     [[nodiscard]] std::string messages() const { return base::read_text_file(folder_ / ".err"); }
 
   private:
@@ -154,6 +163,9 @@ TEST(Interrupt, ThatComesWhileTheInputIsReadStopsBeforeAnythingIsWritten) {
     const std::size_t before = files_in(folder.path()).size();
     Running program(folder.path(), {"solve", "f.json", "--out", "new.json", "--vtu", "new.vtu"});
     ASSERT_TRUE(comes_true([&] { return program.catches(SIGINT); }));
+    // What is written to a pipe that nobody has open yet is lost; and then the thread that waits is there,
+    // too.
+    ASSERT_TRUE(comes_true([&] { return program.has_open(folder.path() / "f.json"); }));
     program.signal(SIGINT);
     // The thread that waits for the signal has asked for the stop when it ends.
     ASSERT_TRUE(comes_true([&] { return program.has_one_thread(); }));
