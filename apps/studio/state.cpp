@@ -5,7 +5,6 @@
 #include <fretwork/simulation/load_case_file.hpp>
 #include <fretwork/simulation/project_library.hpp>
 
-#include <algorithm>
 #include <map>
 
 namespace fretwork::studio {
@@ -19,11 +18,8 @@ State::Part<Value> part(Value value) {
 }
 
 std::vector<std::string> tile_models_of(const Project& project) {
-    std::vector<std::string> models(project.tessellation.tiles.size());
-    for (const Project::TileModelChoice& choice : project.tile_models) {
-        for (const tiling::TileIndex tile : choice.tiles)
-            models[static_cast<std::size_t>(tile)] = choice.model;
-    }
+    std::vector<std::string> models = simulation::models_by_tile(project);
+    models.resize(project.tessellation.tiles.size());
     return models;
 }
 
@@ -35,13 +31,6 @@ std::vector<Project::TileModelChoice> tile_model_choices(const std::vector<std::
     std::vector<Project::TileModelChoice> choices;
     for (auto& [model, chosen] : tiles) choices.push_back({model, std::move(chosen)});
     return choices;
-}
-
-void turn(tiling::Tile& tile, int vertices) {
-    const std::size_t nodes_a_side = tile.interface_nodes.size() / tile.vertices.size();
-    std::ranges::rotate(tile.vertices, tile.vertices.begin() + vertices);
-    std::ranges::rotate(tile.interface_nodes,
-                        tile.interface_nodes.begin() + vertices * static_cast<std::ptrdiff_t>(nodes_a_side));
 }
 
 std::size_t size_of(const Painting& painting) {
@@ -81,7 +70,7 @@ Project make_project(const State& state, const std::filesystem::path& folder) {
     tessellation.patterns = state.painting->palette;
     for (std::size_t t = 0; t < tessellation.tiles.size(); ++t) {
         tessellation.tiles[t].pattern = state.painting->patterns[t];
-        turn(tessellation.tiles[t], state.painting->turns[t]);
+        tiling::turn(tessellation.tiles[t], state.painting->turns[t]);
     }
     project.load_cases = *state.load_cases;
     project.setting = *state.setting;

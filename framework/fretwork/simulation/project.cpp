@@ -19,4 +19,15 @@ const LoadCase& find_load_case(const Project& project, const std::string& name) 
     throw base::InputError(base::unknown_name_message("load case", name, names));
 }
 
+std::vector<std::string> models_by_tile(const Project& project) {
+    std::vector<std::string> models;
+    if (project.tile_models.empty()) return models;
+    models.resize(project.tessellation.tiles.size());
+    for (const Project::TileModelChoice& choice : project.tile_models) {
+        for (const tiling::TileIndex tile : choice.tiles)
+            models[static_cast<std::size_t>(tile)] = choice.model;
+    }
+    return models;
+}
+
 }  // namespace fretwork::simulation

@@ -35,4 +35,7 @@ struct Project {
 /// The load case of a name; "" is the only one there is. Throws InputError that lists what there is.
 const LoadCase& find_load_case(const Project& project, const std::string& name);
 
+/// The tile model of each tile, "" where it has none of its own; empty if none has.
+std::vector<std::string> models_by_tile(const Project& project);
+
 }  // namespace fretwork::simulation

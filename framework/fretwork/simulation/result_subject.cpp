@@ -36,15 +36,10 @@ std::string tessellation_hash(const Surface& surface) {
     hash.update(pattern::node_layout_text(surface.layout));
     update(hash, tessellation.vertices);
     update(hash, tessellation.interface_nodes);
-    for (const Tile& tile : tessellation.tiles) {
-        std::vector<tiling::VertexIndex> vertices = tile.vertices;
-        std::vector<tiling::InterfaceIndex> nodes = tile.interface_nodes;
-        const std::ptrdiff_t turn = first_place(tile);
-        const auto a_side = std::ssize(nodes) / std::ssize(vertices);
-        std::ranges::rotate(vertices, vertices.begin() + turn);
-        std::ranges::rotate(nodes, nodes.begin() + turn * a_side);
-        update(hash, vertices);
-        update(hash, nodes);
+    for (Tile tile : tessellation.tiles) {
+        tiling::turn(tile, static_cast<int>(first_place(tile)));
+        update(hash, tile.vertices);
+        update(hash, tile.interface_nodes);
     }
     return hash.hexadecimal();
 }

@@ -15,17 +15,6 @@ reduction::Setting setting_of(const Project& project, const library::Library* li
     return library->setting();
 }
 
-std::vector<std::string> models_by_tile(const Project& project) {
-    std::vector<std::string> models;
-    if (project.tile_models.empty()) return models;
-    models.resize(project.tessellation.tiles.size());
-    for (const Project::TileModelChoice& choice : project.tile_models) {
-        for (const tiling::TileIndex tile : choice.tiles)
-            models[static_cast<std::size_t>(tile)] = choice.model;
-    }
-    return models;
-}
-
 }  // namespace
 
 Surface make_surface(const Project& project, const library::Library* library) {

@@ -2,7 +2,17 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/tiling/tessellation.hpp>
 
+#include <algorithm>
+
 namespace fretwork::tiling {
+
+void turn(Tile& tile, int vertices) {
+    const auto sides = std::ssize(tile.vertices);
+    const auto by = (vertices % sides + sides) % sides;
+    const auto interface_nodes_a_side = std::ssize(tile.interface_nodes) / sides;
+    std::ranges::rotate(tile.vertices, tile.vertices.begin() + by);
+    std::ranges::rotate(tile.interface_nodes, tile.interface_nodes.begin() + by * interface_nodes_a_side);
+}
 
 pattern::Polygon tile_polygon(const Tessellation& tessellation, TileIndex tile) {
     pattern::Polygon polygon;

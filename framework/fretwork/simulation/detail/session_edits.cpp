@@ -73,14 +73,8 @@ void Session::Impl::paint(std::span<const TileIndex> tiles, const std::string& w
 
 void Session::Impl::turn(std::span<const TileIndex> tiles, int vertices) {
     require_tiles(surface_, tiles);
-    for (const TileIndex index : tiles) {
-        tiling::Tile& tile = surface_.tessellation.tiles[static_cast<std::size_t>(index)];
-        const auto sides = std::ssize(tile.vertices);
-        const auto by = (vertices % sides + sides) % sides;
-        const auto interface_nodes_a_side = std::ssize(tile.interface_nodes) / sides;
-        std::ranges::rotate(tile.vertices, tile.vertices.begin() + by);
-        std::ranges::rotate(tile.interface_nodes, tile.interface_nodes.begin() + by * interface_nodes_a_side);
-    }
+    for (const TileIndex tile : tiles)
+        tiling::turn(surface_.tessellation.tiles[static_cast<std::size_t>(tile)], vertices);
     invalidate_tiles(tiles);
     weigh_anew();
 }
