@@ -22,7 +22,7 @@ class Document {
     [[nodiscard]] const std::optional<std::filesystem::path>& path() const { return path_; }
     [[nodiscard]] std::int64_t revision() const { return revision_; }
     [[nodiscard]] bool is_saved() const { return now() == saved_; }
-    [[nodiscard]] SolverInput solver_input() const { return {{now(), selected_}, revision_}; }
+    [[nodiscard]] SolverInput solver_input() const { return {{now(), selected_}, revision_, {}}; }
     [[nodiscard]] DocumentStatus status() const;
     [[nodiscard]] const History& history() const { return history_; }
 

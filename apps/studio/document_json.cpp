@@ -31,6 +31,7 @@ Json or_null(const std::optional<Value>& value) {
 void add_ground(const State& state, Json& event) {
     const tiling::Tessellation& tessellation = state.ground->tessellation;
     event["layout"] = state.ground->layout.name();
+    event["layout_nodes"] = layout_nodes_json(state.ground->layout);
     event["vertices"] = points(tessellation.vertices);
     event["tiles"] = Json::array();
     for (const tiling::Tile& tile : tessellation.tiles)
@@ -79,6 +80,16 @@ Json started(const char* name, const DocumentStatus& status) {
 }
 
 }  // namespace
+
+Json layout_nodes_json(const pattern::NodeLayout& layout) {
+    Json nodes = Json::array();
+    for (const pattern::LayoutNode& node : layout.nodes()) {
+        Json place = Json::array();
+        for (const pattern::Rational& share : node.place) place.push_back(share.to_double());
+        nodes.push_back(std::move(place));
+    }
+    return nodes;
+}
 
 Json document_event(const State& state, const DocumentStatus& status) {
     Json event = started("document", status);

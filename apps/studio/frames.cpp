@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "frames.hpp"
 
+#include <fretwork/base/text.hpp>
+
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstring>
@@ -64,18 +67,50 @@ std::string beams_message(const simulation::SurfaceBeams& beams, const FrameStam
     return writer.take();
 }
 
+std::vector<std::string> names_of(const BeamFields& fields) {
+    std::vector<std::string> names;
+    for (std::size_t f = 0; f < fields.size(); ++f) {
+        if (fields[f]) names.emplace_back(simulation::kBeamFields[f]);
+    }
+    return names;
+}
+
+BeamFields read_beam_fields(const base::JsonReader& json) {
+    const std::vector<std::string> known(simulation::kBeamFields.begin(), simulation::kBeamFields.end());
+    BeamFields fields;
+    for (const base::JsonReader& element : json.elements()) {
+        const std::string name = element.string();
+        const auto place = std::ranges::find(known, name);
+        if (place == known.end()) element.fail(base::unknown_name_message("field", name, known));
+        fields.set(static_cast<std::size_t>(place - known.begin()));
+    }
+    return fields;
+}
+
 std::string solution_message(const simulation::BeamState& state, const FrameStamp& stamp,
-                             const Eigen::MatrixXf& node_fields) {
+                             const BeamFields& fields) {
     const auto nodes = static_cast<std::size_t>(state.nodes.rows());
-    const auto ends = static_cast<std::size_t>(state.forces.rows());
-    const std::size_t fields = ends > 0 ? simulation::kBeamFields.size() : 0;
-    Writer writer(MessageKind::Solution, stamp,
-                  {nodes, ends / 2, static_cast<std::size_t>(node_fields.cols()), fields});
-    writer.reserve(6 * nodes + fields * ends);
+    const auto ends = fields.any() ? static_cast<std::size_t>(state.forces.rows()) : 0;
+    const std::size_t count = ends > 0 ? fields.count() : 0;
+    Writer writer(MessageKind::Solution, stamp, {nodes, ends / 2, 0, count});
+    writer.reserve(6 * nodes + count * ends);
     writer.add(Rows(state.nodes.leftCols<3>().cast<float>()));
     writer.add(Rows(state.nodes.rightCols<3>().cast<float>()));
+    for (std::size_t f = 0; f < fields.size() && count > 0; ++f) {
+        if (fields[f])
+            writer.add(Eigen::VectorXf(state.forces.col(static_cast<Eigen::Index>(f)).cast<float>()));
+    }
+    return writer.take();
+}
+
+std::string motion_message(const mechanics::NodeValues& nodes, const FrameStamp& stamp,
+                           const Eigen::MatrixXf& node_fields) {
+    const auto count = static_cast<std::size_t>(nodes.rows());
+    Writer writer(MessageKind::Solution, stamp, {count, 0, static_cast<std::size_t>(node_fields.cols()), 0});
+    writer.reserve((6 + static_cast<std::size_t>(node_fields.cols())) * count);
+    writer.add(Rows(nodes.leftCols<3>().cast<float>()));
+    writer.add(Rows(nodes.rightCols<3>().cast<float>()));
     writer.add(node_fields);
-    writer.add(Eigen::MatrixXf(state.forces.cast<float>()));
     return writer.take();
 }
 

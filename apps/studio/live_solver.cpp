@@ -113,25 +113,37 @@ void LiveSolver::update_beams(const SolverInput& input) {
     listener_.beams({beams_, beams_revision_, state->ground, state->painting});
 }
 
-void LiveSolver::update_sections(const State& state) {
-    if (!sections_.empty() && setting_of_sections_ == state.setting) return;
-    sections_ = simulation::beam_sections(*beams_, *state.setting);
-    setting_of_sections_ = state.setting;
+std::span<const mechanics::BeamSection> LiveSolver::wanted_sections(const SolverInput& input) {
+    if (input.fields.none()) return {};
+    const State& state = *input.situation.state;
+    if (sections_.empty() || setting_of_sections_ != state.setting) {
+        sections_ = simulation::beam_sections(*beams_, *state.setting);
+        setting_of_sections_ = state.setting;
+    }
+    return sections_;
+}
+
+/// What was solved already is not solved again, where only further fields are asked for.
+mechanics::Result LiveSolver::result_of(const SolverInput& input, const std::stop_token& stop) {
+    if (last_solved_ && last_situation_ == input.situation) return last_solved_->result;
+    last_solved_.reset();
+    ToldProgress progress([&](const std::string&, double share) { listener_.told(input, share); });
+    return session_.follow(input.situation).solve({.stop = stop, .progress = &progress});
 }
 
 void LiveSolver::solve(const SolverInput& input, const std::stop_token& stop) {
     update_beams(input);
-    ToldProgress progress([&](const std::string&, double share) { listener_.told(input, share); });
-    simulation::Session& session = session_.follow(input.situation);
     auto solved = std::make_shared<SolvedSurface>();
-    solved->result = session.solve({.stop = stop, .progress = &progress});
+    solved->result = result_of(input, stop);
     solved->model = *input.situation.state->model;
     solved->revision = input.revision;
     solved->beams_revision = beams_revision_;
     solved->beams = beams_;
-    update_sections(*input.situation.state);
-    solved->state = simulation::beam_state(session, solved->result.solution, *beams_, sections_);
+    solved->state =
+        simulation::beam_state(*session_, solved->result.solution, *beams_, wanted_sections(input));
     solved->warnings = warnings_of(solved->result);
+    last_solved_ = solved;
+    last_situation_ = input.situation;
     listener_.solved(std::move(solved));
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "frames.hpp"
 #include "synced_session.hpp"
 
 #include <fretwork/base/control.hpp>
@@ -21,6 +22,7 @@ namespace fretwork::studio {
 struct SolverInput {
     Situation situation;
     std::int64_t revision = 0;  ///< of the document
+    BeamFields fields{};        ///< that somebody shows
 };
 
 /// An equilibrium, and the beams that it moves.
@@ -30,7 +32,7 @@ struct SolvedSurface {
     std::int64_t beams_revision = 0;
     std::shared_ptr<const simulation::SurfaceBeams> beams;
     mechanics::Result result;
-    simulation::BeamState state;  ///< of the beams
+    simulation::BeamState state;  ///< of the beams; with forces if any field was wanted
     std::vector<std::string> warnings{};
 };
 using SolvedPtr = std::shared_ptr<const SolvedSurface>;
@@ -74,8 +76,9 @@ class LiveSolver {
     void end_attempt(Clock::time_point began);
     [[nodiscard]] bool is_to_be_stopped(Clock::time_point now) const;
     void solve(const SolverInput& input, const std::stop_token& stop);
+    [[nodiscard]] mechanics::Result result_of(const SolverInput& input, const std::stop_token& stop);
+    [[nodiscard]] std::span<const mechanics::BeamSection> wanted_sections(const SolverInput& input);
     void update_beams(const SolverInput& input);
-    void update_sections(const State& state);
 
     SolverListener listener_;
     std::mutex mutex_;
@@ -88,6 +91,8 @@ class LiveSolver {
 
     // Of the thread alone:
     SyncedSession session_;
+    SolvedPtr last_solved_;     ///< the session's last solution; null: there is none
+    Situation last_situation_;  ///< and what it is of
     StatePtr state_of_beams_;
     std::shared_ptr<const simulation::SurfaceBeams> beams_;
     std::int64_t beams_revision_ = 0;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "document_json.hpp"
 #include "pattern_list.hpp"
 #include "synced_session.hpp"
 
@@ -41,16 +42,6 @@ std::optional<EffectiveProperties> properties_of(const pattern::NodeLayout& layo
     } catch (const base::Error&) {
         return std::nullopt;
     }
-}
-
-Json nodes_json(const pattern::NodeLayout& layout) {
-    Json nodes = Json::array();
-    for (const pattern::LayoutNode& node : layout.nodes()) {
-        Json place = Json::array();
-        for (const pattern::Rational& share : node.place) place.push_back(share.to_double());
-        nodes.push_back(place);
-    }
-    return nodes;
 }
 
 std::vector<pattern::Pattern> all_patterns(const pattern::NodeLayout& layout, const base::Control& control) {
@@ -116,7 +107,7 @@ Json pattern_list(const std::string& layout_name, const State* state, const base
                         {"symmetry", is_mirror ? "mirror" : "none"},
                         {"error", error == errors.end() ? Json() : Json(error->second)}});
     }
-    return {{"layout", layout.name()}, {"nodes", nodes_json(layout)}, {"patterns", std::move(list)}};
+    return {{"layout", layout.name()}, {"nodes", layout_nodes_json(layout)}, {"patterns", std::move(list)}};
 }
 
 }  // namespace fretwork::studio

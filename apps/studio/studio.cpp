@@ -36,14 +36,15 @@ std::string one_line(const std::string& text) {
 
 std::span<const Studio::Impl::RequestRow> Studio::Impl::requests() {
     static constexpr RequestRow kRequests[] = {
-        {"hello", &Impl::hello},     {"undo", &Impl::undo},
-        {"redo", &Impl::redo},       {"select_load_case", &Impl::select_load_case},
-        {"new", &Impl::make_new},    {"open", &Impl::open},
-        {"upload", &Impl::upload},   {"download", &Impl::download},
-        {"save", &Impl::save},       {"patterns", &Impl::patterns},
-        {"solve", &Impl::solve},     {"path", &Impl::path},
-        {"modes", &Impl::modes},     {"buckling", &Impl::buckling},
-        {"compare", &Impl::compare}, {"cancel", &Impl::cancel},
+        {"hello", &Impl::hello},      {"undo", &Impl::undo},
+        {"redo", &Impl::redo},        {"select_load_case", &Impl::select_load_case},
+        {"new", &Impl::make_new},     {"open", &Impl::open},
+        {"upload", &Impl::upload},    {"download", &Impl::download},
+        {"save", &Impl::save},        {"patterns", &Impl::patterns},
+        {"solve", &Impl::solve},      {"path", &Impl::path},
+        {"modes", &Impl::modes},      {"buckling", &Impl::buckling},
+        {"compare", &Impl::compare},  {"cancel", &Impl::cancel},
+        {"show", &Impl::show_fields},
     };
     return kRequests;
 }
@@ -117,7 +118,7 @@ void Studio::Impl::refuse(ClientId client, const Json& id, const std::string& er
 }
 
 void Studio::Impl::broadcast(const Outgoing& outgoing) {
-    for (const ClientId client : std::set(clients_)) server_.send(client, outgoing);
+    for (const auto& [client, fields] : std::map(clients_)) server_.send(client, outgoing);
 }
 
 void Studio::Impl::broadcast(const Json& event) {

@@ -39,9 +39,22 @@ Json examples_json() {
     return list;
 }
 
+/// A row for each interface node that is held: its number, then what holds it.
+Json reactions_json(const mechanics::Solution& solution, std::size_t interface_nodes) {
+    Json rows = Json::array();
+    const auto count = std::min(static_cast<Eigen::Index>(interface_nodes), solution.reactions.rows());
+    for (Eigen::Index node = 0; node < count; ++node) {
+        if (solution.reactions.row(node).isZero(0.0)) continue;
+        Json row = {node};
+        for (const double component : solution.reactions.row(node)) row.push_back(component);
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
 }  // namespace
 
-Outgoing solved_message(const SolvedSurface& solved, const Json& more) {
+Outgoing solved_message(const SolvedSurface& solved, const BeamFields& fields, const Json& more) {
     const mechanics::Solution& solution = solved.result.solution;
     const double largest = solution.displacements.rows() == 0
                                ? 0.0
@@ -58,17 +71,20 @@ Outgoing solved_message(const SolvedSurface& solved, const Json& more) {
                   {"load_factor", solution.load_factor},
                   {"warnings", solved.warnings},
                   {"largest_displacement", largest},
-                  {"fields", simulation::kBeamFields}};
-    std::string positions = solution_message(solved.state, {solved.revision, solved.beams_revision});
+                  {"reactions", reactions_json(solution, solved.beams->interface_nodes)},
+                  {"fields", solved.state.forces.rows() > 0 ? names_of(fields) : std::vector<std::string>{}}};
+    std::string positions = solution_message(solved.state, {solved.revision, solved.beams_revision}, fields);
     if (!more.is_null()) event.update(more);
     return {{text_part(event.dump()), binary_part(std::move(positions))}, more.is_null() ? "solution" : ""};
 }
 
 void Studio::Impl::hello(const Request& request) {
-    request.json.allow_only({"id", "do", "protocol"});
+    request.json.allow_only({"id", "do", "protocol", "fields"});
     if (request.json.at("protocol").integer(0, 1000) != kProtocol)
         request.json.at("protocol")
             .fail("this server speaks protocol " + std::to_string(kProtocol) + "; load the page again");
+    const auto fields = request.json.find("fields");
+    clients_[request.client] = fields ? read_beam_fields(*fields) : kAllBeamFields;
     answer(request, {{"version", base::version()},
                      {"models", models_json()},
                      {"examples", examples_json()},
@@ -76,12 +92,34 @@ void Studio::Impl::hello(const Request& request) {
                      {"has_library", document_ && !document_->now()->library->path.empty()},
                      {"has_document", document_.has_value()},
                      {"can_recover", !document_ && std::filesystem::exists(autosave_place_->file())}});
-    clients_.insert(request.client);
     if (!document_) return;
     server_.send(request.client,
                  {{text_part(document_event(*document_->now(), document_->status()).dump())}});
     server_.send(request.client, beams_);
-    server_.send(request.client, solved_);
+    send_solution(request.client);
+}
+
+void Studio::Impl::show_fields(const Request& request) {
+    request.json.allow_only({"id", "do", "fields"});
+    clients_[request.client] = read_beam_fields(request.json.at("fields"));
+    answer(request);
+    if (document_) send_solution(request.client);
+}
+
+BeamFields Studio::Impl::shown_fields() const {
+    BeamFields shown;
+    for (const auto& [client, fields] : clients_) shown |= fields;
+    return shown;
+}
+
+void Studio::Impl::send_solution(ClientId client) {
+    const BeamFields& fields = clients_.at(client);
+    if (!last_solved_)
+        server_.send(client, failed_);
+    else if (fields.none() || last_solved_->state.forces.rows() > 0)
+        server_.send(client, solved_message(*last_solved_, fields));
+    else
+        solve_live();
 }
 
 Document& Studio::Impl::document(const Request&) {
@@ -120,7 +158,7 @@ void Studio::Impl::show(Document next) {
     first_revision_ = document_->revision();
     take_place(document_->path());
     beams_ = {};
-    solved_ = {};
+    failed_ = {};
     last_solved_.reset();
     last_beams_.reset();
     broadcast(document_event(*document_->now(), document_->status()));
@@ -149,7 +187,9 @@ void Studio::Impl::tell_change(const State& before) {
 }
 
 void Studio::Impl::solve_live() {
-    solver_.submit(document_->solver_input());
+    SolverInput input = document_->solver_input();
+    input.fields = shown_fields();
+    solver_.submit(std::move(input));
 }
 
 SolverListener Studio::Impl::listener() {
@@ -178,15 +218,24 @@ void Studio::Impl::tell_beams(const ShownBeams& shown) {
     if (!is_shown(shown.revision)) return;
     last_beams_ = shown;
     beams_ = {{binary_part(beams_message(*shown.beams, {shown.revision, shown.revision}))}};
-    solved_ = {};
+    failed_ = {};
+    last_solved_.reset();
     broadcast(beams_);
 }
 
 void Studio::Impl::tell_solved(const SolvedPtr& solved) {
     if (!is_shown(solved->revision)) return;
     last_solved_ = solved;
-    solved_ = solved_message(*solved);
-    broadcast(solved_);
+    std::map<unsigned long, Outgoing> messages;  // pages that show the same get the same bytes
+    const bool has_forces = solved->state.forces.rows() > 0;
+    for (const auto& [client, fields] : std::map(clients_)) {
+        if (fields.any() && !has_forces) continue;
+        Outgoing& message = messages[fields.to_ulong()];
+        if (message.parts.empty()) message = solved_message(*solved, fields);
+        server_.send(client, message);
+    }
+    // It was begun when nobody showed any field: those who do wait for them.
+    if (shown_fields().any() && !has_forces) solve_live();
 }
 
 void Studio::Impl::tell_failed(const SolverInput& input, const std::string& error) {
@@ -196,8 +245,8 @@ void Studio::Impl::tell_failed(const SolverInput& input, const std::string& erro
                         {"revision", input.revision},
                         {"model", *input.situation.state->model},
                         {"error", error}};
-    solved_ = {{text_part(event.dump())}, "solution"};
-    broadcast(solved_);
+    failed_ = {{text_part(event.dump())}, "solution"};
+    broadcast(failed_);
 }
 
 }  // namespace fretwork::studio

@@ -13,7 +13,6 @@
 #include <fretwork/simulation/surface_modes.hpp>
 
 #include <map>
-#include <set>
 #include <span>
 
 namespace fretwork::studio {
@@ -63,6 +62,7 @@ class Studio::Impl final : public Service {
     void undo(const Request& request);
     void redo(const Request& request);
     void select_load_case(const Request& request);
+    void show_fields(const Request& request);
     [[nodiscard]] Document& document(const Request& request);
     [[nodiscard]] std::int64_t next_revision() const { return document_ ? document_->revision() + 1 : 1; }
     void show(Document next);
@@ -79,6 +79,10 @@ class Studio::Impl final : public Service {
     void tell_beams(const ShownBeams& shown);
     void tell_solved(const SolvedPtr& solved);
     void tell_failed(const SolverInput& input, const std::string& error);
+    /// The last live solution, or why there is none, for a page that has not seen it with the fields it
+    /// shows.
+    void send_solution(ClientId client);
+    [[nodiscard]] BeamFields shown_fields() const;
     [[nodiscard]] SolverListener listener();
 
     // studio_jobs.cpp: what takes longer and is asked for
@@ -114,12 +118,12 @@ class Studio::Impl final : public Service {
     StudioOptions options_;
     std::string token_;
     HttpServer server_;
-    std::set<ClientId> clients_;  ///< that have said hello
+    std::map<ClientId, BeamFields> clients_;  ///< that have said hello, and the fields that each shows
     std::optional<Document> document_;
     std::int64_t first_revision_ = 0;  ///< of the document
     Outgoing beams_;                   ///< the last message of beams; a new client gets it, too
-    Outgoing solved_;                  ///< the last live solution, or why there is none
-    SolvedPtr last_solved_;
+    SolvedPtr last_solved_;            ///< the last live solution; null: there is none, and
+    Outgoing failed_;                  ///< why
     std::optional<ShownBeams> last_beams_;
     std::optional<AutosavePlace> autosave_place_;
     std::optional<std::filesystem::path> place_is_of_;  ///< the document's file; none: it was never saved
@@ -130,6 +134,6 @@ class Studio::Impl final : public Service {
 };
 
 /// The event and the message of a solution. With `more` in the event it is none that a newer one replaces.
-Outgoing solved_message(const SolvedSurface& solved, const base::Json& more = {});
+Outgoing solved_message(const SolvedSurface& solved, const BeamFields& fields, const base::Json& more = {});
 
 }  // namespace fretwork::studio

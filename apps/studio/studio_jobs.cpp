@@ -26,8 +26,9 @@ class OneSolve {
         : beams_(std::move(beams)),
           library_(open_library(*input.situation.state)),
           session_(surface_of(*input.situation.state, library_ ? &*library_ : nullptr),
-                   load_case_of(input.situation), options),
-          sections_(simulation::beam_sections(*beams_, session_.surface().setting)) {}
+                   load_case_of(input.situation), options) {
+        if (input.fields.any()) sections_ = simulation::beam_sections(*beams_, session_.surface().setting);
+    }
 
     mechanics::Result solve(const base::Control& control) { return session_.solve(control); }
     [[nodiscard]] simulation::BeamState state_in(const mechanics::Solution& solution) const {
@@ -52,7 +53,9 @@ Studio::Impl::Job Studio::Impl::make_job(const Request& request, const std::stri
     const Document& shown = document(request);
     if (!last_beams_ || last_beams_->revision != beams_revision_now())
         throw base::InputError("the surface is being built: try again in a moment");
-    return {shown.solver_input(), last_beams_->beams, last_beams_->revision, model};
+    Job job{shown.solver_input(), last_beams_->beams, last_beams_->revision, model};
+    job.input.fields = clients_.at(request.client);
+    return job;
 }
 
 std::int64_t Studio::Impl::beams_revision_now() const {
@@ -108,7 +111,7 @@ void Studio::Impl::solve(const Request& request) {
                   job.model, job.input.revision, job.beams_revision, job.beams, one.solve(control), {}, {}};
               solved.state = one.state_in(solved.result.solution);
               solved.warnings = warnings_of(solved.result);
-              return {solved_message(solved, Json{{"background", true}})};
+              return {solved_message(solved, job.input.fields, Json{{"background", true}})};
           });
 }
 
@@ -127,8 +130,9 @@ void Studio::Impl::path(const Request& request) {
             solved.result.solution = step;
             solved.state = one.state_in(step);
             solved.warnings = warnings_of(solved.result);
-            messages.push_back(solved_message(
-                solved, Json{{"background", true}, {"step", messages.size() + 1}, {"steps", steps}}));
+            messages.push_back(
+                solved_message(solved, job.input.fields,
+                               Json{{"background", true}, {"step", messages.size() + 1}, {"steps", steps}}));
         }
         return messages;
     });
@@ -151,8 +155,8 @@ void Studio::Impl::modes_of(const Request& request, simulation::ModeKind kind) {
                                   {"values", values}};
               Outgoing message{{text_part(event.dump())}};
               for (const mechanics::Mode& mode : modes)
-                  message.parts.push_back(binary_part(
-                      solution_message({mode.shape, {}}, {job.input.revision, job.beams_revision})));
+                  message.parts.push_back(
+                      binary_part(motion_message(mode.shape, {job.input.revision, job.beams_revision})));
               return {message};
           });
 }
@@ -189,7 +193,7 @@ void Studio::Impl::compare(const Request& request) {
         const Eigen::MatrixXf error =
             (state.nodes - live->state.nodes).leftCols<3>().rowwise().norm().cast<float>();
         std::string positions =
-            solution_message({state.nodes, {}}, {asked.input.revision, asked.beams_revision}, error);
+            motion_message(state.nodes, {asked.input.revision, asked.beams_revision}, error);
         return {{{text_part(event.dump()), binary_part(std::move(positions))}}};
     });
 }

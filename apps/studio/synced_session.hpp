@@ -14,6 +14,7 @@ namespace fretwork::studio {
 struct Situation {
     StatePtr state;
     std::size_t load_case = 0;
+    friend bool operator==(const Situation&, const Situation&) = default;
 };
 
 /// A session that follows a document: what differs from the state before becomes edits of the session, so
@@ -27,6 +28,8 @@ class SyncedSession {
     /// The session at this situation. Throws what the session throws at an edit that it refuses; then the
     /// next call begins anew.
     simulation::Session& follow(const Situation& wanted);
+    /// As follow() left it.
+    [[nodiscard]] const simulation::Session& operator*() const { return *session_; }
 
   private:
     void begin(const Situation& wanted);

@@ -184,6 +184,61 @@ TEST(StudioMessages, DisplacementsAreThoseOfTheCommandLine) {
     }
 }
 
+TEST(StudioMessages, PagesAreSentTheFieldsThatTheyShow) {
+    const RunningStudio studio(test::studio_project());
+    Client all(studio.address());
+    all.hello();
+    const Solved everything = next_solution(all);
+    EXPECT_EQ(everything.event["fields"].size(), 7U);
+    Client some(studio.address());
+    ASSERT_TRUE(some.ask("hello", {{"protocol", 1}, {"fields", Json::array()}})["ok"].get<bool>());
+    const Solved bare = next_solution(some);
+    EXPECT_EQ(header(bare.positions, 4), 0U);
+    EXPECT_EQ(header(bare.positions, 6), 0U);
+    ASSERT_TRUE(some.ask("show", {{"fields", {"stress", "M2"}}})["ok"].get<bool>());
+    const Solved two = next_solution(some);
+    EXPECT_EQ(two.event["fields"], (Json{"M2", "stress"})) << "in the order of the message";
+    const std::size_t motion = 6UL * header(everything.positions, 3);
+    const std::size_t ends = 2UL * header(everything.positions, 4);
+    const auto wanted = test::floats(two.positions, motion, 2 * ends);
+    const auto known = test::floats(everything.positions, motion, 7 * ends);
+    EXPECT_TRUE(std::equal(wanted.begin(), wanted.begin() + static_cast<std::ptrdiff_t>(ends),
+                           known.begin() + static_cast<std::ptrdiff_t>(4 * ends)));
+    EXPECT_TRUE(std::equal(wanted.begin() + static_cast<std::ptrdiff_t>(ends), wanted.end(),
+                           known.begin() + static_cast<std::ptrdiff_t>(6 * ends)));
+    EXPECT_THAT(some.ask("show", {{"fields", {"M4"}}})["error"].get<std::string>(), HasSubstr("M4"));
+}
+
+TEST(StudioMessages, FieldsAreComputedWhenAPageShowsThem) {
+    const RunningStudio studio(test::studio_project());
+    Client client(studio.address());
+    ASSERT_TRUE(client.ask("hello", {{"protocol", 1}, {"fields", Json::array()}})["ok"].get<bool>());
+    ASSERT_TRUE(client.ask("paint", {{"tiles", {0}}, {"pattern", "0-6"}})["ok"].get<bool>());
+    const Solved bare = solution_of(client, client.event({"changed"})["revision"]);
+    ASSERT_TRUE(client.ask("show", {{"fields", {"stress"}}})["ok"].get<bool>());
+    const Solved shown = next_solution(client);
+    EXPECT_EQ(shown.event["revision"], bare.event["revision"]);
+    EXPECT_EQ(header(shown.positions, 6), 1U);
+    EXPECT_EQ(shown.event["residual"], bare.event["residual"]) << "it is the same solution";
+}
+
+TEST(StudioMessages, ReactionsBalanceTheLoads) {
+    Project project = test::studio_project();
+    project.load_cases.front().gravity.setZero();
+    const RunningStudio studio(project);
+    Client client(studio.address());
+    client.hello();
+    const Solved solved = next_solution(client);
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    ASSERT_GT(solved.event["reactions"].size(), 1U);
+    for (const Json& row : solved.event["reactions"]) {
+        ASSERT_EQ(row.size(), 7U);
+        for (std::size_t d = 0; d < 3; ++d) sum[static_cast<Eigen::Index>(d)] += row[d + 1].get<double>();
+    }
+    // The solver ends at a residual of 1e-8 or better; the load is 0.01 N.
+    EXPECT_NEAR((sum - Eigen::Vector3d(0, 0, 0.01)).norm(), 0.0, 1e-8);
+}
+
 TEST(StudioMessages, ASurfaceThatIsNotHeldIsToldInWords) {
     Project project = test::studio_project();
     project.load_cases.front().supports.clear();
