@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+import { computed } from '@preact/signals';
 import { useEffect } from 'preact/hooks';
 import { documentNow, hello } from './document/store';
 import { mode, startOpen, type Mode } from './document/ui';
@@ -19,10 +20,13 @@ import './app.css';
 
 const PANELS: Record<Mode, () => preact.JSX.Element> = { paint: PaintPanel, hold: HoldPanel, load: LoadPanel, look: LookPanel };
 
+const isOpen = computed(() => documentNow.value !== null);
+const layoutName = computed(() => documentNow.value?.layout);
+
 export function App() {
   const Panel = PANELS[mode.value];
-  const ready = documentNow.value !== null;
-  const layout = documentNow.value?.layout;
+  const ready = isOpen.value;
+  const layout = layoutName.value;
   useEffect(() => void (layout && wantPatterns()), [layout]);
   return (
     <div class="app" onDragOver={(event) => event.preventDefault()}

@@ -6,6 +6,7 @@ import { Latest } from '../protocol/latest';
 import { ask, tryAsk } from './studio';
 import { documentNow, loadCase, working } from './store';
 import { tilePatterns } from './patterns_now';
+import { timed } from './latency';
 import { settled } from './settled';
 import { tell } from './tell';
 import { pending } from './ui';
@@ -76,17 +77,22 @@ export function editLoadCase(change: (present: LoadCase) => Partial<LoadCase>, m
 }
 
 const drag = new Latest<{ change: (present: LoadCase) => Partial<LoadCase>; merge: string }>(async ({ change, merge }) => {
+  const seen = timed();
   const done = settled();
-  if ((await editLoadCase(change, merge)) !== null) await done;
+  if ((await editLoadCase(change, merge)) === null) return;
+  await done;
+  seen();
 });
 /** As editLoadCase, while something is dragged: the next one is sent when the last one is seen. */
 export const dragLoadCase = (change: (present: LoadCase) => Partial<LoadCase>, merge: string): void => drag.push({ change, merge });
 
 const strokes = new Latest<{ paint: Paint; merge: string }>(async (stroke) => {
   pendingPaint.clear();
+  const seen = timed();
   const done = settled();
   await paint(stroke.paint, stroke.merge);
   await done;
+  seen();
 });
 const pendingPaint = new Map<number, string>();
 /** Tiles of one stroke; those not sent yet go together. */

@@ -1,23 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From an input event to the new positions in the page: what makes the studio feel instant. The browser test reads these.
+// From an input event to the new positions that it causes: what makes the studio feel instant. The browser test reads these.
+// Of a drag, the inputs that newer ones overtook are never answered and do not count.
 
 const KEPT = 500;
-let input: number | null = null;
+let newest: number | null = null;
 const samples: number[] = [];
 
-/** Note that a person moved or pressed something; `when` is the event's own time stamp. The first since the last answer counts. */
+/** Note that a person moved or pressed something; `when` is the event's own time stamp. */
 export function markInput(when: number): void {
-  if (input === null) input = when;
+  newest = when;
 }
 
-export function markPositions(): void {
-  if (input === null) return;
-  samples.push(performance.now() - input);
-  if (samples.length > KEPT) samples.shift();
-  input = null;
+/** What the newest input asks for is sent now; call the result when its positions are here. */
+export function timed(): () => void {
+  const input = newest;
+  newest = null;
+  return () => {
+    if (input === null) return;
+    samples.push(performance.now() - input);
+    if (samples.length > KEPT) samples.shift();
+  };
 }
 
 export function takeLatencies(): number[] {
-  input = null;
+  newest = null;
   return samples.splice(0);
 }

@@ -1,19 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How results are shown.
 
-import { signal } from '@preact/signals';
-import { drawsInSoftware } from '../views/space/software';
+import { computed, signal } from '@preact/signals';
 
 export type FieldName =
   | 'plain' | 'displacement' | 'uz' | 'rotation' | 'N' | 'T' | 'M2' | 'M3' | 'V2' | 'V3' | 'stress' | 'utilization' | 'error';
 
 export const field = signal<FieldName>('displacement');
+const ON_BARS: Partial<Record<FieldName, string>> = { N: 'N', T: 'T', M2: 'M2', M3: 'M3', V2: 'V2', V3: 'V3', stress: 'stress', utilization: 'stress' };
+/** The fields of bars, by the server's names, that the present colours need. */
+export const beamFields = computed<string[]>(() => {
+  const name = ON_BARS[field.value];
+  return name ? [name] : [];
+});
+
 /** Displacements are drawn this many times as large as they are. */
 export const scale = signal(1);
 export const showFull = signal(true);
 export const showRest = signal(false);
 export const showMarks = signal(true);
-export const shadows = signal(!drawsInSoftware);
+export const shadows = signal(true);
 /** What the material bears, N/m2, for utilization. Not part of the document. */
 export const strength = signal(30e6);
 

@@ -4,15 +4,17 @@ import { computed } from '@preact/signals';
 import { documentNow } from './store';
 import { pending } from './ui';
 
+const painting = computed(() => documentNow.value?.painting);
+const palette = computed(() => documentNow.value?.palette ?? []);
+
 /** The pattern of each tile, '' where it has none; with what was just painted here and is on its way. */
 export const tilePatterns = computed<string[]>(() => {
-  const now = documentNow.value;
-  if (!now) return [];
   const ahead = pending.value;
-  return now.painting.map((index, tile) => ahead.get(tile) ?? now.palette[index] ?? '');
+  const ids = palette.value;
+  return (painting.value ?? []).map((index, tile) => ahead.get(tile) ?? ids[index] ?? '');
 });
 
 export const usedPatterns = computed<string[]>(() => {
   const used = new Set(tilePatterns.value);
-  return (documentNow.value?.palette ?? []).filter((pattern) => used.has(pattern));
+  return palette.value.filter((pattern) => used.has(pattern));
 });

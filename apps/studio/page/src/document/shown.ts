@@ -23,7 +23,7 @@ export const shown = computed<Shown | null>(() => {
     return live.value && { solution: live.value.solution, fields: live.value.info.fields, factor: scale.value };
   }
   const solution = now.shapes[Math.min(shapeIndex.value, now.shapes.length - 1)];
-  if (now.kind === 'path') return { solution, fields: live.value?.info.fields ?? [], factor: scale.value };
+  if (now.kind === 'path') return { solution, fields: now.fields, factor: scale.value };
   return { solution, fields: [], factor: swing(solution) };
 });
 

@@ -21,6 +21,8 @@ export const beams = signal<Beams | null>(null);
 
 /** The newest solution of the live model; stays while a newer one is computed, or when that fails. */
 export const live = signal<SolvedModel | null>(null);
+/** The newest revision of the document that the live model has answered, with a solution or in words. */
+export const answered = signal(0);
 /** Why the live model has no newer solution, in words; null when it has. */
 export const problem = signal<string | null>(null);
 /** The last solution of other models, by name: the full model on demand. */
@@ -33,6 +35,8 @@ export const compared = signal<{ mean: number; largest: number; relative: number
 export interface Shape {
   kind: 'path' | 'vibration' | 'buckling';
   values: number[];
+  /** Names of the beam fields that each shape has. */
+  fields: readonly string[];
   shapes: Solution[];
   /** How many there will be. */
   expected: number;
@@ -45,4 +49,11 @@ export const patternTable = signal<PatternTable | null>(null);
 export const loadCase = computed<LoadCase | null>(() => {
   const now = documentNow.value;
   return now?.load_cases[now.selected_load_case] ?? null;
+});
+
+export const setting = computed(() => documentNow.value?.setting ?? null);
+/** The section of the bars, in metres: across in the plane, and out of it. */
+export const barSection = computed(() => {
+  const { area, I2, I3 } = setting.value?.section ?? { area: 4e-6, I2: 4e-12 / 3, I3: 4e-12 / 3 };
+  return { width: Math.sqrt((12 * I3) / area), height: Math.sqrt((12 * I2) / area) };
 });

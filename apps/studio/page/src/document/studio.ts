@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The line between the server and the signals of the store.
 
-import { batch } from '@preact/signals';
+import { batch, effect } from '@preact/signals';
 import { Connection } from '../protocol/connection';
 import type { Beams, Solution } from '../protocol/binary';
-import type { Hello, ServerEvent, Solved, StudioDocument } from '../protocol/messages';
+import type { Hello, Reaction, ServerEvent, Solved, StudioDocument } from '../protocol/messages';
 import * as store from './store';
+import { beamFields } from './look';
 import { tell } from './tell';
-import { markPositions } from './latency';
 import { pending } from './ui';
 
 /** Which event the next solution belongs to: a binary message follows the event that announces it. */
@@ -42,11 +42,17 @@ function state(value: typeof store.line.value): void {
 
 function opened(): void {
   awaited = null;
-  void ask<Hello>('hello', { protocol: 1 }).then(
+  void ask<Hello>('hello', { protocol: 1, fields: beamFields.peek() }).then(
     (answer) => (store.hello.value = answer),
     (error: Error) => tell(error.message, 'error'),
   );
 }
+
+/** The server is told which fields are shown, and sends no others. */
+effect(() => {
+  const fields = beamFields.value;
+  if (store.hello.peek()) void ask('show', { fields }).catch(() => undefined);
+});
 
 function event(message: ServerEvent): void {
   batch(() => {
@@ -69,7 +75,7 @@ function take(message: ServerEvent): void {
       store.working.value = { model: message.model, share: message.share, background: message.background === true };
       break;
     case 'solved':
-      awaited = { of: 'solved', info: message };
+      awaited = { of: 'solved', info: { ...message, reactions: message.reactions?.map(reactionOf) } };
       break;
     case 'failed':
       failed(message);
@@ -77,7 +83,7 @@ function take(message: ServerEvent): void {
     case 'modes':
       awaited = { of: 'modes' };
       store.working.value = null;
-      store.shapes.value = { kind: message.kind, values: message.values, shapes: [], expected: message.values.length };
+      store.shapes.value = { kind: message.kind, fields: [], values: message.values, shapes: [], expected: message.values.length };
       break;
     case 'compared':
       awaited = { of: 'compared' };
@@ -88,6 +94,13 @@ function take(message: ServerEvent): void {
       tell(message.text, 'error');
       break;
   }
+}
+
+/** Rows of seven numbers, or written out. */
+function reactionOf(row: Reaction | number[]): Reaction {
+  if (!Array.isArray(row)) return row;
+  const [node, fx, fy, fz, mx, my, mz] = row;
+  return { node, force: [fx, fy, fz], moment: [mx, my, mz] };
 }
 
 function forget(): void {
@@ -119,9 +132,9 @@ function change(message: Partial<StudioDocument>): void {
   }
 }
 
-function failed({ error, background }: { error: string; background?: boolean }): void {
+function failed({ error, background, revision }: { error: string; background?: boolean; revision: number }): void {
   store.working.value = null;
-  if (!background) store.problem.value = error;
+  if (!background) [store.problem.value, store.answered.value] = [error, revision];
   else if (error !== 'cancelled') tell(error, 'error');
 }
 
@@ -137,7 +150,6 @@ function binary(message: Beams | Solution): void {
     else if (target.of === 'compared' && store.compared.value) store.compared.value = { ...store.compared.value, solution: message };
     else if (target.of === 'modes' && store.shapes.value) addShape(message);
   });
-  if (target.of === 'solved' && !target.info.background && target.info.step === undefined) markPositions();
 }
 
 function addShape(solution: Solution): void {
@@ -149,7 +161,7 @@ function solved(info: Solved, solution: Solution, beams: Beams): void {
   if (solution.of !== beams.revision) return;
   if (info.step !== undefined) {
     const first = info.step === 1 || store.shapes.value?.kind !== 'path';
-    const before = first ? { kind: 'path' as const, values: [], shapes: [], expected: info.steps ?? 0 } : (store.shapes.value as store.Shape);
+    const before = first ? { kind: 'path' as const, fields: info.fields, values: [], shapes: [], expected: info.steps ?? 0 } : (store.shapes.value as store.Shape);
     store.shapes.value = { ...before, values: [...before.values, info.load_factor], shapes: [...before.shapes, solution] };
     if (info.step === info.steps) store.working.value = null;
     return;
@@ -161,6 +173,7 @@ function solved(info: Solved, solution: Solution, beams: Beams): void {
     return;
   }
   store.live.value = model;
+  store.answered.value = info.revision;
   store.problem.value = null;
   if (!store.working.value?.background) store.working.value = null;
 }

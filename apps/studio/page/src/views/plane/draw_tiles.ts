@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The lower layer: tiles and their bars in real width. Drawn anew when painting or view change.
+// The lower layer: tiles and their bars in real width. Drawn anew when the view changes; where tiles are painted, there only.
 
 import { fanSegments } from '../../pattern/fan';
-import type { Surface } from '../../document/surface';
+import { neighbours, type Surface } from '../../document/surface';
 import { themeColour } from '../../manners/theme';
+import { ringsAround } from '../../painting/regions';
 import type { Viewport } from './viewport';
 
 export interface TilePicture {
@@ -30,17 +31,12 @@ function fanPath(surface: Surface, tile: number, pattern: string): Path2D {
   return path;
 }
 
-const outlines = new WeakMap<Surface, Path2D>();
-
-function outline(surface: Surface): Path2D {
-  const known = outlines.get(surface);
-  if (known) return known;
+function outline(surface: Surface, tiles: Iterable<number>): Path2D {
   const path = new Path2D();
-  for (const polygon of surface.polygons) {
-    polygon.forEach(([x, y], i) => (i ? path.lineTo(x, y) : path.moveTo(x, y)));
+  for (const tile of tiles) {
+    surface.polygons[tile].forEach(([x, y], i) => (i ? path.lineTo(x, y) : path.moveTo(x, y)));
     path.closePath();
   }
-  outlines.set(surface, path);
   return path;
 }
 
@@ -49,12 +45,50 @@ export function useView(context: CanvasRenderingContext2D, view: Viewport, ratio
   context.setTransform(ratio * zoom, 0, 0, -ratio * zoom, ratio * (width / 2 - zoom * center[0]), ratio * (height / 2 + zoom * center[1]));
 }
 
+const all = (surface: Surface): number[] => surface.polygons.map((_, tile) => tile);
+
+/** What lies on a canvas now. */
+interface Drawn {
+  picture: TilePicture;
+  view: Viewport;
+  ratio: number;
+  theme: string;
+}
+const drawn = new WeakMap<HTMLCanvasElement, Drawn>();
+const MOST_SINGLY = 40;
+
+/** The tiles that have another pattern than the ones on the canvas; null if all must be drawn. */
+function changedTiles(canvas: HTMLCanvasElement, now: Drawn): number[] | null {
+  const before = drawn.get(canvas);
+  const isSame = before && before.view === now.view && before.ratio === now.ratio && before.theme === now.theme;
+  if (!isSame || before.picture.surface !== now.picture.surface || before.picture.barWidth !== now.picture.barWidth) return null;
+  const changed = now.picture.patterns.flatMap((pattern, tile) => (pattern === before.picture.patterns[tile] ? [] : [tile]));
+  return changed.length > MOST_SINGLY ? null : changed;
+}
+
 export function drawTiles(context: CanvasRenderingContext2D, view: Viewport, ratio: number, picture: TilePicture): void {
-  context.setTransform(1, 0, 0, 1, 0, 0);
-  context.clearRect(0, 0, context.canvas.width, context.canvas.height);
+  const now = { picture, view, ratio, theme: themeColour('--bar') };
+  const changed = changedTiles(context.canvas, now);
+  drawn.set(context.canvas, now);
+  if (!changed) {
+    context.setTransform(1, 0, 0, 1, 0, 0);
+    context.clearRect(0, 0, context.canvas.width, context.canvas.height);
+  }
   useView(context, view, ratio);
-  const { surface, patterns, barWidth } = picture;
-  const tiles = outline(surface);
+  if (!changed) return drawSome(context, view, picture, all(picture.surface));
+  for (const tile of changed) drawAgain(context, view, picture, tile);
+}
+
+/** A tile and its neighbours, into which its bars reach by half their width; and theirs reach in from around them. */
+function drawAgain(context: CanvasRenderingContext2D, view: Viewport, picture: TilePicture, tile: number): void {
+  context.save();
+  context.clip(outline(picture.surface, ringsAround(tile, 1, neighbours.peek())));
+  drawSome(context, view, picture, ringsAround(tile, 2, neighbours.peek()));
+  context.restore();
+}
+
+function drawSome(context: CanvasRenderingContext2D, view: Viewport, { surface, patterns, barWidth }: TilePicture, some: readonly number[]): void {
+  const tiles = outline(surface, some);
   context.fillStyle = themeColour('--raised');
   context.fill(tiles);
   context.lineWidth = 0.75 / view.zoom;
@@ -63,7 +97,7 @@ export function drawTiles(context: CanvasRenderingContext2D, view: Viewport, rat
   context.lineCap = 'round';
   context.lineWidth = Math.max(barWidth, 1 / view.zoom);
   context.strokeStyle = themeColour('--bar');
-  const all = new Path2D();
-  patterns.forEach((pattern, tile) => pattern && all.addPath(fanPath(surface, tile, pattern)));
-  context.stroke(all);
+  const bars = new Path2D();
+  for (const tile of some) if (patterns[tile]) bars.addPath(fanPath(surface, tile, patterns[tile]));
+  context.stroke(bars);
 }

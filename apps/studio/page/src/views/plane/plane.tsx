@@ -4,7 +4,7 @@
 import { effect, type ReadonlySignal } from '@preact/signals';
 import { useEffect, useRef } from 'preact/hooks';
 import { tilePatterns } from '../../document/patterns_now';
-import { documentNow } from '../../document/store';
+import { barSection } from '../../document/store';
 import { surface } from '../../document/surface';
 import { heldNodes, loadMarks, prescribedMarks } from '../../document/marks';
 import { mode, probed, selectedNodes, selectedTiles } from '../../document/ui';
@@ -55,7 +55,7 @@ export function fit(): void {
   if (now) viewport.value = fitted(viewport.peek(), now.box, TOOLBAR_PX);
 }
 
-const tileSignals = [viewport, surface, theme, tilePatterns, documentNow];
+const tileSignals = [viewport, surface, theme, tilePatterns, barSection];
 const markSignals = [
   viewport, surface, theme, mode, probed, selectedNodes, selectedTiles, heldNodes, loadMarks, prescribedMarks, hoveredTiles, hoveredNode, hoveredNodes, drawing,
 ];
@@ -88,9 +88,7 @@ function sized(canvas: HTMLCanvasElement): { context: CanvasRenderingContext2D; 
 function showTiles(canvas: HTMLCanvasElement): void {
   const { context, ratio } = sized(canvas);
   const now = surface.value;
-  const section = documentNow.value?.setting.section;
-  const barWidth = section ? Math.sqrt((12 * section.I3) / section.area) : 0.002;
-  if (now) drawTiles(context, viewport.value, ratio, { surface: now, patterns: tilePatterns.value, barWidth });
+  if (now) drawTiles(context, viewport.value, ratio, { surface: now, patterns: tilePatterns.value, barWidth: barSection.value.width });
   else context.clearRect(0, 0, canvas.width, canvas.height);
 }
 

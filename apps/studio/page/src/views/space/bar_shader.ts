@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Bars are bent on the graphics card: a solution is written into two small textures, and each bar looks up its two ends.
-// Between them runs the cubic that meets places and tangents at both ends; the section turns along with it.
+// Between them runs the cubic that meets places and tangents at both ends; the section turns along with it. Where bars meet, a round
+// joint as thick as they are closes the corner.
 
 import { MeshDepthMaterial, MeshStandardMaterial, RGBADepthPacking, type Material, type WebGLProgramParametersWithUniforms } from 'three';
 import type { BarUniforms } from './bar_uniforms';
 
 const DECLARATIONS = /* glsl */ `
-attribute vec2 ends;
 attribute vec3 axis3;
 attribute vec2 endValues;
 uniform highp sampler2D places;
@@ -28,7 +28,11 @@ vec3 turned(vec3 turn, vec3 v) {
   vec3 k = turn / angle;
   return v * cos(angle) + cross(k, v) * sin(angle) + k * dot(k, v) * (1.0 - cos(angle));
 }
-void bentBar(out vec3 place, out vec3 facing) {
+`;
+
+const BAR = /* glsl */ `
+attribute vec2 ends;
+void bent(out vec3 place, out vec3 facing) {
   vec3 x0 = nodeTexel(places, ends.x).xyz;
   vec3 x1 = nodeTexel(places, ends.y).xyz;
   vec4 m0 = nodeTexel(moves, ends.x);
@@ -55,17 +59,39 @@ void bentBar(out vec3 place, out vec3 facing) {
 }
 `;
 
-type Pass = 'picture' | 'shadow';
+/** A little thinner than the bars, so that their colours are seen where both are. */
+const JOINT = /* glsl */ `
+attribute float node;
+void bent(out vec3 place, out vec3 facing) {
+  vec4 m = nodeTexel(moves, node);
+  vec3 r = factor * nodeTexel(turns, node).xyz;
+  vec3 up = turned(r, axis3);
+  vec3 across = turned(r, normalize(cross(axis3, abs(axis3.x) < 0.9 ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 1.0, 0.0))));
+  vec3 third = cross(up, across);
+  place = nodeTexel(places, node).xyz + factor * m.xyz + 0.5 * section.x * (position.x * across + position.y * third) + 0.98 * position.z * section.y * up;
+  facing = normal.x * across + normal.y * third + normal.z * up;
+  shownValue = mix(m.w, endValues.x, valuesOnBars);
+}
+`;
 
-function bend(shader: WebGLProgramParametersWithUniforms, uniforms: BarUniforms, pass: Pass): void {
+type Pass = 'picture' | 'shadow';
+export type Part = 'bar' | 'joint';
+const SHAPES: Record<Part, string> = { bar: BAR, joint: JOINT };
+
+export interface BentThing {
+  part: Part;
+  uniforms: BarUniforms;
+}
+
+function bend(shader: WebGLProgramParametersWithUniforms, { part, uniforms }: BentThing, pass: Pass): void {
   Object.assign(shader.uniforms, uniforms);
-  shader.vertexShader = shader.vertexShader.replace('#include <common>', `#include <common>\n${DECLARATIONS}`);
+  shader.vertexShader = shader.vertexShader.replace('#include <common>', `#include <common>\n${DECLARATIONS}${SHAPES[part]}`);
   if (pass === 'shadow') {
-    shader.vertexShader = shader.vertexShader.replace('#include <begin_vertex>', 'vec3 transformed, unusedFacing;\nbentBar(transformed, unusedFacing);');
+    shader.vertexShader = shader.vertexShader.replace('#include <begin_vertex>', 'vec3 transformed, unusedFacing;\nbent(transformed, unusedFacing);');
     return;
   }
   shader.vertexShader = shader.vertexShader
-    .replace('#include <beginnormal_vertex>', 'vec3 barPlace, barFacing;\nbentBar(barPlace, barFacing);\nvec3 objectNormal = barFacing;')
+    .replace('#include <beginnormal_vertex>', 'vec3 barPlace, barFacing;\nbent(barPlace, barFacing);\nvec3 objectNormal = barFacing;')
     .replace('#include <begin_vertex>', 'vec3 transformed = barPlace;');
 }
 
@@ -87,7 +113,7 @@ if (colourOn > 0.5) {
 }
 `;
 
-export function barMaterial(uniforms: BarUniforms, see: { opacity: number }): MeshStandardMaterial {
+export function barMaterial(thing: BentThing, see: { opacity: number }): MeshStandardMaterial {
   const material = new MeshStandardMaterial({
     roughness: 0.62,
     metalness: 0.02,
@@ -95,8 +121,9 @@ export function barMaterial(uniforms: BarUniforms, see: { opacity: number }): Me
     opacity: see.opacity,
     depthWrite: see.opacity === 1,
   });
+  material.customProgramCacheKey = () => thing.part;
   material.onBeforeCompile = (shader) => {
-    bend(shader, uniforms, 'picture');
+    bend(shader, thing, 'picture');
     shader.fragmentShader = shader.fragmentShader
       .replace(
         '#include <common>',
@@ -109,8 +136,9 @@ export function barMaterial(uniforms: BarUniforms, see: { opacity: number }): Me
 }
 
 /** The same bars as seen from the light, for their shadow. */
-export function barShadow(uniforms: BarUniforms): Material {
+export function barShadow(thing: BentThing): Material {
   const material = new MeshDepthMaterial({ depthPacking: RGBADepthPacking });
-  material.onBeforeCompile = (shader) => bend(shader, uniforms, 'shadow');
+  material.customProgramCacheKey = () => thing.part;
+  material.onBeforeCompile = (shader) => bend(shader, thing, 'shadow');
   return material;
 }

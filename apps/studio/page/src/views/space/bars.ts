@@ -1,65 +1,51 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// All bars of a surface as one drawn object: their section is real, and a new solution is a few thousand numbers.
+// All bars of a surface as two drawn objects, bars and joints: their section is real, and a new solution is a few thousand numbers.
 
-import { Color, InstancedBufferAttribute, InstancedBufferGeometry, BufferAttribute, Mesh, type ColorRepresentation, type MeshStandardMaterial } from 'three';
+import { Color, Group, InstancedBufferAttribute, Mesh, type ColorRepresentation, type InstancedBufferGeometry, type MeshStandardMaterial } from 'three';
 import type { Beams, Solution } from '../../protocol/binary';
-import { barMaterial, barShadow } from './bar_shader';
+import { barGeometry, jointGeometry } from './bar_geometry';
+import { barMaterial, barShadow, type Part } from './bar_shader';
 import { barUniforms, colourTexture, nodeTexture, writeScalars, writeVectors } from './bar_uniforms';
 import type { ColourMap } from './colours';
 import type { Values } from './fields';
 import { drawsInSoftware } from './software';
 
-/** The corners of a section, and which way its four faces look. */
-const FACES = [
-  { normal: [0, 1, 0], corners: [[0.5, -0.5], [0.5, 0.5]] },
-  { normal: [0, 0, 1], corners: [[0.5, 0.5], [-0.5, 0.5]] },
-  { normal: [0, -1, 0], corners: [[-0.5, 0.5], [-0.5, -0.5]] },
-  { normal: [0, 0, -1], corners: [[-0.5, -0.5], [0.5, -0.5]] },
-];
 const MANY_BARS = 6000;
-
-function barGeometry(pieces: number): InstancedBufferGeometry {
-  const [positions, normals, index]: number[][] = [[], [], []];
-  for (const { normal, corners } of FACES) {
-    const first = positions.length / 3;
-    for (let piece = 0; piece <= pieces; ++piece) {
-      for (const [y, z] of corners) {
-        positions.push(piece / pieces, y, z);
-        normals.push(...normal);
-      }
-      if (piece === pieces) continue;
-      const at = first + 2 * piece;
-      index.push(at, at + 2, at + 1, at + 1, at + 2, at + 3);
-    }
-  }
-  const geometry = new InstancedBufferGeometry();
-  geometry.setAttribute('position', new BufferAttribute(new Float32Array(positions), 3));
-  geometry.setAttribute('normal', new BufferAttribute(new Float32Array(normals), 3));
-  geometry.setIndex(index);
-  return geometry;
-}
+const JOINT_SIDES = 10;
 
 export interface BarLook {
   colour: ColorRepresentation;
   opacity: number;
 }
+type Drawn = Mesh<InstancedBufferGeometry, MeshStandardMaterial>;
 
 export class Bars {
-  readonly mesh: Mesh<InstancedBufferGeometry, MeshStandardMaterial>;
+  readonly group = new Group();
   private readonly uniforms = barUniforms();
+  private readonly bars: Drawn;
+  private readonly joints: Drawn;
   private beams: Beams | null = null;
+  private room = 0;
 
-  constructor(look: BarLook) {
-    this.mesh = new Mesh(barGeometry(1), barMaterial(this.uniforms, look));
-    this.mesh.material.color = new Color(look.colour);
-    this.mesh.frustumCulled = false;
-    this.mesh.customDepthMaterial = barShadow(this.uniforms);
-    this.mesh.castShadow = this.mesh.receiveShadow = look.opacity === 1;
-    this.mesh.visible = false;
+  constructor(private readonly look: BarLook) {
+    this.bars = this.make('bar', barGeometry(1));
+    this.joints = this.make('joint', jointGeometry(JOINT_SIDES));
+    this.group.visible = false;
+    this.colour = look.colour;
+  }
+
+  private make(part: Part, geometry: InstancedBufferGeometry): Drawn {
+    const thing = { part, uniforms: this.uniforms };
+    const mesh = new Mesh(geometry, barMaterial(thing, this.look));
+    mesh.frustumCulled = false;
+    mesh.customDepthMaterial = barShadow(thing);
+    mesh.castShadow = mesh.receiveShadow = this.look.opacity === 1;
+    this.group.add(mesh);
+    return mesh;
   }
 
   set colour(colour: ColorRepresentation) {
-    this.mesh.material.color.set(colour);
+    for (const mesh of [this.bars, this.joints]) mesh.material.color = new Color(colour);
   }
   set factor(factor: number) {
     this.uniforms.factor.value = factor;
@@ -67,23 +53,44 @@ export class Bars {
   get factor(): number {
     return this.uniforms.factor.value;
   }
+  /** A quick picture without a graphics card has no joints; what is seen through has none at all. */
+  set fine(fine: boolean) {
+    this.joints.visible = this.look.opacity === 1 && (fine || !drawsInSoftware);
+  }
 
   /** Other bars: a tile was painted. Displacements are zero until a solution is set. */
   setBeams(beams: Beams, section: { width: number; height: number }): void {
     this.uniforms.section.value.set(section.width, section.height);
     if (beams === this.beams) return;
     this.beams = beams;
-    this.mesh.geometry.dispose();
-    const geometry = barGeometry(beams.beams > MANY_BARS || drawsInSoftware ? 2 : 5);
-    geometry.setAttribute('ends', new InstancedBufferAttribute(Float32Array.from(beams.ends), 2));
-    geometry.setAttribute('axis3', new InstancedBufferAttribute(beams.axis3, 3));
-    geometry.setAttribute('endValues', new InstancedBufferAttribute(new Float32Array(2 * beams.beams), 2));
-    geometry.instanceCount = beams.beams;
-    this.mesh.geometry = geometry;
+    const bars = barGeometry(beams.beams > MANY_BARS || drawsInSoftware ? 2 : 5);
+    bars.setAttribute('ends', new InstancedBufferAttribute(new Float32Array(beams.ends), 2));
+    bars.setAttribute('axis3', new InstancedBufferAttribute(beams.axis3, 3));
+    this.replace(this.bars, bars, beams.beams);
+    const joints = jointGeometry(JOINT_SIDES);
+    joints.setAttribute('node', new InstancedBufferAttribute(numbered(beams.nodes), 1));
+    joints.setAttribute('axis3', new InstancedBufferAttribute(jointAxes(beams), 3));
+    this.replace(this.joints, joints, beams.nodes);
+    this.writePlaces(beams);
+  }
+
+  private replace(mesh: Drawn, geometry: InstancedBufferGeometry, count: number): void {
+    geometry.setAttribute('endValues', new InstancedBufferAttribute(new Float32Array(2 * count), 2));
+    geometry.instanceCount = count;
+    mesh.geometry.dispose();
+    mesh.geometry = geometry;
+  }
+
+  private writePlaces(beams: Beams): void {
     for (const key of ['places', 'moves', 'turns'] as const) {
+      if (beams.nodes <= this.room) {
+        if (key !== 'places') writeVectors(this.uniforms[key].value, new Float32Array(3 * beams.nodes));
+        continue;
+      }
       this.uniforms[key].value.dispose();
       this.uniforms[key].value = nodeTexture(beams.nodes);
     }
+    this.room = Math.max(this.room, beams.nodes);
     writeVectors(this.uniforms.places.value, beams.place);
   }
 
@@ -100,10 +107,28 @@ export class Bars {
     this.uniforms.valueRange.value.set(values.low, values.high);
     this.uniforms.colours.value = colourTexture(map);
     if (values.on === 'nodes') writeScalars(this.uniforms.moves.value, values.values);
-    else {
-      const attribute = this.mesh.geometry.getAttribute('endValues') as InstancedBufferAttribute;
-      (attribute.array as Float32Array).set(values.values);
-      attribute.needsUpdate = true;
-    }
+    else this.writeEndValues(values.values);
   }
+
+  /** A joint has the value of the last bar that ends there. */
+  private writeEndValues(values: Float32Array): void {
+    const ends = this.beams?.ends ?? new Uint32Array(0);
+    const [bars, joints] = [this.bars, this.joints].map((mesh) => mesh.geometry.getAttribute('endValues') as InstancedBufferAttribute);
+    (bars.array as Float32Array).set(values);
+    for (let end = 0; end < ends.length; ++end) joints.array[2 * ends[end]] = values[end];
+    bars.needsUpdate = joints.needsUpdate = true;
+  }
+}
+
+/** A joint lies as one of its bars does. */
+function jointAxes({ nodes, ends, axis3 }: Beams): Float32Array {
+  const axes = new Float32Array(3 * nodes);
+  for (let end = 0; end < ends.length; ++end) axes.set(axis3.subarray(3 * (end >> 1), 3 * (end >> 1) + 3), 3 * ends[end]);
+  return axes;
+}
+
+function numbered(count: number): Float32Array {
+  const numbers = new Float32Array(count);
+  for (let i = 0; i < count; ++i) numbers[i] = i;
+  return numbers;
 }

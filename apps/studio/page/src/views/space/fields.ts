@@ -32,12 +32,8 @@ export const FIELDS: FieldRow[] = [
 ];
 export const fieldRow = (name: FieldName): FieldRow => FIELDS.find((row) => row.name === name) as FieldRow;
 
-/** Whether a solution brings what a field needs. */
-export function available(row: FieldRow, names: readonly string[], hasError: boolean): boolean {
-  if (row.name === 'error') return hasError;
-  if (row.name === 'utilization') return names.includes('stress');
-  return row.on !== 'bars' || names.includes(row.name);
-}
+/** Whether there is something to show: what bars bear comes when it is asked for. */
+export const available = (row: FieldRow, hasError: boolean): boolean => row.name !== 'error' || hasError;
 
 export interface Values {
   on: 'nodes' | 'bars';

@@ -6,7 +6,7 @@ import { Box3, Vector3 } from 'three';
 import { field, scale, shadows, showFull, showMarks, showRest, strength, type FieldName } from '../../document/look';
 import { heldNodes, loadMarks, prescribedMarks } from '../../document/marks';
 import { shown } from '../../document/shown';
-import { beams, compared, documentNow, live, others } from '../../document/store';
+import { barSection, beams, compared, live, others } from '../../document/store';
 import { surface } from '../../document/surface';
 import { activeEntry, mode, selectedNodes } from '../../document/ui';
 import { theme, themeColour } from '../../manners/theme';
@@ -34,6 +34,7 @@ export class SceneView {
   private readonly main = new Bars({ colour: '#777', opacity: 1 });
   private readonly full = new Bars({ colour: GREY, opacity: 0.55 });
   private readonly rest = new Bars({ colour: GREY, opacity: 0.25 });
+  private readonly all = [this.main, this.full, this.rest];
   private readonly marks = new MarksView();
   private readonly values = new FieldValues();
   private filler: { of: Beams; gaps: GapFiller } | null = null;
@@ -43,7 +44,9 @@ export class SceneView {
 
   constructor(canvas: HTMLCanvasElement) {
     this.stage = new Stage(canvas);
-    this.stage.scene.add(this.main.mesh, this.full.mesh, this.rest.mesh, this.marks.group);
+    for (const bars of this.all) this.stage.scene.add(bars.group);
+    this.stage.scene.add(this.marks.group);
+    this.stage.beforeDraw((quality) => this.all.forEach((bars) => (bars.fine = quality === 'fine')));
     this.stops.push(
       effect(() => this.showBars()),
       effect(() => this.showShape()),
@@ -56,20 +59,15 @@ export class SceneView {
 
   dispose(): void {
     this.stops.forEach((stop) => stop());
-    this.stage.renderer.dispose();
-  }
-
-  private section(): { width: number; height: number } {
-    const { area, I2, I3 } = documentNow.peek()?.setting.section ?? { area: 4e-6, I2: 1.33e-12, I3: 1.33e-12 };
-    return { width: Math.sqrt((12 * I3) / area), height: Math.sqrt((12 * I2) / area) };
+    this.stage.dispose();
   }
 
   private showBars(): void {
     const now = beams.value;
-    this.main.mesh.visible = now !== null && now.beams > 0;
-    void documentNow.value?.setting;
+    this.main.group.visible = now !== null && now.beams > 0;
+    const section = barSection.value;
     if (!now) return;
-    for (const bars of [this.main, this.full, this.rest]) bars.setBeams(now, this.section());
+    for (const bars of this.all) bars.setBeams(now, section);
     this.rest.factor = 0;
     this.showShape();
     this.stage.draw();
@@ -103,7 +101,7 @@ export class SceneView {
   private colour(name: FieldName, now: NonNullable<typeof shown.value>): void {
     const row = fieldRow(name);
     const error = compared.value?.solution?.nodeFields[0] ?? null;
-    const usable = available(row, now.fields, error !== null);
+    const usable = available(row, error !== null);
     const values = usable ? this.values.take(row, now.solution, now.fields, { error, strength: strength.value }) : null;
     this.main.setColours(values, row.map);
     legend.value = values && { row, low: values.low, high: values.high };
@@ -122,12 +120,12 @@ export class SceneView {
     const full = others.value.get('full');
     const bars = beams.value;
     const overlay = showFull.value && full && bars && full.solution.nodes === bars.nodes;
-    this.full.mesh.visible = Boolean(overlay && live.value?.info.model !== 'full');
+    this.full.group.visible = Boolean(overlay && live.value?.info.model !== 'full');
     if (overlay && full) {
       this.full.setSolution(full.solution);
       this.full.factor = scale.value;
     }
-    this.rest.mesh.visible = showRest.value && bars !== null;
+    this.rest.group.visible = showRest.value && bars !== null;
     this.stage.draw();
   }
 

@@ -1,61 +1,63 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Camera, lights and the picture itself. Drawn when something changed, not all the time.
+// Camera and picture. Drawn when something changed, not all the time; and once it rests, finer and finer.
 
-import {
-  Box3, Color, DirectionalLight, HemisphereLight, Mesh, PCFShadowMap, PerspectiveCamera, PlaneGeometry, Scene, ShadowMaterial, Vector3,
-  WebGLRenderer, ACESFilmicToneMapping, NeutralToneMapping,
-} from 'three';
+import { BasicShadowMap, Box3, Color, NeutralToneMapping, PCFShadowMap, PerspectiveCamera, Scene, Vector3, WebGLRenderer } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 
+import { Accumulator } from './accumulator';
+import { Lights, spread } from './lights';
 import { drawsInSoftware } from './software';
 
 export type ViewName = 'iso' | 'top' | 'front' | 'side';
 const FRAME_MARGIN = 1.12;
 /** What the bar at the bottom covers. */
 const BAR_PX = 56;
+/** How long nothing must have changed before the picture becomes finer. */
+const REST_MS = 300;
+const FEWEST_SAMPLES = 3;
+const MOST_SAMPLES = drawsInSoftware ? 14 : 64;
+const POLL_MS = 8;
 const DIRECTIONS: Record<ViewName, [number, number, number]> = { iso: [-0.45, -1, 0.62], top: [0, -0.001, 1], front: [0, -1, 0.02], side: [1, -0.02, 0.02] };
+
+/** At once, or as good as it gets. */
+export type Quality = 'quick' | 'fine';
 
 export class Stage {
   readonly scene = new Scene();
   readonly camera = new PerspectiveCamera(32, 1, 0.001, 100);
   readonly renderer: WebGLRenderer;
   readonly controls: OrbitControls;
-  private readonly sun = new DirectionalLight('#fff4e2', 2.9);
-  private readonly floor = new Mesh(new PlaneGeometry(1, 1), new ShadowMaterial({ opacity: 0.16 }));
+  private readonly lights = new Lights(this.scene);
+  private fine: Accumulator | null = null;
   private asked = 0;
+  private rest = 0;
+  private size = { width: 1, height: 1 };
   private usable = 1;
   /** For tests on machines that draw in software: everything but the drawing. */
   private readonly paused = window.fretworkPaused === true;
   private framing: { box: Box3; from: ViewName | null } | null = null;
-  private readonly before = new Set<() => void>();
+  private readonly before = new Set<(quality: Quality) => void>();
 
   constructor(canvas: HTMLCanvasElement) {
     this.renderer = new WebGLRenderer({ canvas, antialias: !drawsInSoftware, alpha: true, powerPreference: 'high-performance' });
     this.renderer.setClearColor(new Color(0), 0);
     this.renderer.shadowMap.enabled = true;
-    this.renderer.shadowMap.type = PCFShadowMap;
-    this.renderer.toneMapping = NeutralToneMapping ?? ACESFilmicToneMapping;
+    this.renderer.shadowMap.type = drawsInSoftware ? BasicShadowMap : PCFShadowMap;
+    this.renderer.toneMapping = NeutralToneMapping;
     this.camera.up.set(0, 0, 1);
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.addEventListener('change', () => this.draw());
     this.controls.addEventListener('start', () => (this.framing = null));
     this.controls.zoomToCursor = true;
-    this.sun.castShadow = true;
-    this.sun.shadow.mapSize.set(2048, 2048);
-    this.sun.shadow.radius = 5;
-    this.floor.receiveShadow = true;
-    this.scene.add(new HemisphereLight('#ffffff', '#a79f92', 1.9), this.sun, this.sun.target, this.floor);
-    const fill = new DirectionalLight('#dfe9ff', 0.7);
-    fill.position.set(-2, 1.5, 1);
-    this.scene.add(fill);
   }
 
   /** Called right before each picture. */
-  beforeDraw(action: () => void): void {
+  beforeDraw(action: (quality: Quality) => void): void {
     this.before.add(action);
   }
 
   draw(): void {
+    this.stopRefining();
     if (this.asked) return;
     this.asked = requestAnimationFrame(() => {
       this.asked = 0;
@@ -64,18 +66,81 @@ export class Stage {
   }
 
   drawNow(): void {
-    if (!this.paused) this.drawOnce();
+    this.stopRefining();
+    if (this.paused) return;
+    this.drawOnce();
+    this.rest = window.setTimeout(() => this.refine(), REST_MS);
   }
 
   drawOnce(): void {
-    for (const action of this.before) action();
+    this.prepare('quick');
+    this.lights.quick(!drawsInSoftware);
     this.renderer.render(this.scene, this.camera);
+  }
+
+  /** As fine as it gets, at once. */
+  drawFinest(): void {
+    this.beginFine();
+    while (this.fine && this.fine.count < MOST_SAMPLES) this.sample(this.fine);
+    this.fine?.present();
+  }
+
+  private stopRefining(): void {
+    clearTimeout(this.rest);
+    this.rest = 0;
+  }
+
+  private prepare(quality: Quality): void {
+    for (const action of this.before) action(quality);
+  }
+
+  private beginFine(): Accumulator {
+    this.prepare('fine');
+    this.fine ??= new Accumulator(this.renderer);
+    this.fine.restart();
+    return this.fine;
+  }
+
+  /** One sample after the other, the next when the last is drawn: whoever touches something waits for one at most. */
+  private refine(): void {
+    const fine = this.beginFine();
+    const later = (action: () => void, pause: number) => (this.rest = window.setTimeout(action, pause));
+    const step = () => {
+      const began = performance.now();
+      this.sample(fine);
+      const isDrawn = this.fence();
+      const wait = () => {
+        if (!isDrawn()) return later(wait, POLL_MS);
+        if (fine.count >= FEWEST_SAMPLES) fine.present();
+        return fine.count < MOST_SAMPLES && later(step, drawsInSoftware ? performance.now() - began : 0);
+      };
+      later(wait, 0);
+    };
+    step();
+  }
+
+  /** Tells whether the graphics card has done what it was told before. */
+  private fence(): () => boolean {
+    const context = this.renderer.getContext() as WebGL2RenderingContext;
+    const sync = context.fenceSync(context.SYNC_GPU_COMMANDS_COMPLETE, 0);
+    context.flush();
+    return () => !sync || context.getSyncParameter(sync, context.SYNC_STATUS) === context.SIGNALED;
+  }
+
+  private sample(fine: Accumulator): void {
+    const { width, height } = this.size;
+    const [x, y] = spread(fine.count);
+    this.camera.setViewOffset(width, height, x - 0.5, BAR_PX / 2 + y - 0.5, width, height);
+    this.lights.sample(fine.count);
+    fine.take(this.scene, this.camera);
+    this.camera.setViewOffset(width, height, 0, BAR_PX / 2, width, height);
   }
 
   resize(width: number, height: number): void {
     if (!width || !height) return;
     this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
     this.renderer.setSize(width, height, false);
+    this.size = { width, height };
     this.camera.aspect = width / height;
     this.camera.setViewOffset(width, height, 0, BAR_PX / 2, width, height);
     this.usable = Math.max(0.3, (height - BAR_PX) / height);
@@ -85,27 +150,21 @@ export class Stage {
   }
 
   set shadows(on: boolean) {
-    this.sun.castShadow = on;
-    this.floor.visible = on;
+    this.lights.shadows = on;
     this.draw();
   }
 
   /** Light and floor for a surface within a box. */
   light(box: Box3): void {
-    const center = box.getCenter(new Vector3());
-    const reach = box.getSize(new Vector3()).length() * 0.75 || 1;
-    this.sun.position.copy(center).add(new Vector3(-0.55, -0.35, 1.25).multiplyScalar(2 * reach));
-    this.sun.target.position.copy(center);
-    const shadow = this.sun.shadow.camera;
-    shadow.left = shadow.bottom = -reach;
-    shadow.right = shadow.top = reach;
-    shadow.near = 0.2 * reach;
-    shadow.far = 6 * reach;
-    shadow.updateProjectionMatrix();
-    this.sun.shadow.normalBias = 0.0012 * reach;
-    this.sun.shadow.bias = -0.0006;
-    this.floor.scale.setScalar(8 * reach);
-    this.floor.position.set(center.x, center.y, Math.min(box.min.z, 0) - 0.04 * reach);
+    this.lights.fit(box);
+  }
+
+  dispose(): void {
+    this.stopRefining();
+    cancelAnimationFrame(this.asked);
+    this.controls.dispose();
+    this.fine?.dispose();
+    this.renderer.dispose();
   }
 
   /** Look at a box from a named side, so that all of it is seen. */
@@ -148,7 +207,8 @@ export class Stage {
   async picture(): Promise<Blob> {
     const ratio = this.renderer.getPixelRatio();
     this.renderer.setPixelRatio(2 * ratio);
-    this.drawNow();
+    this.stopRefining();
+    this.drawFinest();
     const blob = await new Promise<Blob | null>((done) => this.renderer.domElement.toBlob(done, 'image/png'));
     this.renderer.setPixelRatio(ratio);
     this.drawNow();

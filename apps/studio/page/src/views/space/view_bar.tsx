@@ -3,7 +3,7 @@
 
 import { Axis3d, Camera, Maximize, RectangleHorizontal, Square } from 'lucide-preact';
 import { field, SCALES, scale } from '../../document/look';
-import { compared, live } from '../../document/store';
+import { compared } from '../../document/store';
 import { Button, Choice } from '../../widgets/widgets';
 import { savePicture } from '../../document/files';
 import { currentScene } from './current';
@@ -12,8 +12,7 @@ import { available, FIELDS } from './fields';
 const stepOf = (value: number): number => SCALES.reduce((best, step, i) => (Math.abs(step - value) < Math.abs(SCALES[best] - value) ? i : best), 0);
 
 export function ViewBar() {
-  const names = live.value?.info.fields ?? [];
-  const options = FIELDS.filter((row) => available(row, names, Boolean(compared.value?.solution)));
+  const options = FIELDS.filter((row) => available(row, Boolean(compared.value?.solution)));
   const scene = currentScene.value;
   return (
     <div class="view-bar">
