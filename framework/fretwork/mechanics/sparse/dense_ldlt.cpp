@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
+#include <fretwork/base/parallel.hpp>
 #include <fretwork/mechanics/sparse/dense_ldlt.hpp>
 
 #include <algorithm>
@@ -23,8 +24,10 @@ using Index = std::ptrdiff_t;
 
 /// Columns that are handled together: their products with one strip of rows stay in registers.
 constexpr int kBlock = 6;
-/// Columns of the panel that the rest meets at a time, so that they stay in the cache.
+/// Columns of the panel that later columns meet at a time, so that they stay in the cache.
 constexpr int kDepth = 128;
+/// Multiplications of a front on which one thread spends about ten times what it takes to start others.
+constexpr double kLargeFront = 5e6;
 
 using Strip8 = double __attribute__((vector_size(64), aligned(8), may_alias));
 using Strip4 = double __attribute__((vector_size(32), aligned(8), may_alias));
@@ -138,14 +141,21 @@ FRETWORK_INLINE Pivots eliminate_diagonal(const Front& front, int first, int cou
     return pivots;
 }
 
-/// Bring at most kBlock columns of the panel up to date with all columns before them, and eliminate them.
-FRETWORK_CLONES Pivots eliminate_block(const Front& front, int first, const double* least_pivot,
-                                       double* packed) {
+/// Columns [from, to) of the panel: those that later ones meet at a time.
+struct Slice {
+    Index from;
+    Index to;
+    [[nodiscard]] Index depth() const { return to - from; }
+};
+
+/// Bring at most kBlock columns of a slice up to date with those before them in it, and eliminate them.
+FRETWORK_CLONES Pivots eliminate_block(const Front& front, const Slice& slice, int first,
+                                       const double* least_pivot, double* packed) {
     const Index stride = front.width + front.rows;
-    const int count = std::min(kBlock, front.width - first);
-    pack(front, first, 0, first, packed);
+    const int count = static_cast<int>(std::min<Index>(kBlock, slice.to - first));
+    pack(front, first, slice.from, first, packed);
     double* columns = front.panel + first * stride;
-    const Product before{front.panel, stride, packed, first};
+    const Product before{front.panel + slice.from * stride, stride, packed, first - slice.from};
     subtract_rows({columns, stride, first + count, count}, first, before);
     BlockSolve solve;
     const Pivots pivots = eliminate_diagonal(front, first, count, least_pivot, solve);
@@ -153,30 +163,58 @@ FRETWORK_CLONES Pivots eliminate_block(const Front& front, int first, const doub
     return pivots;
 }
 
-/// Columns [from, to) of the panel, those that the rest meets at a time.
-struct Depth {
-    Index from;
-    Index to;
-};
-
-FRETWORK_CLONES void pack_rest(const Front& front, Depth depth, double* packed) {
-    for (Index column = 0; column < front.rows; column += kBlock)
-        pack(front, front.width + column, depth.from, depth.to, packed + column * (depth.to - depth.from));
+/// Calls body with the first of each block of columns after a slice, and how many these are. Blocks do not
+/// reach from the panel into the rest.
+template <class Body>
+FRETWORK_INLINE void for_later_blocks(const Front& front, const Slice& slice, Index end, const Body& body) {
+    for (Index column = slice.to; column < end;) {
+        const Index limit = column < front.width ? front.width : front.width + front.rows;
+        const auto count = static_cast<int>(std::min<Index>(kBlock, limit - column));
+        body(column, count);
+        column += count;
+    }
 }
 
-/// A strip of the rest's rows meets all columns in turn while it is in the nearest cache.
+FRETWORK_CLONES void pack_later(const Front& front, const Slice& slice, double* packed) {
+    for_later_blocks(front, slice, front.width + front.rows, [&](Index column, int) {
+        pack(front, column, slice.from, slice.to, packed);
+        packed += kBlock * slice.depth();
+    });
+}
+
+/// A strip of rows meets all columns in turn while it is in the nearest cache.
 constexpr Index kStrip = 16;
 
-/// rest = -L D L^T over the panel's first columns, rest -= L D L^T over later ones, in one strip of rows.
-FRETWORK_CLONES void update_strip(const Front& front, Index row, Depth depth, const double* packed) {
+/// Subtract L D L^T over a slice from one strip of rows of all columns after it. What is in the rest before
+/// the first slice does not count.
+FRETWORK_CLONES void update_strip(const Front& front, Index row, const Slice& slice, const double* packed) {
     const Index stride = front.width + front.rows;
-    const Index count_of_columns = depth.to - depth.from;
-    const double* left = front.panel + front.width + depth.from * stride;
-    const Index end = std::min<Index>(row + kStrip, front.rows);
-    for (Index column = 0; column < end; column += kBlock) {
-        const int count = static_cast<int>(std::min<Index>(kBlock, front.rows - column));
-        subtract_rows({front.rest + column * front.rows, front.rows, end, count}, row,
-                      {left, stride, packed + column * count_of_columns, count_of_columns, depth.from == 0});
+    const double* left = front.panel + slice.from * stride;
+    const Index end = std::min<Index>(row + kStrip, stride);
+    for_later_blocks(front, slice, end, [&](Index column, int count) {
+        const bool in_panel = column < front.width;
+        double* target = in_panel ? front.panel + column * stride
+                                  : front.rest + (column - front.width) * front.rows - front.width;
+        const Index first = in_panel ? row : std::max<Index>(row, front.width);
+        subtract_rows({target, in_panel ? stride : front.rows, end, count}, first,
+                      {left, stride, packed, slice.depth(), !in_panel && slice.from == 0});
+        packed += kBlock * slice.depth();
+    });
+}
+
+/// Subtract L D L^T over a slice from all columns after it.
+void update_later(const Front& front, const Slice& slice, double* packed, const Crew& crew) {
+    const Index stride = front.width + front.rows;
+    pack_later(front, slice, packed);
+    const Index strips = (stride - slice.to + kStrip - 1) / kStrip;
+    const auto update = [&](std::size_t strip) {
+        crew.control.check();
+        update_strip(front, slice.to + static_cast<Index>(strip) * kStrip, slice, packed);
+    };
+    if (crew.threads == 1) {
+        for (Index strip = 0; strip < strips; ++strip) update(static_cast<std::size_t>(strip));
+    } else {
+        base::parallel_for(static_cast<std::size_t>(strips), crew.threads, update);
     }
 }
 
@@ -246,32 +284,30 @@ void require_finite(std::span<const double> diagonal) {
         throw base::NumericalError("the stiffness holds a number that is not finite");
 }
 
-Pivots eliminate(const Front& front, const ZeroPivot& zero, std::vector<double>& scratch,
-                 const base::Control& control) {
-    const Index blocks = (front.rows + kBlock - 1) / kBlock;
-    const Index depth = std::min(front.width, kDepth);
-    const Index packed_size = std::max<Index>(front.width, depth * blocks) * kBlock;
+Pivots eliminate(const Front& front, const ZeroPivot& zero, std::vector<double>& scratch, const Crew& crew) {
+    const Index stride = front.width + front.rows;
+    const Index blocks = stride / kBlock + 2;
+    const Index packed_size = std::min(front.width, kDepth) * blocks * kBlock;
     if (static_cast<Index>(scratch.size()) < packed_size + front.width)
         scratch.resize(static_cast<std::size_t>(packed_size + front.width));
     double* least_pivot = scratch.data() + packed_size;
     for (int j = 0; j < front.width; ++j)
         least_pivot[j] = zero.share * std::abs(zero.diagonal[static_cast<std::size_t>(j)]);
+    const bool is_large = 0.5 * front.width * static_cast<double>(stride * stride) >= kLargeFront;
+    const Crew useful{is_large ? crew.threads : 1, crew.control};
     Pivots pivots;
-    for (int first = 0; first < front.width; first += kBlock) {
-        control.check();
-        const Pivots found = eliminate_block(front, first, least_pivot, scratch.data());
-        pivots.negative += found.negative;
-        pivots.weak = pivots.weak || found.weak;
-        pivots.zero = found.zero;
-        if (found.zero >= 0) return pivots;
-    }
     for (Index from = 0; from < front.width; from += kDepth) {
-        const Depth columns{from, std::min<Index>(from + kDepth, front.width)};
-        pack_rest(front, columns, scratch.data());
-        for (Index row = 0; row < front.rows; row += kStrip) {
-            control.check();
-            update_strip(front, row, columns, scratch.data());
+        const Slice slice{from, std::min<Index>(from + kDepth, front.width)};
+        for (Index first = from; first < slice.to; first += kBlock) {
+            crew.control.check();
+            const Pivots found =
+                eliminate_block(front, slice, static_cast<int>(first), least_pivot, scratch.data());
+            pivots.negative += found.negative;
+            pivots.weak = pivots.weak || found.weak;
+            pivots.zero = found.zero;
+            if (found.zero >= 0) return pivots;
         }
+        update_later(front, slice, scratch.data(), useful);
     }
     return pivots;
 }

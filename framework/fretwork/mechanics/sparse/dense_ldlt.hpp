@@ -39,11 +39,17 @@ struct ZeroPivot {
     double share = 0.0;
 };
 
+/// Who works on a front.
+struct Crew {
+    int threads = 1;  ///< on large fronts; 0: all there are. They change no bit of a result.
+    base::Control control{};
+};
+
 /// Eliminate the front's columns: F = L D L^T in the panel, and rest = -L D L^T of the rows below. There is
 /// no exchange of pivots: a pivot that counts as zero ends it. `scratch` is grown as needed. The kernels are
 /// compiled for several instruction sets; the machine picks one. Throws Stopped.
 Pivots eliminate(const Front& front, const ZeroPivot& zero, std::vector<double>& scratch,
-                 const base::Control& control = {});
+                 const Crew& crew = {});
 
 /// x = L^-1 x for the panel's own columns, and below += L x for the rows below them.
 void substitute_forward(const Front& front, double* x, double* below);
