@@ -12,14 +12,14 @@ constexpr int kMostIterations = 30;
 constexpr double kApproach = 0.2;
 /// rad: after a longer step old factors would not help.
 constexpr double kLongStep = 0.5;
-/// Factors are made anew after a step that has shrunk by less. An iteration with old ones costs a fifth of
-/// one with new ones, or less.
-constexpr double kShrink = 0.15;
+/// Factors are made anew after a step of old ones that has shrunk by less. An iteration with old ones costs a
+/// fifth of one with new ones, or less.
+constexpr double kShrink = 0.3;
 /// A step of old factors that has shrunk by less than this is not made at all.
 constexpr double kUseless = 0.5;
 /// rad: once steps are this short, the factors that are needed at the equilibrium anyway are made: they end
 /// the iteration in a step or two.
-constexpr double kNear = 2e-3;
+constexpr double kNear = 3e-4;
 /// Factors made so near to the equilibrium are taken for its own: in rad, and as a share of all moves to it.
 /// A column's stability changes with a load that hardly moves it.
 constexpr double kSame = 2e-4;
@@ -128,7 +128,7 @@ Termination MixedNewton::solve(double load_factor, Goal goal, const Eigen::Vecto
         const double ratio = size_of(step) / size;
         turn = unknowns_.largest_rotation(step);
         const bool is_useless = !anew && !(ratio <= kUseless);
-        anew = !(ratio <= kShrink);
+        anew = anew ? turn > kLongStep : !(ratio <= kShrink);
         if (is_useless) continue;
         if (!(turn < kTooFar)) return Termination::Diverged;
         size *= ratio;

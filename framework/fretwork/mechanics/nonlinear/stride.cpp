@@ -13,6 +13,8 @@ namespace {
 /// made again, half as long.
 constexpr double kLongestTurn = 0.4;
 constexpr double kPrescribedTurn = 0.7;
+/// After an increment that failed, first steps are half as long; with each that succeeds, they grow by this.
+constexpr double kRecovery = 1.4;
 /// rad: of a whole increment.
 constexpr double kWholeTurn = 2.5;
 constexpr int kMostHalvings = 6;
@@ -46,9 +48,13 @@ class Strider {
         while (at.load_factor < target_) {
             const std::vector<double> stresses = mixed_.stresses();
             const Termination found = increment(at);
-            if (found == Termination::Converged) continue;
+            if (found == Termination::Converged) {
+                longest_turn_ = std::min(kLongestTurn, kRecovery * longest_turn_);
+                continue;
+            }
             if (++halvings > kMostHalvings) return found;
             longest_ *= 0.5;
+            longest_turn_ *= 0.5;
             if (!mixed_.restore(at.configuration, at.load_factor, stresses)) return found;
         }
         point = std::move(at);
@@ -59,9 +65,9 @@ class Strider {
     Termination increment(PathPoint& at) {
         const double turn = std::max(unknowns_.largest_rotation(at.rate),
                                      prescribed_turn_ * (kLongestTurn / kPrescribedTurn));
-        const double left = kLongestTurn - unknowns_.largest_rotation(correction_);
+        const double left = longest_turn_ - unknowns_.largest_rotation(correction_);
         longest_ = std::min({longest_, target_ - at.load_factor,
-                             std::max(left, 0.1 * kLongestTurn) / std::max(turn, 1e-300)});
+                             std::max(left, 0.1 * longest_turn_) / std::max(turn, 1e-300)});
         const bool last = at.load_factor + kRemainder * longest_ >= target_;
         if (last) longest_ = target_ - at.load_factor;
         PathPoint next = at;
@@ -96,7 +102,8 @@ class Strider {
     double prescribed_turn_ =
         0.0;                ///< rad: the largest rotation that is prescribed at a node, at the full load
     double longest_ = 0.0;  ///< increment of the load factor
-    Eigen::VectorXd correction_;  ///< what the last approach has left
+    double longest_turn_ = kLongestTurn;  ///< of an increment's first step, rad
+    Eigen::VectorXd correction_;          ///< what the last approach has left
 };
 
 }  // namespace
