@@ -216,7 +216,8 @@ void bent_from_rest(benchmark::State& state, const char* model) {
 
 /// Solve, edit and solve again from the last equilibrium, and so on.
 template <class Edit>
-void time_bent_edits(benchmark::State& state, const char* model, const Edit& edit) {
+void time_bent_edits(benchmark::State& state, const char* model, const Edit& edit,
+                     mechanics::StabilityCheck check = mechanics::StabilityCheck::Made) {
     const Surface& surface = irregular(state);
     Session session(surface, cantilever(bending_force(surface)), {.model = model});
     benchmark::DoNotOptimize(session.solve());
@@ -224,18 +225,27 @@ void time_bent_edits(benchmark::State& state, const char* model, const Edit& edi
     double from_last = 0.0;
     for (auto _ : state) {
         edit(session, ++round);
-        benchmark::DoNotOptimize(session.solve());
+        benchmark::DoNotOptimize(session.solve({}, check));
         from_last += session.last_work().starting_point == mechanics::StartingPoint::LastEquilibrium;
     }
     state.counters["from_last"] = from_last / round;
 }
 
 /// The load changed by a tenth.
-void bent_new_load(benchmark::State& state, const char* model) {
-    const double force = bending_force(irregular(state));
-    time_bent_edits(state, model, [force](Session& session, int round) {
+auto move_load(double force) {
+    return [force](Session& session, int round) {
         session.set_load_case(cantilever(force * (round % 2 == 0 ? 1.0 : 1.1)));
-    });
+    };
+}
+
+void bent_new_load(benchmark::State& state, const char* model) {
+    time_bent_edits(state, model, move_load(bending_force(irregular(state))));
+}
+
+/// The same while it is dragged: nothing is asked of stability.
+void bent_dragged_load(benchmark::State& state, const char* model) {
+    time_bent_edits(state, model, move_load(bending_force(irregular(state))),
+                    mechanics::StabilityCheck::Left);
 }
 
 void bent_repainted_tile(benchmark::State& state, const char* model) {
@@ -257,6 +267,7 @@ BENCHMARK_CAPTURE(bent_linear, condensed, "condensed")->Apply(bent_sizes);
 BENCHMARK_CAPTURE(bent_linear, full, "full")->Apply(bent_sizes);
 FRETWORK_BENT(bent_from_rest);
 FRETWORK_BENT(bent_new_load);
+FRETWORK_BENT(bent_dragged_load);
 FRETWORK_BENT(bent_repainted_tile);
 
 }  // namespace

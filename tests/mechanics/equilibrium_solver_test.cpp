@@ -165,5 +165,36 @@ TEST(EquilibriumSolver, GivesTheSameBitsWithAnyNumberOfThreads) {
     EXPECT_EQ((solve_with(1) - solve_with(3)).norm(), 0.0);
 }
 
+TEST(EquilibriumSolver, DraggedLoadIsAnsweredWithoutStabilityAndSettlesWithIt) {
+    Assembly assembly = bent_honeycomb();
+    EquilibriumSolver solver;
+    (void)solver.solve(assembly);
+    for (const double factor : {1.05, 1.1, 1.15}) {
+        assembly.loads = factor * bent_honeycomb().loads;
+        const Solution dragged = solver.solve(assembly, {}, StabilityCheck::Left);
+        Solution expected = from_rest(assembly);
+        EXPECT_EQ(solver.starting_point(), StartingPoint::LastEquilibrium);
+        EXPECT_EQ(dragged.stability, StabilityTest::None);
+        expected.stability = StabilityTest::None;
+        expect_equal(dragged, expected, std::to_string(factor));
+    }
+    expect_equal(solver.solve(assembly), from_rest(assembly), "settled");
+    EXPECT_EQ(solver.starting_point(), StartingPoint::LastEquilibrium);
+}
+
+/// A strut that is pressed exactly along its axis stays straight, whatever its stability.
+TEST(EquilibriumSolver, StabilityThatIsLostWhileDraggingIsToldOnceItIsAskedFor) {
+    Frame strut = verification::thin_cantilever(4);
+    strut.loads.push_back({NodeIndex(1), {-1.5, 0.0, 0.0}});
+    Assembly assembly = assemble(strut);
+    EquilibriumSolver solver;
+    EXPECT_TRUE(solver.solve(assembly).stable);
+    assembly.loads *= 2.0;  // beyond Euler's load
+    EXPECT_EQ(solver.solve(assembly, {}, StabilityCheck::Left).stability, StabilityTest::None);
+    const Solution checked = solver.solve(assembly);
+    EXPECT_EQ(checked.stability, StabilityTest::Tangent);
+    EXPECT_FALSE(checked.stable);
+}
+
 }  // namespace
 }  // namespace fretwork::mechanics

@@ -63,10 +63,14 @@ Configuration configuration_of(const Solution& solution) {
 
 class EquilibriumSolver::Impl {
   public:
-    explicit Impl(const EquilibriumOptions& options) : options_(options) { options_.validate(); }
+    explicit Impl(const EquilibriumOptions& options)
+        : options_(options), is_classifying_(options.classify_stability) {
+        options_.validate();
+    }
 
-    Solution solve(const Assembly& assembly, const base::Control& control) {
+    Solution solve(const Assembly& assembly, const base::Control& control, StabilityCheck check) {
         options_.control = control;
+        options_.classify_stability = is_classifying_ && check == StabilityCheck::Made;
         const bool may_go_on = is_settled_ && assembly.nodes == equations_->assembly.nodes;
         is_settled_ = false;  // also if something throws
         if (may_go_on) {
@@ -107,7 +111,8 @@ class EquilibriumSolver::Impl {
     Solution settled() {
         is_settled_ = has_factors_ = true;
         Solution solution = equations_->system.describe(point_.configuration, 1.0);
-        if (options_.classify_stability) solution.stability = equations_->system.stability_test();
+        is_checked_ = options_.classify_stability;
+        if (is_checked_) solution.stability = equations_->system.stability_test();
         solution.iterations = equations_->newton.take_iterations();
         return solution;
     }
@@ -132,12 +137,22 @@ class EquilibriumSolver::Impl {
         if (!mixed.outcome().positive_definite()) return {};
         PathPoint next = point_;
         const auto first = mixed.depart(next.configuration);
-        if (first.step.size() == 0) return settled();
+        if (first.step.size() == 0) return settled_again();
         if (!(system.unknowns().largest_rotation(first.step) <= kLongestStep)) return {};
         const Termination found =
             mixed.solve(1.0, nonlinear::MixedNewton::Goal::Equilibrium, first.step, next.configuration);
         if (found != Termination::Converged || !is_near(first, next)) return {};
         point_ = std::move(next);
+        return settled();
+    }
+
+    /// Where the loads have not changed since. False if it has lost its stability unseen.
+    std::optional<Solution> settled_again() {
+        auto& [own, system, newton, mixed] = *equations_;
+        if (options_.classify_stability && !is_checked_) {
+            if (!mixed.begin(point_.configuration, 1.0)) return {};
+            if (!mixed.outcome().positive_definite()) return {};
+        }
         return settled();
     }
 
@@ -156,10 +171,12 @@ class EquilibriumSolver::Impl {
     }
 
     EquilibriumOptions options_;
+    bool is_classifying_;  ///< as the caller's options say; options_ has what holds for one solution
     std::unique_ptr<Equations> equations_;
     PathPoint point_;           ///< the last equilibrium, if it is settled
     bool is_settled_ = false;   ///< there is a last equilibrium to go on from
     bool has_factors_ = false;  ///< with its stresses
+    bool is_checked_ = false;   ///< the factors are those of the last equilibrium, and it is stable
     StartingPoint starting_point_ = StartingPoint::Rest;
 };
 
@@ -169,8 +186,9 @@ EquilibriumSolver::EquilibriumSolver(EquilibriumSolver&&) noexcept = default;
 EquilibriumSolver& EquilibriumSolver::operator=(EquilibriumSolver&&) noexcept = default;
 EquilibriumSolver::~EquilibriumSolver() = default;
 
-Solution EquilibriumSolver::solve(const Assembly& assembly, const base::Control& control) {
-    return impl_->solve(assembly, control);
+Solution EquilibriumSolver::solve(const Assembly& assembly, const base::Control& control,
+                                  StabilityCheck check) {
+    return impl_->solve(assembly, control, check);
 }
 
 StartingPoint EquilibriumSolver::starting_point() const {

@@ -13,6 +13,14 @@ enum class StartingPoint {
     LastEquilibrium  ///< by continuation from the equilibrium before
 };
 
+/// Whether the stability of an equilibrium is told. That takes a factorization: most of the time of a small
+/// edit.
+enum class StabilityCheck {
+    Made,
+    Left  ///< Solution::stability is None: for loads that are dragged. The next solution that is checked
+          ///< makes it up: an equilibrium that has lost its stability meanwhile is looked for from rest
+};
+
 /// The nonlinear equilibrium of a structure under its full load, found again and again between edits: the
 /// large displacements' counterpart of LinearSolver.
 ///
@@ -38,7 +46,8 @@ class EquilibriumSolver {
     /// - supports: the order of elimination and the factors anew, in the last equilibrium;
     /// - other nodes, or a last solution that had not converged or was not stable: all, from rest.
     /// Throws as follow_load_path; then the next call starts from rest.
-    Solution solve(const Assembly& assembly, const base::Control& control = {});
+    Solution solve(const Assembly& assembly, const base::Control& control = {},
+                   StabilityCheck check = StabilityCheck::Made);
 
     /// Of the last solution.
     [[nodiscard]] StartingPoint starting_point() const;

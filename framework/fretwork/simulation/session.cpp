@@ -90,8 +90,8 @@ std::vector<TileDeformation> Session::tile_deformations(const mechanics::Solutio
 Eigen::MatrixXd Session::solve_adjoint(const Eigen::MatrixXd& rows, const base::Control& control) {
     return impl_->solve_adjoint(rows, control);
 }
-mechanics::Result Session::solve(const base::Control& control) {
-    return impl_->solve(control);
+mechanics::Result Session::solve(const base::Control& control, mechanics::StabilityCheck check) {
+    return impl_->solve(control, check);
 }
 
 }  // namespace fretwork::simulation

@@ -41,7 +41,7 @@ class Session::Impl {
     void set_calibrations(std::vector<std::vector<reduction::Calibration>> calibrations);
     void set_load_case(const LoadCase& load_case);
 
-    mechanics::Result solve(const base::Control& control);
+    mechanics::Result solve(const base::Control& control, mechanics::StabilityCheck check);
     [[nodiscard]] std::vector<TileDeformation> tile_deformations(const mechanics::Solution& solution) const;
     Eigen::MatrixXd solve_adjoint(const Eigen::MatrixXd& rows, const base::Control& control);
     [[nodiscard]] std::optional<reduction::BeamMotion> beam_motion(tiling::TileIndex tile,
@@ -66,7 +66,8 @@ class Session::Impl {
     [[nodiscard]] bool is_nonlinear() const;
     [[nodiscard]] mechanics::Result make_result() const;
     void solve_path(mechanics::Result& result, const base::Control& control) const;
-    void solve_equilibrium(mechanics::Result& result, const base::Control& control);
+    void solve_equilibrium(mechanics::Result& result, const base::Control& control,
+                           mechanics::StabilityCheck check);
 
     Surface surface_;
     LoadCase load_case_;

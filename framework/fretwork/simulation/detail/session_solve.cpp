@@ -115,15 +115,16 @@ void Session::Impl::solve_path(mechanics::Result& result, const base::Control& c
     result.solution = std::move(path.solution);
 }
 
-void Session::Impl::solve_equilibrium(mechanics::Result& result, const base::Control& control) {
+void Session::Impl::solve_equilibrium(mechanics::Result& result, const base::Control& control,
+                                      mechanics::StabilityCheck check) {
     if (!equilibrium_solver_)
         equilibrium_solver_.emplace(mechanics::EquilibriumOptions{.threads = options_.threads});
-    result.solution = equilibrium_solver_->solve(assembly_, control);
+    result.solution = equilibrium_solver_->solve(assembly_, control, check);
     result.load_steps = {result.solution};
     work_.starting_point = equilibrium_solver_->starting_point();
 }
 
-mechanics::Result Session::Impl::solve(const base::Control& control) {
+mechanics::Result Session::Impl::solve(const base::Control& control, mechanics::StabilityCheck check) {
     options_.validate(surface_);
     // A surface that is no frame is refused before the work.
     std::optional<mechanics::Frame> frame;
@@ -135,7 +136,7 @@ mechanics::Result Session::Impl::solve(const base::Control& control) {
     solved_in_ = is_large ? reduction::Displacements::Large : reduction::Displacements::Small;
     result.solver = is_large ? "newton" : "linear";
     if (is_large && options_.load_steps == 1) {
-        solve_equilibrium(result, control);
+        solve_equilibrium(result, control, check);
     } else if (is_large) {
         solve_path(result, control);
     } else {
