@@ -26,7 +26,7 @@ const forTests = {
   scene: currentScene,
   cut,
   /** The surface in space is not drawn but now, where a test has paused it. */
-  drawOnce: () => currentScene.value?.stage.drawOnce(),
+  drawFine: (samples: number) => currentScene.value?.stage.drawFine(samples),
   planePlace: (tile: number): Point => toScreen(viewport.value, surface.value?.centers[tile] ?? [0, 0]),
 };
 declare global {

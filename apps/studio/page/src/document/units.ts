@@ -7,7 +7,7 @@ export type UnitSystem = 'mm' | 'SI';
 export const unitSystem = signal<UnitSystem>(localStorage.getItem('fretwork.units') === 'SI' ? 'SI' : 'mm');
 effect(() => localStorage.setItem('fretwork.units', unitSystem.value));
 
-export type Quantity = 'length' | 'angle' | 'force' | 'moment' | 'stress' | 'plain' | 'membrane' | 'bending' | 'area_mass' | 'frequency' | 'density' | 'acceleration';
+export type Quantity = 'share' | 'length' | 'angle' | 'force' | 'moment' | 'stress' | 'plain' | 'membrane' | 'bending' | 'area_mass' | 'frequency' | 'density' | 'acceleration';
 
 interface Unit {
   name: string;
@@ -18,6 +18,7 @@ interface Unit {
 const BOTH: Partial<Record<Quantity, Unit>> = {
   force: { name: 'N', per: 1 },
   plain: { name: '', per: 1 },
+  share: { name: '%', per: 100 },
   membrane: { name: 'N/mm', per: 1e-3 },
   area_mass: { name: 'kg/m²', per: 1 },
   frequency: { name: 'Hz', per: 1 },

@@ -4,7 +4,6 @@
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { surface } from '../document/surface';
 import { share, split } from '../document/ui';
-import { NextStep } from '../panels/next_step';
 import { PlaneView } from './plane/plane';
 import { SpaceView } from './space/space';
 
@@ -42,7 +41,6 @@ export function Views() {
   return (
     <div class={`views ${stacked ? 'stacked' : ''}`} ref={host}
       style={stacked ? { gridTemplateRows: tracks, gridTemplateColumns: '100%' } : { gridTemplateColumns: tracks, gridTemplateRows: '100%' }}>
-      <NextStep />
       {split.value !== 'plane' && <SpaceView />}
       {both && (
         <div class="divider" role="separator" aria-orientation={stacked ? 'horizontal' : 'vertical'} aria-label="Between space and plane" aria-valuenow={Math.round(100 * share.value)}

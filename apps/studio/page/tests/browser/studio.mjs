@@ -14,6 +14,8 @@ export const program = resolve(process.env.FRETWORK_PROGRAM ?? join(repository, 
 const page = resolve(process.env.FRETWORK_PAGE ?? join(here, '../../dist/index.html'));
 export const pictures = join(here, 'out');
 const PATIENCE_MS = 180_000;
+/** Enough to judge light and shadow by; each takes up to a second without a graphics card. */
+const SAMPLES = 5;
 
 for (const file of [program, page]) if (!existsSync(file)) throw new Error(`${file} is not there: build it first, or set FRETWORK_PROGRAM, FRETWORK_PAGE`);
 mkdirSync(pictures, { recursive: true });
@@ -62,7 +64,7 @@ export async function openPage(test, address, { width = 1280, height = 800, them
 
 export const solved = (page) => page.waitForFunction(() => window.fretwork.store.live.value !== null);
 export async function picture(page, name) {
-  await page.evaluate(() => window.fretwork.drawOnce());
+  await page.evaluate((samples) => window.fretwork.drawFine(samples), SAMPLES);
   await page.screenshot({ path: join(pictures, `${name}.png`), timeout: PATIENCE_MS });
 }
 export const median = (values) => [...values].sort((a, b) => a - b)[Math.floor(values.length / 2)];

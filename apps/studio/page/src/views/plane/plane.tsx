@@ -7,7 +7,8 @@ import { tilePatterns } from '../../document/patterns_now';
 import { barSection } from '../../document/store';
 import { surface } from '../../document/surface';
 import { heldNodes, loadMarks, prescribedMarks } from '../../document/marks';
-import { mode, probed, selectedNodes, selectedTiles } from '../../document/ui';
+import { mode, probed, selectedNodes, selectedTiles, split } from '../../document/ui';
+import { NextStep } from '../../panels/next_step';
 import { theme } from '../../manners/theme';
 import { drawOverlay } from './draw_overlay';
 import { drawTiles } from './draw_tiles';
@@ -46,6 +47,7 @@ export function PlaneView() {
       <canvas ref={lower} />
       <canvas ref={upper} id="plane" data-mode={mode.value} tabIndex={0} aria-label="The flat surface. Wheel to zoom, middle drag or Space and drag to move." />
       <PlaneBar />
+      {split.value === 'plane' && <NextStep />}
     </div>
   );
 }

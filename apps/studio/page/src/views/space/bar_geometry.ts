@@ -41,7 +41,7 @@ export function barGeometry(pieces: number): InstancedBufferGeometry {
       for (const [y, z] of corners) shape.corner([piece / pieces, y, z], normal);
       if (piece === pieces) continue;
       const at = first + 2 * piece;
-      shape.index.push(at, at + 2, at + 1, at + 1, at + 2, at + 3);
+      shape.index.push(at, at + 1, at + 2, at + 1, at + 3, at + 2);
     }
   }
   return shape.geometry();

@@ -9,6 +9,7 @@ import { barUniforms, colourTexture, nodeTexture, writeScalars, writeVectors } f
 import type { ColourMap } from './colours';
 import type { Values } from './fields';
 import { drawsInSoftware } from './software';
+import type { Quality } from './stage';
 
 const MANY_BARS = 6000;
 const JOINT_SIDES = 10;
@@ -24,11 +25,13 @@ export class Bars {
   private readonly uniforms = barUniforms();
   private readonly bars: Drawn;
   private readonly joints: Drawn;
+  private quickBars = barGeometry(1);
+  private fineBars = this.quickBars;
   private beams: Beams | null = null;
   private room = 0;
 
   constructor(private readonly look: BarLook) {
-    this.bars = this.make('bar', barGeometry(1));
+    this.bars = this.make('bar', this.quickBars);
     this.joints = this.make('joint', jointGeometry(JOINT_SIDES));
     this.group.visible = false;
     this.colour = look.colour;
@@ -53,9 +56,11 @@ export class Bars {
   get factor(): number {
     return this.uniforms.factor.value;
   }
-  /** A quick picture without a graphics card has no joints; what is seen through has none at all. */
-  set fine(fine: boolean) {
-    this.joints.visible = this.look.opacity === 1 && (fine || !drawsInSoftware);
+  /** A quick picture without a graphics card has straight bars and no joints; what is seen through has none at all. */
+  set quality(quality: Quality) {
+    const fine = quality === 'fine' || !drawsInSoftware;
+    this.joints.visible = this.look.opacity === 1 && fine;
+    this.bars.geometry = fine ? this.fineBars : this.quickBars;
   }
 
   /** Other bars: a tile was painted. Displacements are zero until a solution is set. */
@@ -63,22 +68,35 @@ export class Bars {
     this.uniforms.section.value.set(section.width, section.height);
     if (beams === this.beams) return;
     this.beams = beams;
-    const bars = barGeometry(beams.beams > MANY_BARS || drawsInSoftware ? 2 : 5);
-    bars.setAttribute('ends', new InstancedBufferAttribute(new Float32Array(beams.ends), 2));
-    bars.setAttribute('axis3', new InstancedBufferAttribute(beams.axis3, 3));
-    this.replace(this.bars, bars, beams.beams);
-    const joints = jointGeometry(JOINT_SIDES);
-    joints.setAttribute('node', new InstancedBufferAttribute(numbered(beams.nodes), 1));
-    joints.setAttribute('axis3', new InstancedBufferAttribute(jointAxes(beams), 3));
-    this.replace(this.joints, joints, beams.nodes);
+    this.replaceBars(beams);
+    this.replaceJoints(beams);
     this.writePlaces(beams);
   }
 
-  private replace(mesh: Drawn, geometry: InstancedBufferGeometry, count: number): void {
-    geometry.setAttribute('endValues', new InstancedBufferAttribute(new Float32Array(2 * count), 2));
-    geometry.instanceCount = count;
-    mesh.geometry.dispose();
-    mesh.geometry = geometry;
+  private replaceBars(beams: Beams): void {
+    const shared = {
+      ends: new InstancedBufferAttribute(new Float32Array(beams.ends), 2),
+      axis3: new InstancedBufferAttribute(beams.axis3, 3),
+      endValues: new InstancedBufferAttribute(new Float32Array(2 * beams.beams), 2),
+    };
+    this.quickBars.dispose();
+    this.fineBars.dispose();
+    this.quickBars = instanced(barGeometry(1), shared, beams.beams);
+    this.fineBars = instanced(barGeometry(beams.beams > MANY_BARS || drawsInSoftware ? 2 : 5), shared, beams.beams);
+    this.bars.geometry = drawsInSoftware ? this.quickBars : this.fineBars;
+  }
+
+  private replaceJoints(beams: Beams): void {
+    this.joints.geometry.dispose();
+    this.joints.geometry = instanced(
+      jointGeometry(JOINT_SIDES),
+      {
+        node: new InstancedBufferAttribute(numbered(beams.nodes), 1),
+        axis3: new InstancedBufferAttribute(jointAxes(beams), 3),
+        endValues: new InstancedBufferAttribute(new Float32Array(2 * beams.nodes), 2),
+      },
+      beams.nodes,
+    );
   }
 
   private writePlaces(beams: Beams): void {
@@ -118,6 +136,12 @@ export class Bars {
     for (let end = 0; end < ends.length; ++end) joints.array[2 * ends[end]] = values[end];
     bars.needsUpdate = joints.needsUpdate = true;
   }
+}
+
+function instanced(geometry: InstancedBufferGeometry, attributes: Record<string, InstancedBufferAttribute>, count: number): InstancedBufferGeometry {
+  for (const [name, attribute] of Object.entries(attributes)) geometry.setAttribute(name, attribute);
+  geometry.instanceCount = count;
+  return geometry;
 }
 
 /** A joint lies as one of its bars does. */

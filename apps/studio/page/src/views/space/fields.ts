@@ -27,7 +27,7 @@ export const FIELDS: FieldRow[] = [
   { name: 'V2', title: 'Shear force, in plane', quantity: 'force', map: 'signed', on: 'bars' },
   { name: 'V3', title: 'Shear force, out of plane', quantity: 'force', map: 'signed', on: 'bars' },
   { name: 'stress', title: 'Largest stress', quantity: 'stress', map: 'sizes', on: 'bars' },
-  { name: 'utilization', title: 'Utilization', quantity: 'plain', map: 'sizes', on: 'bars' },
+  { name: 'utilization', title: 'Utilization', quantity: 'share', map: 'sizes', on: 'bars' },
   { name: 'error', title: 'Error against the full model', quantity: 'length', map: 'sizes', on: 'nodes' },
 ];
 export const fieldRow = (name: FieldName): FieldRow => FIELDS.find((row) => row.name === name) as FieldRow;

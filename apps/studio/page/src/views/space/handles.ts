@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The tips of arrows, and the diamonds of prescribed displacements, follow the pointer.
+// The ends of arrows, and the diamonds of prescribed displacements, follow the pointer.
 
 import { Plane, Ray, Raycaster, Vector2, Vector3, type Camera } from 'three';
 import { dragLoad, dragPrescribed, newGesture } from '../../document/edits';
@@ -8,7 +8,7 @@ import { scale as drawnScale } from '../../document/look';
 import { loadMarks, prescribedMarks, type LoadMark, type PrescribedMark } from '../../document/marks';
 import { activeEntry } from '../../document/ui';
 import type { Vector } from '../../protocol/messages';
-import type { ArrowScale } from './marks_view';
+import { pushes, reachOf, takenAs, type ArrowScale } from './marks_view';
 import { middle, onScreen } from './placed';
 import { snapped } from './snap';
 
@@ -23,6 +23,7 @@ interface Pointer {
 }
 export interface Drag {
   move(pointer: Pointer): void;
+  end(): void;
 }
 
 const REACH_PX = 18;
@@ -49,7 +50,7 @@ export function handles(arrows: ArrowScale): Handle[] {
   const tips = loadMarks.peek().flatMap((mark) =>
     (['force', 'moment'] as const).flatMap((key) => {
       if (Math.hypot(...mark[key]) === 0) return [];
-      const place = middle(mark.nodes).addScaledVector(new Vector3(...mark[key]), arrows[key]);
+      const place = middle(mark.nodes).add(reachOf(mark[key], arrows[key]));
       return [{ place, take: (_: [number, number], view: View) => dragArrow(mark, key, { view, arrows, tip: place }) }];
     }),
   );
@@ -70,16 +71,19 @@ function dragArrow(mark: LoadMark, key: 'force' | 'moment', { view, arrows, tip 
   const facing = view.camera.getWorldDirection(new Vector3());
   const plane = new Plane().setFromNormalAndCoplanarPoint(facing, tip);
   let last = mark.load;
+  takenAs.pushes = pushes(mark[key]);
+  const perMetre = (takenAs.pushes ? -1 : 1) / arrows[key];
   activeEntry.value = { kind: 'load', index: mark.index };
   return {
     move({ at, free, when }) {
       const target = rayAt(at, view).intersectPlane(plane, new Vector3());
       if (!target) return;
-      const vector = target.sub(base).divideScalar(arrows[key]).toArray() as Vector;
+      const vector = target.sub(base).multiplyScalar(perMetre).toArray() as Vector;
       last = { ...last, [key]: free ? vector : snapped(vector) };
       markInput(when);
       dragLoad(mark.index, last, merge);
     },
+    end: () => void (takenAs.pushes = null),
   };
 }
 
@@ -104,5 +108,6 @@ function dragDiamond(mark: PrescribedMark, start: [number, number], view: View):
       markInput(when);
       dragPrescribed(mark.index, last, merge);
     },
+    end: () => undefined,
   };
 }

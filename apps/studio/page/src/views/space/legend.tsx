@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the colours mean, with units; and which model is which when several are laid over each other.
 
-import { documentNow, live, others } from '../../document/store';
+import { documentNow, live, others, shapes } from '../../document/store';
 import { showFull } from '../../document/look';
 import { shown as inUnits } from '../../document/units';
 import { gradientCss } from './colours';
@@ -9,7 +9,7 @@ import { interpolated, legend } from './legend_state';
 
 export function LegendCard() {
   const now = legend.value;
-  const full = showFull.value && others.value.has('full') && live.value?.info.model !== 'full';
+  const full = showFull.value && others.value.has('full') && live.value?.info.model !== 'full' && !shapes.value;
   if (!now && !full && !interpolated.value) return null;
   return (
     <div class="card legend" role="img" aria-label="Legend">

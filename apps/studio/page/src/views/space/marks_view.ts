@@ -63,6 +63,15 @@ export function arrowScale(marks: readonly LoadMark[], reach: number): ArrowScal
   return { force: (ARROW_SHARE * reach) / (force || 0.1), moment: (ARROW_SHARE * reach) / (moment || 0.01) };
 }
 
+type Vector3Numbers = readonly [number, number, number];
+
+/** While an arrow is dragged it stays as it was taken, also through the surface. */
+export const takenAs = { pushes: null as boolean | null };
+/** What presses down stands on the surface, and what pulls up as well: an arrow is seen. */
+export const pushes = (vector: Vector3Numbers): boolean => takenAs.pushes ?? vector[2] < 0;
+/** From its nodes to the end of an arrow that can be taken. */
+export const reachOf = (vector: Vector3Numbers, scale: number): Vector3 => new Vector3(...vector).multiplyScalar(pushes(vector) ? -scale : scale);
+
 export class MarksView {
   readonly group = new Group();
   private readonly spheres = new Crowd(new SphereGeometry(1, 24, 16), this.group);
@@ -111,10 +120,11 @@ export class MarksView {
     this.heads.end();
   }
 
-  private arrow(from: Vector3, vector: readonly [number, number, number], scale: number, see: { thick: number; colour: string; heads: number }): void {
+  private arrow(at: Vector3, vector: Vector3Numbers, scale: number, see: { thick: number; colour: string; heads: number }): void {
     const along = new Vector3(...vector).multiplyScalar(scale);
     const length = along.length();
     if (length === 0) return;
+    const from = pushes(vector) ? at.clone().sub(along) : at;
     const turn = new Quaternion().setFromUnitVectors(UP, along.clone().normalize());
     const head = Math.min(5 * see.thick, 0.6 * length);
     this.shafts.add(from, turn, new Vector3(see.thick, length - 0.9 * head, see.thick), see.colour);

@@ -36,6 +36,7 @@ export function attachPointer(canvas: HTMLCanvasElement, view: SceneView): () =>
   const up = (event: PointerEvent) => {
     const place = at(event);
     const clicked = pressed && !drag && Math.hypot(place[0] - pressed[0], place[1] - pressed[1]) < CLICK_PX;
+    drag?.end();
     drag = pressed = null;
     view.dragging = false;
     view.stage.controls.enabled = true;

@@ -6,7 +6,7 @@ import { Box3, Vector3 } from 'three';
 import { field, scale, shadows, showFull, showMarks, showRest, strength, type FieldName } from '../../document/look';
 import { heldNodes, loadMarks, prescribedMarks } from '../../document/marks';
 import { shown } from '../../document/shown';
-import { barSection, beams, compared, live, others } from '../../document/store';
+import { barSection, beams, compared, live, others, shapes } from '../../document/store';
 import { surface } from '../../document/surface';
 import { activeEntry, mode, selectedNodes } from '../../document/ui';
 import { theme, themeColour } from '../../manners/theme';
@@ -25,6 +25,8 @@ const filled = new WeakSet<object>();
 const MOST_SHOWN = 0.35;
 const BLUE = '#4a8ee0';
 const GREY = '#9b9fa5';
+/** What is laid over is a little thinner: where both are at one place, the live model is seen. */
+const UNDERNEATH = 0.9;
 
 export class SceneView {
   readonly stage: Stage;
@@ -32,7 +34,7 @@ export class SceneView {
   /** While an arrow is dragged, its scale stays. */
   dragging = false;
   private readonly main = new Bars({ colour: '#777', opacity: 1 });
-  private readonly full = new Bars({ colour: GREY, opacity: 0.55 });
+  private readonly full = new Bars({ colour: GREY, opacity: 1 });
   private readonly rest = new Bars({ colour: GREY, opacity: 0.25 });
   private readonly all = [this.main, this.full, this.rest];
   private readonly marks = new MarksView();
@@ -46,7 +48,8 @@ export class SceneView {
     this.stage = new Stage(canvas);
     for (const bars of this.all) this.stage.scene.add(bars.group);
     this.stage.scene.add(this.marks.group);
-    this.stage.beforeDraw((quality) => this.all.forEach((bars) => (bars.fine = quality === 'fine')));
+    this.stage.beforeDraw((quality) => quality === 'fine' && this.stage.light(new Box3().setFromPoints(this.places())));
+    this.stage.beforeDraw((quality) => this.all.forEach((bars) => (bars.quality = quality)));
     this.stops.push(
       effect(() => this.showBars()),
       effect(() => this.showShape()),
@@ -67,7 +70,8 @@ export class SceneView {
     this.main.group.visible = now !== null && now.beams > 0;
     const section = barSection.value;
     if (!now) return;
-    for (const bars of this.all) bars.setBeams(now, section);
+    for (const bars of [this.main, this.rest]) bars.setBeams(now, section);
+    this.full.setBeams(now, { width: UNDERNEATH * section.width, height: UNDERNEATH * section.height });
     this.rest.factor = 0;
     this.showShape();
     this.stage.draw();
@@ -119,7 +123,7 @@ export class SceneView {
   private showOverlays(): void {
     const full = others.value.get('full');
     const bars = beams.value;
-    const overlay = showFull.value && full && bars && full.solution.nodes === bars.nodes;
+    const overlay = showFull.value && full && bars && full.solution.nodes === bars.nodes && !shapes.value;
     this.full.group.visible = Boolean(overlay && live.value?.info.model !== 'full');
     if (overlay && full) {
       this.full.setSolution(full.solution);
@@ -141,15 +145,15 @@ export class SceneView {
     this.stage.draw();
   }
 
-  private box(): Box3 {
-    const tiles = surface.peek();
-    if (!tiles) return new Box3(new Vector3(-1, -1, 0), new Vector3(1, 1, 0));
-    const box = new Box3(new Vector3(...tiles.box.min, 0), new Vector3(...tiles.box.max, 0));
-    const place = new Vector3();
+  /** Where the surface is, flat and bent. */
+  private places(): Vector3[] {
+    const nodes = surface.peek()?.nodes ?? [];
+    const flat = nodes.map(([x, y]) => new Vector3(x, y, 0));
+    const box = new Box3().setFromPoints(flat);
     // A linear model may send nodes absurdly far: the view stays with the surface.
     const room = box.clone().expandByScalar(MOST_SHOWN * box.getSize(new Vector3()).length());
-    for (let node = 0; shown.peek() && node < tiles.nodes.length; ++node) box.expandByPoint(room.clampPoint(nodePlace(node, place), place));
-    return box;
+    const bent = shown.peek() ? nodes.map((_, node) => nodePlace(node)).map((place) => room.clampPoint(place, place)) : [];
+    return [...flat, ...bent];
   }
 
   private frame(): void {
@@ -158,8 +162,9 @@ export class SceneView {
     if (!tiles || (this.framed?.of === tiles && (this.framed.bent || !bent))) return;
     const first = this.framed?.of !== tiles;
     this.framed = { of: tiles, bent };
-    this.stage.light(this.box());
-    if (first || this.stage.untouched) this.stage.look(this.box(), 'iso');
+    const places = this.places();
+    this.stage.light(new Box3().setFromPoints(places));
+    if (first || this.stage.untouched) this.stage.look({ places, from: 'iso' });
   }
 
   /** Where the handles are on the canvas, in pixels. */
@@ -170,6 +175,6 @@ export class SceneView {
   }
 
   look(from: ViewName | null): void {
-    this.stage.look(this.box(), from);
+    this.stage.look({ places: this.places(), from });
   }
 }

@@ -4,6 +4,7 @@ import { useEffect, useRef } from 'preact/hooks';
 import { effect } from '@preact/signals';
 import { probed } from '../../document/ui';
 import { shown } from '../../document/shown';
+import { NextStep } from '../../panels/next_step';
 import { LegendCard } from './legend';
 import { ProbeCard } from './probe';
 import { SceneView } from './scene_view';
@@ -44,9 +45,12 @@ export function SpaceView() {
     <div class="space" ref={host}>
       <canvas ref={canvas} aria-label="The surface in space. Drag to turn, right drag to move, wheel to zoom." tabIndex={0} />
       <div class="pin" ref={pin} hidden><ProbeCard /></div>
+      <NextStep />
       <LegendCard />
-      <ViewBar />
-      <PlayBar />
+      <div class="space-foot">
+        <PlayBar />
+        <ViewBar />
+      </div>
     </div>
   );
 }

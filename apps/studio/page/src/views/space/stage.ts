@@ -9,15 +9,21 @@ import { Lights, spread } from './lights';
 import { drawsInSoftware } from './software';
 
 export type ViewName = 'iso' | 'top' | 'front' | 'side';
-const FRAME_MARGIN = 1.12;
+const FRAME_MARGIN = 1.1;
 /** What the bar at the bottom covers. */
 const BAR_PX = 56;
 /** How long nothing must have changed before the picture becomes finer. */
-const REST_MS = 300;
+const REST_MS = drawsInSoftware ? 1000 : 300;
 const FEWEST_SAMPLES = 3;
 const MOST_SAMPLES = drawsInSoftware ? 14 : 64;
 const POLL_MS = 8;
 const DIRECTIONS: Record<ViewName, [number, number, number]> = { iso: [-0.45, -1, 0.62], top: [0, -0.001, 1], front: [0, -1, 0.02], side: [1, -0.02, 0.02] };
+
+export interface Framing {
+  places: readonly Vector3[];
+  /** From where it is seen now, if null. */
+  from: ViewName | null;
+}
 
 /** At once, or as good as it gets. */
 export type Quality = 'quick' | 'fine';
@@ -30,12 +36,14 @@ export class Stage {
   private readonly lights = new Lights(this.scene);
   private fine: Accumulator | null = null;
   private asked = 0;
+  /** Whether the last picture is there: a slow machine is given one at a time. */
+  private isDrawn = () => true;
   private rest = 0;
   private size = { width: 1, height: 1 };
   private usable = 1;
   /** For tests on machines that draw in software: everything but the drawing. */
   private readonly paused = window.fretworkPaused === true;
-  private framing: { box: Box3; from: ViewName | null } | null = null;
+  private framing: Framing | null = null;
   private readonly before = new Set<(quality: Quality) => void>();
 
   constructor(canvas: HTMLCanvasElement) {
@@ -61,7 +69,8 @@ export class Stage {
     if (this.asked) return;
     this.asked = requestAnimationFrame(() => {
       this.asked = 0;
-      this.drawNow();
+      if (this.isDrawn()) this.drawNow();
+      else this.draw();
     });
   }
 
@@ -69,6 +78,7 @@ export class Stage {
     this.stopRefining();
     if (this.paused) return;
     this.drawOnce();
+    this.isDrawn = this.fence();
     this.rest = window.setTimeout(() => this.refine(), REST_MS);
   }
 
@@ -78,11 +88,12 @@ export class Stage {
     this.renderer.render(this.scene, this.camera);
   }
 
-  /** As fine as it gets, at once. */
-  drawFinest(): void {
-    this.beginFine();
-    while (this.fine && this.fine.count < MOST_SAMPLES) this.sample(this.fine);
-    this.fine?.present();
+  /** As fine as so many samples make it, at once. */
+  drawFine(samples = MOST_SAMPLES): void {
+    this.stopRefining();
+    const fine = this.beginFine();
+    while (fine.count < samples) this.sample(fine);
+    fine.present();
   }
 
   private stopRefining(): void {
@@ -108,9 +119,9 @@ export class Stage {
     const step = () => {
       const began = performance.now();
       this.sample(fine);
-      const isDrawn = this.fence();
+      this.isDrawn = this.fence();
       const wait = () => {
-        if (!isDrawn()) return later(wait, POLL_MS);
+        if (!this.isDrawn()) return later(wait, POLL_MS);
         if (fine.count >= FEWEST_SAMPLES) fine.present();
         return fine.count < MOST_SAMPLES && later(step, drawsInSoftware ? performance.now() - began : 0);
       };
@@ -145,7 +156,7 @@ export class Stage {
     this.camera.setViewOffset(width, height, 0, BAR_PX / 2, width, height);
     this.usable = Math.max(0.3, (height - BAR_PX) / height);
     this.camera.updateProjectionMatrix();
-    if (this.framing) this.look(this.framing.box, this.framing.from);
+    if (this.framing) this.look(this.framing);
     this.drawNow();
   }
 
@@ -167,16 +178,16 @@ export class Stage {
     this.renderer.dispose();
   }
 
-  /** Look at a box from a named side, so that all of it is seen. */
-  look(box: Box3, from: ViewName | null): void {
-    this.framing = { box, from };
-    const center = box.getCenter(new Vector3());
+  /** Look at some places from a named side, so that all of them are seen. */
+  look(framing: Framing): void {
+    this.framing = framing;
+    const { places, from } = framing;
     const direction = from ? new Vector3(...DIRECTIONS[from]) : this.camera.position.clone().sub(this.controls.target);
+    this.camera.position.copy(direction.normalize());
+    this.camera.lookAt(0, 0, 0);
+    const { center, distance } = this.seeing(places);
     this.controls.target.copy(center);
-    this.camera.position.copy(center).add(direction.normalize());
-    this.camera.lookAt(center);
-    const distance = FRAME_MARGIN * this.distanceFor(box, center);
-    this.camera.position.copy(center).addScaledVector(direction, distance);
+    this.camera.position.copy(center).addScaledVector(direction, FRAME_MARGIN * distance);
     this.camera.near = distance / 200;
     this.camera.far = distance * 20;
     this.camera.updateProjectionMatrix();
@@ -184,18 +195,17 @@ export class Stage {
     this.draw();
   }
 
-  /** How far from its middle the camera must be to see all corners of a box, from where it looks now. */
-  private distanceFor(box: Box3, center: Vector3): number {
+  /** Where the camera must look, and how far away it must be, to see all of some places, as it is turned now. */
+  private seeing(places: readonly Vector3[]): { center: Vector3; distance: number } {
+    const turn = this.camera.quaternion.clone().invert();
+    const seen = places.map((place) => place.clone().applyQuaternion(turn));
+    const box = new Box3().setFromPoints(seen);
+    const center = box.getCenter(new Vector3());
     const upward = this.usable * Math.tan((this.camera.fov * Math.PI) / 360);
     const sideward = (upward / this.usable) * this.camera.aspect;
-    const turn = this.camera.quaternion.clone().invert();
     let distance = 1e-3;
-    for (let corner = 0; corner < 8; ++corner) {
-      const at = new Vector3(corner & 1 ? box.max.x : box.min.x, corner & 2 ? box.max.y : box.min.y, corner & 4 ? box.max.z : box.min.z);
-      at.sub(center).applyQuaternion(turn);
-      distance = Math.max(distance, at.z + Math.abs(at.y) / upward, at.z + Math.abs(at.x) / sideward);
-    }
-    return distance;
+    for (const at of seen) distance = Math.max(distance, at.z - center.z + Math.max(Math.abs(at.y - center.y) / upward, Math.abs(at.x - center.x) / sideward));
+    return { center: center.applyQuaternion(this.camera.quaternion), distance };
   }
 
   /** Whether nobody has turned the view since it was set. */
@@ -207,8 +217,7 @@ export class Stage {
   async picture(): Promise<Blob> {
     const ratio = this.renderer.getPixelRatio();
     this.renderer.setPixelRatio(2 * ratio);
-    this.stopRefining();
-    this.drawFinest();
+    this.drawFine();
     const blob = await new Promise<Blob | null>((done) => this.renderer.domElement.toBlob(done, 'image/png'));
     this.renderer.setPixelRatio(ratio);
     this.drawNow();
