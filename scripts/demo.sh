@@ -43,12 +43,15 @@ say "6. Draw it"
 "$program" export "$out/project.json" --case bridge --to "$out/surface.svg"
 "$program" export "$out/project.json" --result "$out/full.json" --result "$out/paper6.json" --to "$out/deformed.svg"
 "$program" export "$out/project.json" --result "$out/full.json" --to "$out/displacement.svg" --to "$out/full.vtu"
+"$program" export "$out/project.json" --result "$out/full.json" --case bridge --to "$out/view.html" --to "$out/picture.png"
 for picture in surface deformed displacement; do
   rsvg-convert --width 1600 --output "$out/$picture.png" "$out/$picture.svg"
 done
 
 say "Done in $((SECONDS - started)) s. Look at:"
 cat <<END
+  $out/picture.png       the bent surface, on transparent ground
+  $out/view.html         the same in 3D, for any browser: to turn, to zoom, to give to others
   $out/surface.png       the tessellation with its supports and loads      (also .svg)
   $out/deformed.png      full model (grey) and the paper's reduced model (blue)  (also .svg)
   $out/displacement.png  how far every beam moves                          (also .svg)

@@ -8,14 +8,19 @@
 
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/file.hpp>
+#include <fretwork/base/quantity.hpp>
+#include <fretwork/base/text.hpp>
+#include <fretwork/exports/bar_scene.hpp>
 #include <fretwork/exports/writer_catalogue.hpp>
 #include <fretwork/simulation/project_library.hpp>
 #include <fretwork/simulation/result_subject.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <memory>
+#include <numbers>
 
 namespace fretwork::app {
 namespace {
@@ -26,8 +31,59 @@ struct Options {
     std::string load_case;
     std::vector<std::string> results;
     std::string library;
-    double scale = 1.0;
+    std::string scale = "1";
+    std::string view;
+    std::string size;
+    std::string colour;
 };
+
+/// What --view names besides angles, which are azimuth and elevation in degrees.
+struct NamedView {
+    const char* name;
+    double azimuth;
+    double elevation;
+};
+constexpr std::array<NamedView, 6> kViews = {{{"iso", 45.0, 35.264389682754654},
+                                              {"front", 0.0, 10.0},
+                                              {"right", 90.0, 10.0},
+                                              {"back", 180.0, 10.0},
+                                              {"left", 270.0, 10.0},
+                                              {"top", 0.0, 90.0}}};
+
+double read_number_option(const std::string& option, const std::string& text) {
+    const auto number = base::read_number<double>(text);
+    if (!number || !std::isfinite(*number))
+        throw base::InputError(option, "", "'" + text + "' is not a finite number");
+    return *number;
+}
+
+exports::ViewOptions read_view(const std::string& text) {
+    constexpr double kDegree = std::numbers::pi / 180.0;
+    const auto named =
+        std::ranges::find(kViews, text, [](const NamedView& view) { return std::string(view.name); });
+    if (named != kViews.end()) return {named->azimuth * kDegree, named->elevation * kDegree};
+    const auto angles = base::split(text, ',');
+    if (angles.size() != 2)
+        throw base::InputError(
+            "--view", "",
+            "'" + text + "' is neither iso, front, right, back, left, top nor AZIMUTH,ELEVATION in degrees");
+    const double elevation = read_number_option("--view", angles[1]);
+    if (std::abs(elevation) > 90.0)
+        throw base::InputError("--view", "",
+                               "an elevation of " + angles[1] + " degrees is not within -90 and 90");
+    return {read_number_option("--view", angles[0]) * kDegree, elevation * kDegree};
+}
+
+exports::PixelSize read_size(const std::string& text) {
+    constexpr int kMost = 8000;
+    const auto parts = base::split(text, 'x');
+    const auto side = [&](std::size_t part) { return base::read_number<int>(parts[part]).value_or(0); };
+    const auto is_fine = [](int pixels) { return pixels >= 16 && pixels <= kMost; };
+    if (parts.size() != 2 || !is_fine(side(0)) || !is_fine(side(1)))
+        throw base::InputError(
+            "--size", "", "'" + text + "' is not WIDTHxHEIGHT in pixels from 16 to " + std::to_string(kMost));
+    return {side(0), side(1)};
+}
 
 mechanics::Result read_own_result(const std::string& file, const simulation::Surface& surface) {
     mechanics::Result result = read_surface_result(file);
@@ -40,10 +96,19 @@ mechanics::Result read_own_result(const std::string& file, const simulation::Sur
 
 /// Options that only drawings look at.
 void refuse_ignored_options(const CLI::App& verb, const Options& options) {
-    const bool has_drawing = std::ranges::any_of(
-        options.to, [](const std::string& path) { return exports::find_writer(path).is_drawing; });
-    if (has_drawing) return;
-    refuse_given(verb, {"--case", "--scale"}, "is for drawings, and no --to names one (.svg)");
+    const auto has = [&](bool (exports::WriterRow::*is)() const) {
+        return std::ranges::any_of(
+            options.to, [&](const std::string& path) { return (exports::find_writer(path).*is)(); });
+    };
+    if (!has(&exports::WriterRow::is_drawing))
+        refuse_given(verb, {"--case", "--scale", "--view"},
+                     "is for drawings, and no --to names one (.svg, .png, .html)");
+    if (!has(&exports::WriterRow::is_picture))
+        refuse_given(verb, {"--colour"}, "is for pictures, and no --to names one (.png, .html)");
+    const bool has_pixels = std::ranges::any_of(
+        options.to, [](const std::string& path) { return exports::find_writer(path).ending == ".png"; });
+    if (!has_pixels)
+        refuse_given(verb, {"--size"}, "is for pictures made of pixels, and no --to names one (.png)");
 }
 
 /// The supports and loads that are drawn must be those of the results.
@@ -74,13 +139,16 @@ exports::Scene make_scene(const Options& options, const base::Control& control) 
         check_load_case(load_case, options, scene);
         scene.conditions = simulation::resolve(load_case, scene.surface);
     }
-    scene.displacement_scale = options.scale;
+    scene.displacement_scale = read_number_option("--scale", options.scale);
+    if (!options.view.empty()) scene.view = read_view(options.view);
+    if (!options.size.empty()) scene.picture.size = read_size(options.size);
+    if (!options.colour.empty()) scene.picture.colour = options.colour;
     return scene;
 }
 
 void run(const Options& options) {
     for (const std::string& path : options.to) (void)exports::find_writer(path);
-    if (!std::isfinite(options.scale)) throw base::InputError("--scale", "", "is not a finite number");
+    (void)read_number_option("--scale", options.scale);
     LongWork work;
     const base::Control control = work.control();
     const exports::Scene scene = make_scene(options, control);
@@ -116,10 +184,23 @@ void add_export(CLI::App& app, ExitCode&) {
     verb->add_option("--library", options->library, "Library with the setting (default: the project's)");
     verb->add_option("--scale", options->scale, "Factor on the displacements in drawings")
         ->capture_default_str();
+    verb->add_option("--view", options->view,
+                     "From where a deformed surface is seen: iso, front, right, back, left, top, or "
+                     "AZIMUTH,ELEVATION in "
+                     "degrees (default: from where most is seen)")
+        ->type_name("VIEW");
+    verb->add_option("--size", options->size, "Width and height of a .png in pixels (default: 1600x1000)")
+        ->type_name("WxH");
+    verb->add_option("--colour", options->colour,
+                     "What the colours of .png and .html show: " +
+                         base::join(exports::bar_field_names(), ", ") + ", or plain (default: displacement)")
+        ->type_name("FIELD");
     declare_files(*verb,
                   {input("project"), output("--to", kExportFile), input("--result"), input("--library")});
     verb->footer(
-        "Example: fretwork export project.json --result full.json --result condensed.json --to deformed.svg");
+        "Example: fretwork export project.json --result full.json --result condensed.json --to deformed.svg\n"
+        "         fretwork export project.json --result full.json --to view.html --to picture.png --view "
+        "-35,25");
     verb->callback([options, verb] {
         refuse_ignored_options(*verb, *options);
         run(*options);

@@ -50,6 +50,7 @@ const std::map<std::string, std::set<std::string>> kFences = {
     {"sqlite3", {"library"}},
     {"nettle/", {"base"}},
     {"pugixml", {"tiling", "exports"}},
+    {"png.h", {"exports"}},
     {"simdjson", {"base"}},
     {"nlohmann/",
      {"base", "pattern", "mechanics", "optimization", "reduction", "library", "tiling", "simulation",

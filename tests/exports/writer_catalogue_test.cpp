@@ -15,12 +15,14 @@ std::vector<Scene> scenes() {
     const auto conditions = sample_conditions(surface);
     const Scene::LabelledResult full{"full", bent(surface, Rows::EveryNode)};
     const Scene::LabelledResult reduced{"reduced", bent(surface, Rows::InterfaceNodes)};
-    return {{surface},
-            {surface, conditions},
-            {surface, std::nullopt, {full}},
-            {surface, std::nullopt, {full, reduced}},
-            {surface, std::nullopt, {reduced}, 10.0},
-            {surface, conditions, {full, reduced}}};
+    std::vector<Scene> scenes = {{surface},
+                                 {surface, conditions},
+                                 {surface, std::nullopt, {full}},
+                                 {surface, std::nullopt, {full, reduced}},
+                                 {surface, std::nullopt, {reduced}, 10.0},
+                                 {surface, conditions, {full, reduced}}};
+    for (Scene& scene : scenes) scene.picture.size = {64, 40};
+    return scenes;
 }
 
 TEST(WriterCatalogue, EveryWriterWritesEverySceneDeterministically) {
@@ -31,7 +33,9 @@ TEST(WriterCatalogue, EveryWriterWritesEverySceneDeterministically) {
             const std::string text = writer.text(scene);
             EXPECT_EQ(text, writer.text(scene));
             EXPECT_GT(text.size(), 500U);
-            EXPECT_EQ(text.find("nan"), std::string::npos) << writer.ending;
+            if (!writer.is_picture()) {
+                EXPECT_EQ(text.find("nan"), std::string::npos) << writer.ending;
+            }
             texts.insert(text);
         }
         EXPECT_GE(texts.size(), 3U) << writer.ending << ": results make a difference";

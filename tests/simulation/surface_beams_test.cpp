@@ -118,6 +118,27 @@ TEST(BeamState, OfTheFullModelMeetsTheLoadsAtEveryInnerNode) {
         EXPECT_LT(sums[n].norm(), 1e-8 * scale) << "node " << n;
 }
 
+TEST(BeamState, OfAResultThatWasReadIsThatOfItsSession) {
+    const Surface surface = sample_surface();
+    const LoadCase load_case = test::cantilever({0, 0, -0.2});
+    const SurfaceBeams beams = surface_beams(surface);
+    const auto sections = beam_sections(beams, surface.setting);
+    for (const char* model : {"full", "condensed", "corotational"}) {
+        Session session(surface, load_case, {.model = model});
+        const BeamState expected = beam_state(session, session.solve().solution, beams, sections);
+        const mechanics::Result result = simulate(surface, load_case, {.model = model});
+        const BeamState state = beam_state(surface, result, beams, sections);
+        EXPECT_EQ(state.nodes, expected.nodes) << model;
+        EXPECT_EQ(state.forces, expected.forces) << model;
+    }
+    const BeamState mixed =
+        beam_state(surface, simulate(surface, load_case, {.model = "mixed:0.3"}), beams, sections);
+    EXPECT_TRUE(mixed.nodes.allFinite());
+    EXPECT_THROW(beam_state(make_surface(test::honeycomb(4, 4, kPatterns, 1), nullptr),
+                            simulate(surface, load_case, {.model = "full"}), surface_beams(surface), {}),
+                 base::InputError);
+}
+
 TEST(BeamState, IsUnknownWhereATileModelHasOtherBeams) {
     reduction::TileModel substitute = reduction::find_tile_model("full");
     substitute.name = "substitute";

@@ -18,4 +18,10 @@ std::string decode_base64(std::string_view text, const std::string& source) {
     return bytes;
 }
 
+std::string encode_base64(std::string_view bytes) {
+    std::string text(BASE64_ENCODE_RAW_LENGTH(bytes.size()), '\0');
+    base64_encode_raw(text.data(), bytes.size(), reinterpret_cast<const std::uint8_t*>(bytes.data()));
+    return text;
+}
+
 }  // namespace fretwork::base

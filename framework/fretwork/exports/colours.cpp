@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <limits>
+#include <vector>
 
 namespace fretwork::exports {
 namespace {
@@ -38,6 +40,17 @@ Rgb from_oklch(double lightness, double chroma, double hue) {
             gamma(-0.0041960863 * l - 0.7034186147 * m + 1.7076147010 * s)};
 }
 
+/// Straight between samples at equal distances.
+std::string mixed(const std::array<Rgb, 9>& samples, double share) {
+    const double place = std::clamp(share, 0.0, 1.0) * static_cast<double>(samples.size() - 1);
+    const auto below = std::min<std::size_t>(static_cast<std::size_t>(place), samples.size() - 2);
+    const double rest = place - static_cast<double>(below);
+    Rgb colour{};
+    for (std::size_t c = 0; c < 3; ++c)
+        colour[c] = (1.0 - rest) * samples[below][c] + rest * samples[below + 1][c];
+    return hex(colour);
+}
+
 }  // namespace
 
 std::string pattern_colour(int index) {
@@ -65,13 +78,51 @@ std::string scale_colour(double share) {
                                               {0.369, 0.789, 0.383},
                                               {0.678, 0.864, 0.190},
                                               {0.993, 0.906, 0.144}}};
-    const double place = std::clamp(share, 0.0, 1.0) * (kSamples.size() - 1);
-    const auto below = std::min<std::size_t>(static_cast<std::size_t>(place), kSamples.size() - 2);
-    const double rest = place - static_cast<double>(below);
-    Rgb mixed{};
-    for (std::size_t c = 0; c < 3; ++c)
-        mixed[c] = (1.0 - rest) * kSamples[below][c] + rest * kSamples[below + 1][c];
-    return hex(mixed);
+    return mixed(kSamples, share);
+}
+
+std::string signed_colour(double share) {
+    // The page of views has the same.
+    constexpr std::array<Rgb, 9> kSamples = {{{0.020, 0.188, 0.380},
+                                              {0.129, 0.400, 0.674},
+                                              {0.263, 0.576, 0.765},
+                                              {0.573, 0.773, 0.871},
+                                              {0.941, 0.941, 0.941},
+                                              {0.957, 0.647, 0.510},
+                                              {0.839, 0.376, 0.302},
+                                              {0.698, 0.094, 0.169},
+                                              {0.404, 0.000, 0.122}}};
+    return mixed(kSamples, share);
+}
+
+ValueRange whole_range(std::span<const double> values) {
+    ValueRange range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+    for (const double value : values) {
+        if (std::isnan(value)) continue;
+        range = {std::min(range.from, value), std::max(range.to, value)};
+    }
+    return range.from <= range.to ? range : ValueRange{};
+}
+
+ValueRange value_range(std::span<const double> values) {
+    std::vector<double> sizes;
+    for (const double value : values) {
+        if (!std::isnan(value)) sizes.push_back(std::abs(value));
+    }
+    if (sizes.empty()) return {};
+    std::ranges::sort(sizes);
+    constexpr double kFar = 1.5;
+    const double usual = sizes[(sizes.size() - 1) * 99 / 100];
+    const double to = usual > 0.0 && sizes.back() > kFar * usual ? usual : sizes.back();
+    constexpr double kRounding = 1e-9;
+    const bool is_signed = whole_range(values).from < -kRounding * to;
+    return {is_signed ? -to : 0.0, to};
+}
+
+std::string value_colour(double value, const ValueRange& range) {
+    if (std::isnan(value)) return "#999999";
+    const double share = range.to > range.from ? (value - range.from) / (range.to - range.from) : 0.0;
+    return range.from < 0.0 ? signed_colour(share) : scale_colour(share);
 }
 
 }  // namespace fretwork::exports

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <span>
 #include <string>
 
 namespace fretwork::exports {
@@ -13,5 +14,22 @@ std::string pattern_colour(int index);
 /// A perceptually even scale from dark blue (0) over green to yellow (1), after viridis; values outside are
 /// clamped.
 std::string scale_colour(double share);
+
+/// From dark blue (0) over nearly white (0.5) to dark red (1), after ColorBrewer's RdBu; values outside are
+/// clamped.
+std::string signed_colour(double share);
+
+/// What a colour scale spans.
+struct ValueRange {
+    double from = 0.0;
+    double to = 0.0;
+};
+/// From the lowest value to the highest; NaN is passed over.
+ValueRange whole_range(std::span<const double> values);
+/// From zero, or evenly around zero where values have both signs. A few values that are far above all others
+/// are left out, or they alone would be seen.
+ValueRange value_range(std::span<const double> values);
+/// scale_colour(), or signed_colour() where the range goes below zero. Grey for NaN.
+std::string value_colour(double value, const ValueRange& range);
 
 }  // namespace fretwork::exports

@@ -10,21 +10,6 @@ namespace {
 
 using simulation::Surface;
 
-void require_same_surface(const Surface& surface, const mechanics::Result& result) {
-    constexpr double kTolerance = 1e-9;  // metres
-    const auto& places = surface.tessellation.interface_nodes;
-    const auto fail = [](const std::string& what) {
-        throw base::InputError("the result is not one of this project: " + what);
-    };
-    if (result.nodes.size() < places.size()) fail("it has too few nodes");
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        const Eigen::Vector3d place(places[i].x, places[i].y, 0.0);
-        if (!result.nodes[i].is_interface || (result.nodes[i].rest_position - place).norm() > kTolerance) {
-            fail("its node " + std::to_string(i) + " is not the interface node of that number");
-        }
-    }
-}
-
 /// Each tile as the closed line through its interface nodes.
 LineSet tile_loops(const Surface& surface) {
     LineSet set;
@@ -71,6 +56,21 @@ struct DrawnNodes {
 };
 
 }  // namespace
+
+void require_same_surface(const Surface& surface, const mechanics::Result& result) {
+    constexpr double kTolerance = 1e-9;  // metres
+    const auto& places = surface.tessellation.interface_nodes;
+    const auto fail = [](const std::string& what) {
+        throw base::InputError("the result is not one of this project: " + what);
+    };
+    if (result.nodes.size() < places.size()) fail("it has too few nodes");
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const Eigen::Vector3d place(places[i].x, places[i].y, 0.0);
+        if (!result.nodes[i].is_interface || (result.nodes[i].rest_position - place).norm() > kTolerance) {
+            fail("its node " + std::to_string(i) + " is not the interface node of that number");
+        }
+    }
+}
 
 LineSet surface_lines(const Surface& surface) {
     LineSet set;

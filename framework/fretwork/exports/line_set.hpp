@@ -33,6 +33,9 @@ struct LineSet {
 /// All beams of a surface, undeformed.
 LineSet surface_lines(const simulation::Surface& surface);
 
+/// Throws InputError unless the first nodes of the result are the surface's interface nodes.
+void require_same_surface(const simulation::Surface& surface, const mechanics::Result& result);
+
 /// A result as lines: all beams, if the result has a row for each of the surface's nodes (the full model);
 /// else, for each tile, the closed line through its interface nodes (any reduced model). Throws InputError if
 /// the result is not one of the surface.

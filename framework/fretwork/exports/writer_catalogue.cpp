@@ -2,7 +2,9 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/exports/line_files.hpp>
+#include <fretwork/exports/picture.hpp>
 #include <fretwork/exports/surface_drawing.hpp>
+#include <fretwork/exports/view_page.hpp>
 #include <fretwork/exports/writer_catalogue.hpp>
 
 #include <array>
@@ -24,6 +26,7 @@ std::string layer_colour(std::size_t index) {
 std::string svg_text(const Scene& scene) {
     DeformedViewOptions options;
     options.scale = scene.displacement_scale;
+    if (scene.view) options.view = *scene.view;
     options.rest = rim_lines(scene.surface);
     std::vector<DeformedLayer> layers;
     for (const Scene::LabelledResult& entry : scene.results) {
@@ -36,11 +39,19 @@ std::string svg_text(const Scene& scene) {
     return layers.size() == 1 ? displacement_svg(layers.front(), options) : deformed_svg(layers, options);
 }
 
-constexpr std::array<WriterRow, 5> kWriters = {{
+constexpr std::array<WriterRow, 7> kWriters = {{
     {".svg",
      "drawing: the surface from above; with one result its displacements in colour; with several, these over "
      "each other; with a load case and results all of it on one sheet",
-     svg_text, true},
+     svg_text, WriterRow::Kind::Drawing},
+    {".png",
+     "picture: the bars as the first result bends them, lit and in perspective, on transparent ground; with "
+     "a load case "
+     "its supports",
+     picture_png, WriterRow::Kind::Picture},
+    {".html",
+     "one page for any browser, without anything else: the same to turn, zoom, and see at rest or deformed",
+     view_html, WriterRow::Kind::Picture},
     {".vtu", "lines for ParaView, with displacements and rotations of the first result",
      [](const Scene& scene) { return vtu_text(main_lines(scene)); }},
     {".obj", "line elements, displaced by the first result",

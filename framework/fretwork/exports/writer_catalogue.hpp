@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <fretwork/exports/surface_drawing.hpp>
 #include <fretwork/mechanics/result_file.hpp>
 #include <fretwork/simulation/conditions.hpp>
 #include <fretwork/simulation/surface.hpp>
@@ -14,6 +15,18 @@
 
 namespace fretwork::exports {
 
+/// A picture's size in pixels.
+struct PixelSize {
+    int width = 1600;
+    int height = 1000;
+};
+
+/// How bars in 3D are shown.
+struct PictureOptions {
+    PixelSize size{};                     ///< of pictures made of pixels
+    std::string colour = "displacement";  ///< one of bar_field_names() (bar_scene.hpp), or "plain"
+};
+
 /// What a surface can be written from: itself, a load case to draw on it, and results.
 struct Scene {
     struct LabelledResult {
@@ -24,6 +37,8 @@ struct Scene {
     std::optional<simulation::Conditions> conditions{};
     std::vector<LabelledResult> results{};  ///< the first is the main one
     double displacement_scale = 1.0;        ///< in drawings of deformed states
+    std::optional<ViewOptions> view{};      ///< from where these are seen; none: from where most is seen
+    PictureOptions picture{};
 };
 
 /// A kind of file.
@@ -31,7 +46,10 @@ struct WriterRow {
     std::string_view ending;  ///< with its dot
     std::string_view description;
     std::string (*text)(const Scene&);
-    bool is_drawing = false;  ///< shows Scene::conditions, and takes Scene::displacement_scale
+    /// What of a scene it looks at besides surface and results.
+    enum class Kind { Data, Drawing, Picture } kind = Kind::Data;
+    [[nodiscard]] bool is_drawing() const { return kind != Kind::Data; }     ///< conditions, scale and view
+    [[nodiscard]] bool is_picture() const { return kind == Kind::Picture; }  ///< Scene::picture, too
 };
 
 /// All kinds of files: a new one is a file and a row.

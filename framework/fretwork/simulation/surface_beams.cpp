@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
 #include <fretwork/base/parallel.hpp>
 #include <fretwork/mechanics/rotation_vector.hpp>
+#include <fretwork/simulation/detail/tile_builder.hpp>
 #include <fretwork/simulation/surface_beams.hpp>
 
 #include <limits>
@@ -52,12 +54,11 @@ std::vector<SurfaceBeams::Start> starts_of(const tiling::Tessellation& tessellat
 /// Fills in what the tiles tell, one by one.
 class StateWriter {
   public:
-    StateWriter(const Session& session, const SurfaceBeams& beams,
+    StateWriter(const tiling::Tessellation& tessellation, const SurfaceBeams& beams,
                 std::span<const mechanics::BeamSection> sections, BeamState& state)
-        : session_(session), beams_(beams), sections_(sections), state_(state) {}
+        : tessellation_(tessellation), beams_(beams), sections_(sections), state_(state) {}
 
-    void write(TileIndex tile, const mechanics::Solution& solution) const {
-        const auto motion = session_.beam_motion(tile, solution);
+    void write(TileIndex tile, const std::optional<reduction::BeamMotion>& motion) const {
         const auto t = static_cast<std::size_t>(tile);
         const auto first = static_cast<Eigen::Index>(beams_.starts[t].inner_node);
         const auto count = static_cast<Eigen::Index>(beams_.starts[t + 1].inner_node) - first;
@@ -70,8 +71,8 @@ class StateWriter {
     /// The row of a node of the surface among those of its tile.
     class RowOf {
       public:
-        RowOf(const Session& session, const SurfaceBeams& beams, std::size_t tile)
-            : interface_(session.surface().tessellation.tiles[tile].interface_nodes),
+        RowOf(const tiling::Tessellation& tessellation, const SurfaceBeams& beams, std::size_t tile)
+            : interface_(tessellation.tiles[tile].interface_nodes),
               interface_count_(beams.interface_nodes),
               first_inner_(beams.starts[tile].inner_node) {}
         Eigen::Index operator()(mechanics::NodeIndex node) const {
@@ -89,7 +90,7 @@ class StateWriter {
     };
 
     void write_forces(std::size_t tile, const reduction::BeamMotion& motion) const {
-        const RowOf row_of(session_, beams_, tile);
+        const RowOf row_of(tessellation_, beams_, tile);
         const NodeValues& rows = motion.in_frame.rows() > 0 ? motion.in_frame : motion.nodes;
         for (std::size_t b = beams_.starts[tile].beam; b < beams_.starts[tile + 1].beam; ++b) {
             const Eigen::Index from = row_of(beams_.ends[b][0]);
@@ -106,10 +107,96 @@ class StateWriter {
         }
     }
 
-    const Session& session_;
+    const tiling::Tessellation& tessellation_;
     const SurfaceBeams& beams_;
     std::span<const mechanics::BeamSection> sections_;
     BeamState& state_;
+};
+
+struct StateRequest {
+    const tiling::Tessellation& tessellation;
+    const SurfaceBeams& beams;
+    std::span<const mechanics::BeamSection> sections;
+    int threads = 0;
+};
+
+template <class MotionOf>
+BeamState state_of(const StateRequest& request, const mechanics::Solution& solution,
+                   const MotionOf& motion_of) {
+    const SurfaceBeams& beams = request.beams;
+    BeamState state;
+    const auto interface_nodes = static_cast<Eigen::Index>(beams.interface_nodes);
+    state.nodes.setConstant(static_cast<Eigen::Index>(beams.nodes.size()), kDofsPerNode, kUnknown);
+    state.nodes.topRows(interface_nodes) = solution.displacements.topRows(interface_nodes);
+    state.forces.setConstant(static_cast<Eigen::Index>(2 * request.sections.size()), 7, kUnknown);
+    const StateWriter writer(request.tessellation, beams, request.sections, state);
+    base::parallel_for(beams.starts.size() - 1, request.threads,
+                       [&](std::size_t t) { writer.write(TileIndex(t), motion_of(TileIndex(t))); });
+    return state;
+}
+
+/// The model of the tiles that have none of their own, in a result that was read.
+std::string main_model(const mechanics::Result& result) {
+    const std::string& text = result.subject->model;
+    return text.substr(0, text.find(';'));
+}
+
+/// The tiles of a result that was read, built anew.
+class ReadTiles {
+  public:
+    ReadTiles(const Surface& surface, const mechanics::Result& result, const SurfaceBeams& beams)
+        : surface_(surface), result_(result) {
+        const auto rows = static_cast<std::size_t>(result.solution.displacements.rows());
+        if (rows < beams.interface_nodes)
+            throw base::InputError("the result is not one of this project: it has too few nodes");
+        if (result.subject)
+            build(main_model(result), result.subject->full_tiles);
+        else if (rows == beams.nodes.size())
+            build(reference_choice({}).name, {});
+        if (!tiles_.empty() && starts_.back() != rows)
+            throw base::InputError("the result is not one of this project: its models have " +
+                                   std::to_string(starts_.back()) + " nodes, and it has " +
+                                   std::to_string(rows));
+    }
+
+    [[nodiscard]] std::optional<reduction::BeamMotion> beam_motion(TileIndex tile) const {
+        if (tiles_.empty()) return std::nullopt;
+        const auto t = static_cast<std::size_t>(tile);
+        const auto& interface_nodes = surface_.tessellation.tiles[t].interface_nodes;
+        const auto inner = static_cast<Eigen::Index>(starts_[t + 1] - starts_[t]);
+        const mechanics::NodeValues& rows = result_.solution.displacements;
+        reduction::TileMotion motion{.nodes = NodeValues(std::ssize(interface_nodes) + inner, kDofsPerNode),
+                                     .turn = tiles_[t].turn,
+                                     .displacements = result_.solver == "linear"
+                                                          ? reduction::Displacements::Small
+                                                          : reduction::Displacements::Large};
+        Eigen::Index row = 0;
+        for (const tiling::InterfaceIndex node : interface_nodes)
+            motion.nodes.row(row++) = rows.row(node.value);
+        motion.nodes.bottomRows(inner) = rows.middleRows(static_cast<Eigen::Index>(starts_[t]), inner);
+        return tiles_[t].structure->beam_motion(motion);
+    }
+
+  private:
+    void build(const std::string& model, std::span<const int> full_tiles) {
+        Surface chosen = surface_;
+        chosen.tile_models.resize(chosen.tessellation.tiles.size());
+        for (const int tile : full_tiles) {
+            if (tile < 0 || static_cast<std::size_t>(tile) >= chosen.tile_models.size())
+                throw base::InputError("the result is not one of this project: it has a tile " +
+                                       std::to_string(tile) + " in full");
+            chosen.tile_models[static_cast<std::size_t>(tile)] = reference_choice({}).name;
+        }
+        tiles_ = detail::TileBuilder().build_all(chosen, model_choice({.model = model}), {});
+        starts_.push_back(surface_.tessellation.interface_nodes.size());
+        for (const detail::BuiltTile& tile : tiles_)
+            starts_.push_back(starts_.back() + tile.structure->inner_nodes().size());
+    }
+
+    const Surface& surface_;
+    const mechanics::Result& result_;
+    std::vector<detail::BuiltTile> tiles_;
+    std::vector<std::size_t> starts_;  ///< of each tile the first of its own nodes, and their number
 };
 
 }  // namespace
@@ -144,15 +231,15 @@ std::vector<mechanics::BeamSection> beam_sections(const SurfaceBeams& beams,
 
 BeamState beam_state(const Session& session, const mechanics::Solution& solution, const SurfaceBeams& beams,
                      std::span<const mechanics::BeamSection> sections) {
-    BeamState state;
-    const auto interface_nodes = static_cast<Eigen::Index>(beams.interface_nodes);
-    state.nodes.setConstant(static_cast<Eigen::Index>(beams.nodes.size()), kDofsPerNode, kUnknown);
-    state.nodes.topRows(interface_nodes) = solution.displacements.topRows(interface_nodes);
-    state.forces.setConstant(static_cast<Eigen::Index>(2 * sections.size()), 7, kUnknown);
-    const StateWriter writer(session, beams, sections, state);
-    base::parallel_for(beams.starts.size() - 1, session.options().threads,
-                       [&](std::size_t t) { writer.write(TileIndex(t), solution); });
-    return state;
+    return state_of({session.surface().tessellation, beams, sections, session.options().threads}, solution,
+                    [&](TileIndex tile) { return session.beam_motion(tile, solution); });
+}
+
+BeamState beam_state(const Surface& surface, const mechanics::Result& result, const SurfaceBeams& beams,
+                     std::span<const mechanics::BeamSection> sections) {
+    const ReadTiles tiles(surface, result, beams);
+    return state_of({surface.tessellation, beams, sections, 0}, result.solution,
+                    [&](TileIndex tile) { return tiles.beam_motion(tile); });
 }
 
 }  // namespace fretwork::simulation
