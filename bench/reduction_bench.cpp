@@ -2,7 +2,7 @@
 #include <fretwork/reduction/calibration.hpp>
 #include <fretwork/reduction/condensed_tile.hpp>
 #include <fretwork/reduction/effective_properties.hpp>
-#include <fretwork/reduction/paper6_problem.hpp>
+#include <fretwork/reduction/ring_problem.hpp>
 
 #include <benchmark/benchmark.h>
 
@@ -18,14 +18,14 @@ struct Case {
           responses(compute_responses(layout, pattern, setting)),
           model(setting),
           objective(responses, setting),
-          problem(model, objective, setting) {}
+          problem(model, paper6_parameters(), objective, setting) {}
     pattern::NodeLayout layout = pattern::find_node_layout("paper7");
     Setting setting = paper_setting();
     pattern::Pattern pattern;
     std::vector<Response> responses;
-    Paper6Hexagon model;
+    RingHexagon model;
     Objective objective;
-    Paper6Problem problem;
+    RingProblem problem;
     Eigen::VectorXd point = (Eigen::VectorXd(6) << 1.0, -0.5, 0.3, 0.2, 0.2, 0.6).finished();
 };
 
@@ -64,15 +64,15 @@ BENCHMARK(homogenization);
 
 void hexagon_displacements(benchmark::State& state) {
     const Case& c = two_edges();
-    const Paper6Parameters parameters = c.problem.parameters(c.point);
-    for (auto _ : state) benchmark::DoNotOptimize(c.model.displacements(parameters));
+    const RingParts parts = paper6_parameters().parts(c.problem.parameter_values(c.point));
+    for (auto _ : state) benchmark::DoNotOptimize(c.model.displacements(parts));
 }
 BENCHMARK(hexagon_displacements);
 
 void hexagon_derivatives(benchmark::State& state) {
     const Case& c = two_edges();
-    const Paper6Parameters parameters = c.problem.parameters(c.point);
-    for (auto _ : state) benchmark::DoNotOptimize(c.model.derivatives(parameters));
+    const RingParts parts = paper6_parameters().parts(c.problem.parameter_values(c.point));
+    for (auto _ : state) benchmark::DoNotOptimize(c.model.derivatives(parts, paper6_parameters().ties));
 }
 BENCHMARK(hexagon_derivatives);
 

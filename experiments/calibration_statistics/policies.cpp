@@ -4,7 +4,7 @@
 #include <fretwork/base/parallel.hpp>
 #include <fretwork/reduction/calibration.hpp>
 #include <fretwork/reduction/objective.hpp>
-#include <fretwork/reduction/paper6_hexagon.hpp>
+#include <fretwork/reduction/ring_hexagon.hpp>
 
 #include <cstdio>
 #include <optional>
@@ -45,9 +45,9 @@ std::optional<Pair> compare(const library::PatternEntry& entry, const TableInput
     const Calibration a = fit(paper);
     const Calibration b = fit(stable);
     const auto parameters_of = [&](const Calibration& calibration) {
-        return reduction::Paper6Parameters::from_values(parameter_values(calibration, paper6));
+        return reduction::paper6_parameters().parts(parameter_values(calibration, paper6));
     };
-    const reduction::Paper6Hexagon model(paper);
+    const reduction::RingHexagon model(paper);
     return Pair{on_paper.sample_count() - on_stable.sample_count(), a.objective, b.objective,
                 on_stable.value(model.displacements(parameters_of(a))),
                 on_paper.value(model.displacements(parameters_of(b)))};

@@ -13,13 +13,13 @@ namespace {
 /// A pattern's responses, its model and its problem at some point.
 struct Example {
     Setting setting = paper_setting();
-    Paper6Hexagon model{setting};
+    RingHexagon model{setting};
     std::vector<Response> responses = compute_responses(paper_layout(), paper_pattern("0-1+1-6"), setting);
     Objective objective{responses, setting};
-    Paper6Problem problem{model, objective, setting};
+    RingProblem problem{model, paper6_parameters(), objective, setting};
 
     Eigen::VectorXd random_point(optimization::RandomStream& random) const {
-        return problem.point(random_parameters(setting, random, 0.4, 0.6));
+        return problem.point(random_parameters(setting, random, 0.4, 0.6).values());
     }
 };
 
@@ -181,8 +181,7 @@ TEST(Objective, CountsSamplesAfterOneThatDidNotConverge) {
     responses[2].samples[4].converged = false;
     const Objective with_gap(responses, example().setting);
     optimization::RandomStream random(6, 0);
-    const UnitDisplacements model =
-        example().model.displacements(example().problem.parameters(example().random_point(random)));
+    const UnitDisplacements model = example().problem.displacements(example().random_point(random));
     const double expected = written_objective(responses, model);
     EXPECT_NEAR(with_gap.value(model), expected, 1e-7 * expected);
     EXPECT_LT(expected, written_objective(example().responses, model));
@@ -204,8 +203,7 @@ TEST(Objective, StablePolicyLeavesOutEverySampleFromTheFirstUnstableOneOn) {
     const Objective before(responses, stable);
     for (std::size_t k = 6; k < 10; ++k) responses[0].samples[k].displacements.setConstant(1.0);
     optimization::RandomStream random(5, 0);
-    const UnitDisplacements model =
-        example().model.displacements(example().problem.parameters(example().random_point(random)));
+    const UnitDisplacements model = example().problem.displacements(example().random_point(random));
     EXPECT_EQ(before.value(model), Objective(responses, stable).value(model));
     EXPECT_NE(before.value(model), Objective(responses, example().setting).value(model));
 }

@@ -114,34 +114,32 @@ TEST(Calibrations, GiveTheirParametersInTheOrderOfTheRow) {
     EXPECT_THROW((void)parameter_values(calibration, model), base::InputError);
 }
 
-TEST(DifferenceProblem, AgreesWithTheAnalyticProblemOfThePapersModel) {
+TEST(DifferenceProblem, AgreesWithTheAnalyticProblemOfARingWithLinks) {
     const Setting setting = paper_setting();
     const auto pattern = paper_pattern("0-1+1-6");
     const auto responses = compute_responses(paper_layout(), pattern, setting);
     const Objective objective(responses, setting);
-    const TileModel& model = find_tile_model("paper6");
-    const ModelTile tile(model, paper_layout(), pattern, setting);
-    const DifferenceProblem numeric(model, tile, objective, setting);
-    const auto analytic = model.problem(objective, setting);
-    optimization::RandomStream random(3, 0);
-    for (int trial = 0; trial < 3; ++trial) {
-        Eigen::VectorXd point(6);
-        for (Eigen::Index i = 0; i < 6; ++i) {
-            const double share = 0.3 + 0.4 * random.uniform();
-            point[i] = (1 - share) * numeric.bounds().lower[i] + share * numeric.bounds().upper[i];
+    const RingHexagon hexagon(setting);
+    for (const RingParameters& parameters : {paper6_parameters(), ring10_parameters()}) {
+        const TileModel& model = find_tile_model(parameters.model);
+        const ModelTile tile(model, paper_layout(), pattern, setting);
+        const DifferenceProblem numeric(model, tile, objective, setting);
+        const RingProblem analytic(hexagon, parameters, objective, setting);
+        const auto count = static_cast<Eigen::Index>(model.parameters.size());
+        optimization::RandomStream random(3, 0);
+        for (int trial = 0; trial < 3; ++trial) {
+            Eigen::VectorXd shares(count);
+            for (double& share : shares) share = 0.3 + 0.4 * random.uniform();
+            const Eigen::VectorXd point = numeric.bounds().at_shares(shares);
+            const auto wanted = analytic.gradient(analytic.point(numeric.parameter_values(point)), 0.0);
+            const auto found = numeric.gradient(point, 0.0);
+            EXPECT_NEAR(found.objective, wanted.objective, 1e-7 * wanted.objective);
+            // The variables differ by constants only, but the last one: R is a share there. What remains: the
+            // third derivative over a step of 1e-5 of the range, and condensing's rounding over that step.
+            const Eigen::VectorXd difference = found.gradient - wanted.gradient;
+            EXPECT_LT(difference.head(count - 1).norm(), 1e-4 * wanted.gradient.head(count - 1).norm())
+                << model.name;
         }
-        const auto values = numeric.parameter_values(point);
-        Eigen::VectorXd own(6);  // the analytic problem's variables are multiples of the bar's
-        own << std::log(values[0] / setting.section.area), std::log(values[1] / setting.section.I2),
-            std::log(values[2] / setting.section.I3), std::log(values[3] / setting.section.J), values[4],
-            values[5] / (setting.tile_side * std::sqrt(0.75));
-        const auto wanted = analytic->gradient(own, 0.0);
-        const auto found = numeric.gradient(point, 0.0);
-        EXPECT_NEAR(found.objective, wanted.objective, 1e-7 * wanted.objective);
-        // The sections' variables differ by a constant only. What remains: the third derivative over a step
-        // of 1e-5 of the range, and condensing's rounding over that step.
-        const double scale = wanted.gradient.head(5).norm();
-        EXPECT_LT((found.gradient.head(5) - wanted.gradient.head(5)).norm(), 1e-4 * scale);
     }
 }
 

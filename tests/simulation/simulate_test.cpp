@@ -30,14 +30,21 @@ double relative_difference(const NodeValues& a, const NodeValues& b) {
     return (a - b).norm() / a.norm();
 }
 
-/// A calibration with any admissible values: these tests do not depend on them.
+/// A calibration of every model with any admissible values: these tests do not depend on them.
 Surface with_parameters(Surface surface) {
-    const auto& section = surface.setting.section;
-    reduction::Calibration calibration;
-    calibration.model = "paper6";
-    calibration.parameters = {{"A", section.area}, {"I2", section.I2}, {"I3", section.I3},
-                              {"J", section.J},    {"theta", 0.1},     {"R", 0.01}};
-    surface.calibrations.assign(surface.patterns.size(), {calibration});
+    std::vector<reduction::Calibration> calibrations;
+    for (const reduction::TileModel& model : reduction::tile_models()) {
+        if (model.parameters.empty()) continue;
+        reduction::Calibration& calibration = calibrations.emplace_back();
+        calibration.model = model.name;
+        for (const reduction::TileParameter& parameter : model.parameters) {
+            const auto [lower, upper] = parameter.bounds(surface.setting);
+            const bool is_logarithmic = parameter.scale == reduction::TileParameter::Scale::Logarithmic;
+            const double value = is_logarithmic ? std::sqrt(lower * upper) : lower + 0.6 * (upper - lower);
+            calibration.parameters.push_back({parameter.name, value});
+        }
+    }
+    surface.calibrations.assign(surface.patterns.size(), calibrations);
     return surface;
 }
 

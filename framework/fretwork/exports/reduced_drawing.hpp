@@ -11,7 +11,7 @@
 
 namespace fretwork::exports {
 
-/// A pattern and the paper's reduced model that was fitted to it, if there is one.
+/// A pattern and a reduced model of beams that was fitted to it, if there is one.
 struct ReducedPattern {
     pattern::Pattern pattern;
     std::optional<reduction::Calibration> calibration{};

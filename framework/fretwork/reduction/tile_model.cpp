@@ -5,6 +5,7 @@
 #include <fretwork/reduction/corotational_tile.hpp>
 #include <fretwork/reduction/full_tile.hpp>
 #include <fretwork/reduction/paper6_tile.hpp>
+#include <fretwork/reduction/ring10_tile.hpp>
 #include <fretwork/reduction/tile_model.hpp>
 
 #include <algorithm>
@@ -12,7 +13,7 @@
 namespace fretwork::reduction {
 
 const std::vector<TileModel>& tile_models() {
-    static const std::vector<TileModel> rows = {full_tile_model(), paper6_tile_model(),
+    static const std::vector<TileModel> rows = {full_tile_model(), paper6_tile_model(), ring10_tile_model(),
                                                 condensed_tile_model(), corotational_tile_model()};
     return rows;
 }

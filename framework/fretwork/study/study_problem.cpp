@@ -7,7 +7,7 @@
 #include <fretwork/pattern/enumerate.hpp>
 #include <fretwork/reduction/effective_properties.hpp>
 #include <fretwork/reduction/linear_response.hpp>
-#include <fretwork/reduction/paper6_problem.hpp>
+#include <fretwork/reduction/ring_problem.hpp>
 #include <fretwork/reduction/stratified_sample.hpp>
 #include <fretwork/study/study_problem.hpp>
 
@@ -24,18 +24,20 @@ constexpr int kSyntheticProblems = 12;
 class OwnedProblem final {
   public:
     OwnedProblem(const std::vector<reduction::Response>& responses, const reduction::Setting& setting)
-        : model_(setting), objective_(responses, setting), problem_(model_, objective_, setting) {}
+        : model_(setting),
+          objective_(responses, setting),
+          problem_(model_, reduction::paper6_parameters(), objective_, setting) {}
     OwnedProblem(const OwnedProblem&) = delete;
     OwnedProblem& operator=(const OwnedProblem&) = delete;
-    [[nodiscard]] const reduction::Paper6Problem& problem() const { return problem_; }
+    [[nodiscard]] const reduction::RingProblem& problem() const { return problem_; }
 
   private:
-    reduction::Paper6Hexagon model_;
+    reduction::RingHexagon model_;
     reduction::Objective objective_;
-    reduction::Paper6Problem problem_;
+    reduction::RingProblem problem_;
 };
 
-std::shared_ptr<const reduction::Paper6Problem> make_calibration(
+std::shared_ptr<const reduction::RingProblem> make_calibration(
     const std::vector<reduction::Response>& responses, const reduction::Setting& setting) {
     const auto owner = std::make_shared<const OwnedProblem>(responses, setting);
     return {owner, &owner->problem()};
@@ -58,7 +60,6 @@ StudyProblem synthetic_problem(const std::string& id, const std::string& number)
     if (n < 1 || number != std::to_string(n))  // one problem has one id
         throw base::InputError("'" + id + "' is no synthetic problem, such as synthetic/1");
     const auto setting = reduction::paper_setting();
-    const reduction::Paper6Hexagon model(setting);
     const auto any = make_calibration(
         linear_responses(reduction::UnitDisplacements(setting.scenarios.size(),
                                                       mechanics::NodeValues::Ones(setting.sides, 6)),
@@ -68,7 +69,7 @@ StudyProblem synthetic_problem(const std::string& id, const std::string& number)
     Eigen::VectorXd shares(any->bounds().dimension());
     for (double& share : shares) share = 0.1 + 0.8 * random.uniform();
     const Eigen::VectorXd optimum = any->bounds().at_shares(shares);
-    const auto target = linear_responses(model.displacements(any->parameters(optimum)), setting);
+    const auto target = linear_responses(any->displacements(optimum), setting);
     return {id, make_calibration(target, setting), 0.0, optimum};
 }
 

@@ -9,6 +9,20 @@ namespace {
 
 using Eigen::Matrix3d;
 
+/// The parameters by name.
+struct PlaneRing {
+    explicit PlaneRing(const PlaneParameters& p) : link{p[0], p[1]}, ring{p[2], p[3]}, theta(p[4]), R(p[5]) {}
+    struct Section {
+        double axial;
+        double bending;
+    };
+    Section link;
+    Section ring;
+    double theta;
+    double R;
+};
+using PlaneSection = PlaneRing::Section;
+
 /// The entries of an Euler-Bernoulli beam's stiffness; the blocks are linear in them.
 struct BeamEntries {
     double axial;     ///< EA/l or GJ/l
@@ -18,12 +32,14 @@ struct BeamEntries {
     double far;       ///< 2 EI/l
 };
 
-BeamEntries beam_entries(double axial, double bending, double l) {
+BeamEntries beam_entries(const PlaneSection& section, double l) {
+    const auto [axial, bending] = section;
     return {axial / l, 12.0 * bending / (l * l * l), 6.0 * bending / (l * l), 4.0 * bending / l,
             2.0 * bending / l};
 }
 
-BeamEntries beam_entries_by_length(double axial, double bending, double l) {
+BeamEntries beam_entries_by_length(const PlaneSection& section, double l) {
+    const auto [axial, bending] = section;
     const double l2 = l * l;
     return {-axial / l2, -36.0 * bending / (l2 * l2), -12.0 * bending / (l2 * l), -4.0 * bending / l2,
             -2.0 * bending / l2};
@@ -106,10 +122,9 @@ BeamBlocks link_blocks(Plane plane, const BeamEntries& entries, const Link& link
                   turn_to(plane, link.second_angle));
 }
 
-BeamBlocks link_derivative(Plane plane, const PlaneParameters& p, const Link& link, const LinkRate& rate) {
-    const BeamBlocks own = own_blocks(plane, beam_entries(p.axial, p.bending, link.length));
-    const BeamBlocks stretched =
-        link_blocks(plane, beam_entries_by_length(p.axial, p.bending, link.length), link);
+BeamBlocks link_derivative(Plane plane, const PlaneSection& section, const Link& link, const LinkRate& rate) {
+    const BeamBlocks own = own_blocks(plane, beam_entries(section, link.length));
+    const BeamBlocks stretched = link_blocks(plane, beam_entries_by_length(section, link.length), link);
     const Matrix3d turn1 = turn_to(plane, link.first_angle);
     const Matrix3d turn2 = turn_to(plane, link.second_angle);
     const Matrix3d rate1 = rate.first_angle * turn_rate(plane, link.first_angle);
@@ -134,8 +149,8 @@ HexagonBlocks combine(const BeamBlocks& link, const BeamBlocks& ring) {
     return {link.first, link.across, link.second + ring.first + ring.second, ring.across};
 }
 
-HexagonBlocks link_only(const BeamBlocks& link) {
-    return {link.first, link.across, link.second, Matrix3d::Zero()};
+BeamBlocks no_beam() {
+    return {Matrix3d::Zero(), Matrix3d::Zero(), Matrix3d::Zero()};
 }
 
 }  // namespace
@@ -148,24 +163,43 @@ Matrix3d turn_to(Plane plane, double angle) {
     return turn;
 }
 
-HexagonBlocks hexagon_blocks(Plane plane, const PlaneParameters& p, double apothem) {
+HexagonBlocks hexagon_blocks(Plane plane, const PlaneParameters& parameters, double apothem) {
+    const PlaneRing p(parameters);
     const Link link = link_geometry(p.theta, p.R, apothem).link;
-    return combine(link_blocks(plane, beam_entries(p.axial, p.bending, link.length), link),
-                   ring_blocks(plane, beam_entries(p.axial, p.bending, p.R)));
+    return combine(link_blocks(plane, beam_entries(p.link, link.length), link),
+                   ring_blocks(plane, beam_entries(p.ring, p.R)));
 }
 
-std::array<HexagonBlocks, kPlaneParameters> hexagon_block_derivatives(Plane plane, const PlaneParameters& p,
+std::array<HexagonBlocks, kPlaneParameters> hexagon_block_derivatives(Plane plane,
+                                                                      const PlaneParameters& parameters,
                                                                       double apothem) {
+    const PlaneRing p(parameters);
     const LinkGeometry geometry = link_geometry(p.theta, p.R, apothem);
     const Link& link = geometry.link;
-    const auto by_stiffness = [&](double axial, double bending) {
-        return combine(link_blocks(plane, beam_entries(axial, bending, link.length), link),
-                       ring_blocks(plane, beam_entries(axial, bending, p.R)));
+    const auto by_link = [&](const PlaneSection& section) {
+        return combine(link_blocks(plane, beam_entries(section, link.length), link), no_beam());
     };
-    return {by_stiffness(1.0, 0.0), by_stiffness(0.0, 1.0),
-            link_only(link_derivative(plane, p, link, geometry.by_theta)),
-            combine(link_derivative(plane, p, link, geometry.by_R),
-                    ring_blocks(plane, beam_entries_by_length(p.axial, p.bending, p.R)))};
+    const auto by_ring = [&](const PlaneSection& section) {
+        return combine(no_beam(), ring_blocks(plane, beam_entries(section, p.R)));
+    };
+    return {by_link({1.0, 0.0}),
+            by_link({0.0, 1.0}),
+            by_ring({1.0, 0.0}),
+            by_ring({0.0, 1.0}),
+            combine(link_derivative(plane, p.link, link, geometry.by_theta), no_beam()),
+            combine(link_derivative(plane, p.link, link, geometry.by_R),
+                    ring_blocks(plane, beam_entries_by_length(p.ring, p.R)))};
+}
+
+HexagonBlocks no_blocks() {
+    return {Matrix3d::Zero(), Matrix3d::Zero(), Matrix3d::Zero(), Matrix3d::Zero()};
+}
+
+void add_blocks(HexagonBlocks& sum, double factor, const HexagonBlocks& blocks) {
+    sum.interface_own += factor * blocks.interface_own;
+    sum.interface_ring += factor * blocks.interface_ring;
+    sum.ring_own += factor * blocks.ring_own;
+    sum.ring_next += factor * blocks.ring_next;
 }
 
 }  // namespace fretwork::reduction::detail

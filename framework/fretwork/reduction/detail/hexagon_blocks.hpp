@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The stiffness of the paper's reduced hexagon (Section 5.1), one plane at a time.
+// The stiffness of a hexagonal ring with links (the paper's Section 5.1), one plane at a time.
 //
 // Six links join interface node i (angle 270 + 60 i degrees, distance: the apothem) to ring node i (angle
 // 270 + 60 i degrees + theta, distance R); six ring beams join neighbouring ring nodes. A flat frame's linear
@@ -19,14 +19,11 @@ inline constexpr int kSectors = 6;
 /// Which three components of a node: (u_radial, u_tangential, r_z) or (u_z, r_radial, r_tangential).
 enum class Plane { InPlane, OutOfPlane };
 
-/// One plane's part of the six parameters.
-struct PlaneParameters {
-    double axial = 0.0;    ///< EA (N) in the plane, GJ (N m^2) out of it: what acts along the beam's axis
-    double bending = 0.0;  ///< EI3 in the plane, EI2 out of it; N m^2
-    double theta = 0.0;    ///< rad
-    double R = 0.0;        ///< m
-};
-inline constexpr int kPlaneParameters = 4;
+/// One plane's part of the parameters, in this order: of the links, what acts along their axes (EA in the
+/// plane, N; GJ out of it, N m^2) and in bending (EI3 in the plane, EI2 out of it, N m^2); the same of the
+/// ring; theta (rad); R (m).
+inline constexpr int kPlaneParameters = 6;
+using PlaneParameters = std::array<double, kPlaneParameters>;
 
 /// The blocks of the block-circulant stiffness matrix.
 struct HexagonBlocks {
@@ -38,10 +35,13 @@ struct HexagonBlocks {
 
 HexagonBlocks hexagon_blocks(Plane plane, const PlaneParameters& parameters, double apothem);
 
-/// Their derivatives with respect to axial, bending, theta and R.
+/// Their derivatives with respect to each of the parameters.
 std::array<HexagonBlocks, kPlaneParameters> hexagon_block_derivatives(Plane plane,
                                                                       const PlaneParameters& parameters,
                                                                       double apothem);
+
+HexagonBlocks no_blocks();
+void add_blocks(HexagonBlocks& sum, double factor, const HexagonBlocks& blocks);
 
 /// Turn (x, y) components into the axes of a node at `angle`: local = turn * global.
 Eigen::Matrix3d turn_to(Plane plane, double angle);

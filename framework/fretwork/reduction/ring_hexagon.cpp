@@ -2,7 +2,7 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/reduction/detail/condensed_hexagon.hpp>
 #include <fretwork/reduction/detail/free_factor.hpp>
-#include <fretwork/reduction/paper6_hexagon.hpp>
+#include <fretwork/reduction/ring_hexagon.hpp>
 
 #include <Eigen/Cholesky>
 
@@ -31,9 +31,9 @@ constexpr int kPlaneDofs = 3 * kSectors;
 std::array<int, 3> plane_components(Plane plane) {
     return plane == Plane::InPlane ? std::array{0, 1, 5} : std::array{2, 3, 4};
 }
-/// Which of the six parameters a plane's four are.
-std::array<int, kPlaneParameters> parameter_columns(Plane plane) {
-    return plane == Plane::InPlane ? std::array{0, 2, 4, 5} : std::array{3, 1, 4, 5};
+/// Which of the ten parts a plane's parameters are.
+std::array<int, kPlaneParameters> plane_parts(Plane plane) {
+    return plane == Plane::InPlane ? std::array{0, 2, 4, 6, 8, 9} : std::array{3, 1, 7, 5, 8, 9};
 }
 
 /// Scenarios of one plane that support the same dofs share a factorization.
@@ -88,7 +88,7 @@ std::vector<SupportGroup> support_groups(const std::vector<Scenario>& scenarios,
 
 }  // namespace
 
-class Paper6Hexagon::Impl {
+class RingHexagon::Impl {
   public:
     explicit Impl(const Setting& setting)
         : material_(setting.material),
@@ -103,11 +103,11 @@ class Paper6Hexagon::Impl {
         }
     }
 
-    [[nodiscard]] UnitDisplacements displacements(const Paper6Parameters& parameters) const {
+    [[nodiscard]] UnitDisplacements displacements(const RingParts& parts) const {
         UnitDisplacements result(scenario_count_, mechanics::NodeValues::Zero(kSectors, 6));
         for (const Plane plane : kPlanes) {
             const CondensedHexagon hexagon(
-                detail::hexagon_blocks(plane, plane_parameters(plane, parameters), apothem_));
+                detail::hexagon_blocks(plane, plane_parameters(plane, parts), apothem_));
             const PlaneStiffness stiffness = global_stiffness(plane, hexagon);
             for (const SupportGroup& group : groups_[index(plane)]) {
                 const FreeFactor factor(stiffness, group.free_dofs);
@@ -119,14 +119,16 @@ class Paper6Hexagon::Impl {
         return result;
     }
 
-    [[nodiscard]] UnitDisplacementsAndDerivatives derivatives(const Paper6Parameters& parameters) const {
+    [[nodiscard]] UnitDisplacementsAndDerivatives derivatives(const RingParts& parts,
+                                                              const RingDirections& directions) const {
         UnitDisplacementsAndDerivatives result{
             UnitDisplacements(scenario_count_, mechanics::NodeValues::Zero(kSectors, 6)),
-            std::vector<Eigen::MatrixXd>(scenario_count_, Eigen::MatrixXd::Zero(6 * kSectors, 6))};
+            std::vector<Eigen::MatrixXd>(scenario_count_,
+                                         Eigen::MatrixXd::Zero(6 * kSectors, directions.cols()))};
         for (const Plane plane : kPlanes) {
-            const PlaneParameters own = plane_parameters(plane, parameters);
+            const PlaneParameters own = plane_parameters(plane, parts);
             const CondensedHexagon hexagon(detail::hexagon_blocks(plane, own, apothem_));
-            const auto changes = detail::hexagon_block_derivatives(plane, own, apothem_);
+            const auto changes = block_changes(plane, own, directions);
             const PlaneStiffness stiffness = global_stiffness(plane, hexagon);
             for (const SupportGroup& group : groups_[index(plane)]) {
                 const FreeFactor factor(stiffness, group.free_dofs);
@@ -142,10 +144,10 @@ class Paper6Hexagon::Impl {
     }
 
     /// Throws InputError if the scenario leaves the tile free to move.
-    void check_holds(const Scenario& scenario, const Paper6Parameters& parameters) const {
+    void check_holds(const Scenario& scenario, const RingParts& parts) const {
         for (const Plane plane : kPlanes) {
             const CondensedHexagon hexagon(
-                detail::hexagon_blocks(plane, plane_parameters(plane, parameters), apothem_));
+                detail::hexagon_blocks(plane, plane_parameters(plane, parts), apothem_));
             const SupportGroup group{free_dofs(scenario, plane), {}};
             const PlaneStiffness stiffness = global_stiffness(plane, hexagon);
             const Eigen::MatrixXd free = stiffness(group.free_dofs, group.free_dofs);
@@ -160,24 +162,53 @@ class Paper6Hexagon::Impl {
     static constexpr double kSmallestConditioning = 1e-13;
     static std::size_t index(Plane plane) { return static_cast<std::size_t>(plane); }
 
+    /// How the blocks of a plane change along a direction.
+    struct Change {
+        Eigen::Index direction;
+        HexagonBlocks blocks;
+    };
     /// One plane at given parameters.
     struct PlaneState {
         Plane plane;
         const CondensedHexagon& hexagon;
-        const std::array<HexagonBlocks, kPlaneParameters>& changes;
+        const std::vector<Change>& changes;
         const FreeFactor& factor;
     };
 
-    [[nodiscard]] PlaneParameters plane_parameters(Plane plane, const Paper6Parameters& p) const {
-        const double E = material_.young_modulus;
-        if (plane == Plane::InPlane) return {E * p.A, E * p.I3, p.theta, p.R};
-        return {material_.shear_modulus() * p.J, E * p.I2, p.theta, p.R};
+    [[nodiscard]] PlaneParameters plane_parameters(Plane plane, const RingParts& parts) const {
+        const PlaneParameters rates = parameter_rates(plane);
+        const auto places = plane_parts(plane);
+        PlaneParameters result;
+        for (int p = 0; p < kPlaneParameters; ++p) result[p] = rates[p] * parts[places[p]];
+        return result;
     }
 
-    /// Derivatives of a plane's four parameters with respect to the model's six.
-    [[nodiscard]] std::array<double, kPlaneParameters> parameter_rates(Plane plane) const {
+    /// Of a plane's parameters by the parts that they come from.
+    [[nodiscard]] PlaneParameters parameter_rates(Plane plane) const {
         const double E = material_.young_modulus;
-        return {plane == Plane::InPlane ? E : material_.shear_modulus(), E, 1.0, 1.0};
+        const double along = plane == Plane::InPlane ? E : material_.shear_modulus();
+        return {along, E, along, E, 1.0, 1.0};
+    }
+
+    /// Those directions are left out that do not matter to the plane.
+    [[nodiscard]] std::vector<Change> block_changes(Plane plane, const PlaneParameters& parameters,
+                                                    const RingDirections& directions) const {
+        const auto by_parameter = detail::hexagon_block_derivatives(plane, parameters, apothem_);
+        const PlaneParameters rates = parameter_rates(plane);
+        const auto places = plane_parts(plane);
+        std::vector<Change> changes;
+        for (Eigen::Index k = 0; k < directions.cols(); ++k) {
+            HexagonBlocks sum = detail::no_blocks();
+            bool matters = false;
+            for (int p = 0; p < kPlaneParameters; ++p) {
+                const double rate = rates[p] * directions(places[p], k);
+                if (rate == 0.0) continue;
+                detail::add_blocks(sum, rate, by_parameter[p]);
+                matters = true;
+            }
+            if (matters) changes.push_back({k, sum});
+        }
+        return changes;
     }
 
     [[nodiscard]] PlaneStiffness global_stiffness(Plane plane, const CondensedHexagon& hexagon) const {
@@ -210,18 +241,16 @@ class Paper6Hexagon::Impl {
         for (int i = 0; i < kSectors; ++i) interface.col(i) = turns[i] * solution.segment<3>(3 * i);
         const NodeColumns ring = state.hexagon.ring_displacements(interface);
         const auto components = plane_components(state.plane);
-        const auto columns = parameter_columns(state.plane);
-        const auto rates = parameter_rates(state.plane);
-        for (int p = 0; p < kPlaneParameters; ++p) {
-            const NodeColumns forces = state.hexagon.changed_forces(state.changes[p], interface, ring);
+        for (const Change& by : state.changes) {
+            const NodeColumns forces = state.hexagon.changed_forces(by.blocks, interface, ring);
             PlaneVector load;
             for (int i = 0; i < kSectors; ++i) {
-                load.segment<3>(3 * i) = -rates[p] * (turns[i].transpose() * forces.col(i));
+                load.segment<3>(3 * i) = -(turns[i].transpose() * forces.col(i));
             }
             const PlaneVector change = state.factor.solve(load);
             for (int node = 0; node < kSectors; ++node) {
                 for (int c = 0; c < 3; ++c)
-                    derivatives(6 * node + components[c], columns[p]) = change[3 * node + c];
+                    derivatives(6 * node + components[c], by.direction) = change[3 * node + c];
             }
         }
     }
@@ -233,29 +262,29 @@ class Paper6Hexagon::Impl {
     std::array<std::array<Eigen::Matrix3d, kSectors>, 2> turns_;
 };
 
-Paper6Hexagon::Paper6Hexagon(const Setting& setting) {
+RingHexagon::RingHexagon(const Setting& setting) {
     setting.validate();
     if (setting.sides != kSectors) {
-        throw base::InputError(
-            "the six-parameter model is calibrated in a hexagon; the setting's polygon has " +
-            std::to_string(setting.sides) + " sides");
+        throw base::InputError("a ring with links is calibrated in a hexagon; the setting's polygon has " +
+                               std::to_string(setting.sides) + " sides");
     }
     impl_ = std::make_unique<Impl>(setting);
-    const mechanics::Section& bar = setting.section;
-    for (const Scenario& scenario : setting.scenarios) {
-        impl_->check_holds(scenario, {bar.area, bar.I2, bar.I3, bar.J, 0.0, setting.tile_side / 2.0});
-    }
+    RingParts usual = ring_units(setting);
+    usual[kRingTheta] = 0.0;
+    usual[kRingR] = setting.tile_side / 2.0;
+    for (const Scenario& scenario : setting.scenarios) impl_->check_holds(scenario, usual);
 }
-Paper6Hexagon::Paper6Hexagon(Paper6Hexagon&&) noexcept = default;
-Paper6Hexagon& Paper6Hexagon::operator=(Paper6Hexagon&&) noexcept = default;
-Paper6Hexagon::~Paper6Hexagon() = default;
+RingHexagon::RingHexagon(RingHexagon&&) noexcept = default;
+RingHexagon& RingHexagon::operator=(RingHexagon&&) noexcept = default;
+RingHexagon::~RingHexagon() = default;
 
-UnitDisplacements Paper6Hexagon::displacements(const Paper6Parameters& parameters) const {
-    return impl_->displacements(parameters);
+UnitDisplacements RingHexagon::displacements(const RingParts& parts) const {
+    return impl_->displacements(parts);
 }
 
-UnitDisplacementsAndDerivatives Paper6Hexagon::derivatives(const Paper6Parameters& parameters) const {
-    return impl_->derivatives(parameters);
+UnitDisplacementsAndDerivatives RingHexagon::derivatives(const RingParts& parts,
+                                                         const RingDirections& directions) const {
+    return impl_->derivatives(parts, directions);
 }
 
 }  // namespace fretwork::reduction

@@ -4,7 +4,7 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/mechanics/linear_solver.hpp>
 #include <fretwork/reduction/condensed_tile.hpp>
-#include <fretwork/reduction/paper6_tile.hpp>
+#include <fretwork/reduction/ring_tile.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -13,37 +13,39 @@ namespace fretwork::reduction {
 namespace {
 
 /// The tile in the setting's own polygon.
-mechanics::Frame regular_tile(const Paper6Parameters& parameters, const Setting& setting) {
-    return paper6_tile(parameters, setting, pattern::regular_polygon(setting.sides, setting.tile_side));
+mechanics::Frame regular_tile(const RingParts& parts, const Setting& setting) {
+    return ring_tile(parts, setting, pattern::regular_polygon(setting.sides, setting.tile_side));
 }
 
 /// The tile as any other frame, solved by the general solver, for 1 N.
-mechanics::NodeValues solved_tile(const Paper6Parameters& parameters, const Setting& setting, std::size_t s) {
+mechanics::NodeValues solved_tile(const RingParts& parts, const Setting& setting, std::size_t s) {
     Scenario scenario = setting.scenarios[s];
     scenario.max_magnitude = 1.0;
-    const auto frame = scenario_frame(regular_tile(parameters, setting), scenario);
+    const auto frame = scenario_frame(regular_tile(parts, setting), scenario);
     return mechanics::solve_linear(mechanics::assemble(frame)).displacements.topRows(6);
 }
 
-TEST(Paper6Hexagon, EqualsTheTileUnderTheGeneralSolver) {
+TEST(RingHexagon, EqualsTheTileUnderTheGeneralSolver) {
     const Setting setting = paper_setting();
-    const Paper6Hexagon hexagon(setting);
+    const RingHexagon hexagon(setting);
     optimization::RandomStream random(1, 0);
     for (int trial = 0; trial < 40; ++trial) {
-        const Paper6Parameters parameters = random_parameters(setting, random);
-        const UnitDisplacements fast = hexagon.displacements(parameters);
+        const RingParts parts = random_parts(setting, random);
+        const UnitDisplacements fast = hexagon.displacements(parts);
         for (std::size_t s = 0; s < 5; ++s) {
             // Both are backward stable; stiffnesses differ by up to 1e9 here.
-            EXPECT_LT(relative_difference(fast[s], solved_tile(parameters, setting, s)), 1e-7)
+            EXPECT_LT(relative_difference(fast[s], solved_tile(parts, setting, s)), 1e-7)
                 << "trial " << trial << ", " << setting.scenarios[s].name;
         }
     }
 }
 
-TEST(Paper6Hexagon, StaysAccurateAtTheBounds) {
+TEST(RingHexagon, StaysAccurateAtTheBounds) {
     const Setting setting = paper_setting();
-    const Paper6Hexagon hexagon(setting);
-    const auto [low, high] = paper6_bounds(setting);
+    const RingHexagon hexagon(setting);
+    const RingBounds bounds = ring_bounds(setting);
+    const auto low = Paper6Parameters::of(bounds.lower);
+    const auto high = Paper6Parameters::of(bounds.upper);
     const mechanics::Section& bar = setting.section;
     struct Corner {
         Paper6Parameters parameters;
@@ -67,64 +69,81 @@ TEST(Paper6Hexagon, StaysAccurateAtTheBounds) {
     }
 }
 
-TEST(Paper6Hexagon, DerivativesAgreeWithFiniteDifferences) {
+TEST(RingHexagon, DerivativesAgreeWithFiniteDifferences) {
     const Setting setting = paper_setting();
-    const Paper6Hexagon hexagon(setting);
+    const RingHexagon hexagon(setting);
     optimization::RandomStream random(2, 0);
     for (int trial = 0; trial < 5; ++trial) {
-        const Paper6Parameters center = random_parameters(setting, random);
-        const auto exact = hexagon.derivatives(center);
-        for (int p = 0; p < 6; ++p) {
+        const RingParts center = random_parts(setting, random);
+        RingParts rates = center;
+        rates[kRingTheta] = 1.0;
+        const RingDirections directions = rates.asDiagonal();
+        const auto exact = hexagon.derivatives(center, directions);
+        for (int p = 0; p < kRingParts; ++p) {
             const auto displaced = [&](double share) {
-                Paper6Parameters moved = center;
-                double* values[] = {&moved.A, &moved.I2, &moved.I3, &moved.J, &moved.theta, &moved.R};
-                *values[p] += share * (p == 4 ? 1.0 : *values[p]);
-                return hexagon.displacements(moved);
+                return hexagon.displacements(center + share * directions.col(p));
             };
-            const double scale[] = {center.A, center.I2, center.I3, center.J, 1.0, center.R};
             constexpr double kStep = 1e-5;
             const auto ahead = displaced(kStep);
             const auto behind = displaced(-kStep);
             for (std::size_t s = 0; s < 5; ++s) {
                 const mechanics::NodeValues slope = (ahead[s] - behind[s]) / (2.0 * kStep);
                 const Eigen::VectorXd flat = slope.reshaped<Eigen::RowMajor>();
-                const Eigen::VectorXd analytic = exact.derivatives[s].col(p) * scale[p];
+                const Eigen::VectorXd analytic = exact.derivatives[s].col(p);
                 EXPECT_LT((flat - analytic).norm(), 1e-5 * (exact.displacements[s].norm() + analytic.norm()))
-                    << "parameter " << Paper6Parameters::names[static_cast<std::size_t>(p)];
+                    << "part " << ring10_parameters().names[static_cast<std::size_t>(p)];
             }
         }
     }
 }
 
-TEST(Paper6Hexagon, DerivativesComeWithTheSameDisplacements) {
+TEST(RingHexagon, DerivativesComeWithTheSameDisplacements) {
     const Setting setting = paper_setting();
-    const Paper6Hexagon hexagon(setting);
+    const RingHexagon hexagon(setting);
     optimization::RandomStream random(3, 0);
-    const Paper6Parameters parameters = random_parameters(setting, random);
-    const auto plain = hexagon.displacements(parameters);
-    const auto both = hexagon.derivatives(parameters);
+    const RingParts parts = random_parts(setting, random);
+    const auto plain = hexagon.displacements(parts);
+    const auto both = hexagon.derivatives(parts, paper6_parameters().ties);
     for (std::size_t s = 0; s < 5; ++s) EXPECT_EQ(plain[s], both.displacements[s]);
 }
 
-TEST(Paper6Hexagon, RefusesMechanismsAndPolygonsOtherThanHexagons) {
+TEST(RingHexagon, RefusesMechanismsAndPolygonsOtherThanHexagons) {
     Setting setting = paper_setting();
     setting.scenarios[2].supports.resize(1);
     setting.scenarios[2].supports[0].fixed = mechanics::DofSet::translations();
     try {
-        const Paper6Hexagon hexagon(setting);
+        const RingHexagon hexagon(setting);
         FAIL() << "bending about a single hinge";
     } catch (const base::InputError& error) {
         EXPECT_THAT(error.what(), testing::HasSubstr("bending"));
     }
     setting = paper_setting();
     setting.sides = 7;
-    EXPECT_THROW(Paper6Hexagon{setting}, base::InputError);
+    EXPECT_THROW(RingHexagon{setting}, base::InputError);
 }
 
-TEST(Paper6Tile, StiffnessIsInvariantUnderATurnBy60Degrees) {
+/// A change of one section of the paper's model is the sum of that of the links and that of the ring.
+TEST(RingHexagon, DerivativesOfSharedSectionsAreSums) {
+    const Setting setting = paper_setting();
+    const RingHexagon hexagon(setting);
+    optimization::RandomStream random(5, 0);
+    const RingParts parts = random_parameters(setting, random);
+    const auto apart = hexagon.derivatives(parts, ring10_parameters().ties);
+    const auto shared = hexagon.derivatives(parts, paper6_parameters().ties);
+    for (std::size_t s = 0; s < 5; ++s) {
+        const Eigen::MatrixXd sums = apart.derivatives[s] * paper6_parameters().ties;
+        for (int k = 0; k < 6; ++k) {
+            const Eigen::VectorXd difference = sums.col(k) - shared.derivatives[s].col(k);
+            EXPECT_LE(difference.norm(), 1e-9 * shared.derivatives[s].col(k).norm())
+                << paper6_parameters().names[static_cast<std::size_t>(k)];
+        }
+    }
+}
+
+TEST(RingTile, StiffnessIsInvariantUnderATurnBy60Degrees) {
     const Setting setting = paper_setting();
     optimization::RandomStream random(4, 0);
-    const Eigen::MatrixXd K = condensed_frame(regular_tile(random_parameters(setting, random), setting), 6);
+    const Eigen::MatrixXd K = condensed_frame(regular_tile(random_parts(setting, random), setting), 6);
     const Eigen::Matrix3d turn = Eigen::AngleAxisd(std::numbers::pi / 3.0, Eigen::Vector3d::UnitZ()).matrix();
     // Node i goes to node i + 1, and its components turn.
     Eigen::MatrixXd T = Eigen::MatrixXd::Zero(36, 36);
@@ -135,7 +154,7 @@ TEST(Paper6Tile, StiffnessIsInvariantUnderATurnBy60Degrees) {
     EXPECT_LT(relative_difference(T * K * T.transpose(), K), 1e-9);
 }
 
-TEST(Paper6Tile, RingLiesAtThetaAndRInTheHexagon) {
+TEST(RingTile, RingLiesAtThetaAndRInTheHexagon) {
     const Setting setting = paper_setting();
     const Paper6Parameters parameters{1e-6, 1e-12, 1e-12, 1e-12, 0.3, 0.011};
     const auto frame = regular_tile(parameters, setting);
@@ -149,7 +168,7 @@ TEST(Paper6Tile, RingLiesAtThetaAndRInTheHexagon) {
 }
 
 /// Barycentric places are affine: a stretched hexagon has the stretched ring.
-TEST(Paper6Tile, RingKeepsItsBarycentricCoordinatesInOtherPolygons) {
+TEST(RingTile, RingKeepsItsBarycentricCoordinatesInOtherPolygons) {
     const Setting setting = paper_setting();
     const Paper6Parameters parameters{1e-6, 1e-12, 1e-12, 1e-12, -0.2, 0.015};
     const auto regular = regular_tile(parameters, setting);
@@ -158,18 +177,18 @@ TEST(Paper6Tile, RingKeepsItsBarycentricCoordinatesInOtherPolygons) {
         return pattern::Point2{1.3 * x + 0.2 * y + 5.0, 0.9 * y - 2.0};
     };
     for (auto& point : polygon) point = stretch(point.x, point.y);
-    const auto stretched = paper6_tile(parameters, setting, polygon);
+    const auto stretched = ring_tile(parameters, setting, polygon);
     for (std::size_t i = 0; i < 12; ++i) {
         const auto expected = stretch(regular.nodes[i].x(), regular.nodes[i].y());
         EXPECT_NEAR(stretched.nodes[i].x(), expected.x, 1e-12);
         EXPECT_NEAR(stretched.nodes[i].y(), expected.y, 1e-12);
     }
-    EXPECT_EQ(paper6_tile(parameters, setting, pattern::regular_polygon(5, 0.02)).beams.size(), 10U);
+    EXPECT_EQ(ring_tile(parameters, setting, pattern::regular_polygon(5, 0.02)).beams.size(), 10U);
 }
 
-TEST(Paper6Tile, RefusesAPolygonThatIsNotConvex) {
+TEST(RingTile, RefusesAPolygonThatIsNotConvex) {
     const pattern::Polygon dart = {{0, 0}, {2, -1}, {1, 0}, {2, 1}};
-    EXPECT_THROW((void)paper6_tile({1e-6, 1e-12, 1e-12, 1e-12, 0, 0.01}, paper_setting(), dart),
+    EXPECT_THROW((void)ring_tile(Paper6Parameters{1e-6, 1e-12, 1e-12, 1e-12, 0, 0.01}, paper_setting(), dart),
                  base::GeometryError);
 }
 
