@@ -11,6 +11,7 @@
 #include <fretwork/base/quantity.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/exports/bar_scene.hpp>
+#include <fretwork/exports/line_set.hpp>
 #include <fretwork/exports/writer_catalogue.hpp>
 #include <fretwork/simulation/project_library.hpp>
 #include <fretwork/simulation/result_subject.hpp>
@@ -87,10 +88,15 @@ exports::PixelSize read_size(const std::string& text) {
 
 mechanics::Result read_own_result(const std::string& file, const simulation::Surface& surface) {
     mechanics::Result result = read_surface_result(file);
-    if (!result.subject) return result;
-    const std::string difference = simulation::subject_difference(*result.subject, surface);
+    const std::string difference =
+        result.subject ? simulation::subject_difference(*result.subject, surface) : "";
     if (!difference.empty())
         throw base::InputError(file, "", "is no result of this project: they differ in " + difference);
+    try {
+        exports::require_same_surface(surface, result);
+    } catch (const base::InputError& error) {
+        throw base::InputError(file, "", error.what());
+    }
     return result;
 }
 

@@ -151,6 +151,8 @@ ExitCode run(Options options) {
     const auto library = simulation::open_project_library(options.project, project, options.library);
     const Surface surface = simulation::make_surface(project, library ? &*library : nullptr);
     options.simulation.validate(surface);
+    simulation::check_calibrations(options.project, project, surface,
+                                   simulation::model_choice(options.simulation));
     const LoadCase load_case = chosen_load_case(project, options.load_case);
     base::FileBatch files;
     if (!options.frame_out.empty()) files.add(options.frame_out, full_frame_text(surface, load_case));

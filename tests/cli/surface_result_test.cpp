@@ -115,6 +115,34 @@ TEST_F(SurfaceResults, AreHeldAgainstFiniteTolerancesOnly) {
     }
 }
 
+TEST_F(SurfaceResults, OfOtherNodesThanTheProjectsAreRefusedWithTheirFile) {
+    // As an older program wrote it, a result does not say what it is of; its nodes do.
+    ASSERT_EQ(
+        run("sed -e 's#result/3#result/1#' -e '/\"program\"/d' -e '/\"subject\"/,/^  },/d' condensed.json > "
+            "old.json"
+            " && fretwork tile experiments/outlines/specimen.svg --edge-length 50mm --patterns 0-1+1-6 "
+            "--out other.json")
+            .exit_code,
+        0);
+    const Outcome outcome = run("fretwork export other.json --result old.json --to x.svg");
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_THAT(outcome.err,
+                HasSubstr("fretwork: old.json: the result is not one of this project: it has too few nodes"));
+}
+
+TEST_F(SurfaceResults, WithoutTheirCalibrationsAreRefusedWithFileAndPlace) {
+    const Outcome all = run("fretwork simulate p.json --case cantilever --model paper6 --out r.json");
+    EXPECT_EQ(all.exit_code, 2);
+    EXPECT_THAT(all.err,
+                StartsWith("fretwork: p.json: pattern 0-1+1-6 has no calibration of the tile model paper6"));
+    ASSERT_EQ(
+        run("sed -i 's/^}$/,\"tile_models\": [{\"model\": \"paper6\", \"tiles\": [0]}]}/' p.json").exit_code,
+        0);
+    const Outcome one = run("fretwork simulate p.json --case cantilever --out r.json");
+    EXPECT_EQ(one.exit_code, 2);
+    EXPECT_THAT(one.err, StartsWith("fretwork: p.json: /tile_models/0: pattern 0-1+1-6 has no calibration"));
+}
+
 TEST_F(SurfaceResults, OfTileModelsThatThereAreNotAreRefusedWithFileAndPlace) {
     ASSERT_EQ(run("sed -i 's/^}$/,\"tile_models\": [{\"model\": \"condensd\", \"tiles\": [0]}]}/' p.json")
                   .exit_code,

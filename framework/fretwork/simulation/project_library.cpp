@@ -4,9 +4,22 @@
 #include <fretwork/simulation/project_file.hpp>
 #include <fretwork/simulation/project_library.hpp>
 
+#include <algorithm>
 #include <filesystem>
 
 namespace fretwork::simulation {
+namespace {
+
+/// Where a project says which tile model a tile has; "" where it does not.
+std::string place_of_model(const Project& project, tiling::TileIndex tile) {
+    for (std::size_t i = 0; i < project.tile_models.size(); ++i) {
+        if (std::ranges::find(project.tile_models[i].tiles, tile) != project.tile_models[i].tiles.end())
+            return "/tile_models/" + std::to_string(i);
+    }
+    return "";
+}
+
+}  // namespace
 
 std::string library_path_of(const std::string& project_file, const Project& project) {
     if (project.library_path.empty()) return "";
@@ -38,6 +51,18 @@ Project read_checked_project(const std::string& file) {
         }
     }
     return project;
+}
+
+void check_calibrations(const std::string& file, const Project& project, const Surface& surface,
+                        const ModelChoice& choice) {
+    for (std::size_t t = 0; t < surface.tessellation.tiles.size(); ++t) {
+        const tiling::TileIndex tile(t);
+        try {
+            (void)tile_parameters(surface, tile, tile_model(surface, choice, tile));
+        } catch (const base::InputError& error) {
+            throw base::InputError(file, place_of_model(project, tile), error.what());
+        }
+    }
 }
 
 }  // namespace fretwork::simulation

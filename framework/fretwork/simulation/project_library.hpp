@@ -2,6 +2,7 @@
 #pragma once
 
 #include <fretwork/library/library.hpp>
+#include <fretwork/simulation/model_choice.hpp>
 #include <fretwork/simulation/project.hpp>
 
 #include <optional>
@@ -21,5 +22,10 @@ std::optional<library::Library> open_project_library(const std::string& project_
 /// Read a project, and check that there are the tile models that it names for single tiles. Throws InputError
 /// that names the file and the place.
 Project read_checked_project(const std::string& file);
+
+/// Every tile must have the calibration that its tile model needs. Throws InputError that names the file, and
+/// the place where the project chose a tile's model.
+void check_calibrations(const std::string& file, const Project& project, const Surface& surface,
+                        const ModelChoice& choice);
 
 }  // namespace fretwork::simulation
