@@ -30,3 +30,29 @@ function(fretwork_add_studio_page source)
   include(GNUInstallDirs)
   install(FILES "${page}" DESTINATION "${CMAKE_INSTALL_DATADIR}/fretwork" OPTIONAL)
 endfunction()
+
+# fretwork_add_page_tests(<source folder> <built folder>): the page in a real browser, where there is Chromium. Tests that
+# take minutes, and the page's own checks, are long tests.
+function(fretwork_add_page_tests source work)
+  find_program(FRETWORK_CHROMIUM NAMES chromium chromium-browser)
+  if(NOT FRETWORK_NODE OR NOT FRETWORK_NPM OR NOT FRETWORK_CHROMIUM)
+    message(STATUS "No Chromium, or no Node.js: the studio is not tested in a browser")
+    return()
+  endif()
+  add_test(NAME studio_page.files COMMAND "${CMAKE_COMMAND}" -E copy_directory "${source}/tests" "${work}/tests")
+  set_tests_properties(studio_page.files PROPERTIES FIXTURES_SETUP studio_page)
+  set(names first_minute)
+  if(FRETWORK_LONG_TESTS)
+    list(APPEND names studio tools files manners)
+    add_test(NAME studio_page.checks COMMAND "${FRETWORK_NPM}" run --silent check WORKING_DIRECTORY "${work}")
+    set_tests_properties(studio_page.checks PROPERTIES FIXTURES_REQUIRED studio_page TIMEOUT 600)
+  endif()
+  foreach(name IN LISTS names)
+    add_test(NAME studio_page.${name} COMMAND "${CMAKE_COMMAND}" -E env "FRETWORK_PROGRAM=$<TARGET_FILE:fretwork>"
+             "FRETWORK_PAGE=${PROJECT_BINARY_DIR}/apps/share/fretwork/studio.html" "FRETWORK_REPOSITORY=${PROJECT_SOURCE_DIR}"
+             "FRETWORK_PICTURES=${work}/pictures" "CHROMIUM=${FRETWORK_CHROMIUM}"
+             "${FRETWORK_NODE}" "${work}/tests/browser/run.mjs" "${name}.test.mjs")
+    set_tests_properties(studio_page.${name} PROPERTIES FIXTURES_REQUIRED studio_page SKIP_RETURN_CODE 77 TIMEOUT 900
+                         RUN_SERIAL ON)
+  endforeach()
+endfunction()

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Install what is missing on Debian 12, and nothing else. Works as root and with sudo; says nothing when all is there.
-# Usage: scripts/install-dependencies.sh [demo|test|check|studio]   (test holds demo, check holds test; studio: demo and
-# Node.js with npm, unless there is one that fits; default: test)
+# Usage: scripts/install-dependencies.sh [demo|test|check|studio]   (test holds demo, check holds test; studio: demo; studio and
+# check: Node.js with npm, unless there is one that fits; default: test)
 set -euo pipefail
 
 demo=(g++ cmake ninja-build git ca-certificates
@@ -10,7 +10,7 @@ demo=(g++ cmake ninja-build git ca-certificates
       libopenblas0-serial libnauty2-dev libsqlite3-dev nettle-dev nlohmann-json3-dev libsimdjson-dev libcli11-dev libpugixml-dev libpng-dev
       librsvg2-bin fonts-dejavu-core)
 test=("${demo[@]}" libgtest-dev libgmock-dev libbenchmark-dev clang-format gringo)
-check=("${test[@]}" clang-tidy-16 sqlite3 slurm-wlm munge snakemake python3-numpy python3-scipy python3-matplotlib)
+check=("${test[@]}" clang-tidy-16 sqlite3 slurm-wlm munge snakemake python3-numpy python3-scipy python3-matplotlib chromium)
 
 # A Node.js of 18.18 or newer, wherever it comes from, and npm.
 has_fitting_node() {
@@ -21,7 +21,7 @@ has_fitting_node() {
 case "${1:-test}" in
   demo) wanted=("${demo[@]}") ;;
   test) wanted=("${test[@]}") ;;
-  check) wanted=("${check[@]}") ;;
+  check) wanted=("${check[@]}"); has_fitting_node || wanted+=(nodejs npm) ;;
   studio) wanted=("${demo[@]}"); has_fitting_node || wanted+=(nodejs npm) ;;
   *) echo "install-dependencies.sh: unknown set '$1'; there is: demo, test, check, studio" >&2; exit 2 ;;
 esac

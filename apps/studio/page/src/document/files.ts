@@ -3,7 +3,7 @@
 
 import { currentScene } from '../views/space/current';
 import { ask, tryAsk } from './studio';
-import { documentNow } from './store';
+import { documentNow, hello } from './store';
 import { tell } from './tell';
 
 export async function base64(file: File): Promise<string> {
@@ -56,6 +56,10 @@ export const EXPORTS: ExportRow[] = [
   { ending: 'vtu', title: 'VTU', words: 'for ParaView' },
   { ending: 'csv', title: 'CSV', words: 'displacements as a table' },
 ];
+
+const ALWAYS = ['svg', 'obj', 'ply', 'vtu', 'csv'];
+/** What the server writes. */
+export const offered = (): ExportRow[] => EXPORTS.filter(({ ending }) => (hello.value?.exports ?? ALWAYS).includes(ending));
 
 /** The server writes it as the command line does. What it refuses, it refuses in words. */
 export async function exportTo(ending: string): Promise<void> {

@@ -2,7 +2,7 @@
 
 import { signal } from '@preact/signals';
 import { useEffect, useRef } from 'preact/hooks';
-import { download, exportTo, EXPORTS, savePicture } from '../document/files';
+import { download, exportTo, offered, savePicture } from '../document/files';
 
 export const exportOpen = signal(false);
 
@@ -36,7 +36,7 @@ export function ExportMenu() {
       <button type="button" role="menuitem" data-export="json" onClick={() => pick(() => void download())}><b>Project</b><span>everything, to open here or on the command line</span></button>
       <button type="button" role="menuitem" data-export="png" onClick={() => pick(() => void savePicture())}><b>Picture</b><span>the view in space, PNG with transparent ground</span></button>
       <hr />
-      {EXPORTS.map(({ ending, title, words }) => (
+      {offered().map(({ ending, title, words }) => (
         <button key={ending} type="button" role="menuitem" data-export={ending} onClick={() => pick(() => void exportTo(ending))}><b>{title}</b><span>{words}</span></button>
       ))}
     </div>

@@ -83,6 +83,8 @@ export interface Hello {
   layouts: string[];
   has_library: boolean;
   can_recover?: boolean;
+  /** Endings of files that it exports. */
+  exports?: string[];
 }
 
 export interface Stiffness {

@@ -56,7 +56,7 @@ export function Segments<T extends string>({ label, value, options, onPick, full
         return (
           <button type="button" role="radio" aria-checked={option.value === value} key={option.value} tabIndex={option.value === value ? 0 : -1}
             data-value={option.value} data-tip={option.tip ?? (iconsOnly ? option.title : undefined)} data-key={option.shortcut}
-            aria-label={iconsOnly ? option.title : undefined} onClick={() => onPick(option.value)} onKeyDown={(event) => move(event, index)}>
+            aria-label={iconsOnly || !option.title ? option.title || option.tip : undefined} onClick={() => onPick(option.value)} onKeyDown={(event) => move(event, index)}>
             {Picture && <Picture aria-hidden />}
             {!iconsOnly && option.title}
           </button>

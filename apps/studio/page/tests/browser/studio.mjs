@@ -9,10 +9,10 @@ import { fileURLToPath } from 'node:url';
 import { chromium } from 'playwright-core';
 
 const here = fileURLToPath(new URL('.', import.meta.url));
-export const repository = resolve(here, '../../../../..');
+export const repository = resolve(process.env.FRETWORK_REPOSITORY ?? join(here, '../../../../..'));
 export const program = resolve(process.env.FRETWORK_PROGRAM ?? join(repository, 'build/release/apps/fretwork/fretwork'));
 const page = resolve(process.env.FRETWORK_PAGE ?? join(here, '../../dist/index.html'));
-export const pictures = join(here, 'out');
+export const pictures = resolve(process.env.FRETWORK_PICTURES ?? join(here, 'out'));
 const PATIENCE_MS = 180_000;
 /** Enough to judge light and shadow by; each takes up to a second without a graphics card. */
 const SAMPLES = 5;
@@ -63,8 +63,57 @@ export async function openPage(test, address, { width = 1280, height = 800, them
 }
 
 export const solved = (page) => page.waitForFunction(() => window.fretwork.store.live.value !== null);
-export async function picture(page, name) {
-  await page.evaluate((samples) => window.fretwork.drawFine(samples), SAMPLES);
+export async function picture(page, name, samples = SAMPLES) {
+  await page.evaluate((count) => window.fretwork.drawFine(count), samples);
   await page.screenshot({ path: join(pictures, `${name}.png`), timeout: PATIENCE_MS });
 }
 export const median = (values) => [...values].sort((a, b) => a - b)[Math.floor(values.length / 2)];
+
+/** A surface of the repository's own outline and load case. */
+export function makeProject(tileSide) {
+  const place = folder();
+  const project = join(place, 'surface.json');
+  fretwork('tile', join(repository, 'experiments/outlines/example_a.svg'), '--edge-length', tileSide, '--patterns', '0-1+1-6', '--out', project);
+  fretwork('case', 'add', project, join(repository, 'experiments/cases/bridge.json'));
+  return project;
+}
+
+/** Where a tile's middle is on the page. */
+export const tilePlace = (page, tile) =>
+  page.evaluate((index) => {
+    const box = document.getElementById('plane').getBoundingClientRect();
+    const at = window.fretwork.planePlace(index);
+    return [box.left + at[0], box.top + at[1]];
+  }, tile);
+
+/** Drops a file on the page. */
+export async function drop(page, name, content, selector = '.app') {
+  const transfer = await page.evaluateHandle(
+    ([text, file]) => {
+      const data = new DataTransfer();
+      data.items.add(new File([Uint8Array.from(atob(text), (char) => char.charCodeAt(0))], file));
+      return data;
+    },
+    [Buffer.from(content).toString('base64'), name],
+  );
+  for (const event of ['dragover', 'drop']) await page.dispatchEvent(selector, event, { dataTransfer: transfer });
+}
+
+export async function drag(page, from, to) {
+  await page.mouse.move(...from);
+  await page.mouse.down();
+  await page.mouse.move((from[0] + to[0]) / 2, (from[1] + to[1]) / 2, { steps: 5 });
+  await page.mouse.move(...to, { steps: 5 });
+  await page.mouse.up();
+}
+
+/** What an action does to the document has come back. */
+export async function edit(page, action) {
+  const before = await page.evaluate(() => window.fretwork.store.revision.value);
+  await action();
+  await page.waitForFunction((old) => window.fretwork.store.revision.value > old, before, { timeout: 20_000 }).catch(async () => {
+    throw new Error(`nothing changed after ${action}; the page says: ${await page.textContent('.notes')}`);
+  });
+}
+
+export const read = (page, what) => page.evaluate((key) => window.fretwork.store.documentNow.value[key], what);

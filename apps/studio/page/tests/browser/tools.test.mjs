@@ -3,28 +3,9 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { openPage, picture, startStudio } from './studio.mjs';
+import { drag, edit, openPage, picture, read, startStudio } from './studio.mjs';
 
-const read = (page, what) => page.evaluate((key) => window.fretwork.store.documentNow.value[key], what);
 const undoLabel = async (page) => (await read(page, 'history')).undo;
-
-async function drag(page, from, to) {
-  await page.mouse.move(...from);
-  await page.mouse.down();
-  await page.mouse.move((from[0] + to[0]) / 2, (from[1] + to[1]) / 2, { steps: 5 });
-  await page.mouse.move(...to, { steps: 5 });
-  await page.mouse.up();
-}
-
-/** An edit changes the document, and its label of undo is new. */
-async function edit(page, action) {
-  const before = await page.evaluate(() => window.fretwork.store.revision.value);
-  await action();
-  const changed = (old) => window.fretwork.store.revision.value > old;
-  await page.waitForFunction(changed, before, { timeout: 20_000 }).catch(async () => {
-    throw new Error(`nothing changed after ${action}; the page says: ${await page.textContent('.notes')}`);
-  });
-}
 
 test('an example opens, bends, and every tool works on it', async (t) => {
   const { address } = await startStudio(t);

@@ -153,7 +153,7 @@ export class SceneView {
     // A linear model may send nodes absurdly far: the view stays with the surface.
     const room = box.clone().expandByScalar(MOST_SHOWN * box.getSize(new Vector3()).length());
     const bent = shown.peek() ? nodes.map((_, node) => nodePlace(node)).map((place) => room.clampPoint(place, place)) : [];
-    return [...flat, ...bent];
+    return [...flat, ...bent, ...handles(this.arrows).map(({ place }) => room.clampPoint(place, place))];
   }
 
   private frame(): void {

@@ -16,6 +16,7 @@ const BAR_PX = 56;
 const REST_MS = drawsInSoftware ? 1000 : 300;
 const FEWEST_SAMPLES = 3;
 const MOST_SAMPLES = drawsInSoftware ? 14 : 64;
+const PICTURE_SAMPLES = drawsInSoftware ? 6 : MOST_SAMPLES;
 const POLL_MS = 8;
 const DIRECTIONS: Record<ViewName, [number, number, number]> = { iso: [-0.45, -1, 0.62], top: [0, -0.001, 1], front: [0, -1, 0.02], side: [1, -0.02, 0.02] };
 
@@ -217,7 +218,7 @@ export class Stage {
   async picture(): Promise<Blob> {
     const ratio = this.renderer.getPixelRatio();
     this.renderer.setPixelRatio(2 * ratio);
-    this.drawFine();
+    this.drawFine(PICTURE_SAMPLES);
     const blob = await new Promise<Blob | null>((done) => this.renderer.domElement.toBlob(done, 'image/png'));
     this.renderer.setPixelRatio(ratio);
     this.drawNow();

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Files in and out of the page.
+
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { test } from 'node:test';
+import { drop, edit, makeProject, openPage, read, solved, startStudio } from './studio.mjs';
+
+const WIDTH = 10;
+const HEIGHT = 6;
+const SIDE = 0.03;
+
+/** A flat mesh of triangles, 300 x 180 mm, with its corners counted from `first`. */
+function mesh(first) {
+  const places = [];
+  const triangles = [];
+  for (let y = 0; y <= HEIGHT; ++y) for (let x = 0; x <= WIDTH; ++x) places.push([x * SIDE, y * SIDE, 0]);
+  for (let y = 0; y < HEIGHT; ++y) {
+    for (let x = 0; x < WIDTH; ++x) {
+      const at = first + y * (WIDTH + 1) + x;
+      triangles.push([at, at + 1, at + WIDTH + 2], [at, at + WIDTH + 2, at + WIDTH + 1]);
+    }
+  }
+  return { places, triangles };
+}
+
+function objText() {
+  const { places, triangles } = mesh(1);
+  return [...places.map((place) => `v ${place.join(' ')}`), ...triangles.map((corners) => `f ${corners.join(' ')}`)].join('\n');
+}
+
+function plyText() {
+  const { places, triangles } = mesh(0);
+  const head = ['ply', 'format ascii 1.0', `element vertex ${places.length}`, 'property float x', 'property float y', 'property float z', `element face ${triangles.length}`,
+    'property list uchar int vertex_indices', 'end_header'];
+  return [...head, ...places.map((place) => place.join(' ')), ...triangles.map((corners) => `3 ${corners.join(' ')}`), ''].join('\n');
+}
+
+function dxfText() {
+  const corners = [[0, 0], [300, 0], [300, 120], [180, 180], [0, 180]];
+  const head = [0, 'SECTION', 2, 'HEADER', 9, '$INSUNITS', 70, 4, 0, 'ENDSEC', 0, 'SECTION', 2, 'ENTITIES', 0, 'LWPOLYLINE', 8, 0, 90, corners.length, 70, 1];
+  return [...head, ...corners.flatMap(([x, y]) => [10, x, 20, y]), 0, 'ENDSEC', 0, 'EOF', ''].join('\n');
+}
+
+const OUTLINES = {
+  'blob.svg': '<svg xmlns="http://www.w3.org/2000/svg" width="300mm" height="200mm" viewBox="0 0 300 200"><ellipse cx="150" cy="100" rx="140" ry="90"/></svg>',
+  'plate.dxf': dxfText(),
+  'sheet.obj': objText(),
+  'sheet.ply': plyText(),
+};
+
+test('outlines of each kind are dropped and become tiles', async (t) => {
+  const { address } = await startStudio(t);
+  const page = await openPage(t, address);
+  for (const [name, text] of Object.entries(OUTLINES)) {
+    await drop(page, name, text);
+    await page.waitForSelector(`text=${name}`);
+    const before = await page.evaluate(() => window.fretwork.store.revision.value);
+    await page.click('#make');
+    await page.waitForFunction((old) => window.fretwork.store.revision.value > old, before);
+    assert.ok((await read(page, 'tiles')).length > 20, `${name} is covered with tiles`);
+  }
+  assert.deepEqual(page.troubles, []);
+});
+
+/** What the first bytes of each kind of file say. */
+const BEGINNINGS = { json: /^\{/, html: /^<!doctype html/i, svg: /<svg/, dxf: /SECTION/, stl: /^[^]{84}/, '3mf': /^PK/, obj: /^(#|v )/m, ply: /^ply/, vtu: /<VTKFile/, csv: /,/ };
+
+async function exported(page, ending, place) {
+  const coming = page.waitForEvent('download', { timeout: 30_000 });
+  await page.click('#export');
+  await page.click(`[data-export="${ending}"]`);
+  const download = await coming.catch(async () => {
+    throw new Error(`no ${ending} came; the page says: ${await page.textContent('.notes')}`);
+  });
+  const file = join(place, download.suggestedFilename());
+  await download.saveAs(file);
+  return file;
+}
+
+test('every kind of file is exported', async (t) => {
+  const { address, place } = await startStudio(t, makeProject('40mm'));
+  const page = await openPage(t, address);
+  await solved(page);
+  await page.click('#export');
+  const endings = await page.$$eval('[data-export]', (buttons) => buttons.map((button) => button.dataset.export));
+  await page.keyboard.press('Escape');
+  for (const ending of endings) {
+    if (ending === 'png') continue;
+    const file = await exported(page, ending, place);
+    assert.match(readFileSync(file, 'latin1').slice(0, 4000), BEGINNINGS[ending], ending);
+  }
+});
+
+test('a picture has a transparent ground and a surface on it', async (t) => {
+  const { address, place } = await startStudio(t, makeProject('40mm'));
+  const page = await openPage(t, address);
+  await solved(page);
+  const file = await exported(page, 'png', place);
+  const alpha = await page.evaluate(async (text) => {
+    const bitmap = await createImageBitmap(await (await fetch(`data:image/png;base64,${text}`)).blob());
+    const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext('2d');
+    context.drawImage(bitmap, 0, 0);
+    const { data } = context.getImageData(0, 0, bitmap.width, bitmap.height);
+    let solid = 0;
+    for (let i = 3; i < data.length; i += 4) if (data[i] === 255) ++solid;
+    return { corner: data[3], solid: solid / (data.length / 4) };
+  }, readFileSync(file).toString('base64'));
+  assert.equal(alpha.corner, 0);
+  assert.ok(alpha.solid > 0.005, `${alpha.solid} of the picture is solid`);
+});
+
+test('a picture paints: dark places get the stiffest patterns', async (t) => {
+  const { address } = await startStudio(t, makeProject('26mm'));
+  const page = await openPage(t, address);
+  await page.waitForSelector('[data-pattern]');
+  // Black at the left, white at the right.
+  const black = '<svg xmlns="http://www.w3.org/2000/svg" width="20" height="10"><rect width="20" height="10" fill="white"/><rect width="10" height="10" fill="black"/></svg>';
+  const png = await page.evaluate(async (text) => {
+    const image = Object.assign(new Image(), { src: `data:image/svg+xml,${encodeURIComponent(text)}` });
+    await image.decode();
+    const canvas = Object.assign(document.createElement('canvas'), { width: 20, height: 10 });
+    canvas.getContext('2d').drawImage(image, 0, 0);
+    return canvas.toDataURL('image/png').split(',')[1];
+  }, black);
+  const chooser = page.waitForEvent('filechooser');
+  await page.click('text=Image');
+  await edit(page, async () => (await chooser).setFiles({ name: 'halves.png', mimeType: 'image/png', buffer: Buffer.from(png, 'base64') }));
+  const painted = await page.evaluate(() => {
+    const { documentNow, patternTable } = window.fretwork.store;
+    const { tiles, vertices, palette, painting } = documentNow.value;
+    const stiffness = new Map(patternTable.value.patterns.map(({ id, bending }) => [id, bending?.young]));
+    return tiles.map(({ vertices: corners }, tile) => [
+      corners.reduce((sum, corner) => sum + vertices[corner][0], 0) / corners.length,
+      stiffness.get(palette[painting[tile]]),
+    ]);
+  });
+  const middle = (Math.min(...painted.map(([x]) => x)) + Math.max(...painted.map(([x]) => x))) / 2;
+  const mean = (rows) => rows.reduce((sum, [, value]) => sum + value, 0) / rows.length;
+  const [left, right] = [painted.filter(([x]) => x < middle - 0.03), painted.filter(([x]) => x > middle + 0.03)];
+  assert.ok(mean(left) > 1.5 * mean(right), `${mean(left)} N m at the left, ${mean(right)} N m at the right`);
+});
