@@ -19,14 +19,23 @@ class AnnealingThenCeres final : public Optimizer {
                 .seed = derived_seed(options_.annealing.common.seed, static_cast<std::uint64_t>(i))};
             outcome = make_simulated_annealing(once)->run(evaluator);
             if (outcome.ending == Ending::BudgetSpent || evaluator.best_point().size() == 0) break;
-            outcome.final_point = evaluator.best_point();
-            outcome.ending = detail::descend_by_ceres(evaluator, options_.continuation, outcome.final_point);
+            outcome = descend(evaluator);
             if (outcome.ending == Ending::BudgetSpent) break;
         }
         return outcome;
     }
 
   private:
+    [[nodiscard]] RunOutcome descend(Evaluator& evaluator) const {
+        detail::CeresDescent descent(evaluator, options_.continuation, evaluator.best_point());
+        RunOutcome outcome;
+        for (const double smoothing : options_.continuation.smoothing) {
+            outcome = {descent.run_stage(smoothing), descent.point()};
+            if (outcome.ending == Ending::BudgetSpent) break;
+        }
+        return outcome;
+    }
+
     AnnealingThenCeresOptions options_;
 };
 

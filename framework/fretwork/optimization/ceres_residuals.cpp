@@ -73,7 +73,7 @@ class CeresResiduals final : public Optimizer {
 
     bool descend_in_box(const Bounds& bounds, const Linearize& linearize, int residuals,
                         Eigen::VectorXd& point) const {
-        return detail::solve_with_ceres({linearize, residuals, bounds}, settings(), point);
+        return detail::solve_with_ceres({linearize, residuals, bounds}, settings(), point).converged;
     }
 
     bool descend_on_sine(const Bounds& bounds, const Linearize& linearize, int residuals,
@@ -85,7 +85,8 @@ class CeresResiduals final : public Optimizer {
             if (model) model->jacobian *= box.rates(at).asDiagonal();
             return model;
         };
-        const bool converged = detail::solve_with_ceres({on_sine, residuals, std::nullopt}, settings(), u);
+        const bool converged =
+            detail::solve_with_ceres({on_sine, residuals, std::nullopt}, settings(), u).converged;
         point = box.point(u);
         return converged;
     }

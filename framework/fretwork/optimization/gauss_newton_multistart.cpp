@@ -1,24 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fretwork/base/error.hpp>
 #include <fretwork/optimization/detail/box_quadratic.hpp>
-#include <fretwork/optimization/detail/starts.hpp>
+#include <fretwork/optimization/detail/staged_descent.hpp>
 #include <fretwork/optimization/gauss_newton_multistart.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <vector>
 
 namespace fretwork::optimization {
 namespace {
 
 /// One descent: a point, and the quadratic model of the smoothed objective there.
-class Descent {
+class Descent final : public detail::StagedDescent {
   public:
     Descent(Evaluator& evaluator, const ContinuationOptions& options, Eigen::VectorXd start)
         : evaluator_(&evaluator), options_(&options), point_(std::move(start)) {}
 
-    Ending run_stage(double smoothing) {
+    Ending run_stage(double smoothing) override {
         const double tolerance =
             smoothing == options_->smoothing.back() ? options_->tolerance : options_->loose_tolerance;
         const auto model = evaluator_->curvature(point_, smoothing);
@@ -36,9 +34,8 @@ class Descent {
         return Ending::Stalled;
     }
 
-    [[nodiscard]] const Eigen::VectorXd& point() const { return point_; }
-    /// Smoothed as in the last stage.
-    [[nodiscard]] double value() const { return model_.value; }
+    [[nodiscard]] const Eigen::VectorXd& point() const override { return point_; }
+    [[nodiscard]] double value() const override { return model_.value; }
 
   private:
     [[nodiscard]] Eigen::VectorXd damped_step() const {
@@ -76,63 +73,21 @@ class Descent {
 
 class GaussNewtonMultistart final : public Optimizer {
   public:
-    explicit GaussNewtonMultistart(const GaussNewtonMultistartOptions& options) : options_(options) {}
+    explicit GaussNewtonMultistart(const MultistartOptions& options) : options_(options) {}
 
     RunOutcome run(Evaluator& evaluator) const override {
-        const int samples = options_.common.starts * options_.continuation.samples_per_start;
-        std::vector<Descent> descents;
-        for (Eigen::VectorXd& start : detail::choose_starts(evaluator, options_.common, samples))
-            descents.emplace_back(evaluator, options_.continuation, std::move(start));
-        RunOutcome outcome{Ending::BudgetSpent, {}};
-        if (descents.empty()) return outcome;
-        for (const double smoothing : options_.continuation.smoothing) {
-            for (Descent& descent : descents) {
-                outcome = {descent.run_stage(smoothing), descent.point()};
-                if (outcome.ending == Ending::BudgetSpent) return outcome;
-            }
-            keep_promising(descents, evaluator.bounds());
-        }
-        return outcome;
+        return detail::run_multistart(evaluator, options_, [&](Eigen::VectorXd start) {
+            return std::make_unique<Descent>(evaluator, options_.continuation, std::move(start));
+        });
     }
 
   private:
-    /// Of descents that have met, keep the lowest, and none that lies far above the lowest of all, which
-    /// comes last and so decides how the run ended.
-    void keep_promising(std::vector<Descent>& descents, const Bounds& bounds) const {
-        std::ranges::stable_sort(descents, {}, [](const Descent& descent) { return descent.value(); });
-        const double lowest = descents.front().value();
-        const double highest = lowest + (options_.pruning_ratio - 1.0) * std::abs(lowest);
-        std::vector<Descent> kept;
-        for (Descent& descent : descents) {
-            const bool is_met = std::ranges::any_of(kept, [&](const Descent& other) {
-                return share_distance(descent, other, bounds) < options_.merging_distance;
-            });
-            const bool is_far = descent.value() > highest;  // never if infinity times 0 is the limit
-            if (!is_met && !is_far) kept.push_back(std::move(descent));
-        }
-        std::ranges::reverse(kept);
-        descents = std::move(kept);
-    }
-
-    static double share_distance(const Descent& one, const Descent& other, const Bounds& bounds) {
-        return ((one.point() - other.point()).array() / (bounds.upper - bounds.lower).array())
-            .abs()
-            .maxCoeff();
-    }
-
-    GaussNewtonMultistartOptions options_;
+    MultistartOptions options_;
 };
 
 }  // namespace
 
-void GaussNewtonMultistartOptions::validate() const {
-    common.validate();
-    continuation.validate();
-    if (!(merging_distance >= 0.0)) throw base::InputError("merging_distance: must not be negative");
-    if (!(pruning_ratio >= 1.0)) throw base::InputError("pruning_ratio: must be at least 1");
-}
-
-std::unique_ptr<Optimizer> make_gauss_newton_multistart(const GaussNewtonMultistartOptions& options) {
+std::unique_ptr<Optimizer> make_gauss_newton_multistart(const MultistartOptions& options) {
     options.validate();
     return std::make_unique<GaussNewtonMultistart>(options);
 }

@@ -20,7 +20,7 @@ struct NamedValue {
 };
 
 struct CalibrationOptions {
-    std::string optimizer = "gauss-newton-multistart";  ///< a row of the optimizer catalogue
+    std::string optimizer = "ceres-multistart";  ///< a row of the optimizer catalogue
     int starts = 8;
     std::uint64_t seed = 1;
     int budget = 20000;  ///< evaluations of the objective at most

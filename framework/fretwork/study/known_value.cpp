@@ -42,7 +42,7 @@ KnownValue find_known_value(const std::string& id, const KnownValueOptions& opti
         return {id, *entry.best_value, scale, "construction"};
     }
     KnownValue known{id, 0.0, 0.0, ""};
-    for (const char* name : {"gauss-newton-multistart", "ceres-multistart"}) {
+    for (const char* name : {"ceres-multistart", "gauss-newton-multistart"}) {
         const auto report =
             minimize(*entry.problem, optimization::find_optimizer(name),
                      {.starts = options.starts, .seed = kReferenceSeed},

@@ -38,11 +38,29 @@ class RememberingCost final : public ceres::CostFunction {
         }
         return last_ && last_->residuals.allFinite();
     }
+    [[nodiscard]] const std::optional<Linearization>& last() const { return last_; }
 
   private:
     const decltype(CeresTask::linearize)& linearize_;
     mutable Eigen::VectorXd last_point_;
     mutable std::optional<Linearization> last_;
+};
+
+/// Ends the run as soon as the task is content with a point.
+class StopWhenConverged final : public ceres::IterationCallback {
+  public:
+    StopWhenConverged(const CeresTask& task, const RememberingCost& cost)
+        : is_converged_(task.is_converged), cost_(cost) {}
+
+    ceres::CallbackReturnType operator()(const ceres::IterationSummary& step) override {
+        // After a rejected step the last evaluation is that of the trial point.
+        return step.step_is_successful && is_converged_(*cost_.last()) ? ceres::SOLVER_TERMINATE_SUCCESSFULLY
+                                                                       : ceres::SOLVER_CONTINUE;
+    }
+
+  private:
+    const decltype(CeresTask::is_converged)& is_converged_;
+    const RememberingCost& cost_;
 };
 
 /// Ceres warns on stderr when its subspace dogleg takes a plain one's step; users can do nothing about it.
@@ -73,6 +91,7 @@ ceres::Solver::Options solver_options(const CeresSettings& settings) {
     options.gradient_tolerance = 1e-14;
     options.parameter_tolerance = 1e-12;
     options.max_num_consecutive_invalid_steps = 1;
+    options.initial_trust_region_radius = settings.trust_region_radius;
     choose_step(settings.step, options);
     return options;
 }
@@ -86,10 +105,10 @@ void set_bounds(ceres::Problem& problem, const Bounds& bounds, double* point) {
 
 }  // namespace
 
-bool solve_with_ceres(const CeresTask& task, const CeresSettings& settings, Eigen::VectorXd& point) {
+CeresOutcome solve_with_ceres(const CeresTask& task, const CeresSettings& settings, Eigen::VectorXd& point) {
     RememberingCost cost(task, static_cast<int>(point.size()));
     // Ceres logs an error if the very first evaluation fails, although that is a normal end of the budget.
-    if (!cost.can_evaluate(point)) return false;
+    if (!cost.can_evaluate(point)) return {};
     ceres::Problem::Options ownership;
     ownership.cost_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
     ceres::Problem problem(ownership);
@@ -97,10 +116,16 @@ bool solve_with_ceres(const CeresTask& task, const CeresSettings& settings, Eige
     if (task.bounds) set_bounds(problem, *task.bounds, point.data());
     problem.AddResidualBlock(&cost, nullptr, point.data());
     silence_warnings();
+    ceres::Solver::Options options = solver_options(settings);
+    StopWhenConverged stop(task, cost);
+    if (task.is_converged) options.callbacks.push_back(&stop);
     ceres::Solver::Summary summary;
-    ceres::Solve(solver_options(settings), &problem, &summary);
+    ceres::Solve(options, &problem, &summary);
     if (task.bounds) point = task.bounds->clamp(point);
-    return summary.termination_type == ceres::CONVERGENCE;
+    return {.converged = summary.termination_type == ceres::CONVERGENCE ||
+                         summary.termination_type == ceres::USER_SUCCESS,
+            .cost = summary.final_cost,
+            .trust_region_radius = summary.iterations.back().trust_region_radius};
 }
 
 }  // namespace fretwork::optimization::detail
