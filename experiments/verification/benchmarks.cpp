@@ -218,7 +218,7 @@ void run(const std::string& out) {
     std::printf("| benchmark | quantity | exact or published | ours | difference |\n|---|---|---|---|---|\n");
     std::vector<Panel> panels{roll_up(), tip_force(), buckled_column()};
     panels.push_back(snap(lee_frame(), {"Lee's frame", 18557.0, 10, 2.0, 0.6, 150}, "units of the source"));
-    panels.push_back(snap(williams_toggle(), {"Williams' toggle", 33.98, 4, 1.5, 0.01, 500}, "inches"));
+    panels.push_back(snap(williams_toggle(), {"Williams' toggle", 33.87039, 4, 1.5, 0.01, 500}, "inches"));
     critical_rows();
     bend_rows();
     helix_rows();
