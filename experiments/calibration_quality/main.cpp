@@ -35,11 +35,10 @@ struct Contender {
     int starts;
 };
 constexpr Contender kContenders[] = {
-    {"gauss-newton-multistart", 1}, {"gauss-newton-multistart", 2},  {"gauss-newton-multistart", 4},
-    {"gauss-newton-multistart", 8}, {"gauss-newton-multistart", 16}, {"gauss-newton-multistart", 32},
-    {"ceres-multistart", 1},        {"ceres-multistart", 2},         {"ceres-multistart", 4},
-    {"ceres-multistart", 8},        {"ceres-multistart", 16},        {"ceres-residuals", 8},
-    {"ceres-residuals", 32},        {"simulated-annealing", 1},
+    {"ceres-multistart", 1},        {"ceres-multistart", 2},        {"ceres-multistart", 4},
+    {"ceres-multistart", 8},        {"ceres-multistart", 16},       {"ceres-multistart", 32},
+    {"gauss-newton-multistart", 1}, {"gauss-newton-multistart", 4}, {"gauss-newton-multistart", 8},
+    {"ceres-residuals", 8},         {"ceres-residuals", 32},        {"simulated-annealing", 1},
 };
 constexpr int kBudget = 10'000'000;
 constexpr std::uint64_t kReferenceSeed = 1'000'003;
@@ -80,7 +79,7 @@ PatternResult examine(const pattern::NodeLayout& layout, const pattern::Pattern&
     const auto responses = reduction::compute_responses(layout, pattern, setting);
     PatternResult result{pattern::pattern_id(layout, pattern), pattern.edge_count(), 0.0, {}};
     const reduction::CalibrationInput input{layout, pattern, setting, responses};
-    result.reference = measure(input, {.optimizer = "gauss-newton-multistart",
+    result.reference = measure(input, {.optimizer = "ceres-multistart",
                                        .starts = options.reference_starts,
                                        .seed = kReferenceSeed,
                                        .budget = kBudget})

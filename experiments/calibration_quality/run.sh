@@ -9,4 +9,5 @@ program=${1:-$here/../../build/release/experiments/calibration_quality/calibrati
 out=${2:-$here/../../out/calibration_quality}
 shift $(($# < 2 ? $# : 2))
 mkdir -p "$out"
+[[ -x $program ]] || "$here/../../scripts/build.sh" calibration_quality
 "$program" --out "$out/calibration_quality.csv" "$@" | tee "$out/table.md"

@@ -23,5 +23,6 @@ awk -v n="$(value calibrated)" -v mean="$(value objective_mean)" -v sd="$(value 
       printf "time for each pattern, s | 72 (24 threads) | %.3f (this machine) | another machine and another method\n", seconds / done
     exit n != 1824 }'
 if [[ ${TABLES:-0} == 1 ]]; then
+  "$here/../../scripts/build.sh" calibration_statistics
   "$here/../../build/release/experiments/calibration_statistics/calibration_statistics" "$out/library.db"
 fi

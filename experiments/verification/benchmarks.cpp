@@ -142,7 +142,7 @@ Panel snap(const Frame& frame, const LimitCase& limit, const char* units) {
         curve.points.emplace_back(-solution.displacements(limit.node, 2), limit.limit * solution.load_factor);
         furthest = std::max(furthest, curve.points.back().first);
     }
-    Series known{"published limit load", Series::Mark::Line, {{0.0, limit.limit}, {furthest, limit.limit}}};
+    Series known{"known limit load", Series::Mark::Line, {{0.0, limit.limit}, {furthest, limit.limit}}};
     row(limit.name, "first limit load", limit.limit, limit.limit * first_limit(path));
     return {limit.name,    std::string("displacement under the load, ") + units, "load", false, false,
             {curve, known}};
@@ -218,7 +218,7 @@ void run(const std::string& out) {
     std::printf("| benchmark | quantity | exact or published | ours | difference |\n|---|---|---|---|---|\n");
     std::vector<Panel> panels{roll_up(), tip_force(), buckled_column()};
     panels.push_back(snap(lee_frame(), {"Lee's frame", 18557.0, 10, 2.0, 0.6, 150}, "units of the source"));
-    panels.push_back(snap(williams_toggle(), {"Williams' toggle", 33.87039, 4, 1.5, 0.01, 500}, "inches"));
+    panels.push_back(snap(williams_toggle(), {"Williams' toggle", 33.87039, 4, 1.5, 0.03, 600}, "inches"));
     critical_rows();
     bend_rows();
     helix_rows();

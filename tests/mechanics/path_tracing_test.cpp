@@ -40,7 +40,7 @@ TEST(PathTracing, PassesTheLimitLoadOfLeesFrame) {
 // extensible elastica. The peak is that of a parabola through three points of the path.
 TEST(PathTracing, PassesTheLimitLoadOfWilliamsToggle) {
     const auto path = trace_path(assemble(verification::williams_toggle()),
-                                 {.largest_load_factor = 1.5, .largest_arc = 0.03, .steps = 200});
+                                 {.largest_load_factor = 1.5, .largest_arc = 0.05, .steps = 400});
     EXPECT_NEAR(first_limit(path), 1.0, 1e-4);
     EXPECT_GT(path.back().load_factor, 1.5);  // through the snap, and stiff again
     EXPECT_TRUE(path.back().stable);
