@@ -108,8 +108,8 @@ if (colourOn > 0.5) {
 const GLOW = /* glsl */ `
 #include <emissivemap_fragment>
 if (colourOn > 0.5) {
-  totalEmissiveRadiance += 0.42 * diffuseColor.rgb;
-  diffuseColor.rgb *= 0.72;
+  totalEmissiveRadiance += 0.38 * diffuseColor.rgb;
+  diffuseColor.rgb *= 0.62;
 }
 `;
 

@@ -12,7 +12,7 @@ import { drawsInSoftware } from './software';
 import type { Quality } from './stage';
 
 const MANY_BARS = 6000;
-const JOINT_SIDES = 10;
+const JOINT_SIDES = drawsInSoftware ? 6 : 10;
 
 export interface BarLook {
   colour: ColorRepresentation;
@@ -59,7 +59,8 @@ export class Bars {
   /** A quick picture without a graphics card has straight bars and no joints; what is seen through has none at all. */
   set quality(quality: Quality) {
     const fine = quality === 'fine' || !drawsInSoftware;
-    this.joints.visible = this.look.opacity === 1 && fine;
+    const isLight = !drawsInSoftware || (this.beams?.beams ?? 0) < MANY_BARS;
+    this.joints.visible = this.look.opacity === 1 && fine && isLight;
     this.bars.geometry = fine ? this.fineBars : this.quickBars;
   }
 
@@ -82,7 +83,7 @@ export class Bars {
     this.quickBars.dispose();
     this.fineBars.dispose();
     this.quickBars = instanced(barGeometry(1), shared, beams.beams);
-    this.fineBars = instanced(barGeometry(beams.beams > MANY_BARS || drawsInSoftware ? 2 : 5), shared, beams.beams);
+    this.fineBars = instanced(barGeometry(pieces(beams.beams)), shared, beams.beams);
     this.bars.geometry = drawsInSoftware ? this.quickBars : this.fineBars;
   }
 
@@ -142,6 +143,11 @@ function instanced(geometry: InstancedBufferGeometry, attributes: Record<string,
   for (const [name, attribute] of Object.entries(attributes)) geometry.setAttribute(name, attribute);
   geometry.instanceCount = count;
   return geometry;
+}
+
+function pieces(bars: number): number {
+  if (drawsInSoftware) return bars > MANY_BARS ? 1 : 2;
+  return bars > MANY_BARS ? 2 : 5;
 }
 
 /** A joint lies as one of its bars does. */

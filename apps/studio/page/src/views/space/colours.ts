@@ -5,7 +5,7 @@ export type ColourMap = 'sizes' | 'signed';
 
 const STOPS: Record<ColourMap, string[]> = {
   sizes: ['#440154', '#482878', '#3e4a89', '#31688e', '#26828e', '#1f9e89', '#35b779', '#6dcd59', '#b4de2c', '#fde725'],
-  signed: ['#0b4f9e', '#3f7fc1', '#86b0da', '#c3d3e3', '#dcdcd8', '#ecd2b4', '#e9ab6b', '#d37a25', '#9c4f06'],
+  signed: ['#0b4f9e', '#3f7fc1', '#80abd6', '#a9bfd6', '#b9b9b4', '#d9b78d', '#e3a25f', '#d37a25', '#9c4f06'],
 };
 
 const channel = (hex: string, at: number): number => parseInt(hex.slice(1 + 2 * at, 3 + 2 * at), 16);

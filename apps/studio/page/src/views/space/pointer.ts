@@ -29,8 +29,11 @@ export function attachPointer(canvas: HTMLCanvasElement, view: SceneView): () =>
     view.dragging = true;
     canvas.setPointerCapture(event.pointerId);
   };
+  // Where the browser tells of each move at once, a drag does not wait for the next picture.
+  const follow = (event: PointerEvent) => drag?.move({ at: at(event), free: event.shiftKey, when: event.timeStamp });
+  const isToldAtOnce = 'onpointerrawupdate' in canvas;
   const move = (event: PointerEvent) => {
-    if (drag) drag.move({ at: at(event), free: event.shiftKey, when: event.timeStamp });
+    if (drag && !isToldAtOnce) follow(event);
     else if (event.buttons === 0) canvas.style.cursor = handleAt(at(event), seen(), view.arrows) ? 'grab' : '';
   };
   const up = (event: PointerEvent) => {
@@ -53,10 +56,12 @@ export function attachPointer(canvas: HTMLCanvasElement, view: SceneView): () =>
 
   canvas.addEventListener('pointerdown', down, { capture: true });
   canvas.addEventListener('pointermove', move);
+  if (isToldAtOnce) canvas.addEventListener('pointerrawupdate', follow as EventListener);
   canvas.addEventListener('pointerup', up);
   return () => {
     canvas.removeEventListener('pointerdown', down, { capture: true });
     canvas.removeEventListener('pointermove', move);
+    canvas.removeEventListener('pointerrawupdate', follow as EventListener);
     canvas.removeEventListener('pointerup', up);
   };
 }

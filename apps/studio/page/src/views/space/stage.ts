@@ -18,6 +18,8 @@ const FEWEST_SAMPLES = 3;
 const MOST_SAMPLES = drawsInSoftware ? 14 : 64;
 const PICTURE_SAMPLES = drawsInSoftware ? 6 : MOST_SAMPLES;
 const POLL_MS = 8;
+/** A machine that needs longer keeps the quick picture. */
+const LONGEST_SAMPLE_MS = 4000;
 const DIRECTIONS: Record<ViewName, [number, number, number]> = { iso: [-0.45, -1, 0.62], top: [0, -0.001, 1], front: [0, -1, 0.02], side: [1, -0.02, 0.02] };
 
 export interface Framing {
@@ -124,7 +126,8 @@ export class Stage {
       const wait = () => {
         if (!this.isDrawn()) return later(wait, POLL_MS);
         if (fine.count >= FEWEST_SAMPLES) fine.present();
-        return fine.count < MOST_SAMPLES && later(step, drawsInSoftware ? performance.now() - began : 0);
+        const took = performance.now() - began;
+        return fine.count < MOST_SAMPLES && took < LONGEST_SAMPLE_MS && later(step, drawsInSoftware ? took : 0);
       };
       later(wait, 0);
     };
