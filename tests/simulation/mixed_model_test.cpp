@@ -5,6 +5,7 @@
 #include <fretwork/simulation/comparison.hpp>
 #include <fretwork/simulation/mixed_model.hpp>
 #include <fretwork/simulation/model_error.hpp>
+#include <fretwork/simulation/session.hpp>
 #include <fretwork/simulation/simulate.hpp>
 #include <fretwork/simulation/tile_stability.hpp>
 
@@ -48,6 +49,7 @@ TEST(MixedModel, ShareIsANumberFromZeroToOne) {
     EXPECT_EQ(mixed_share("mixed:0.05"), 0.05);
     EXPECT_EQ(mixed_share("mixed:1"), 1.0);
     EXPECT_EQ(mixed_share("corotational"), std::nullopt);
+    EXPECT_THAT(complaint_of([&] { (void)mixed_share("mixed"); }), HasSubstr("is missing, as in mixed:0.05"));
     for (const char* wrong : {"mixed:", "mixed:1.5", "mixed:-0.1", "mixed:nan", "mixed:5%", "mixed:0.1 "})
         EXPECT_THAT(complaint_of([&] { (void)mixed_share(wrong); }), HasSubstr("from 0 to 1")) << wrong;
 }
@@ -72,6 +74,45 @@ TEST(MixedModel, TilesWithAModelOfTheirOwnKeepIt) {
     const auto result = simulate(painted, heavy(), {.model = "mixed:1"});
     EXPECT_THAT(result.subject->full_tiles, ElementsAre(0));
     EXPECT_EQ(result.subject->model, "mixed:1; full (11 tiles)");
+}
+
+/// Also where they would be among the worst.
+TEST(MixedModel, PutsNoTileInFullThatHasAModelOfItsOwn) {
+    const auto free = solved("mixed:0.1");
+    Surface painted = surface();
+    painted.tile_models.assign(12, "");
+    for (const int tile : free.subject->full_tiles)
+        painted.tile_models[static_cast<std::size_t>(tile)] = "condensed";
+    const auto result = simulate(painted, heavy(), {.model = "mixed:0.1"});
+    EXPECT_EQ(result.subject->full_tiles.size(), free.subject->full_tiles.size());
+    for (const int tile : result.subject->full_tiles)
+        EXPECT_EQ(painted.tile_models[static_cast<std::size_t>(tile)], "") << tile;
+    EXPECT_EQ(result.subject->model, "mixed:0.1; condensed (2 tiles)");
+}
+
+TEST(MixedModel, ASessionAnswersEditsAsTheEditedSurfaceIsAnswered) {
+    Session session(surface(), heavy(), {.model = "mixed:0.25"});
+    const auto expect_as_from_nothing = [&](const std::string& what) {
+        const auto found = session.solve();
+        const auto expected = simulate(session.surface(), session.load_case(), session.options());
+        EXPECT_LT(compare(expected, found).relative_l2_error, 1e-6) << what;
+        std::vector<int> full;
+        for (const TileIndex tile : session.full_tiles()) full.push_back(tile.value);
+        EXPECT_EQ(full, expected.subject->full_tiles) << what;
+    };
+    expect_as_from_nothing("first");
+    session.set_load(0, cantilever({0, 0, -0.33}).loads[0]);
+    expect_as_from_nothing("another load");
+    EXPECT_EQ(session.last_work().starting_point, mechanics::StartingPoint::LastEquilibrium);
+    session.paint(std::vector{TileIndex(5)}, "0-5+5-6");
+    expect_as_from_nothing("a repainted tile");
+    session.set_tile_model(std::vector{session.full_tiles()[0]}, "condensed");
+    expect_as_from_nothing("a tile with a model of its own");
+    session.set_model("corotational");
+    expect_as_from_nothing("corotational");
+    session.set_model("mixed:0.5");
+    expect_as_from_nothing("mixed again");
+    EXPECT_EQ(session.options().model, "mixed:0.5");
 }
 
 TEST(MixedModel, IsForLargeDisplacements) {
@@ -102,6 +143,12 @@ TEST(ModelError, IsRefusedWhereThereIsNoBetterModel) {
     };
     EXPECT_THAT(complaint("full"), HasSubstr("is the reference"));
     EXPECT_THAT(complaint("mixed:0.05"), HasSubstr("cannot be estimated"));
+}
+
+TEST(MixedModel, DiscretizationErrorIsRefusedByItsName) {
+    EXPECT_THAT(
+        complaint_of([&] { simulate(surface(), heavy(), {.model = "mixed:0.05", .estimate_error = true}); }),
+        HasSubstr("the discretization error of mixed:0.05"));
 }
 
 /// Straight beams of 22.5 mm and 2 x 2 mm from a tile's center to its sides. Two opposite ones are one beam

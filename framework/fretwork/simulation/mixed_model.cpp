@@ -23,20 +23,4 @@ std::vector<tiling::TileIndex> worst_tiles(std::span<const TileDeformation> tile
     return worst;
 }
 
-MixedSolution solve_mixed(const Surface& surface, const LoadCase& load_case, SimulationOptions options,
-                          double share, const base::Control& control) {
-    options.model = kMixedTiles;
-    MixedSolution solution;
-    Session session(surface, load_case, options);
-    solution.corotational = session.solve(control);
-    solution.mixed = solution.corotational;
-    if (!solution.corotational.solution.converged()) return solution;
-    solution.full_tiles = worst_tiles(session.tile_deformations(solution.corotational.solution), share);
-    if (solution.full_tiles.empty()) return solution;
-    session.set_tile_model(solution.full_tiles, reference_choice(options).name);
-    solution.mixed = session.solve(control);
-    solution.mixed.seconds += solution.corotational.seconds;
-    return solution;
-}
-
 }  // namespace fretwork::simulation

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
-#include <fretwork/simulation/detail/session_impl.hpp>
+#include <fretwork/simulation/detail/session_mixture.hpp>
 
 namespace fretwork::simulation {
 namespace {
@@ -22,12 +22,30 @@ void set_entry(std::vector<Entry>& entries, std::size_t place, const Entry& entr
 }  // namespace
 
 Session::Session(Surface surface, LoadCase load_case, SimulationOptions options,
-                 CalibrationSource calibrations)
-    : impl_(std::make_unique<Impl>(std::move(surface), std::move(load_case), std::move(options),
-                                   std::move(calibrations))) {}
+                 CalibrationSource calibrations) {
+    const bool is_mixed = mixed_share(options.model).has_value();
+    options.validate(surface);
+    SimulationOptions plain = options;
+    if (is_mixed) plain.model = kMixedTiles;
+    impl_ = std::make_unique<Impl>(std::move(surface), std::move(load_case), std::move(plain),
+                                   std::move(calibrations));
+    if (is_mixed) mixture_ = std::make_unique<Mixture>(*impl_, options);
+}
 Session::Session(Session&&) noexcept = default;
 Session& Session::operator=(Session&&) noexcept = default;
 Session::~Session() = default;
+
+/// What the first refuses, the second never sees.
+template <class Edit>
+void Session::edit(const Edit& edit) {
+    edit(*impl_);
+    if (mixture_) edit(mixture_->impl());
+}
+
+/// That of which the last solution is.
+Session::Impl& Session::answering() const {
+    return mixture_ && !mixture_->full_tiles().empty() ? mixture_->impl() : *impl_;
+}
 
 const Surface& Session::surface() const {
     return impl_->surface();
@@ -36,62 +54,77 @@ const LoadCase& Session::load_case() const {
     return impl_->load_case();
 }
 const SimulationOptions& Session::options() const {
-    return impl_->options();
+    return mixture_ ? mixture_->options() : impl_->options();
+}
+std::vector<TileIndex> Session::full_tiles() const {
+    return mixture_ ? mixture_->full_tiles() : std::vector<TileIndex>{};
+}
+const mechanics::Result* Session::corotational_result() const {
+    return mixture_ ? &mixture_->corotational() : nullptr;
 }
 std::optional<reduction::BeamMotion> Session::beam_motion(tiling::TileIndex tile,
                                                           const mechanics::Solution& solution) const {
-    return impl_->beam_motion(tile, solution);
+    return answering().beam_motion(tile, solution);
 }
 const Session::Work& Session::last_work() const {
-    return impl_->last_work();
+    return mixture_ ? mixture_->last_work() : impl_->last_work();
 }
 
 void Session::paint(std::span<const TileIndex> tiles, const std::string& pattern) {
-    impl_->paint(tiles, pattern);
+    edit([&](Impl& impl) { impl.paint(tiles, pattern); });
 }
 void Session::turn(std::span<const TileIndex> tiles, int vertices) {
-    impl_->turn(tiles, vertices);
+    edit([&](Impl& impl) { impl.turn(tiles, vertices); });
 }
 void Session::set_tile_model(std::span<const TileIndex> tiles, const std::string& model) {
-    impl_->set_tile_model(tiles, model);
+    edit([&](Impl& impl) { impl.set_tile_model(tiles, model); });
 }
 void Session::set_model(const std::string& model) {
-    impl_->set_model(model);
+    if (!mixed_share(model)) {
+        impl_->set_model(model);
+        mixture_.reset();
+        return;
+    }
+    SimulationOptions edited = options();
+    edited.model = model;
+    edited.validate(surface());
+    impl_->set_model(kMixedTiles);
+    mixture_ = std::make_unique<Mixture>(*impl_, edited);
 }
 void Session::set_setting(const reduction::Setting& setting) {
-    impl_->set_setting(setting);
+    edit([&](Impl& impl) { impl.set_setting(setting); });
 }
 void Session::set_calibrations(std::vector<std::vector<reduction::Calibration>> calibrations) {
-    impl_->set_calibrations(std::move(calibrations));
+    edit([&](Impl& impl) { impl.set_calibrations(calibrations); });
 }
 void Session::set_load_case(const LoadCase& load_case) {
-    impl_->set_load_case(load_case);
+    edit([&](Impl& impl) { impl.set_load_case(load_case); });
 }
 
 void Session::set_support(std::size_t entry, const LoadCase::Support& support) {
     LoadCase edited = impl_->load_case();
     set_entry(edited.supports, entry, support, "support");
-    impl_->set_load_case(edited);
+    set_load_case(edited);
 }
 void Session::set_load(std::size_t entry, const LoadCase::Load& load) {
     LoadCase edited = impl_->load_case();
     set_entry(edited.loads, entry, load, "load");
-    impl_->set_load_case(edited);
+    set_load_case(edited);
 }
 void Session::set_prescribed(std::size_t entry, const LoadCase::PrescribedDisplacement& displacement) {
     LoadCase edited = impl_->load_case();
     set_entry(edited.prescribed, entry, displacement, "prescribed displacement");
-    impl_->set_load_case(edited);
+    set_load_case(edited);
 }
 
 std::vector<TileDeformation> Session::tile_deformations(const mechanics::Solution& solution) const {
-    return impl_->tile_deformations(solution);
+    return answering().tile_deformations(solution);
 }
 Eigen::MatrixXd Session::solve_adjoint(const Eigen::MatrixXd& rows, const base::Control& control) {
-    return impl_->solve_adjoint(rows, control);
+    return answering().solve_adjoint(rows, control);
 }
 mechanics::Result Session::solve(const base::Control& control, mechanics::StabilityCheck check) {
-    return impl_->solve(control, check);
+    return mixture_ ? mixture_->solve(*impl_, control, check) : impl_->solve(control, check);
 }
 
 }  // namespace fretwork::simulation

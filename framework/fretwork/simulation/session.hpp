@@ -38,6 +38,10 @@ struct TileDeformation {
 /// stable equilibrium only: else it is the one that the edits have led to (mechanics::EquilibriumSolver). An
 /// edit that throws has changed nothing.
 ///
+/// The model `mixed:SHARE` (mixed_model.hpp) takes two solutions: of corotational tiles, and with the worst
+/// of these in full. A session keeps both, so that edits go on from both, and starts the second one anew
+/// where other tiles are the worst.
+///
 /// Not from several threads at once. SimulationOptions::models must live as long as the session.
 class Session {
   public:
@@ -77,6 +81,12 @@ class Session {
     void set_load(std::size_t entry, const LoadCase::Load& load);
     void set_prescribed(std::size_t entry, const LoadCase::PrescribedDisplacement& displacement);
 
+    /// Of a mixed model, after solve(): the tiles that it has put in full, ascending; none of other models.
+    [[nodiscard]] std::vector<tiling::TileIndex> full_tiles() const;
+    /// Of a mixed model, after solve(): the solution with corotational tiles, by which those were chosen.
+    /// Null for other models.
+    [[nodiscard]] const mechanics::Result* corotational_result() const;
+
     /// The equilibrium of the surface as it is now. A linear one is answered by the kept factors. A nonlinear
     /// one is looked for from the last equilibrium, if the nodes are the same and one load step is asked for;
     /// else, and where it cannot be told to be of the same path, from rest. The result has no subject:
@@ -112,7 +122,13 @@ class Session {
 
   private:
     class Impl;
+    class Mixture;
+    template <class Edit>
+    void edit(const Edit& edit);
+    [[nodiscard]] Impl& answering() const;
+
     std::unique_ptr<Impl> impl_;
+    std::unique_ptr<Mixture> mixture_;  ///< of mixed models; `impl_` then has the corotational tiles alone
 };
 
 }  // namespace fretwork::simulation

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fretwork/simulation/mixed_model.hpp>
+#include <fretwork/base/text.hpp>
 #include <fretwork/simulation/model_error.hpp>
 #include <fretwork/simulation/result_subject.hpp>
+#include <fretwork/simulation/session.hpp>
 #include <fretwork/simulation/simulate.hpp>
 #include <fretwork/simulation/tile_stability.hpp>
 
-#include <algorithm>
+#include <span>
 
 namespace fretwork::simulation {
 namespace {
 
-std::vector<int> numbers(std::vector<tiling::TileIndex> tiles) {
-    std::vector<int> numbers;
-    for (const tiling::TileIndex tile : tiles) numbers.push_back(tile.value);
-    std::ranges::sort(numbers);
-    return numbers;
+std::vector<int> numbers(std::span<const tiling::TileIndex> tiles) {
+    std::vector<int> result;
+    for (const tiling::TileIndex tile : tiles) result.push_back(tile.value);
+    return result;
 }
 
 /// The tiles of a corotational solution need not be solved again for its estimate.
@@ -38,11 +38,10 @@ class Simulation {
 
   private:
     mechanics::Result solve() {
-        const auto share = mixed_share(options_.model);
-        if (!share) return Session(surface_, load_case_, options_).solve(control_);
-        MixedSolution solution = solve_mixed(surface_, load_case_, options_, *share, control_);
-        full_tiles_ = numbers(solution.full_tiles);
-        return std::move(solution.mixed);
+        Session session(surface_, load_case_, options_);
+        mechanics::Result result = session.solve(control_);
+        full_tiles_ = numbers(session.full_tiles());
+        return result;
     }
 
     mechanics::Result solve_with_estimate() {
@@ -53,9 +52,11 @@ class Simulation {
             result = Session(surface_, load_case_, plain).solve(control_);
         SimulationOptions better = plain;
         better.analysis = Analysis::OfTheModel;
-        MixedSolution solution = solve_mixed(surface_, load_case_, better, kEstimatingShare, control_);
-        if (is_corotational(surface_, options_)) result = std::move(solution.corotational);
-        result.model_error = model_error(result, solution.mixed);
+        better.model = "mixed:" + base::format_number(kEstimatingShare);
+        Session session(surface_, load_case_, better);
+        const mechanics::Result mixed = session.solve(control_);
+        if (is_corotational(surface_, options_)) result = *session.corotational_result();
+        result.model_error = model_error(result, mixed);
         if (result.solution.converged())
             result.buckled_tiles = numbers(buckled_tiles(surface_, result.solution, options_, control_));
         return result;

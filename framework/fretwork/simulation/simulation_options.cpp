@@ -16,6 +16,10 @@ void check_mixed(const SimulationOptions& options) {
         throw base::InputError("model " + options.model +
                                " is for large displacements: a linear analysis of tiles in full or condensed "
                                "gives the same");
+    if (options.estimate_error)
+        throw base::InputError(
+            "the discretization error of " + options.model +
+            " cannot be estimated: most of its tiles are not made of beams; that of full can");
     if (options.estimate_model_error)
         throw base::InputError("the model error of " + options.model +
                                " cannot be estimated; that of any other reduced model can");
@@ -31,6 +35,8 @@ void check_model_error(const Surface& surface, const SimulationOptions& options)
 
 std::optional<double> mixed_share(const std::string& model) {
     constexpr std::string_view kPrefix = "mixed:";
+    if (model == "mixed")
+        throw base::InputError("model mixed: the share of tiles in full is missing, as in mixed:0.05");
     if (!model.starts_with(kPrefix)) return std::nullopt;
     const auto share = base::read_number<double>(std::string_view(model).substr(kPrefix.size()));
     if (!share || !(*share >= 0.0 && *share <= 1.0))

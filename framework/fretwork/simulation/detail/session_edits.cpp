@@ -37,13 +37,6 @@ Conditions Session::Impl::resolved(const LoadCase& load_case) {
     return resolve(load_case, surface_, tile_masses_.value());
 }
 
-/// A mixed model takes two solutions, and a choice between them.
-void Session::Impl::require_row(const SimulationOptions& options) {
-    if (mixed_share(options.model))
-        throw base::InputError("a session has a row of the tile models, not " + options.model +
-                               ": simulate() and solve_mixed() answer that");
-}
-
 /// The place of a pattern in the palette, or that behind its end.
 std::size_t Session::Impl::palette_entry(const std::string& id) const {
     const std::vector<std::string>& palette = surface_.tessellation.patterns;
@@ -100,7 +93,6 @@ void Session::Impl::set_model(const std::string& name) {
     SimulationOptions edited = options_;
     edited.model = name;
     edited.validate(surface_);
-    require_row(edited);
     require_calibrations(surface_, {name, options_.models});
     options_.model = name;
     invalidate_all_tiles();

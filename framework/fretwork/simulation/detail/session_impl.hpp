@@ -15,7 +15,8 @@
 
 namespace fretwork::simulation {
 
-/// What Session hides: the surface, what was computed of it, and which of that is out of date.
+/// What Session hides: the surface, what was computed of it, and which of that is out of date. Its model is a
+/// row of the tile models.
 class Session::Impl {
   public:
     Impl(Surface surface, LoadCase load_case, SimulationOptions options, CalibrationSource calibrations)
@@ -24,13 +25,13 @@ class Session::Impl {
           options_(std::move(options)),
           calibration_source_(std::move(calibrations)) {
         options_.validate(surface_);
-        require_row(options_);
         conditions_ = resolved(load_case_);
     }
 
     [[nodiscard]] const Surface& surface() const { return surface_; }
     [[nodiscard]] const LoadCase& load_case() const { return load_case_; }
     [[nodiscard]] const SimulationOptions& options() const { return options_; }
+    [[nodiscard]] const CalibrationSource& calibration_source() const { return calibration_source_; }
     [[nodiscard]] const Work& last_work() const { return work_; }
 
     void paint(std::span<const tiling::TileIndex> tiles, const std::string& id);
@@ -48,7 +49,6 @@ class Session::Impl {
                                                                    const mechanics::Solution& solution) const;
 
   private:
-    static void require_row(const SimulationOptions& options);
     [[nodiscard]] ModelChoice choice() const { return {options_.model, options_.models}; }
     [[nodiscard]] Conditions resolved(const LoadCase& load_case);
     [[nodiscard]] std::size_t palette_entry(const std::string& id) const;

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/simulation/detail/session_mixture.hpp>
+#include <fretwork/simulation/mixed_model.hpp>
+
+#include <algorithm>
+#include <map>
+
+namespace fretwork::simulation {
+
+using tiling::TileIndex;
+
+Session::Mixture::Mixture(const Impl& plain, const SimulationOptions& options)
+    : options_(options),
+      share_(mixed_share(options.model).value()),
+      impl_(plain.surface(), plain.load_case(), plain.options(), plain.calibration_source()) {}
+
+/// Tiles with a model of their own keep it.
+void Session::Mixture::choose(const Impl& plain) {
+    const std::vector<std::string>& own = plain.surface().tile_models;
+    std::vector<TileDeformation> deformations = plain.tile_deformations(corotational_.solution);
+    for (std::size_t t = 0; t < own.size(); ++t) {
+        if (!own[t].empty()) deformations[t] = {};
+    }
+    full_tiles_ = worst_tiles(deformations, share_);
+    std::ranges::sort(full_tiles_);
+    std::vector<std::string> wanted = own;
+    wanted.resize(deformations.size());
+    for (const TileIndex tile : full_tiles_)
+        wanted[static_cast<std::size_t>(tile)] = reference_choice(options_).name;
+    std::vector<std::string> present = impl_.surface().tile_models;
+    present.resize(deformations.size());
+    std::map<std::string, std::vector<TileIndex>> changed;
+    for (std::size_t t = 0; t < wanted.size(); ++t) {
+        if (wanted[t] != present[t]) changed[wanted[t]].emplace_back(t);
+    }
+    for (const auto& [model, tiles] : changed) impl_.set_tile_model(tiles, model);
+}
+
+mechanics::Result Session::Mixture::solve(Impl& plain, const base::Control& control,
+                                          mechanics::StabilityCheck check) {
+    full_tiles_.clear();
+    corotational_ = plain.solve(control, check);
+    work_ = plain.last_work();
+    if (!corotational_.solution.converged()) return corotational_;
+    choose(plain);
+    if (full_tiles_.empty()) return corotational_;
+    mechanics::Result mixed = impl_.solve(control, check);
+    mixed.seconds += corotational_.seconds;
+    work_.tiles_built += impl_.last_work().tiles_built;
+    if (impl_.last_work().starting_point == mechanics::StartingPoint::Rest)
+        work_.starting_point = mechanics::StartingPoint::Rest;
+    return mixed;
+}
+
+}  // namespace fretwork::simulation

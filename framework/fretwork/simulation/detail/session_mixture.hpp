@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/simulation/detail/session_impl.hpp>
+
+#include <vector>
+
+namespace fretwork::simulation {
+
+/// What a session of a mixed model has besides that of its corotational tiles: the same surface with the
+/// worst tiles in full, which gets the same edits.
+class Session::Mixture {
+  public:
+    /// @param plain  has all tiles corotational
+    Mixture(const Impl& plain, const SimulationOptions& options);
+
+    [[nodiscard]] const SimulationOptions& options() const { return options_; }
+    [[nodiscard]] Impl& impl() { return impl_; }
+    [[nodiscard]] const std::vector<tiling::TileIndex>& full_tiles() const { return full_tiles_; }
+    [[nodiscard]] const mechanics::Result& corotational() const { return corotational_; }
+    [[nodiscard]] const Work& last_work() const { return work_; }
+
+    /// Its `seconds` are those of both solutions. That of the corotational tiles if it has not converged, or
+    /// if none is put in full.
+    mechanics::Result solve(Impl& plain, const base::Control& control, mechanics::StabilityCheck check);
+
+  private:
+    void choose(const Impl& plain);
+
+    SimulationOptions options_;
+    double share_;
+    Impl impl_;
+    mechanics::Result corotational_;
+    std::vector<tiling::TileIndex> full_tiles_;
+    Work work_;
+};
+
+}  // namespace fretwork::simulation
