@@ -20,5 +20,5 @@ export function Notes() {
 
 export function LineNotice() {
   if (line.value !== 'lost') return null;
-  return <div class="lost" role="alert">The connection to the studio is lost. Your work is safe there; trying again …</div>;
+  return <div class="lost" role="alert">The connection to the studio is lost; trying again … Your work is kept: if the studio has ended, start it again and open the address that it prints.</div>;
 }

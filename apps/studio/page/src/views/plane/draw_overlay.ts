@@ -65,14 +65,22 @@ function drawNodeMarks(context: Context, view: Viewport, surface: Surface): void
   const radius = Math.min(Math.max(0.14 * surface.side * view.zoom, 2.5), 7);
   const place = (node: number): Point => toScreen(view, surface.nodes[node] ?? [0, 0]);
   if (editing) for (let node = 0; node < surface.nodes.length; ++node) dot(context, place(node), Math.min(0.45 * radius, 2.5), themeColour('--ink-3'));
+  if (!editing) drawFaintMarks(context, place, 0.5 * radius);
+  else drawMarks(context, place, radius);
+  drawRings(context, surface, place, radius);
+}
+
+function drawMarks(context: Context, place: (node: number) => Point, radius: number): void {
   const raised = themeColour('--raised');
-  if (mode.value === 'paint') return drawFaintMarks(context, place, 0.5 * radius);
   for (const { node, kind } of heldNodes.value) dot(context, place(node), radius, themeColour(HOLD_COLOURS[kind]), raised);
   for (const mark of loadMarks.value) {
     for (const node of mark.nodes) arrow(context, place(node), [mark.force[0], -mark.force[1]], radius);
     for (const node of mark.nodes) dot(context, place(node), 0.62 * radius, themeColour('--force'), raised);
   }
   for (const mark of prescribedMarks.value) for (const node of mark.nodes) diamond(context, place(node), 0.95 * radius, themeColour('--move'));
+}
+
+function drawRings(context: Context, surface: Surface, place: (node: number) => Point, radius: number): void {
   for (const node of selectedNodes.value) ring(context, place(node), radius + 2.5, 2);
   for (const node of hoveredNodes.value) ring(context, place(node), radius + 2, 1.5);
   if (hoveredNode.value >= 0) ring(context, place(hoveredNode.value), radius + 3, 2);
@@ -80,7 +88,7 @@ function drawNodeMarks(context: Context, view: Viewport, surface: Surface): void
   if (at && at.index < surface.nodes.length) ring(context, place(at.index), radius + 4, 2);
 }
 
-/** While one paints, marks are there but do not cover the patterns. */
+/** While one paints or looks, marks are there but do not cover the patterns. */
 function drawFaintMarks(context: Context, place: (node: number) => Point, radius: number): void {
   for (const { node, kind } of heldNodes.value) dot(context, place(node), radius, themeColour(HOLD_COLOURS[kind]));
   for (const mark of loadMarks.value) for (const node of mark.nodes) dot(context, place(node), 0.6 * radius, themeColour('--force'));
