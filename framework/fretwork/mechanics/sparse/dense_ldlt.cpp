@@ -164,7 +164,7 @@ FRETWORK_CLONES Pivots eliminate_block(const Front& front, const Slice& slice, i
 }
 
 /// Calls body with the first of each block of columns after a slice, and how many these are. Blocks do not
-/// reach from the panel into the rest.
+/// reach from the panel into the rest. A body has to be inlined as well, or it is compiled for any machine.
 template <class Body>
 FRETWORK_INLINE void for_later_blocks(const Front& front, const Slice& slice, Index end, const Body& body) {
     for (Index column = slice.to; column < end;) {
@@ -176,10 +176,11 @@ FRETWORK_INLINE void for_later_blocks(const Front& front, const Slice& slice, In
 }
 
 FRETWORK_CLONES void pack_later(const Front& front, const Slice& slice, double* packed) {
-    for_later_blocks(front, slice, front.width + front.rows, [&](Index column, int) {
-        pack(front, column, slice.from, slice.to, packed);
-        packed += kBlock * slice.depth();
-    });
+    for_later_blocks(
+        front, slice, front.width + front.rows, [&](Index column, int) __attribute__((always_inline)) {
+            pack(front, column, slice.from, slice.to, packed);
+            packed += kBlock * slice.depth();
+        });
 }
 
 /// A strip of rows meets all columns in turn while it is in the nearest cache.
@@ -191,15 +192,16 @@ FRETWORK_CLONES void update_strip(const Front& front, Index row, const Slice& sl
     const Index stride = front.width + front.rows;
     const double* left = front.panel + slice.from * stride;
     const Index end = std::min<Index>(row + kStrip, stride);
-    for_later_blocks(front, slice, end, [&](Index column, int count) {
-        const bool in_panel = column < front.width;
-        double* target = in_panel ? front.panel + column * stride
-                                  : front.rest + (column - front.width) * front.rows - front.width;
-        const Index first = in_panel ? row : std::max<Index>(row, front.width);
-        subtract_rows({target, in_panel ? stride : front.rows, end, count}, first,
-                      {left, stride, packed, slice.depth(), !in_panel && slice.from == 0});
-        packed += kBlock * slice.depth();
-    });
+    for_later_blocks(
+        front, slice, end, [&](Index column, int count) __attribute__((always_inline)) {
+            const bool in_panel = column < front.width;
+            double* target = in_panel ? front.panel + column * stride
+                                      : front.rest + (column - front.width) * front.rows - front.width;
+            const Index first = in_panel ? row : std::max<Index>(row, front.width);
+            subtract_rows({target, in_panel ? stride : front.rows, end, count}, first,
+                          {left, stride, packed, slice.depth(), !in_panel && slice.from == 0});
+            packed += kBlock * slice.depth();
+        });
 }
 
 /// Subtract L D L^T over a slice from all columns after it.
