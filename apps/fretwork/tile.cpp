@@ -30,6 +30,7 @@ using simulation::Project;
 
 struct Options {
     std::string outline;
+    std::string part = "largest";
     std::string edge_length;
     simulation::PaintingChoice painting;
     std::string library;
@@ -112,6 +113,7 @@ Project write(Project tiled, const Options& options, const Library* library) {
     }
     project.layout = std::move(tiled.layout);
     project.outline = std::move(tiled.outline);
+    project.further_outlines = std::move(tiled.further_outlines);
     project.tessellation = std::move(tiled.tessellation);
     name_library(project, options, library);
     check_what_stays(project, options);
@@ -128,24 +130,34 @@ void warn(const simulation::NewProject& made) {
         made.report.negligible_points, 1e3 * tiling::kNegligibleShare * made.edge_length);
 }
 
+/// What was done to the drawing, in one line.
+void tell(const tiling::OutlineFile& file, const Options& options) {
+    if (file.remarks.empty()) return;
+    std::fprintf(stderr, "fretwork: %s: %s\n", base::printable(options.outline).c_str(),
+                 base::join(file.remarks, "; ").c_str());
+}
+
 std::vector<std::string> names_of(const std::vector<simulation::LoadCase>& load_cases) {
     std::vector<std::string> names;
     for (const simulation::LoadCase& load_case : load_cases) names.push_back(load_case.name);
     return names;
 }
 
-void print_json(const tiling::TessellationReport& report, const Project& project) {
-    const base::Json json = {{"tiles", report.tiles},
-                             {"interface_nodes", project.tessellation.interface_nodes.size()},
-                             {"patterns", project.tessellation.patterns.size()},
-                             {"hexagon_share", report.hexagon_share},
-                             {"inner_hexagon_share", report.inner_hexagon_share},
-                             {"mean_side", report.mean_side},
-                             {"sd_side", report.sd_side},
-                             {"smallest_side", report.smallest_side},
-                             {"covered_share", report.covered_share},
-                             {"library", project.library_path},
-                             {"load_cases_kept", names_of(project.load_cases)}};
+void print_json(const tiling::TessellationReport& report, const Project& project,
+                const tiling::OutlineFile& file) {
+    const base::Json json = {
+        {"outline", {{"size", tiling::size_text(file.parts)}, {"remarks", file.remarks}}},
+        {"tiles", report.tiles},
+        {"interface_nodes", project.tessellation.interface_nodes.size()},
+        {"patterns", project.tessellation.patterns.size()},
+        {"hexagon_share", report.hexagon_share},
+        {"inner_hexagon_share", report.inner_hexagon_share},
+        {"mean_side", report.mean_side},
+        {"sd_side", report.sd_side},
+        {"smallest_side", report.smallest_side},
+        {"covered_share", report.covered_share},
+        {"library", project.library_path},
+        {"load_cases_kept", names_of(project.load_cases)}};
     std::fputs(base::json_text(json).c_str(), stdout);
 }
 
@@ -168,15 +180,20 @@ void run(const Options& options) {
     simulation::check(options.painting);
     const std::optional<Library> opened = open_library(options);
     const Library* library = opened ? &*opened : nullptr;
-    const tiling::Outline outline = tiling::read_outline(options.outline);
+    const tiling::OutlineFile file =
+        tiling::take_parts(tiling::read_outline_file(options.outline), options.part);
+    tell(file, options);
     simulation::NewProjectOptions wanted{
         .outline_name = options.outline, .layout = options.layout, .painting = options.painting};
     if (!options.edge_length.empty()) wanted.edge_length = base::parse_length(options.edge_length);
     wanted.control = work.control();
-    simulation::NewProject made = simulation::make_project(outline, wanted, library);
+    simulation::NewProject made = simulation::make_project(file.parts, wanted, library);
     warn(made);
     const Project project = write(std::move(made.project), options, library);
-    options.json ? print_json(made.report, project) : print(made.report, project, options);
+    if (options.json) return print_json(made.report, project, file);
+    std::printf("outline of %s%s\n", tiling::size_text(file.parts).c_str(),
+                file.parts.size() > 1 ? (", " + std::to_string(file.parts.size()) + " parts").c_str() : "");
+    print(made.report, project, options);
 }
 
 }  // namespace
@@ -186,6 +203,10 @@ void add_tile(CLI::App& app, ExitCode&) {
     const auto options = std::make_shared<Options>();
     verb->add_option("outline", options->outline, "Outline: SVG, DXF, JSON, or a flat OBJ, PLY or OFF")
         ->required();
+    verb->add_option(
+        "--part", options->part,
+        "Which part of a drawing with several: largest, all (each then needs supports of its own), "
+        "or a number, 1 the largest (default: largest)");
     verb->add_option(
         "--edge-length", options->edge_length,
         "Wanted mean side of the tiles, such as 26mm (default: the library's tile side, or the paper's)");

@@ -8,6 +8,7 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/file.hpp>
 #include <fretwork/base/scratch.hpp>
+#include <fretwork/base/text.hpp>
 #include <fretwork/exports/writer_catalogue.hpp>
 #include <fretwork/simulation/new_project.hpp>
 #include <fretwork/simulation/project_file.hpp>
@@ -21,14 +22,14 @@ using simulation::Project;
 namespace {
 
 /// An outline that was dropped onto the page. Its name says what kind of file it is.
-tiling::Outline read_dropped_outline(const std::string& name, std::string_view content) {
+tiling::OutlineFile read_dropped_outline(const std::string& name, std::string_view content) {
     const auto temporary = std::filesystem::temp_directory_path();
     const base::Scratch folder(temporary / "outline", base::Scratch::Kind::Folder);
     const std::string ending = std::filesystem::path(name).extension().string();
     const auto path = folder.path() / ("outline" + ending);
     base::write_file_atomically(path, content);
     try {
-        return tiling::read_outline(path);
+        return tiling::take_parts(tiling::read_outline_file(path), "largest");
     } catch (const base::GeometryError& error) {
         throw base::GeometryError(name + std::string(error.what()).substr(path.string().size()));
     } catch (const base::InputError& error) {
@@ -79,21 +80,25 @@ void require_project_file(const std::filesystem::path& path) {
 }  // namespace
 
 void Studio::Impl::make_new(const Request& request) {
-    in_background(
-        files_, request, [this, request, wanted = read_new(request.json)](const base::Control& control) {
-            NewRequest asked = wanted;
-            asked.options.control = control;
-            auto project = std::make_shared<Project>(
-                !asked.example.empty()
-                    ? make_example(asked.example, control)
-                    : simulation::make_project(read_dropped_outline(asked.outline_name, asked.outline),
-                                               asked.options, nullptr)
-                          .project);
-            return [this, request, project] {
-                answer(request, {{"tiles", project->tessellation.tiles.size()}});
-                show(Document(make_state(*project, folder_of({})), {}, next_revision()));
-            };
-        });
+    in_background(files_, request,
+                  [this, request, wanted = read_new(request.json)](const base::Control& control) {
+                      NewRequest asked = wanted;
+                      asked.options.control = control;
+                      auto project = std::make_shared<Project>();
+                      std::string remarks;
+                      if (!asked.example.empty()) {
+                          *project = make_example(asked.example, control);
+                      } else {
+                          const auto file = read_dropped_outline(asked.outline_name, asked.outline);
+                          remarks = asked.outline_name + ", " + tiling::size_text(file.parts);
+                          for (const std::string& remark : file.remarks) remarks += "; " + remark;
+                          *project = simulation::make_project(file.parts, asked.options, nullptr).project;
+                      }
+                      return [this, request, project, remarks] {
+                          answer(request, {{"tiles", project->tessellation.tiles.size()}});
+                          show(Document(make_state(*project, folder_of({})), {}, next_revision()));
+                      };
+                  });
 }
 
 Document Studio::Impl::read_document(const std::filesystem::path& path) {

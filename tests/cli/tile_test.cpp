@@ -115,5 +115,43 @@ TEST(TileCommand, AnInterruptStopsItAndLeavesNoFile) {
     EXPECT_FALSE(std::filesystem::exists(folder.path() / "p.json"));
 }
 
+/// Two squares of 200 and 150 mm, and a word.
+constexpr const char* kTwoParts = R"(<svg width="400mm" height="200mm" viewBox="0 0 400 200"><text>A</text>
+ <path d="M0 0H200V200H0Z M250 0H400V150H250Z"/></svg>)";
+
+TEST(TileCommand, TellsTheSizeOfWhatItReadAndWhatItLeftOut) {
+    const TemporaryFolder folder;
+    folder.file("two.svg", kTwoParts);
+    const Outcome tiled = run_command("fretwork tile two.svg --edge-length 30mm --out p.json", folder.path());
+    ASSERT_EQ(tiled.exit_code, 0) << tiled.err;
+    EXPECT_THAT(tiled.out, HasSubstr("outline of 200 x 200 mm\n"));
+    EXPECT_EQ(tiled.err, "fretwork: two.svg: 1 text left out; part 1 of 2 taken, the largest\n");
+    const Outcome other =
+        run_command("fretwork tile two.svg --part 2 --edge-length 30mm --out p.json", folder.path());
+    EXPECT_THAT(other.out, HasSubstr("outline of 150 x 150 mm\n"));
+    const Outcome third =
+        run_command("fretwork tile two.svg --part 3 --edge-length 30mm --out p.json", folder.path());
+    EXPECT_EQ(third.exit_code, 2);
+    EXPECT_THAT(third.err, HasSubstr("'3' is none of largest, all, 1 .. 2"));
+}
+
+TEST(TileCommand, AllPartsAreOneSurfaceFromTheTilingToTheDrawing) {
+    const TemporaryFolder folder;
+    folder.file("two.svg", kTwoParts);
+    folder.file("sag.json", R"({"format": "fretwork/load-case/1", "name": "sag", "description": "",
+ "supports": [{"side": "bottom", "fixed": ["ux", "uy", "uz", "rx", "ry", "rz"]}, {"side": "top", "fixed": ["uz"]}],
+ "loads": [{"side": "right", "force": [0, 0, -0.001], "amount": "total"}]})");
+    const Outcome tiled = run_command(
+        "fretwork tile two.svg --part all --edge-length 30mm --patterns 0-1+1-6 --out p.json", folder.path());
+    ASSERT_EQ(tiled.exit_code, 0) << tiled.err;
+    EXPECT_THAT(tiled.out, HasSubstr("outline of 400 x 200 mm, 2 parts\n"));
+    const std::string project = base::read_text_file(folder.path() / "p.json");
+    EXPECT_THAT(project, AllOf(HasSubstr("fretwork/project/3"), HasSubstr("\"further_parts\"")));
+    ASSERT_EQ(run_command("fretwork case add p.json sag.json", folder.path()).exit_code, 0);
+    const Outcome solved = run_command("fretwork simulate p.json --out r.json", folder.path());
+    EXPECT_EQ(solved.exit_code, 0) << solved.err;
+    EXPECT_EQ(run_command("fretwork export p.json --result r.json --to p.svg", folder.path()).exit_code, 0);
+}
+
 }  // namespace
 }  // namespace fretwork::app

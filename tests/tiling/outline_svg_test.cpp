@@ -163,23 +163,6 @@ TEST(OutlineSvg, TransformsNestAndComposeFromTheRight) {
     near(corner("<g transform='translate(20)'><g transform='scale(2 3)'>" + square + "/></g></g>"), 20, 30);
 }
 
-TEST(OutlineSvg, WhatLiesInsideIsAHole) {
-    const Outline nested =
-        read_path("M 0 0 H 100 V 100 H 0 Z M 20 20 H 40 V 40 H 20 Z M 60 60 h 10 v 10 h -10 z");
-    EXPECT_EQ(nested.holes.size(), 2U);
-    EXPECT_NEAR(area_of(nested), (10000 - 400 - 100) * 1e-6, 1e-12);
-    const Outline apart =
-        read(drawing(R"(<circle cx="50" cy="50" r="10"/><rect width="100" height="100"/>)"));
-    EXPECT_EQ(apart.holes.size(), 1U);
-    EXPECT_THAT(
-        refuse(drawing(
-            R"(<rect id="one" width="10" height="10"/><rect id="two" x="20" width="10" height="20"/>)")),
-        AllOf(HasSubstr("outside the boundary"), HasSubstr("rect 'one'"), HasSubstr("rect 'two'")));
-    EXPECT_THAT(refuse(drawing(R"(<circle cx="50" cy="50" r="40"/><circle cx="50" cy="50" r="30"/>)"
-                               R"(<circle cx="50" cy="50" r="20"/>)")),
-                HasSubstr("inside hole"));
-}
-
 TEST(OutlineSvg, WhatIsNotDrawnDoesNotCount) {
     EXPECT_EQ(
         read(drawing(R"(<defs><circle id="c" r="5"/></defs><title>t</title><g display="none"><rect/></g>)"
@@ -216,16 +199,13 @@ TEST(OutlineSvg, ComplaintsNameLineElementAndValue) {
     EXPECT_THAT(refuse("<svg width='1mm'"), HasSubstr("malformed XML"));
     EXPECT_THAT(refuse(""), HasSubstr("malformed XML"));
     EXPECT_THAT(refuse("<html/>"), HasSubstr("no SVG drawing"));
-    EXPECT_THAT(refuse("<svg/>"), HasSubstr("width and height"));
-    EXPECT_THAT(refuse(R"(<svg width="100%" height="1mm"/>)"), HasSubstr("'%'"));
+    EXPECT_THAT(refuse("<svg/>"), HasSubstr("nothing in it is filled"));
     EXPECT_THAT(refuse(R"(<svg width="-3mm" height="1mm"/>)"), HasSubstr("\"-3mm\""));
     EXPECT_THAT(refuse(R"(<svg width="1mm" height="1mm" viewBox="0 0 1"/>)"), HasSubstr("viewBox"));
-    EXPECT_THAT(refuse(drawing("")), HasSubstr("no closed curve"));
-    EXPECT_THAT(refuse(drawing("\n\n<path id='rim' d='M 0 0 L 10 0 L 10 10'/>")),
-                AllOf(HasSubstr("line 3"), HasSubstr("path 'rim'"), HasSubstr("not closed"),
-                      HasSubstr("14.1421 mm")));
-    EXPECT_THAT(refuse(drawing("<path d='M 0 0 L 10 x'/>")),
-                AllOf(HasSubstr("character 12"), HasSubstr("'x'")));
+    EXPECT_THAT(refuse(drawing("")), HasSubstr("nothing in it is filled"));
+    EXPECT_THAT(
+        refuse(drawing("\n\n<path id='rim' d='M 0 0 L 10 x'/>")),
+        AllOf(HasSubstr("line 3"), HasSubstr("path 'rim'"), HasSubstr("character 12"), HasSubstr("'x'")));
     EXPECT_THAT(refuse(drawing("<path d='M 0 0 L 10'/>")), HasSubstr("the end"));
     EXPECT_THAT(refuse(drawing("<path d='L 0 0'/>")), HasSubstr("begins with M"));
     EXPECT_THAT(refuse(drawing("<path d='M 0 0 B 1 1'/>")), HasSubstr("no command"));
@@ -233,17 +213,11 @@ TEST(OutlineSvg, ComplaintsNameLineElementAndValue) {
     EXPECT_THAT(refuse(drawing("<path d='M 0 0 L 1e999 1'/>")), HasSubstr("a number is expected"));
     EXPECT_THAT(refuse(drawing("<path d='M 0 0 A 1 1 0 2 0 5 5 Z'/>")), HasSubstr("a flag"));
     EXPECT_THAT(refuse(drawing("<path d='M 0 0 h 1 z 5 5'/>")), HasSubstr("a command is expected"));
-    EXPECT_THAT(refuse(drawing("<path d='M 0 0 H 10 Z'/>")), HasSubstr("encloses no area"));
-    EXPECT_THAT(refuse(drawing("<path d='M 0 0 L 10 10 L 10 0 L 0 10 Z'/>")),
-                HasSubstr("touches or crosses"));
-    EXPECT_THAT(refuse(drawing("<rect width='5'/>")), HasSubstr("height"));
-    EXPECT_THAT(refuse(drawing("<circle r='0'/>")), HasSubstr("above zero"));
+    EXPECT_THAT(refuse(drawing("<rect width='5' height='-1'/>")),
+                AllOf(HasSubstr("height"), HasSubstr("\"-1\"")));
+    EXPECT_THAT(refuse(drawing("<circle r='-2'/>")), HasSubstr("at least zero"));
     EXPECT_THAT(refuse(drawing("<rect width='5furlong' height='1'/>")), HasSubstr("furlong"));
-    EXPECT_THAT(refuse(drawing("<polygon points='0 0 1 0'/>")), HasSubstr("2 points"));
     EXPECT_THAT(refuse(drawing("<polygon points='0 0 1 0 1'/>")), HasSubstr("a number is expected"));
-    EXPECT_THAT(refuse(drawing("<text id='t'>A</text>")),
-                AllOf(HasSubstr("text 't'"), HasSubstr("no outline")));
-    EXPECT_THAT(refuse(drawing("<use href='#a'/>")), HasSubstr("'use'"));
     EXPECT_THAT(refuse(drawing("<g transform='turn(3)'><rect/></g>")), HasSubstr("'turn'"));
     EXPECT_THAT(refuse(drawing("<g transform='scale(1 2 3)'><rect/></g>")), HasSubstr("3 numbers"));
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
 #include <fretwork/simulation/new_project.hpp>
+#include <fretwork/tiling/tessellate_parts.hpp>
 
 namespace fretwork::simulation {
 namespace {
@@ -12,13 +13,13 @@ pattern::NodeLayout chosen_layout(const NewProjectOptions& options, const librar
 }
 
 /// The options are checked before, so that what is refused is the outline.
-tiling::TessellationResult tessellate_named(const tiling::Outline& outline, const std::string& name,
-                                            const pattern::NodeLayout& layout,
+tiling::TessellationResult tessellate_named(const std::vector<tiling::Outline>& parts,
+                                            const std::string& name, const pattern::NodeLayout& layout,
                                             const tiling::TessellationOptions& options) {
     options.validate();
-    if (name.empty()) return tiling::tessellate(outline, layout, options);
+    if (name.empty()) return tiling::tessellate_parts(parts, layout, options);
     try {
-        return tiling::tessellate(outline, layout, options);
+        return tiling::tessellate_parts(parts, layout, options);
     } catch (const base::GeometryError& error) {
         throw base::GeometryError(name, "", error.what());
     } catch (const base::InputError& error) {
@@ -30,14 +31,21 @@ tiling::TessellationResult tessellate_named(const tiling::Outline& outline, cons
 
 NewProject make_project(const tiling::Outline& outline, const NewProjectOptions& options,
                         const library::Library* library) {
+    return make_project(std::vector{outline}, options, library);
+}
+
+NewProject make_project(const std::vector<tiling::Outline>& parts, const NewProjectOptions& options,
+                        const library::Library* library) {
+    if (parts.empty()) throw base::InputError(options.outline_name, "", "has no part");
     check(options.painting);
     NewProject made;
     made.project.layout = chosen_layout(options, library);
-    made.project.outline = outline;
+    made.project.outline = parts.front();
+    made.project.further_outlines.assign(parts.begin() + 1, parts.end());
     const reduction::Setting setting = library ? library->setting() : reduction::paper_setting();
     made.edge_length = options.edge_length.value_or(setting.tile_side);
     tiling::TessellationResult result =
-        tessellate_named(outline, options.outline_name, made.project.layout,
+        tessellate_named(parts, options.outline_name, made.project.layout,
                          {.edge_length = made.edge_length, .control = options.control});
     made.report = result.report;
     made.project.tessellation = std::move(result.tessellation);

@@ -9,6 +9,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace fretwork::simulation {
 
@@ -33,6 +34,9 @@ struct NewProject {
 /// tiling::tessellate, with the outline's name, and paint; InputError if the library is one of another
 /// layout.
 NewProject make_project(const tiling::Outline& outline, const NewProjectOptions& options,
+                        const library::Library* library);
+/// The same for outlines that lie apart: one tessellation, part after part.
+NewProject make_project(const std::vector<tiling::Outline>& parts, const NewProjectOptions& options,
                         const library::Library* library);
 
 }  // namespace fretwork::simulation

@@ -79,18 +79,37 @@ Json tessellation_json(const Tessellation& tessellation) {
     return json;
 }
 
-tiling::Outline read_outline_json(const JsonReader& json) {
-    json.allow_only({"boundary", "holes"});
+tiling::Outline read_part_json(const JsonReader& json) {
     std::vector<pattern::Polygon> holes;
     for (const JsonReader& hole : json.at("holes").elements()) holes.push_back(read_points(hole));
     return tiling::make_outline(read_points(json.at("boundary")), std::move(holes));
 }
 
-Json outline_json(const tiling::Outline& outline) {
+/// The outlines of all parts, the first one in the members that one part alone has.
+std::vector<tiling::Outline> read_outlines_json(const JsonReader& json) {
+    json.allow_only({"boundary", "holes", "further_parts"});
+    std::vector<tiling::Outline> outlines{read_part_json(json)};
+    if (const auto further = json.find("further_parts")) {
+        for (const JsonReader& part : further->elements()) {
+            part.allow_only({"boundary", "holes"});
+            outlines.push_back(read_part_json(part));
+        }
+    }
+    return outlines;
+}
+
+Json part_json(const tiling::Outline& outline) {
     Json json;
     json["boundary"] = points_json(outline.boundary);
     json["holes"] = Json::array();
     for (const pattern::Polygon& hole : outline.holes) json["holes"].push_back(points_json(hole));
+    return json;
+}
+
+Json outlines_json(const Project& project) {
+    Json json = part_json(project.outline);
+    for (const tiling::Outline& part : project.further_outlines)
+        json["further_parts"].push_back(part_json(part));
     return json;
 }
 
@@ -149,7 +168,7 @@ void read_tile_models(const JsonReader& json, Project& project) {
 }
 
 Project project_from_json(const JsonReader& json) {
-    json.expect_format("project", 2);
+    json.expect_format("project", 3);
     json.allow_only(
         {"format", "layout", "setting", "library", "outline", "tessellation", "load_cases", "tile_models"});
     Project project;
@@ -157,7 +176,10 @@ Project project_from_json(const JsonReader& json) {
     if (const auto setting = json.find("setting"))
         project.setting = reduction::parse_setting(setting->text(), json.source() + ": /setting");
     if (const auto library = json.find("library")) read_library_link(*library, project);
-    project.outline = in_place<base::GeometryError>(json.at("outline"), read_outline_json);
+    auto outlines = in_place<base::GeometryError>(json.at("outline"), read_outlines_json);
+    project.outline = std::move(outlines.front());
+    project.further_outlines.assign(std::make_move_iterator(outlines.begin() + 1),
+                                    std::make_move_iterator(outlines.end()));
     project.tessellation = read_tessellation(json.at("tessellation"));
     project.tessellation.layout = project.layout.name();
     check_patterns(json, project);
@@ -181,7 +203,8 @@ Project read_project(const std::filesystem::path& path) {
 
 std::string project_text(const Project& project) {
     Json json;
-    json["format"] = "fretwork/project/2";
+    // Older programs read all but surfaces of several parts.
+    json["format"] = project.further_outlines.empty() ? "fretwork/project/2" : "fretwork/project/3";
     json["layout"] = Json::parse(pattern::node_layout_text(project.layout));
     if (project.setting) json["setting"] = Json::parse(reduction::setting_text(*project.setting));
     if (!project.library_path.empty())
@@ -189,7 +212,7 @@ std::string project_text(const Project& project) {
     json["load_cases"] = Json::array();
     for (const LoadCase& load_case : project.load_cases)
         json["load_cases"].push_back(detail::load_case_to_json(load_case));
-    json["outline"] = outline_json(project.outline);
+    json["outline"] = outlines_json(project);
     json["tessellation"] = tessellation_json(project.tessellation);
     for (const Project::TileModelChoice& choice : project.tile_models)
         json["tile_models"].push_back({{"model", choice.model}, {"tiles", indices_json(choice.tiles)}});

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/file.hpp>
+#include <fretwork/base/quantity.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/tiling/detail/outline_check.hpp>
 #include <fretwork/tiling/detail/outline_readers.hpp>
+#include <fretwork/tiling/detail/remarks.hpp>
 #include <fretwork/tiling/outline.hpp>
 
 #include <algorithm>
@@ -13,6 +15,7 @@
 namespace fretwork::tiling {
 namespace {
 
+using pattern::Point2;
 using pattern::Polygon;
 
 enum class Orientation { Counterclockwise, Clockwise };
@@ -45,43 +48,83 @@ namespace {
 
 struct Reader {
     std::string_view ending;
-    Outline (*read)(const std::filesystem::path&);
+    OutlineFile (*read)(const std::filesystem::path&);
 };
 
 template <auto read_loops>
-Outline outline_of_loops(const std::filesystem::path& path) {
-    return detail::outline_of(read_loops(path));
+OutlineFile outline_of_loops(const std::filesystem::path& path) {
+    return {{detail::outline_of(read_loops(path))}, {}};
 }
 
-Outline read_json(const std::filesystem::path& path) {
-    return parse_outline(base::read_text_file(path), path.string());
+OutlineFile read_json(const std::filesystem::path& path) {
+    return {{parse_outline(base::read_text_file(path), path.string())}, {}};
 }
 
 constexpr std::array<Reader, 6> kReaders = {{{".json", read_json},
-                                             {".svg", outline_of_loops<detail::read_svg_loops>},
-                                             {".dxf", outline_of_loops<detail::read_dxf_loops>},
+                                             {".svg", detail::read_svg_outlines},
+                                             {".dxf", detail::read_dxf_outlines},
                                              {".obj", outline_of_loops<detail::read_obj_loops>},
                                              {".ply", outline_of_loops<detail::read_ply_loops>},
                                              {".off", outline_of_loops<detail::read_off_loops>}}};
 
+std::array<Point2, 2> box_of_all(const std::vector<Outline>& parts) {
+    std::array<Point2, 2> box = {parts.front().boundary.front(), parts.front().boundary.front()};
+    for (const Outline& part : parts) {
+        for (const Point2& point : part.boundary) {
+            box[0] = {std::min(box[0].x, point.x), std::min(box[0].y, point.y)};
+            box[1] = {std::max(box[1].x, point.x), std::max(box[1].y, point.y)};
+        }
+    }
+    return box;
+}
+
 }  // namespace
 
-Outline read_outline(const std::filesystem::path& path) {
+OutlineFile read_outline_file(const std::filesystem::path& path) {
     std::string ending = path.extension().string();
     for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     for (const Reader& reader : kReaders) {
         if (reader.ending != ending) continue;
+        // Some readers have named the file already.
+        const auto has_name = [&](const base::Error& error) {
+            return std::string_view(error.what()).starts_with(path.string());
+        };
         try {
             return reader.read(path);
         } catch (const base::GeometryError& error) {
-            const std::string message = error.what();  // some readers have named the file already
-            if (message.starts_with(path.string())) throw;
-            throw base::GeometryError(path.string(), "", message);
+            if (has_name(error)) throw;
+            throw base::GeometryError(path.string(), "", error.what());
+        } catch (const base::InputError& error) {
+            if (has_name(error)) throw;
+            throw base::InputError(path.string(), "", error.what());
         }
     }
     throw base::InputError(
         path.string(), "",
         "an outline is a .json, .svg, .dxf, .obj, .ply or .off file, and this ends in '" + ending + "'");
+}
+
+Outline read_outline(const std::filesystem::path& path) {
+    return std::move(read_outline_file(path).parts.front());
+}
+
+OutlineFile take_parts(OutlineFile file, std::string_view which) {
+    const std::size_t count = file.parts.size();
+    if (which == "all") return file;
+    const auto number = which == "largest" ? 1 : base::read_number<std::size_t>(which).value_or(0);
+    if (number < 1 || number > count)
+        throw base::InputError("part '" + base::shortened(base::printable(which), 20) +
+                               "' is none of largest, all, 1 .. " + std::to_string(count));
+    if (count == 1) return file;
+    file.parts = {std::move(file.parts[number - 1])};
+    file.remarks.push_back("part " + std::to_string(number) + " of " + std::to_string(count) + " taken" +
+                           (which == "largest" ? ", the largest" : ""));
+    return file;
+}
+
+std::string size_text(const std::vector<Outline>& parts) {
+    const auto [low, high] = box_of_all(parts);
+    return detail::in_millimetres(high.x - low.x) + " x " + detail::in_millimetres(high.y - low.y) + " mm";
 }
 
 }  // namespace fretwork::tiling

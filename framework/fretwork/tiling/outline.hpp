@@ -34,9 +34,26 @@ std::string outline_text(const Outline& outline);
 /// Write an outline as JSON. Throws IoError; then the file is as it was.
 void write_outline(const Outline& outline, const std::filesystem::path& path);
 
-/// Read an outline: SVG (paths, polygons, rectangles, circles, ellipses; physical units or mm), DXF,
-/// OBJ/PLY/OFF (flat), JSON polygons with holes. The ending tells which. Throws InputError or GeometryError
-/// with file and place.
+/// What a file draws, and what was done to read it.
+struct OutlineFile {
+    std::vector<Outline> parts;  ///< the largest first
+    /// Each in a few words for a person, and bounded in length: "2 gaps of at most 0.02 mm closed".
+    std::vector<std::string> remarks;
+};
+
+/// Read outlines: SVG (what a browser would fill), DXF (closed curves of the model space), OBJ/PLY/OFF (flat,
+/// one part), JSON (one part). The ending tells which. Lengths are metres, x to the right, y upwards; the
+/// origin of an SVG is the lower left of its viewBox, the others keep theirs. Throws InputError or
+/// GeometryError with file and place.
+OutlineFile read_outline_file(const std::filesystem::path& path);
+/// The largest part of a file.
 Outline read_outline(const std::filesystem::path& path);
+
+/// Take parts of a file: "largest", "all", or a number from 1, the largest first. A remark says what was
+/// taken if something was not. Throws InputError that says what there is.
+OutlineFile take_parts(OutlineFile file, std::string_view which);
+
+/// Width and height of some outlines together, for people: "284 x 190 mm".
+std::string size_text(const std::vector<Outline>& parts);
 
 }  // namespace fretwork::tiling

@@ -2,7 +2,6 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/tiling/detail/bezier.hpp>
-#include <fretwork/tiling/detail/outline_readers.hpp>
 #include <fretwork/tiling/detail/plane.hpp>
 
 #include <numbers>
@@ -20,10 +19,10 @@ constexpr double kMostPieces = 1e5;
 
 /// A chord over a parameter step h is off by at most h^2 / 8 times the largest second derivative, and that is
 /// 6 times the larger second difference of the control points.
-int pieces_for_tolerance(const Bezier& curve) {
+int pieces_for_tolerance(const Bezier& curve, double tolerance) {
     const double bend =
         std::max(length(curve[0] - 2.0 * curve[1] + curve[2]), length(curve[1] - 2.0 * curve[2] + curve[3]));
-    const double pieces = std::ceil(std::sqrt(0.75 * bend / kFlatteningTolerance));
+    const double pieces = std::ceil(std::sqrt(0.75 * bend / tolerance));
     if (!(pieces <= kMostPieces))
         throw base::GeometryError("a curve near (" + base::format_number(curve[0].x) + ", " +
                                   base::format_number(curve[0].y) +
@@ -55,13 +54,13 @@ std::vector<Bezier> beziers_of(const Arc& arc) {
     return curves;
 }
 
-Polygon flatten(const Subpath& subpath, const Affine& to_metres) {
+Polygon flatten(const Subpath& subpath, const Flattening& how) {
     Polygon polygon;
     for (const Bezier& piece : subpath.pieces) {
         Bezier curve;
-        for (std::size_t i = 0; i < 4; ++i) curve[i] = to_metres(piece[i]);
+        for (std::size_t i = 0; i < 4; ++i) curve[i] = how.to_metres(piece[i]);
         if (polygon.empty()) polygon.push_back(curve[0]);
-        const int count = pieces_for_tolerance(curve);
+        const int count = pieces_for_tolerance(curve, how.tolerance);
         for (int i = 1; i < count; ++i) polygon.push_back(at(curve, static_cast<double>(i) / count));
         polygon.push_back(curve[3]);
     }

@@ -42,7 +42,12 @@ struct Arc {
 };
 std::vector<Bezier> beziers_of(const Arc& arc);
 
-/// The polygon of a subpath after a map to metres, within kFlatteningTolerance of the curve.
-pattern::Polygon flatten(const Subpath& subpath, const Affine& to_metres);
+/// How near a polygon stays to its curve.
+struct Flattening {
+    Affine to_metres{};
+    double tolerance;  ///< metres
+};
+/// The polygon of a subpath.
+pattern::Polygon flatten(const Subpath& subpath, const Flattening& how);
 
 }  // namespace fretwork::tiling::detail

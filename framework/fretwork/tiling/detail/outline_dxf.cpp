@@ -1,298 +1,271 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Closed curves of the model space of a DXF drawing, on layers that are on.
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/file.hpp>
-#include <fretwork/base/quantity.hpp>
 #include <fretwork/base/text.hpp>
-#include <fretwork/tiling/detail/bezier.hpp>
+#include <fretwork/tiling/detail/dxf_curves.hpp>
+#include <fretwork/tiling/detail/filled_region.hpp>
+#include <fretwork/tiling/detail/line_joining.hpp>
+#include <fretwork/tiling/detail/map_parts.hpp>
 #include <fretwork/tiling/detail/outline_readers.hpp>
 #include <fretwork/tiling/detail/plane.hpp>
+#include <fretwork/tiling/detail/remarks.hpp>
 
 #include <algorithm>
-#include <map>
 #include <numbers>
-#include <optional>
-#include <sstream>
 
 namespace fretwork::tiling::detail {
 namespace {
 
-/// One pair of lines of an ASCII DXF file: a code that says what the value is.
-struct Group {
-    int code = 0;
-    std::string value;
-    int line = 0;  // of the code
+constexpr int kDeepest = 32;                  // blocks in blocks
+constexpr int kMostEntities = 200'000;        // blocks of blocks grow fast
+constexpr std::size_t kMostPoints = 200'000;  // of which crossings are looked for
+
+/// Loose ends nearer than this to each other are joined, metres; in drawings smaller than a thousand times
+/// that, within a thousandth of their size.
+constexpr double kWidestGap = 2e-4;
+constexpr double kGapPerTolerance = kDetail / 1000;
+/// Ends nearer than this share of the flattening tolerance are one point: drawings are rounded.
+constexpr double kSameShare = 0.5;
+
+struct UnitName {
+    long number;
+    double metres;
+    const char* name;
 };
+constexpr std::array<UnitName, 16> kUnits = {{{1, 0.0254, "in"},
+                                              {2, 0.3048, "ft"},
+                                              {3, 1609.344, "mi"},
+                                              {4, 1e-3, "mm"},
+                                              {5, 1e-2, "cm"},
+                                              {6, 1.0, "m"},
+                                              {7, 1e3, "km"},
+                                              {8, 2.54e-8, "microinch"},
+                                              {9, 2.54e-5, "mil"},
+                                              {10, 0.9144, "yd"},
+                                              {13, 1e-6, "micrometre"},
+                                              {14, 0.1, "dm"},
+                                              {15, 10.0, "dam"},
+                                              {16, 100.0, "hm"},
+                                              {21, 1200.0 / 3937, "US survey ft"},
+                                              {22, 100.0 / 3937, "US survey in"}}};
 
-/// An entity (or a vertex of one): its name and groups.
-struct Entity {
-    std::string name;
-    int line = 0;
-    std::vector<Group> groups;
-};
-
-std::string trimmed(std::string_view text) {
-    const auto first = text.find_first_not_of(" \t\r");
-    if (first == std::string_view::npos) return "";
-    return std::string(text.substr(first, text.find_last_not_of(" \t\r") - first + 1));
-}
-
-/// A piece of a curve with two ends, in metres.
-struct Piece {
-    Polygon points;
-    int line = 0;
+/// Where an entity stands: in the drawing, or in a block that is put there.
+struct Place {
+    Affine to_metres{};
+    std::string_view layer = "0";  // for entities on layer 0
+    int depth = 0;
 };
 
 class DxfReader {
   public:
-    DxfReader(std::string source, const std::string& text) : source_(std::move(source)) {
-        if (text.starts_with("AutoCAD Binary DXF"))
-            throw base::InputError(source_, "", "is a binary DXF file, where an ASCII one is needed");
-        std::istringstream stream(text);
-        std::string code;
-        std::string value;
-        for (int line = 1; std::getline(stream, code); line += 2) {
-            if (!std::getline(stream, value)) {
-                if (trimmed(code).empty()) return;
-                fail(line, "the file ends within a pair of code and value");
-            }
-            groups_.push_back({static_cast<int>(whole_number(trimmed(code), line)), trimmed(value), line});
-        }
-    }
+    explicit DxfReader(const std::filesystem::path& path)
+        : file_(path.string(), base::read_text_file(path)) {}
 
-    std::vector<Loop> run() {
-        metres_per_unit_ = read_unit();
-        const std::vector<Entity> entities = read_entities();
-        for (std::size_t i = 0; i < entities.size(); ++i) read_entity(entities, i);
-        join_pieces();
-        return std::move(loops_);
+    OutlineFile run() {
+        const double unit = metres_per_unit();
+        how_.tolerance = flattening_tolerance(unit * extent());
+        read(file_.entities(), {.to_metres = {unit, 0, 0, unit, 0, 0}});
+        join();
+        Region region = nested_region(closed_, how_.tolerance);
+        if (region.parts.empty()) fail_open();
+        tell_open();
+        remarks_.tell(region, how_.tolerance);
+        return {std::move(region.parts), remarks_.list()};
     }
 
   private:
-    [[noreturn]] void fail(int line, const std::string& message) const {
-        throw base::InputError(source_, "line " + std::to_string(line), message);
-    }
-    [[nodiscard]] long whole_number(const std::string& text, int line) const {
-        if (const auto value = base::read_number<long>(text)) return *value;
-        fail(line, "'" + text + "' is no whole number; is this an ASCII DXF file?");
-    }
-    [[nodiscard]] double number(const Group& group) const {
-        const auto value = base::read_number<double>(group.value);
-        if (!value || !std::isfinite(*value))
-            fail(group.line + 1, "'" + group.value + "' is no finite number");
-        return *value;
-    }
-
-    [[nodiscard]] const Group* find(const Entity& entity, int code) const {
-        const auto found = std::find_if(entity.groups.begin(), entity.groups.end(),
-                                        [&](const Group& group) { return group.code == code; });
-        return found == entity.groups.end() ? nullptr : &*found;
-    }
-    [[nodiscard]] double value(const Entity& entity, int code) const {
-        const Group* group = find(entity, code);
-        if (!group) fail(entity.line, entity.name + " has no group " + std::to_string(code));
-        return number(*group);
-    }
-    [[nodiscard]] double value_or(const Entity& entity, int code, double missing) const {
-        const Group* group = find(entity, code);
-        return group ? number(*group) : missing;
-    }
-    [[nodiscard]] Point2 point(const Entity& entity, int code) const {
-        return metres_per_unit_ * Point2{value(entity, code), value(entity, code + 10)};
-    }
-
     /// $INSUNITS of the header; without it (or "unitless"), millimetres.
-    [[nodiscard]] double read_unit() const {
-        static const std::map<long, double> kUnits = {{0, 0.001}, {1, 0.0254}, {2, 0.3048}, {4, 0.001},
-                                                      {5, 0.01},  {6, 1.0},    {14, 0.1}};
-        for (std::size_t i = 0; i + 1 < groups_.size(); ++i) {
-            if (groups_[i].code != 9 || groups_[i].value != "$INSUNITS") continue;
-            const auto unit = kUnits.find(whole_number(groups_[i + 1].value, groups_[i + 1].line + 1));
-            if (unit == kUnits.end())
-                fail(groups_[i + 1].line + 1,
-                     "$INSUNITS is " + groups_[i + 1].value +
-                         ", where 1 (in), 2 (ft), 4 (mm), 5 (cm), 6 (m) or 14 (dm) is needed");
-            return unit->second;
+    double metres_per_unit() {
+        const auto group = file_.units();
+        const long number = group ? file_.whole_number(*group) : 0;
+        if (number == 0) {
+            remarks_.say("it does not say its unit; it is taken as mm");
+            return 1e-3;
         }
-        return 0.001;
+        const auto unit = std::ranges::find(kUnits, number, &UnitName::number);
+        if (unit != kUnits.end()) return unit->metres;
+        std::vector<std::string> known;
+        for (const UnitName& one : kUnits)
+            known.push_back(std::to_string(one.number) + " (" + one.name + ")");
+        file_.fail(group->line + 1, "$INSUNITS is " + std::to_string(number) + ", where one of " +
+                                        base::join(known, ", ") + " is needed");
     }
 
-    /// What lies between "SECTION, ENTITIES" and "ENDSEC".
-    [[nodiscard]] std::vector<Entity> read_entities() const {
-        std::size_t i = 0;
-        const auto begins_entities = [&](std::size_t at) {
-            return groups_[at].code == 0 && groups_[at].value == "SECTION" && groups_[at + 1].code == 2 &&
-                   groups_[at + 1].value == "ENTITIES";
-        };
-        while (i + 1 < groups_.size() && !begins_entities(i)) ++i;
-        if (i + 1 >= groups_.size()) throw base::InputError(source_, "", "has no section ENTITIES");
-        std::vector<Entity> entities;
-        for (i += 2; i < groups_.size(); ++i) {
-            const Group& group = groups_[i];
-            if (group.code == 0 && group.value == "ENDSEC") return entities;
-            if (group.code == 0) entities.push_back({group.value, group.line, {}});
-            if (group.code != 0 && !entities.empty()) entities.back().groups.push_back(group);
-        }
-        throw base::InputError(source_, "", "the section ENTITIES has no end (ENDSEC)");
+    /// Roughly how large the drawing is, in its unit; of a drawing with nothing but blocks, how large these
+    /// are.
+    [[nodiscard]] double extent() const {
+        double extent = extent_of(file_.entities());
+        if (extent > 0) return extent;
+        for (const auto& [name, block] : file_.blocks()) extent = std::max(extent, extent_of(block.entities));
+        return extent;
     }
-
-    void read_entity(const std::vector<Entity>& entities, std::size_t i) {
-        const Entity& entity = entities[i];
-        check_flat(entity);
-        if (entity.name == "LINE") {
-            pieces_.push_back({{point(entity, 10), point(entity, 11)}, entity.line});
-        } else if (entity.name == "CIRCLE") {
-            add_loop(circle(entity, 0, 2 * std::numbers::pi), entity);
-        } else if (entity.name == "ARC") {
-            const double start = value(entity, 50) * std::numbers::pi / 180;
-            double sweep = value(entity, 51) * std::numbers::pi / 180 - start;
-            if (sweep <= 0) sweep += 2 * std::numbers::pi;
-            pieces_.push_back({circle(entity, start, sweep), entity.line});
-        } else if (entity.name == "LWPOLYLINE") {
-            add_polyline(entity, light_vertices(entity));
-        } else if (entity.name == "POLYLINE") {
-            add_polyline(entity, heavy_vertices(entities, i));
-        } else if (entity.name != "VERTEX" && entity.name != "SEQEND" && entity.name != "POINT") {
-            fail(entity.line + 1,
-                 "a " + entity.name +
-                     " is no outline; what counts is LINE, ARC, CIRCLE, LWPOLYLINE and POLYLINE");
-        }
-    }
-
-    /// Group 230 is the z of the direction out of the drawing: -1 would mirror it.
-    void check_flat(const Entity& entity) const {
-        if (const Group* out = find(entity, 230); out && number(*out) < 0)
-            fail(out->line + 1,
-                 entity.name + " is drawn from below (extrusion direction " + out->value + ")");
-    }
-
-    [[nodiscard]] Polygon circle(const Entity& entity, double start, double sweep) const {
-        const double radius = metres_per_unit_ * value(entity, 40);
-        if (!(radius > 0)) fail(entity.line, entity.name + " has the radius " + base::format_number(radius));
-        return flatten(
-            {beziers_of(Arc{point(entity, 10), {Point2{radius, 0}, Point2{0, radius}}, start, sweep}), false},
-            Affine{});
-    }
-
-    /// A vertex of a polyline; the side behind it is an arc whose quarter angle has the tangent `bulge`.
-    struct Vertex {
-        Point2 place;
-        double bulge = 0.0;
-    };
-
-    [[nodiscard]] std::vector<Vertex> light_vertices(const Entity& entity) const {
-        std::vector<Vertex> vertices;
-        for (const Group& group : entity.groups) {
-            if (group.code == 10) vertices.push_back({{metres_per_unit_ * number(group), 0}, 0});
-            if (vertices.empty()) continue;
-            if (group.code == 20) vertices.back().place.y = metres_per_unit_ * number(group);
-            if (group.code == 42) vertices.back().bulge = number(group);
-        }
-        check_count(entity, vertices.size());
-        return vertices;
-    }
-    /// Group 90 says how many vertices there are.
-    void check_count(const Entity& entity, std::size_t vertices) const {
-        const Group* group = find(entity, 90);
-        if (!group || whole_number(group->value, group->line + 1) == static_cast<long>(vertices)) return;
-        fail(group->line + 1,
-             entity.name + " promises " + group->value + " vertices, and has " + std::to_string(vertices));
-    }
-    [[nodiscard]] std::vector<Vertex> heavy_vertices(const std::vector<Entity>& entities,
-                                                     std::size_t i) const {
-        std::vector<Vertex> vertices;
-        for (++i; i < entities.size() && entities[i].name == "VERTEX"; ++i)
-            vertices.push_back({point(entities[i], 10), value_or(entities[i], 42, 0)});
-        return vertices;
-    }
-
-    static void add_side(const Vertex& from, Point2 to, Polygon& points) {
-        if (from.bulge == 0) {
-            points.push_back(to);
-            return;
-        }
-        const double sweep = 4 * std::atan(from.bulge);
-        const Point2 chord = to - from.place;
-        const Point2 left{-chord.y, chord.x};
-        const Point2 center = between(from.place, to, 0.5) + (0.5 / std::tan(sweep / 2)) * left;
-        const Point2 radius = from.place - center;
-        const Polygon arc = flatten(
-            {beziers_of(Arc{center, {radius, Point2{-radius.y, radius.x}}, 0, sweep}), false}, Affine{});
-        points.insert(points.end(), arc.begin() + 1, arc.end() - 1);
-        points.push_back(to);
-    }
-
-    [[nodiscard]] long flags_of(const Entity& entity) const {
-        const Group* group = find(entity, 70);
-        return group ? whole_number(group->value, group->line + 1) : 0;
-    }
-
-    void add_polyline(const Entity& entity, const std::vector<Vertex>& vertices) {
-        if (vertices.size() < 2)
-            fail(entity.line, entity.name + " has " + std::to_string(vertices.size()) + " vertices");
-        const bool is_closed = (flags_of(entity) & 1L) != 0;
-        Polygon points{vertices.front().place};
-        for (std::size_t i = 0; i + 1 < vertices.size(); ++i)
-            add_side(vertices[i], vertices[i + 1].place, points);
-        if (is_closed) {
-            add_side(vertices.back(), vertices.front().place, points);
-            add_loop(std::move(points), entity);
-        } else {
-            pieces_.push_back({std::move(points), entity.line});
-        }
-    }
-
-    void add_loop(Polygon points, const Entity& entity) {
-        loops_.push_back({std::move(points), entity.name + " at line " + std::to_string(entity.line)});
-    }
-
-    /// Chain lines, arcs and open polylines by their ends.
-    void join_pieces() {
-        std::vector<bool> used(pieces_.size(), false);
-        for (std::size_t i = 0; i < pieces_.size(); ++i) {
-            if (used[i]) continue;
-            used[i] = true;
-            Polygon points = pieces_[i].points;
-            while (distance(points.front(), points.back()) > kJoiningTolerance || points.size() < 3) {
-                const std::optional<std::size_t> next = piece_at(points.back(), used);
-                if (!next) fail(pieces_[i].line, open_end_message(points));
-                used[*next] = true;
-                Polygon more = pieces_[*next].points;
-                if (distance(points.back(), more.front()) > kJoiningTolerance)
-                    std::reverse(more.begin(), more.end());
-                points.insert(points.end(), more.begin() + 1, more.end());
+    /// The largest of the coordinates' ranges, or of the radii.
+    [[nodiscard]] double extent_of(const std::vector<DxfEntity>& entities) const {
+        std::array<std::optional<std::array<double, 2>>, 2> range;
+        double extent = 0;
+        for (const DxfEntity& entity : entities) {
+            if (entity.name == "CIRCLE" || entity.name == "ARC")
+                extent = std::max(extent, std::abs(file_.value_or(entity, 40, 0)));
+            for (const DxfGroup& group : entity.groups) {
+                const int axis = group.code == 10 || group.code == 11   ? 0
+                                 : group.code == 20 || group.code == 21 ? 1
+                                                                        : -1;
+                if (axis < 0) continue;
+                const double value = file_.number(group);
+                auto& known = range[static_cast<std::size_t>(axis)];
+                if (!known) known = {value, value};
+                known = {std::min((*known)[0], value), std::max((*known)[1], value)};
             }
-            points.pop_back();  // the first again, but for rounding
-            loops_.push_back(
-                {std::move(points), "the curve that begins at line " + std::to_string(pieces_[i].line)});
         }
-    }
-    [[nodiscard]] std::optional<std::size_t> piece_at(Point2 end, const std::vector<bool>& used) const {
-        for (std::size_t i = 0; i < pieces_.size(); ++i) {
-            if (!used[i] && (distance(pieces_[i].points.front(), end) <= kJoiningTolerance ||
-                             distance(pieces_[i].points.back(), end) <= kJoiningTolerance))
-                return i;
-        }
-        return std::nullopt;
-    }
-    [[nodiscard]] std::string open_end_message(const Polygon& points) const {
-        const Point2 end = (1 / metres_per_unit_) * points.back();
-        return "the curve that begins here is not closed: nothing goes on at (" + base::format_number(end.x) +
-               ", " + base::format_number(end.y) + ")";
+        for (const auto& known : range)
+            if (known) extent = std::max(extent, (*known)[1] - (*known)[0]);
+        return extent;
     }
 
-    static constexpr double kJoiningTolerance = 1e-5;  // metres: drawings are rounded
+    void read(const std::vector<DxfEntity>& entities, const Place& place) {
+        const std::span<const DxfEntity> all(entities);
+        for (std::size_t i = 0; i < all.size(); ++i) read_entity(all.subspan(i), place);
+    }
 
-    std::string source_;
-    std::vector<Group> groups_;
-    double metres_per_unit_ = 0.001;
-    std::vector<Loop> loops_;
-    std::vector<Piece> pieces_;
+    void read_entity(std::span<const DxfEntity> from, const Place& place) {
+        const DxfEntity& entity = from.front();
+        if (++entities_ > kMostEntities)
+            file_.fail(entity.line, "with all blocks, the drawing has more than " +
+                                        std::to_string(kMostEntities) + " entities");
+        if (entity.name == "VERTEX" || entity.name == "SEQEND") return;
+        if (file_.whole_or(entity, 67, 0) == 1) return remarks_.leave_out("in paper space");
+        if (file_.whole_or(entity, 60, 0) == 1) return remarks_.leave_out("invisible");
+        std::string_view layer = file_.text_or(entity, 8, "0");
+        if (layer == "0") layer = place.layer;
+        const DxfFile::Layer state = file_.layer(layer);
+        const bool is_insert = entity.name == "INSERT";
+        // What is in a block on a layer that is off has layers of its own; a frozen layer takes all with it.
+        if (state == DxfFile::Layer::Frozen || (state == DxfFile::Layer::Off && !is_insert))
+            return remarks_.leave_out("on layers that are off");
+        if (is_insert) return read_insert(entity, {place.to_metres, layer, place.depth + 1});
+        add(draw_dxf_entity(file_, from, {place.to_metres, how_.tolerance}), entity);
+    }
+
+    void add(DxfDrawn drawn, const DxfEntity& entity) {
+        if (!drawn.left_out.empty()) remarks_.leave_out(drawn.left_out);
+        if (!drawn.curve) return;
+        Polygon& points = drawn.curve->points;
+        points_ += points.size();
+        if (points_ > kMostPoints)
+            file_.fail(entity.line, "up to here the drawing has more than " + std::to_string(kMostPoints) +
+                                        " points, which is more than an outline can use");
+        for (const Point2& point : points)
+            if (!std::isfinite(point.x) || !std::isfinite(point.y))
+                file_.fail(entity.line, std::string(entity.name) + " has a point that is not finite");
+        if (drawn.curve->ends == DxfCurve::Ends::Closed) {
+            remove_repeated_points(points, kClosingShare * how_.tolerance);
+            if (points.size() > 2) closed_.push_back(std::move(points));
+        } else {
+            lines_.push_back(std::move(points));
+            line_numbers_.push_back(entity.line);
+        }
+    }
+
+    void read_insert(const DxfEntity& insert, const Place& place) {
+        const DxfFile::Block* block = file_.block(file_.text_or(insert, 2, ""));
+        if (!block) return remarks_.leave_out("INSERT of a block that is not there");
+        if (place.depth > kDeepest || std::ranges::find(inserting_, block) != inserting_.end())
+            file_.fail(insert.line, "INSERT: the block contains itself, or blocks lie more than " +
+                                        std::to_string(kDeepest) + " deep");
+        const auto orientation = dxf_orientation(file_, insert);
+        if (!orientation) return remarks_.leave_out("INSERT that does not lie flat");
+        inserting_.push_back(block);
+        const Affine at =
+            place.to_metres.after(*orientation)
+                .after({1, 0, 0, 1, file_.value_or(insert, 10, 0), file_.value_or(insert, 20, 0)});
+        const double angle = file_.value_or(insert, 50, 0) * std::numbers::pi / 180;
+        const Affine turned =
+            at.after({std::cos(angle), std::sin(angle), -std::sin(angle), std::cos(angle), 0, 0});
+        const Affine scaled{file_.value_or(insert, 41, 1), 0, 0, file_.value_or(insert, 42, 1), 0, 0};
+        const long columns = std::max(1L, file_.whole_or(insert, 70, 1));
+        const long rows = std::max(1L, file_.whole_or(insert, 71, 1));
+        if (columns > kMostEntities || rows > kMostEntities || columns * rows > kMostEntities)
+            file_.fail(insert.line, "INSERT has more than " + std::to_string(kMostEntities) + " copies");
+        for (long copy = 0; copy < columns * rows; ++copy) {
+            const Affine moved{1,
+                               0,
+                               0,
+                               1,
+                               static_cast<double>(copy % columns) * file_.value_or(insert, 44, 0),
+                               static_cast<double>(copy / columns) * file_.value_or(insert, 45, 0)};
+            read(block->entities,
+                 {turned.after(moved).after(scaled).after({1, 0, 0, 1, -block->base_x, -block->base_y}),
+                  place.layer, place.depth});
+        }
+        inserting_.pop_back();
+    }
+
+    /// Lines become closed curves; what stays open is remembered.
+    void join() {
+        const double same = kSameShare * how_.tolerance;
+        JoinedLines joined = join_lines(lines_, {same, widest_gap()});
+        Contours contours = contours_of(joined.lines);
+        for (const std::size_t line : contours.open)
+            if (joined.lines[line].size() > 1) open_.push_back(joined.given[line]);
+        std::ranges::move(contours.closed, std::back_inserter(closed_));
+        DistinctCurves distinct = distinct_curves(std::move(closed_), same);
+        closed_ = std::move(distinct.curves);
+        if (joined.gaps > 0)
+            remarks_.say(counted(joined.gaps, "gap") + " of at most " +
+                         roughly_in_millimetres(joined.widest_gap) + " mm closed");
+        if (const int doubled = joined.doubled + distinct.doubled; doubled > 0)
+            remarks_.say(counted(doubled, "doubled line") + " taken once");
+    }
+
+    void tell_open() {
+        if (open_.empty()) return;
+        const auto longest =
+            std::ranges::max_element(open_, {}, [&](std::size_t line) { return width_of(lines_[line]); });
+        remarks_.leave_out("open line" + std::string(open_.size() == 1 ? "" : "s") + " (the longest, " +
+                               in_millimetres(width_of(lines_[*longest])) + " mm, at line " +
+                               std::to_string(line_numbers_[*longest]) + ")",
+                           static_cast<int>(open_.size()));
+    }
+    [[nodiscard]] double widest_gap() const {
+        return std::min(kWidestGap, kGapPerTolerance * how_.tolerance);
+    }
+    static double width_of(const Polygon& line) {
+        const auto [low, high] = box_of({line});
+        return distance(low, high);
+    }
+    [[noreturn]] void fail_open() const {
+        if (open_.empty()) {
+            const std::string left_out = remarks_.left_out();
+            throw base::GeometryError("there is no closed curve" +
+                                      (left_out.empty() ? "" : " (" + left_out + ")"));
+        }
+        const std::size_t line = open_.front();
+        const auto text = [](Point2 place) {
+            return "(" + in_millimetres(place.x) + ", " + in_millimetres(place.y) + ") mm";
+        };
+        file_.fail(line_numbers_[line], "there is no closed curve: the one that begins here, from " +
+                                            text(lines_[line].front()) + " to " + text(lines_[line].back()) +
+                                            ", is not closed; loose ends are joined up to " +
+                                            roughly_in_millimetres(widest_gap()) + " mm");
+    }
+
+    DxfFile file_;
+    Flattening how_{.tolerance = kFlatteningTolerance};
+    std::vector<Polygon> closed_;
+    std::vector<Polygon> lines_;
+    std::vector<int> line_numbers_;  // in the file, of lines_
+    std::vector<std::size_t> open_;  // lines that enclose nothing
+    std::vector<const DxfFile::Block*> inserting_;
+    Remarks remarks_;
+    int entities_ = 0;
+    std::size_t points_ = 0;
 };
 
 }  // namespace
 
-std::vector<Loop> read_dxf_loops(const std::filesystem::path& path) {
-    return DxfReader(path.string(), base::read_text_file(path)).run();
+OutlineFile read_dxf_outlines(const std::filesystem::path& path) {
+    return DxfReader(path).run();
 }
 
 }  // namespace fretwork::tiling::detail

@@ -6,23 +6,18 @@
 #include <cmath>
 
 namespace fretwork::tiling::detail {
-namespace {
-
-/// Files say the same point twice where curves meet and where they close.
-void remove_repeated_points(pattern::Polygon& points) {
-    const auto is_near = [](const pattern::Point2& a, const pattern::Point2& b) {
-        return std::hypot(a.x - b.x, a.y - b.y) < kClosingTolerance;
+void remove_repeated_points(pattern::Polygon& points, double nearest) {
+    const auto is_near = [&](const pattern::Point2& a, const pattern::Point2& b) {
+        return std::hypot(a.x - b.x, a.y - b.y) < nearest;
     };
     points.erase(std::unique(points.begin(), points.end(), is_near), points.end());
     while (points.size() > 1 && is_near(points.front(), points.back())) points.pop_back();
 }
 
-}  // namespace
-
 Outline outline_of(std::vector<Loop> loops) {
     if (loops.empty()) throw base::GeometryError("there is no closed curve");
     for (Loop& loop : loops) {
-        remove_repeated_points(loop.points);
+        remove_repeated_points(loop.points, kClosingShare * kFlatteningTolerance);
         if (loop.points.size() < 3) throw base::GeometryError(loop.place + " encloses no area");
     }
     const auto size = [](const Loop& loop) { return std::abs(pattern::signed_area(loop.points)); };

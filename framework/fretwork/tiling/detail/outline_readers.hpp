@@ -7,22 +7,32 @@
 #include <string>
 #include <vector>
 
-/// One reader for each kind of outline file: closed curves out of it, in metres.
+/// One reader for each kind of outline file.
 namespace fretwork::tiling::detail {
 
-/// Curves become polygons that stay within this distance of them, metres.
+/// Curves become polygons that stay within this distance of them, metres; within less in small drawings.
 inline constexpr double kFlatteningTolerance = 2e-5;
-/// Ends of a curve nearer than this to each other are one point, metres.
-inline constexpr double kClosingTolerance = 1e-6;
+/// Points of a curve nearer than this share of that distance to each other are one point.
+inline constexpr double kClosingShare = 0.05;
+/// A drawing is small if it is not so many times as large as the distance.
+inline constexpr double kDetail = 25'000;
 
-/// A closed polygon of a file, and where it stands there.
+inline double flattening_tolerance(double extent) {
+    return extent > 0 && extent < kDetail * kFlatteningTolerance ? extent / kDetail : kFlatteningTolerance;
+}
+
+/// Files say the same point twice where curves meet and where they close.
+void remove_repeated_points(pattern::Polygon& points, double nearest);
+
+OutlineFile read_svg_outlines(const std::filesystem::path& path);
+OutlineFile read_dxf_outlines(const std::filesystem::path& path);
+
+/// A closed curve of a mesh, in metres, and where it stands there.
 struct Loop {
     pattern::Polygon points;
-    std::string place;  ///< such as "path 'rim'" or "line 12"
+    std::string place;  ///< such as "the rim at vertex 12"
 };
 
-std::vector<Loop> read_svg_loops(const std::filesystem::path& path);
-std::vector<Loop> read_dxf_loops(const std::filesystem::path& path);
 std::vector<Loop> read_obj_loops(const std::filesystem::path& path);
 std::vector<Loop> read_ply_loops(const std::filesystem::path& path);
 std::vector<Loop> read_off_loops(const std::filesystem::path& path);

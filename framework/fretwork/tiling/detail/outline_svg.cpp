@@ -1,242 +1,337 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fretwork/base/error.hpp>
+// What a browser would fill of an SVG drawing (SVG 2, chapters 5 to 14).
 #include <fretwork/base/file.hpp>
-#include <fretwork/base/text.hpp>
+#include <fretwork/tiling/detail/map_parts.hpp>
 #include <fretwork/tiling/detail/message_text.hpp>
 #include <fretwork/tiling/detail/outline_readers.hpp>
 #include <fretwork/tiling/detail/plane.hpp>
-#include <fretwork/tiling/detail/svg_text.hpp>
-
-#include <pugixml.hpp>
+#include <fretwork/tiling/detail/remarks.hpp>
+#include <fretwork/tiling/detail/svg_geometry.hpp>
+#include <fretwork/tiling/detail/svg_page.hpp>
+#include <fretwork/tiling/detail/svg_style.hpp>
 
 #include <algorithm>
 #include <array>
-#include <numbers>
-#include <optional>
 
 namespace fretwork::tiling::detail {
 namespace {
 
-constexpr int kDeepest = 256;  // of groups: no drawing needs more, and the reader's stack has an end
-constexpr double kMetresPerPixel = 0.0254 / 96;
+constexpr int kDeepest =
+    256;  // of groups and copies: no drawing needs more, and the reader's stack has an end
+constexpr int kMostElements = 200'000;        // copies of copies grow fast
+constexpr std::size_t kMostPoints = 200'000;  // of which crossings are looked for
 /// A curve that reaches farther out of the drawing than so many times its size is a slip.
 constexpr double kFarthestOutside = 10;
 
 /// What is never drawn by itself.
-constexpr std::array<std::string_view, 16> kNotDrawn = {
-    "defs", "title",          "desc",           "metadata", "style",  "script", "symbol", "clipPath",
-    "mask", "linearGradient", "radialGradient", "pattern",  "marker", "filter", "view",   "cursor"};
-constexpr std::array<std::string_view, 8> kShapes = {"path",   "polygon", "polyline", "rect",
-                                                     "circle", "ellipse", "g",        "a"};
+constexpr std::array<std::string_view, 21> kNotDrawn = {
+    "defs",     "title",  "desc",           "metadata",         "style",         "script", "symbol",
+    "clipPath", "mask",   "linearGradient", "radialGradient",   "pattern",       "marker", "filter",
+    "view",     "cursor", "animate",        "animateTransform", "animateMotion", "set",    "solidColor"};
+constexpr std::array<std::string_view, 6> kShapes = {"path", "polygon", "polyline",
+                                                     "rect", "circle",  "ellipse"};
 
-std::string line_of(std::string_view text, std::ptrdiff_t offset) {
-    const auto end =
-        text.begin() + std::clamp<std::ptrdiff_t>(offset, 0, static_cast<std::ptrdiff_t>(text.size()));
-    return "line " + std::to_string(std::count(text.begin(), end, '\n') + 1);
+template <std::size_t n>
+bool is_one_of(const std::array<std::string_view, n>& names, std::string_view name) {
+    return std::ranges::find(names, name) != names.end();
 }
+
+/// What an element gets from those around it.
+struct Surroundings {
+    SvgStyle style{};
+    Affine map{};  ///< to metres
+    SvgMeasure measure{};
+    std::optional<std::size_t> clip{};
+    int depth = 1;
+};
 
 class SvgReader {
   public:
-    SvgReader(std::string source, std::string text) : source_(std::move(source)), text_(std::move(text)) {}
+    explicit SvgReader(const std::filesystem::path& path)
+        : source_(path.string()), document_(source_, base::read_text_file(path)) {}
 
-    std::vector<Loop> run() {
-        pugi::xml_document document;
-        const pugi::xml_parse_result parsed = document.load_buffer(text_.data(), text_.size());
-        if (!parsed)
-            throw base::InputError(source_, line_of(text_, parsed.offset),
-                                   std::string("malformed XML: ") + parsed.description());
-        const pugi::xml_node root = document.document_element();
-        if (local_name(root) != "svg")
-            throw base::InputError(source_, place(root),
-                                   "the document is no SVG drawing: its root is not 'svg'");
-        read_children(root, to_metres(root), 1);
-        return std::move(loops_);
+    OutlineFile run() {
+        const pugi::xml_node root = document_.root();
+        page_ = page_of(root, document_, remarks_);
+        how_.tolerance = flattening_tolerance(std::max(page_.width, page_.height));
+        Surroundings all{.map = page_.to_metres, .measure = page_.measure};
+        const SvgProperties properties(root, document_.rules());
+        all.style = style_in({}, properties, document_);
+        if (!is_switched_off(properties)) read_children(root, all);
+        Region region = filled_region(picture_, how_.tolerance);
+        if (region.parts.empty()) throw base::GeometryError(nothing_filled());
+        remarks_.tell(region, how_.tolerance);
+        if (region.cover)
+            remarks_.say(document_.place(places_[*region.cover]) +
+                         ", covers all other shapes; if it is a background, take it out");
+        if (lines_ > 0) remarks_.leave_out("unfilled line" + std::string(lines_ == 1 ? "" : "s"), lines_);
+        return {std::move(region.parts), remarks_.list()};
     }
 
   private:
-    /// The name of an element without the prefix that some writers give to SVG's own namespace.
-    static std::string_view local_name(pugi::xml_node node) {
-        const std::string_view name = node.name();
-        return name.starts_with("svg:") ? name.substr(4) : name;
+    /// Shapes in a clip count whether they are painted or not; the box of a clipped element, too.
+    enum class Purpose { Paint, Clip, Box };
+
+    [[nodiscard]] std::string nothing_filled() const {
+        std::string message = "nothing in it is filled";
+        if (lines_ > 0)
+            message += "; it has " + counted(lines_, "line") + " without fill, and an outline needs a fill";
+        const std::string left_out = remarks_.left_out();
+        return message + (left_out.empty() ? "" : " (" + left_out + ")");
     }
 
-    /// "line 3, path 'rim'".
-    [[nodiscard]] std::string place(pugi::xml_node node) const {
-        const std::string id = node.attribute("id").value();
-        return line_of(text_, node.offset_debug()) + ", " + std::string(local_name(node)) +
-               (id.empty() ? "" : " '" + id + "'");
-    }
-    [[noreturn]] void fail(pugi::xml_node node, const std::string& message) const {
-        throw base::InputError(source_, place(node), message);
+    void read_children(pugi::xml_node parent, const Surroundings& around) {
+        if (around.depth > kDeepest)
+            document_.fail(parent,
+                           "groups lie more than " + std::to_string(kDeepest) + " deep in one another");
+        for (const pugi::xml_node node : parent.children())
+            if (node.type() == pugi::node_element) read_element(node, around);
     }
 
-    /// Read an attribute, and put file and place before what its reader complains about.
-    template <class Reader>
-    auto read(pugi::xml_node node, const char* attribute, Reader reader) const {
-        try {
-            return reader(std::string_view(node.attribute(attribute).value()));
-        } catch (const base::InputError& error) {
-            fail(node, std::string(attribute) + ": " + error.what());
+    void read_element(pugi::xml_node node, const Surroundings& outer) {
+        const std::string_view name = document_.name_of(node);
+        if (name.empty() || is_one_of(kNotDrawn, name) || !meets_conditions(node)) return;
+        if (++elements_ > kMostElements)
+            document_.fail(
+                node, "with all copies, more than " + std::to_string(kMostElements) + " elements are drawn");
+        const SvgProperties properties(node, document_.rules());
+        if (properties.find("display") == "none") return;
+        if (purpose_ == Purpose::Paint && is_switched_off(properties)) return;
+        const SvgElement element(node, properties, document_);
+        Surroundings around = outer;
+        ++around.depth;
+        around.style = style_in(outer.style, properties, document_);
+        around.measure.font_size = around.style.font_size;
+        around.map = outer.map.after(element.transform(outer.measure));
+        around.clip = clip_of(element, around);
+        for (const char* effect : {"mask", "filter"})
+            if (const auto value = properties.find(effect);
+                purpose_ == Purpose::Paint && !value.empty() && value != "none")
+                remarks_.leave_out(std::string(effect) + " of an element");
+        read_kind(name, element, around);
+    }
+
+    void read_kind(std::string_view name, const SvgElement& element, const Surroundings& around) {
+        const bool is_group = name == "g" || name == "a" || name == "switch" || name == "svg";
+        if (is_group && purpose_ == Purpose::Clip) return;  // a clip has shapes and copies of shapes
+        if (name == "g" || name == "a") return read_children(element.node(), around);
+        if (name == "switch") return read_switch(element.node(), around);
+        if (name == "svg") return read_viewport(element, element, around);
+        if (name == "use") return read_use(element, around);
+        if (is_one_of(kShapes, name)) return read_shape(name, element, around);
+        if (name == "line") {
+            if (around.style.stroke == SvgStyle::Paint::Some) ++lines_;
+            return;
         }
-    }
-    [[nodiscard]] double length_or(pugi::xml_node node, const char* attribute, double missing) const {
-        return node.attribute(attribute) ? read(node, attribute, parse_svg_length) : missing;
-    }
-    [[nodiscard]] double positive_length(pugi::xml_node node, const char* attribute) const {
-        const double value = length_or(node, attribute, 0);
-        if (!(value > 0))
-            fail(node, std::string(attribute) + " is \"" + node.attribute(attribute).value() +
-                           "\", where a length above zero is needed");
-        return value;
+        remarks_.leave_out(std::string(name));
     }
 
-    /// From user units, y down, to metres, y up, with the origin at the lower left of the drawing.
-    [[nodiscard]] Affine to_metres(pugi::xml_node root) {
-        if (!root.attribute("width") || !root.attribute("height"))
-            fail(root,
-                 "width and height must say how large the drawing is, such as width=\"710mm\" "
-                 "height=\"400mm\"");
-        const double width = positive_length(root, "width");
-        const double height = positive_length(root, "height");
-        std::vector<double> box{0, 0, width, height};
-        if (root.attribute("viewBox")) box = view_box(root);
-        double scale_x = width / box[2];
-        double scale_y = height / box[3];
-        if (std::string_view(root.attribute("preserveAspectRatio").value()).find("none") ==
-            std::string_view::npos)
-            scale_x = scale_y = std::min(scale_x, scale_y);
-        scale_x *= kMetresPerPixel;
-        scale_y *= kMetresPerPixel;
-        page_ = {scale_x * box[2], scale_y * box[3]};
-        return {scale_x, 0, 0, -scale_y, -scale_x * box[0], scale_y * (box[1] + box[3])};
-    }
-    [[nodiscard]] std::vector<double> view_box(pugi::xml_node root) const {
-        std::vector<double> box = read(root, "viewBox", [](std::string_view text) {
-            SvgText walk(text);
-            std::vector<double> numbers;
-            while (!walk.at_end()) numbers.push_back(walk.number());
-            return numbers;
-        });
-        if (box.size() != 4 || !(box[2] > 0) || !(box[3] > 0))
-            fail(root, std::string("viewBox is \"") + root.attribute("viewBox").value() +
-                           "\", where four numbers are needed, the last two above zero");
-        return box;
-    }
-
-    static bool is_hidden(pugi::xml_node node) {
-        std::string style = node.attribute("style").value();
-        std::erase(style, ' ');
-        return std::string_view(node.attribute("display").value()) == "none" ||
-               style.find("display:none") != std::string::npos;
-    }
-
-    void read_children(pugi::xml_node parent, const Affine& map, int depth) {
-        if (depth > kDeepest)
-            fail(parent, "groups lie more than " + std::to_string(kDeepest) + " deep in one another");
+    /// The first of the alternatives whose conditions hold.
+    void read_switch(pugi::xml_node parent, const Surroundings& around) {
         for (const pugi::xml_node node : parent.children()) {
-            if (node.type() != pugi::node_element || is_hidden(node)) continue;
-            const std::string_view name = local_name(node);
-            const bool is_foreign = name.find(':') != std::string_view::npos;  // an editor's own notes
-            if (is_foreign || std::find(kNotDrawn.begin(), kNotDrawn.end(), name) != kNotDrawn.end())
-                continue;
-            if (std::find(kShapes.begin(), kShapes.end(), name) == kShapes.end())
-                fail(node,
-                     "'" + std::string(name) +
-                         "' is no outline; what counts is path, polygon, polyline, rect, circle, ellipse in "
-                         "groups (turn other things into paths, or remove them)");
-            Affine inner = map;
-            if (node.attribute("transform")) inner = map.after(read(node, "transform", parse_svg_transform));
-            if (name == "g" || name == "a")
-                read_children(node, inner, depth + 1);
-            else
-                add(node, subpaths_of(node, name), inner);
+            if (node.type() == pugi::node_element && !document_.name_of(node).empty() &&
+                meets_conditions(node))
+                return read_element(node, around);
         }
     }
 
-    void add(pugi::xml_node node, const std::vector<Subpath>& subpaths, const Affine& map) {
-        for (std::size_t i = 0; i < subpaths.size(); ++i) {
-            const std::string where =
-                place(node) + (subpaths.size() > 1 ? ", subpath " + std::to_string(i) : "");
-            Polygon points = flatten(subpaths[i], map);
-            check_on_page(points, where);
-            const Point2 from = points.front();
-            const Point2 to = points.back();
-            if (!subpaths[i].is_closed && distance(from, to) > kClosingTolerance)
-                throw base::InputError(source_, where,
-                                       "the curve is not closed: it ends " +
-                                           base::format_number(std::round(distance(from, to) * 1e7) / 1e4) +
-                                           " mm from where it begins");
-            loops_.push_back({std::move(points), where});
+    /// An `svg` or `symbol` shows its viewBox in a box of its own; `sized` says how large that is.
+    void read_viewport(const SvgElement& element, const SvgElement& sized, Surroundings around) {
+        using Axis = SvgElement::Axis;
+        const SvgMeasure& measure = around.measure;
+        const auto size = [&](const char* name, Axis axis, double whole) {
+            return sized.size_or(name, axis, measure, element.size_or(name, axis, measure, whole));
+        };
+        const bool is_svg = document_.name_of(element.node()) == "svg";
+        const SvgBox box{is_svg ? element.length_or("x", Axis::X, measure, 0) : 0,
+                         is_svg ? element.length_or("y", Axis::Y, measure, 0) : 0,
+                         size("width", Axis::X, measure.width), size("height", Axis::Y, measure.height)};
+        const auto view_box = element.view_box();
+        if (!(box.width > 0) || !(box.height > 0)) return;
+        if (view_box && (!((*view_box)[2] > 0) || !((*view_box)[3] > 0))) return;
+        const std::string_view overflow = element.properties().find("overflow");
+        if (overflow != "visible" && overflow != "auto") around.clip = add_clip({box.outline()}, around);
+        around.map = around.map.after(
+            view_box
+                ? map_of_view_box(*view_box, box, element.node().attribute("preserveAspectRatio").value())
+                : Affine{1, 0, 0, 1, box.x, box.y});
+        around.measure.width = view_box ? (*view_box)[2] : box.width;
+        around.measure.height = view_box ? (*view_box)[3] : box.height;
+        read_children(element.node(), around);
+    }
+
+    void read_use(const SvgElement& element, Surroundings around) {
+        const pugi::xml_node node = element.node();
+        const pugi::xml_attribute link =
+            node.attribute("href") ? node.attribute("href") : node.attribute("xlink:href");
+        const pugi::xml_node copied = document_.referred(link.value());
+        if (!copied) return remarks_.leave_out("use of what is not there");
+        if (std::ranges::find(copying_, copied) != copying_.end() ||
+            node.attribute("id").value() == copied.attribute("id").value())
+            document_.fail(node, "copies itself");
+        if (around.depth > kDeepest)
+            document_.fail(node, "copies lie more than " + std::to_string(kDeepest) + " deep in one another");
+        const Affine moved{1,
+                           0,
+                           0,
+                           1,
+                           element.length_or("x", SvgElement::Axis::X, around.measure, 0),
+                           element.length_or("y", SvgElement::Axis::Y, around.measure, 0)};
+        around.map = around.map.after(moved);
+        const std::string_view name = document_.name_of(copied);
+        if (purpose_ == Purpose::Clip && !is_one_of(kShapes, name)) return;
+        copying_.push_back(copied);
+        if (name == "symbol" || name == "svg")
+            read_copied_viewport(copied, element, around);
+        else
+            read_element(copied, around);
+        copying_.pop_back();
+    }
+
+    void read_copied_viewport(pugi::xml_node copied, const SvgElement& use, Surroundings around) {
+        const SvgProperties properties(copied, document_.rules());
+        if (is_switched_off(properties)) return;
+        const SvgElement element(copied, properties, document_);
+        around.style = style_in(around.style, properties, document_);
+        around.map = around.map.after(element.transform(around.measure));
+        around.clip = clip_of(element, around);
+        ++around.depth;
+        read_viewport(element, use, around);
+    }
+
+    void read_shape(std::string_view name, const SvgElement& element, const Surroundings& around) {
+        const bool counts =
+            purpose_ == Purpose::Box || (purpose_ == Purpose::Paint && around.style.is_filled()) ||
+            (purpose_ == Purpose::Clip && around.style.visibility == SvgStyle::Visibility::Visible);
+        if (!counts) {
+            const bool is_line = around.style.stroke == SvgStyle::Paint::Some &&
+                                 around.style.visibility == SvgStyle::Visibility::Visible;
+            if (is_line && purpose_ == Purpose::Paint) ++lines_;
+            return;
+        }
+        FilledShape shape{.loops = loops_of(element.subpaths(name, around.measure), around.map),
+                          .rule = purpose_ == Purpose::Clip ? around.style.clip_rule : around.style.fill_rule,
+                          .clip = around.clip};
+        if (shape.loops.empty()) return;
+        check_loops(shape.loops, element.node());
+        shapes_->push_back(std::move(shape));
+        if (purpose_ == Purpose::Paint) places_.push_back(element.node());
+    }
+
+    [[nodiscard]] std::vector<Polygon> loops_of(const std::vector<Subpath>& subpaths,
+                                                const Affine& map) const {
+        std::vector<Polygon> loops;
+        for (const Subpath& subpath : subpaths) {
+            Polygon points = flatten(subpath, {map, how_.tolerance});
+            remove_repeated_points(points, kClosingShare * how_.tolerance);
+            if (points.size() > 2) loops.push_back(std::move(points));
+        }
+        return loops;
+    }
+
+    void check_loops(const std::vector<Polygon>& loops, pugi::xml_node node) {
+        for (const Polygon& loop : loops) {
+            points_ += loop.size();
+            if (points_ > kMostPoints)
+                document_.fail(node,
+                               "up to here the drawing has more than " + std::to_string(kMostPoints) +
+                                   " points, which is more than an outline can use; simplify its paths");
+            for (const Point2& point : loop) {
+                if (!std::isfinite(point.x) || !std::isfinite(point.y))
+                    document_.fail(node, "has a point that is not finite");
+                if (purpose_ == Purpose::Paint) check_on_page(point, node);
+            }
         }
     }
 
-    void check_on_page(const Polygon& points, const std::string& where) const {
-        for (const Point2& point : points) {
-            const double outside_x = std::max(-point.x, point.x - page_.x);
-            const double outside_y = std::max(-point.y, point.y - page_.y);
-            if (outside_x <= kFarthestOutside * page_.x && outside_y <= kFarthestOutside * page_.y) continue;
-            throw base::InputError(source_, where,
-                                   "reaches " + place_text(point) + " m, far outside the drawing, which is " +
-                                       metres(page_.x) + " wide and " + metres(page_.y) +
-                                       " high; at most ten times that is taken: is a control point wrong?");
+    void check_on_page(Point2 point, pugi::xml_node node) const {
+        const double outside_x = std::max(-point.x, point.x - page_.width);
+        const double outside_y = std::max(-point.y, point.y - page_.height);
+        if (outside_x <= kFarthestOutside * page_.width && outside_y <= kFarthestOutside * page_.height)
+            return;
+        document_.fail(node, "reaches " + place_text(point) + " m, far outside the drawing, which is " +
+                                 metres(page_.width) + " wide and " + metres(page_.height) +
+                                 " high; at most ten times that is taken: is a control point wrong?");
+    }
+
+    std::size_t add_clip(const std::vector<Subpath>& subpaths, const Surroundings& around) {
+        picture_.clips.push_back({{{loops_of(subpaths, around.map)}}, around.clip});
+        return picture_.clips.size() - 1;
+    }
+
+    /// The clip of an element, within that of those around it.
+    std::optional<std::size_t> clip_of(const SvgElement& element, const Surroundings& around) {
+        const std::string_view value = element.properties().find("clip-path");
+        if (value.empty() || value == "none" || purpose_ == Purpose::Box) return around.clip;
+        if (!value.starts_with("url(")) {
+            remarks_.leave_out("clip-path without url()");
+            return around.clip;
         }
+        const pugi::xml_node clip = document_.referred(value);
+        if (!clip || document_.name_of(clip) != "clipPath") return around.clip;
+        if (std::ranges::find(copying_, clip) != copying_.end()) document_.fail(clip, "clips itself");
+        return read_clip(clip, element, around);
     }
 
-    [[nodiscard]] std::vector<Subpath> subpaths_of(pugi::xml_node node, std::string_view name) const {
-        if (name == "path") return read(node, "d", parse_svg_path);
-        if (name == "polygon" || name == "polyline") return polyline(node, name == "polygon");
-        if (name == "rect") return {rectangle(node)};
-        const bool is_circle = name == "circle";
-        const double rx = positive_length(node, is_circle ? "r" : "rx");
-        const double ry = is_circle ? rx : positive_length(node, "ry");
-        const Point2 center{length_or(node, "cx", 0), length_or(node, "cy", 0)};
-        return {{beziers_of(Arc{center, {Point2{rx, 0}, Point2{0, ry}}, 0, 2 * std::numbers::pi}), true}};
+    std::size_t read_clip(pugi::xml_node clip, const SvgElement& clipped, Surroundings around) {
+        const SvgProperties properties(clip, document_.rules());
+        const SvgElement element(clip, properties, document_);
+        copying_.push_back(clip);
+        if (std::string_view(clip.attribute("clipPathUnits").value()) == "objectBoundingBox")
+            around.map = around.map.after(unit_box_of(clipped, around));
+        around.map = around.map.after(element.transform(around.measure));
+        around.clip = clip_of(element, around);  // a clip may be clipped
+        around.style = style_in({}, properties, document_);
+        Clip made{{}, around.clip};
+        around.clip.reset();
+        const auto shapes = std::exchange(shapes_, &made.shapes);
+        const auto purpose = std::exchange(purpose_, Purpose::Clip);
+        read_children(clip, around);
+        shapes_ = shapes;
+        purpose_ = purpose;
+        copying_.pop_back();
+        picture_.clips.push_back(std::move(made));
+        return picture_.clips.size() - 1;
     }
 
-    [[nodiscard]] std::vector<Subpath> polyline(pugi::xml_node node, bool is_closed) const {
-        const std::vector<Point2> points = read(node, "points", parse_svg_points);
-        if (points.size() < 3)
-            fail(node,
-                 "points has " + std::to_string(points.size()) + " points, where at least 3 are needed");
-        Subpath subpath;
-        for (std::size_t i = 0; i + 1 < points.size(); ++i)
-            subpath.pieces.push_back(straight(points[i], points[i + 1]));
-        subpath.is_closed = is_closed;
-        return {subpath};
-    }
-
-    /// Rounded if it has rx or ry; one that is missing equals the other, and neither exceeds half the side.
-    [[nodiscard]] Subpath rectangle(pugi::xml_node node) const {
-        const double width = positive_length(node, "width");
-        const double height = positive_length(node, "height");
-        const double rx = std::clamp(length_or(node, "rx", length_or(node, "ry", 0)), 0.0, width / 2);
-        const double ry = std::clamp(length_or(node, "ry", length_or(node, "rx", 0)), 0.0, height / 2);
-        const double x = length_or(node, "x", 0);
-        const double y = length_or(node, "y", 0);
-        const std::array<Point2, 4> centers = {Point2{x + width - rx, y + height - ry},
-                                               Point2{x + rx, y + height - ry}, Point2{x + rx, y + ry},
-                                               Point2{x + width - rx, y + ry}};
-        Subpath subpath{{}, true};
-        for (std::size_t i = 0; i < 4; ++i) {
-            const double quarter = std::numbers::pi / 2;
-            const auto corner = beziers_of(
-                Arc{centers[i], {Point2{rx, 0}, Point2{0, ry}}, quarter * static_cast<double>(i), quarter});
-            if (i > 0) subpath.pieces.push_back(straight(subpath.pieces.back()[3], corner.front()[0]));
-            subpath.pieces.insert(subpath.pieces.end(), corner.begin(), corner.end());
-        }
-        return subpath;
+    /// From the unit square to the box of an element, in the element's own coordinates.
+    Affine unit_box_of(const SvgElement& element, const Surroundings& around) {
+        std::vector<FilledShape> found;
+        const auto shapes = std::exchange(shapes_, &found);
+        const auto purpose = std::exchange(purpose_, Purpose::Box);
+        constexpr double kBoxShare = 1e-4;  // of the viewport, by which the box may be off
+        const double tolerance =
+            std::exchange(how_.tolerance, kBoxShare * std::max(around.measure.width, around.measure.height));
+        Surroundings inside{.style = around.style, .measure = around.measure, .depth = around.depth};
+        read_kind(document_.name_of(element.node()), element, inside);
+        shapes_ = shapes;
+        purpose_ = purpose;
+        how_.tolerance = tolerance;
+        std::vector<Polygon> loops;
+        for (FilledShape& shape : found) std::ranges::move(shape.loops, std::back_inserter(loops));
+        const auto [low, high] = box_of(loops);
+        return {high.x - low.x, 0, 0, high.y - low.y, low.x, low.y};
     }
 
     std::string source_;
-    std::string text_;
-    Point2 page_;  // width and height, metres
-    std::vector<Loop> loops_;
+    SvgDocument document_;
+    SvgPage page_;
+    Flattening how_{.tolerance = kFlatteningTolerance};
+    Picture picture_;
+    std::vector<FilledShape>* shapes_ = &picture_.shapes;
+    std::vector<pugi::xml_node> places_;   // of the picture's shapes
+    std::vector<pugi::xml_node> copying_;  // what is being copied or clips
+    Purpose purpose_ = Purpose::Paint;
+    Remarks remarks_;
+    int elements_ = 0;
+    int lines_ = 0;  // shapes that are stroked and not filled
+    std::size_t points_ = 0;
 };
 
 }  // namespace
 
-std::vector<Loop> read_svg_loops(const std::filesystem::path& path) {
-    return SvgReader(path.string(), base::read_text_file(path)).run();
+OutlineFile read_svg_outlines(const std::filesystem::path& path) {
+    return SvgReader(path).run();
 }
 
 }  // namespace fretwork::tiling::detail

@@ -125,6 +125,9 @@ class PathParser {
         subpaths_.emplace_back();
     }
     void add(const Bezier& piece) {
+        if (++pieces_ > kMostPieces)
+            text_.fail("more than " + std::to_string(kMostPieces) +
+                       " pieces of a path are more than an outline can use;");
         if (subpaths_.back().is_closed) subpaths_.emplace_back();  // drawing on after Z
         subpaths_.back().pieces.push_back(piece);
         here_ = piece[3];
@@ -155,7 +158,10 @@ class PathParser {
         here_ = start_;
     }
 
+    static constexpr int kMostPieces = 200'000;
+
     SvgText text_;
+    int pieces_ = 0;
     std::vector<Subpath> subpaths_;
     Point2 here_;
     Point2 start_;

@@ -22,11 +22,24 @@ bool is_letter(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
 
+/// Style sheets give transforms units; lengths become pixels, angles degrees.
+double factor_of_unit(std::string_view unit, const SvgText& text) {
+    if (unit.empty() || unit == "px" || unit == "deg") return 1;
+    if (unit == "rad") return 1 / kDegree;
+    if (unit == "grad") return 0.9;
+    if (unit == "turn") return 360;
+    if (unit == "mm") return 96 / 25.4;
+    text.fail("the unit '" + std::string(unit) + "' is none of px, mm, deg, rad, grad, turn, before");
+}
+
 /// The arguments of one function of a transform, up to the closing bracket.
 std::vector<double> arguments(SvgText& text) {
     std::vector<double> values;
     text.expect('(');
-    while (text.at_number()) values.push_back(text.number());
+    while (text.at_number()) {
+        values.push_back(text.number());
+        values.back() *= factor_of_unit(text.word(), text);
+    }
     text.expect(')');
     return values;
 }
@@ -48,6 +61,11 @@ Affine function_map(std::string_view name, const std::vector<double>& v, bool& i
     if (name == "matrix" && v.size() == 6) return {v[0], v[1], v[2], v[3], v[4], v[5]};
     if (name == "translate" && (v.size() == 1 || v.size() == 2))
         return {1, 0, 0, 1, v[0], v.size() == 2 ? v[1] : 0};
+    if (name == "translateX" && v.size() == 1) return {1, 0, 0, 1, v[0], 0};
+    if (name == "translateY" && v.size() == 1) return {1, 0, 0, 1, 0, v[0]};
+    if (name == "scaleX" && v.size() == 1) return {v[0], 0, 0, 1, 0, 0};
+    if (name == "scaleY" && v.size() == 1) return {1, 0, 0, v[0], 0, 0};
+    if (name == "skew" && v.size() == 1) return {1, 0, std::tan(v[0] * kDegree), 1, 0, 0};
     if (name == "scale" && (v.size() == 1 || v.size() == 2)) return {v[0], 0, 0, v.back(), 0, 0};
     if (name == "rotate" && (v.size() == 1 || v.size() == 3)) return rotation(v);
     if (name == "skewX" && v.size() == 1) return {1, 0, std::tan(v[0] * kDegree), 1, 0, 0};
@@ -123,6 +141,7 @@ std::vector<Point2> parse_svg_points(std::string_view text) {
 Affine parse_svg_transform(std::string_view text) {
     SvgText walk(text);
     Affine map;
+    if (text == "none") return map;
     while (!walk.at_end()) {
         std::string name(1, walk.letter());
         name += walk.word();
@@ -136,28 +155,34 @@ Affine parse_svg_transform(std::string_view text) {
     return map;
 }
 
-double parse_svg_length(std::string_view text) {
+SvgLength parse_svg_length(std::string_view text) {
     struct Unit {
         std::string_view name;
-        double pixels;
+        double factor;
+        SvgLength::Unit unit = SvgLength::Unit::Pixel;
     };
     constexpr double kInch = 96;
-    constexpr std::array<Unit, 8> kUnits = {{{"", 1},
-                                             {"px", 1},
-                                             {"mm", kInch / 25.4},
-                                             {"cm", kInch / 2.54},
-                                             {"in", kInch},
-                                             {"pt", kInch / 72},
-                                             {"pc", kInch / 6},
-                                             {"Q", kInch / 101.6}}};
+    constexpr std::array<Unit, 12> kUnits = {{{"", 1},
+                                              {"px", 1},
+                                              {"mm", kInch / 25.4},
+                                              {"cm", kInch / 2.54},
+                                              {"in", kInch},
+                                              {"pt", kInch / 72},
+                                              {"pc", kInch / 6},
+                                              {"Q", kInch / 101.6},
+                                              {"%", 0.01, SvgLength::Unit::Percent},
+                                              {"em", 1, SvgLength::Unit::Em},
+                                              {"ex", 0.5, SvgLength::Unit::Em},
+                                              {"rem", 1, SvgLength::Unit::Rem}}};
     SvgText walk(text);
     const double value = walk.number();
     const std::string_view name = walk.word();
     if (!walk.at_end()) walk.fail("nothing more is expected");
     for (const Unit& unit : kUnits) {
-        if (unit.name == name) return value * unit.pixels;
+        if (unit.name == name) return {value * unit.factor, unit.unit};
     }
-    walk.fail("the unit '" + std::string(name) + "' is none of px, mm, cm, in, pt, pc, Q, before");
+    walk.fail("the unit '" + std::string(name) +
+              "' is none of px, mm, cm, in, pt, pc, Q, %, em, ex, rem, before");
 }
 
 }  // namespace fretwork::tiling::detail

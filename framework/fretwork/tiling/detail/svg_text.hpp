@@ -36,9 +36,14 @@ class SvgText {
 std::vector<Subpath> parse_svg_path(std::string_view text);
 /// The `points` of a polygon or polyline.
 std::vector<pattern::Point2> parse_svg_points(std::string_view text);
-/// A `transform`.
+/// A `transform`, as an attribute or in a style sheet (with units).
 Affine parse_svg_transform(std::string_view text);
-/// A length in user units: a number with or without px, mm, cm, in, pt, pc, Q (96 px an inch).
-double parse_svg_length(std::string_view text);
+/// A length: in user units (a number with or without px, mm, cm, in, pt, pc, Q; 96 px an inch), or as a share
+/// of something else: of the viewport in percent, of the font's size in em, ex or rem.
+struct SvgLength {
+    double value = 0.0;
+    enum class Unit { Pixel, Percent, Em, Rem } unit = Unit::Pixel;
+};
+SvgLength parse_svg_length(std::string_view text);
 
 }  // namespace fretwork::tiling::detail

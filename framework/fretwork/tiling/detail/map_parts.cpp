@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/tiling/detail/map_parts.hpp>
+#include <fretwork/tiling/detail/outline_check.hpp>
+#include <fretwork/tiling/detail/plane.hpp>
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <unordered_map>
+#include <unordered_set>
+
+namespace fretwork::tiling::detail {
+namespace {
+
+using Halfedge = PlanarMap::Halfedge_handle;
+using Face = PlanarMap::Face_handle;
+
+/// Rounding crossings to doubles may make new ones; rarely one more round is needed, and never many.
+constexpr int kMostRounds = 5;
+
+/// A closed curve with what it fills on its left.
+struct Loop {
+    Polygon points;
+    int touches = 0;
+    int first_side = 0;  ///< of its sides' numbers the least: loops come in the order of their file
+};
+
+bool is_rim(Halfedge halfedge) {
+    return halfedge->face()->data().is_filled && !halfedge->twin()->face()->data().is_filled;
+}
+
+/// The next one along the rim, around what is filled: so parts that only touch at a point stay apart.
+Halfedge next_on_rim(Halfedge halfedge) {
+    Halfedge next = halfedge->next();
+    while (!is_rim(next)) next = next->twin()->next();
+    return next;
+}
+
+void mark_parts(PlanarMap& map) {
+    int parts = 0;
+    for (auto face = map.faces_begin(); face != map.faces_end(); ++face) face->data().part = -1;
+    for (auto face = map.faces_begin(); face != map.faces_end(); ++face) {
+        if (!face->data().is_filled || face->data().part >= 0) continue;
+        std::vector<Face> stack{face};
+        face->data().part = parts;
+        while (!stack.empty()) {
+            const Face here = stack.back();
+            stack.pop_back();
+            for (const Halfedge halfedge : halfedges_of(here)) {
+                const Face other = halfedge->twin()->face();
+                if (!other->data().is_filled || other->data().part >= 0) continue;
+                other->data().part = parts;
+                stack.push_back(other);
+            }
+        }
+        ++parts;
+    }
+}
+
+/// Where the loop comes to a point again, each of its corners there moves into what is filled.
+Polygon opened(const Polygon& points, const std::vector<bool>& is_touch, double tolerance) {
+    Polygon apart = points;
+    const std::size_t n = points.size();
+    for (std::size_t i = 0; i < n; ++i) {
+        if (!is_touch[i]) continue;
+        const Point2 in = points[i] - points[(i + n - 1) % n];
+        const Point2 out = points[(i + 1) % n] - points[i];
+        const double left = std::atan2(out.y, out.x) + 0.5 * (std::numbers::pi - turn(in, out));
+        const double reach = std::min({tolerance, 0.3 * length(in), 0.3 * length(out)});
+        apart[i] = points[i] + reach * Point2{std::cos(left), std::sin(left)};
+    }
+    return apart;
+}
+
+/// A row of halfedges, turned so that it begins where its first side (by number) does: outlines keep the
+/// first point that their file gives them.
+struct Row {
+    std::vector<Halfedge> along;
+    int first_side = std::numeric_limits<int>::max();
+};
+Row row_from(Halfedge first, const std::vector<LineMap::Side>& sides) {
+    Row row;
+    std::size_t start = 0;
+    for (Halfedge next = first; row.along.empty() || next != first; next = next_on_rim(next)) {
+        row.along.push_back(next);
+        const int least = *std::ranges::min_element(next->curve().data());
+        if (least >= row.first_side) continue;
+        row.first_side = least;
+        const bool is_forward = (next->direction() == CGAL::ARR_LEFT_TO_RIGHT ? 1 : -1) ==
+                                sides[static_cast<std::size_t>(least)].direction;
+        start = row.along.size() - (is_forward ? 1 : 0);
+    }
+    // Points are the targets of halfedges: the one that ends at the first point comes first.
+    const std::size_t n = row.along.size();
+    std::rotate(row.along.begin(), row.along.begin() + static_cast<std::ptrdiff_t>((start + n - 1) % n),
+                row.along.end());
+    return row;
+}
+
+/// Points of the map that the rim goes straight through stay: they are points of a file, or crossings.
+Loop loop_of(const Row& row, double tolerance) {
+    std::unordered_map<const void*, int> visits;
+    for (const Halfedge halfedge : row.along) ++visits[&*halfedge->target()];
+    Loop loop{.points = {}, .first_side = row.first_side};
+    std::vector<bool> is_touch;
+    for (const Halfedge halfedge : row.along) {
+        loop.points.push_back(place_of(halfedge->target()));
+        is_touch.push_back(visits[&*halfedge->target()] > 1);
+    }
+    for (const auto& [vertex, count] : visits) loop.touches += count > 1 ? 1 : 0;
+    if (loop.touches > 0) loop.points = opened(loop.points, is_touch, tolerance);
+    return loop;
+}
+
+struct PartLoops {
+    Polygon boundary;
+    std::multimap<int, Polygon> holes;  // by their first side; pieces of one side may be rims of several
+};
+
+/// Curves less wide than `tolerance` are dropped: a crossing of two nearly equal lines leaves such.
+bool is_thin(const Polygon& points, double tolerance) {
+    return points.size() < 3 || 2 * std::abs(pattern::signed_area(points)) < tolerance * perimeter(points);
+}
+
+struct Collected {
+    std::map<int, PartLoops> parts;
+    Region counts;
+};
+
+Collected collect(LineMap& lines, double tolerance) {
+    PlanarMap& map = lines.map;
+    mark_parts(map);
+    Collected collected;
+    std::unordered_set<const void*> done;
+    for (auto halfedge = map.halfedges_begin(); halfedge != map.halfedges_end(); ++halfedge) {
+        if (!is_rim(halfedge) || done.contains(&*halfedge)) continue;
+        const int part = halfedge->face()->data().part;
+        const Row row = row_from(halfedge, lines.sides);
+        for (const Halfedge next : row.along) done.insert(&*next);
+        Loop loop = loop_of(row, tolerance);
+        PartLoops& loops = collected.parts[part];
+        const bool is_boundary = pattern::signed_area(loop.points) > 0;
+        if (is_thin(loop.points, tolerance)) {
+            if (!is_boundary) ++collected.counts.slits;
+            continue;
+        }
+        collected.counts.touches += loop.touches;
+        if (is_boundary)
+            loops.boundary = std::move(loop.points);
+        else
+            loops.holes.emplace(loop.first_side, std::move(loop.points));
+    }
+    std::erase_if(collected.parts, [](const auto& part) { return part.second.boundary.empty(); });
+    return collected;
+}
+
+/// The parts as outlines; nothing if rounding has made one of them cross itself.
+std::optional<std::vector<Outline>> outlines_of(const std::map<int, PartLoops>& parts) {
+    std::vector<Outline> outlines;
+    for (const auto& [number, part] : parts) {
+        std::vector<Polygon> loops{part.boundary};
+        for (const auto& [side, hole] : part.holes) loops.push_back(hole);
+        if (outline_flaw(loops, {})) return std::nullopt;
+        outlines.push_back({part.boundary, {loops.begin() + 1, loops.end()}});
+    }
+    return outlines;
+}
+
+double area_of(const Outline& outline) {
+    double area = pattern::signed_area(outline.boundary);
+    for (const Polygon& hole : outline.holes) area += pattern::signed_area(hole);
+    return area;
+}
+
+/// The map of the rounded loops: as filled as before, since boundaries turn left and holes turn right.
+LineMap map_of(const std::map<int, PartLoops>& parts) {
+    std::vector<MapLine> lines;
+    for (const auto& [number, part] : parts) {
+        lines.push_back({&part.boundary});
+        for (const auto& [side, hole] : part.holes) lines.push_back({&hole});
+    }
+    LineMap made = make_line_map(lines);
+    int winding = 0;
+    visit_faces(made, {.cross = [&](int, int change) { winding += change; },
+                       .look = [&](Face face) { face->data().is_filled = winding > 0; }});
+    return made;
+}
+
+}  // namespace
+
+Region region_of_map(LineMap& lines, double tolerance) {
+    Collected collected = collect(lines, tolerance);
+    Region region = collected.counts;
+    auto outlines = outlines_of(collected.parts);
+    for (int round = 1; !outlines && round < kMostRounds; ++round) {
+        LineMap again = map_of(collected.parts);
+        collected = collect(again, tolerance);
+        outlines = outlines_of(collected.parts);
+    }
+    if (!outlines)
+        throw base::GeometryError("its curves cross at places too near to each other to tell apart");
+    region.parts = std::move(*outlines);
+    std::ranges::stable_sort(region.parts, std::ranges::greater{}, area_of);
+    return region;
+}
+
+Polygon polygon_around(PlanarMap::Ccb_halfedge_const_circulator first) {
+    Polygon points;
+    auto next = first;
+    do {
+        points.push_back(place_of(next->target()));
+    } while (++next != first);
+    return points;
+}
+
+std::array<Point2, 2> box_of(const std::vector<Polygon>& polygons) {
+    std::optional<std::array<Point2, 2>> box;
+    for (const Polygon& polygon : polygons) {
+        for (const Point2& point : polygon) {
+            if (!box) box = {point, point};
+            (*box)[0] = {std::min((*box)[0].x, point.x), std::min((*box)[0].y, point.y)};
+            (*box)[1] = {std::max((*box)[1].x, point.x), std::max((*box)[1].y, point.y)};
+        }
+    }
+    return box.value_or(std::array<Point2, 2>{});
+}
+
+}  // namespace fretwork::tiling::detail

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/tiling/detail/planar_map.hpp>
+
+#include <CGAL/box_intersection_d.h>
+
+#include <algorithm>
+#include <array>
+
+namespace fretwork::tiling::detail {
+namespace {
+
+using Curve = SideTraits::Curve_2;
+using Segment = CGAL::Arr_segment_traits_2<ExactKernel>::Curve_2;
+using Face = PlanarMap::Face_handle;
+using Halfedge = PlanarMap::Halfedge_handle;
+
+int direction_of(const pattern::Point2& from, const pattern::Point2& to) {
+    return from.x < to.x || (from.x == to.x && from.y < to.y) ? 1 : -1;
+}
+
+/// A way into a face: through which halfedge (on its own side) it is entered.
+struct Entry {
+    Face face;
+    Halfedge through;
+    enum class Event { Enter, Leave } event = Event::Enter;
+};
+
+class FaceWalk {
+  public:
+    FaceWalk(LineMap& lines, const WindingVisitor& visitor) : lines_(lines), visitor_(visitor) {
+        for (auto face = lines.map.faces_begin(); face != lines.map.faces_end(); ++face)
+            face->data().number = -1;
+    }
+
+    /// Depth first, so that each step back undoes the crossing of the step there.
+    void run() {
+        enter(lines_.map.unbounded_face());
+        while (!stack_.empty()) {
+            const Entry entry = stack_.back();
+            stack_.pop_back();
+            if (entry.event == Entry::Event::Leave) {
+                cross(entry.through, -1);
+            } else if (entry.face->data().number < 0) {
+                cross(entry.through, 1);
+                stack_.push_back({entry.face, entry.through, Entry::Event::Leave});
+                enter(entry.face);
+            }
+        }
+    }
+
+  private:
+    void enter(Face face) {
+        face->data().number = count_++;
+        visitor_.look(face);
+        for (const Halfedge halfedge : halfedges_of(face)) {
+            const Face other = halfedge->twin()->face();
+            if (other->data().number < 0) stack_.push_back({other, halfedge->twin()});
+        }
+    }
+    /// From the right of a halfedge to its left, `sign` times.
+    void cross(Halfedge halfedge, int sign) {
+        const int along = halfedge->direction() == CGAL::ARR_LEFT_TO_RIGHT ? 1 : -1;
+        for (const int side : halfedge->curve().data()) {
+            const LineMap::Side& crossed = lines_.sides[static_cast<std::size_t>(side)];
+            visitor_.cross(crossed.line, sign * along * crossed.direction);
+        }
+    }
+
+    LineMap& lines_;
+    const WindingVisitor& visitor_;
+    std::vector<Entry> stack_;
+    int count_ = 0;
+};
+
+template <class Circulator>
+void add_around(Circulator first, std::vector<Halfedge>& halfedges) {
+    Circulator next = first;
+    do {
+        halfedges.push_back(next);
+    } while (++next != first);
+}
+
+/// More crossings are no drawing of a shape, and would take minutes.
+constexpr std::size_t kMostCrossings = 100'000;
+/// Nor are so many sides that come near each other.
+constexpr std::size_t kMostNear = 20'000'000;
+
+/// Twice the area of a triangle; its sign, but for rounding, which does not matter for a count.
+double doubled_area(const pattern::Point2& a, const pattern::Point2& b, const pattern::Point2& c) {
+    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+void check_crossings(const std::vector<std::array<pattern::Point2, 2>>& sides) {
+    using Box = CGAL::Box_intersection_d::Box_with_handle_d<double, 2, const std::array<pattern::Point2, 2>*>;
+    std::vector<Box> boxes;
+    boxes.reserve(sides.size());
+    for (const auto& side : sides) {
+        const auto [left, right] = std::minmax(side[0].x, side[1].x);
+        const auto [low, high] = std::minmax(side[0].y, side[1].y);
+        boxes.emplace_back(CGAL::Bbox_2(left, low, right, high), &side);
+    }
+    std::size_t near = 0;
+    std::size_t crossings = 0;
+    CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
+        const auto& [p, q] = *a.handle();
+        const auto& [r, s] = *b.handle();
+        const bool cross = doubled_area(p, q, r) * doubled_area(p, q, s) < 0 &&
+                           doubled_area(r, s, p) * doubled_area(r, s, q) < 0;
+        if (cross) ++crossings;
+        if (++near > kMostNear || crossings > kMostCrossings)
+            throw base::GeometryError("its curves cross more than " + std::to_string(kMostCrossings) +
+                                      " times, or come near each other too often; that is no outline");
+    });
+}
+
+}  // namespace
+
+LineMap make_line_map(const std::vector<MapLine>& lines) {
+    LineMap made;
+    std::vector<Curve> curves;
+    std::vector<std::array<pattern::Point2, 2>> plain;
+    for (std::size_t line = 0; line < lines.size(); ++line) {
+        const pattern::Polygon& points = *lines[line].points;
+        if (points.empty()) continue;
+        std::vector<ExactKernel::Point_2> exact;  // one object for each point: equality is then seen at once
+        exact.reserve(points.size());
+        for (const pattern::Point2& point : points) exact.emplace_back(point.x, point.y);
+        const std::size_t count =
+            lines[line].ends == MapLine::Ends::Closed ? points.size() : points.size() - 1;
+        for (std::size_t i = 0; i < count; ++i) {
+            const std::size_t next = (i + 1) % points.size();
+            if (points[i] == points[next]) continue;
+            curves.emplace_back(Segment(exact[i], exact[next]),
+                                std::vector<int>{static_cast<int>(made.sides.size())});
+            made.sides.push_back({static_cast<int>(line), direction_of(points[i], points[next])});
+            plain.push_back({points[i], points[next]});
+        }
+    }
+    check_crossings(plain);
+    CGAL::insert(made.map, curves.begin(), curves.end());
+    return made;
+}
+
+void visit_faces(LineMap& lines, const WindingVisitor& visitor) {
+    FaceWalk(lines, visitor).run();
+}
+
+std::vector<Halfedge> halfedges_of(Face face) {
+    std::vector<Halfedge> halfedges;
+    for (auto loop = face->outer_ccbs_begin(); loop != face->outer_ccbs_end(); ++loop)
+        add_around(*loop, halfedges);
+    for (auto loop = face->inner_ccbs_begin(); loop != face->inner_ccbs_end(); ++loop)
+        add_around(*loop, halfedges);
+    return halfedges;
+}
+
+}  // namespace fretwork::tiling::detail

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/tiling/detail/filled_region.hpp>
+#include <fretwork/tiling/detail/svg_document.hpp>
+
+namespace fretwork::tiling::detail {
+
+/// What elements hand on to those in them, as far as it decides what is filled.
+struct SvgStyle {
+    enum class Paint { None, Some };
+    Paint fill = Paint::Some;
+    Paint stroke = Paint::None;
+    double fill_opacity = 1.0;
+    FillRule fill_rule = FillRule::Nonzero;
+    FillRule clip_rule = FillRule::Nonzero;
+    enum class Visibility { Visible, Hidden } visibility = Visibility::Visible;
+    double font_size = 16.0;  ///< pixels
+
+    [[nodiscard]] bool is_filled() const {
+        return fill == Paint::Some && fill_opacity > 0 && visibility == Visibility::Visible;
+    }
+};
+
+/// The style of an element in one of the style `outer`.
+SvgStyle style_in(const SvgStyle& outer, const SvgProperties& properties, const SvgDocument& document);
+
+/// Whether an element and all that is in it is left out: `display: none`, `opacity: 0`.
+bool is_switched_off(const SvgProperties& properties);
+
+/// Whether its conditions (language, extensions) hold, as for a reader of English in a browser.
+bool meets_conditions(pugi::xml_node node);
+
+}  // namespace fretwork::tiling::detail

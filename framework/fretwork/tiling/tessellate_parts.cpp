@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/tiling/tessellate_parts.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace fretwork::tiling {
+namespace {
+
+void append(Tessellation& whole, const Tessellation& part) {
+    const auto vertices = static_cast<int>(whole.vertices.size());
+    const auto nodes = static_cast<int>(whole.interface_nodes.size());
+    for (Tile tile : part.tiles) {
+        for (VertexIndex& vertex : tile.vertices) vertex = VertexIndex(static_cast<int>(vertex) + vertices);
+        for (InterfaceIndex& node : tile.interface_nodes)
+            node = InterfaceIndex(static_cast<int>(node) + nodes);
+        whole.tiles.push_back(std::move(tile));
+    }
+    whole.vertices.insert(whole.vertices.end(), part.vertices.begin(), part.vertices.end());
+    whole.interface_nodes.insert(whole.interface_nodes.end(), part.interface_nodes.begin(),
+                                 part.interface_nodes.end());
+}
+
+double area_of(const Outline& outline) {
+    double area = pattern::signed_area(outline.boundary);
+    for (const pattern::Polygon& hole : outline.holes) area += pattern::signed_area(hole);
+    return area;
+}
+
+/// Shares and means of two sets of tiles together; sides count like tiles.
+void merge(TessellationReport& whole, const TessellationReport& part) {
+    const double of_part = static_cast<double>(part.tiles) / (whole.tiles + part.tiles);
+    const auto mean = [&](double a, double b) { return a + of_part * (b - a); };
+    const double apart = part.mean_side - whole.mean_side;
+    const double variance = mean(whole.sd_side * whole.sd_side, part.sd_side * part.sd_side) +
+                            of_part * (1 - of_part) * apart * apart;
+    whole.mean_side = mean(whole.mean_side, part.mean_side);
+    whole.sd_side = std::sqrt(variance);
+    whole.smallest_side = std::min(whole.smallest_side, part.smallest_side);
+    whole.smallest_angle = std::min(whole.smallest_angle, part.smallest_angle);
+    whole.hexagon_share = mean(whole.hexagon_share, part.hexagon_share);
+    whole.inner_hexagon_share = mean(whole.inner_hexagon_share, part.inner_hexagon_share);
+    whole.tiles += part.tiles;
+    whole.negligible_points += part.negligible_points;
+}
+
+TessellationResult tessellate_part(const std::vector<Outline>& parts, std::size_t part,
+                                   const pattern::NodeLayout& layout, const TessellationOptions& options) {
+    try {
+        return tessellate(parts[part], layout, options);
+    } catch (const base::GeometryError& error) {
+        throw base::GeometryError("part " + std::to_string(part + 1) + " of " + std::to_string(parts.size()) +
+                                  ": " + error.what());
+    }
+}
+
+}  // namespace
+
+TessellationResult tessellate_parts(const std::vector<Outline>& parts, const pattern::NodeLayout& layout,
+                                    const TessellationOptions& options) {
+    if (parts.empty()) throw base::InputError("there is no outline to tile");
+    if (parts.size() == 1) return tessellate(parts.front(), layout, options);
+    TessellationResult whole = tessellate_part(parts, 0, layout, options);
+    double area = area_of(parts.front());
+    double covered = area * whole.report.covered_share;
+    for (std::size_t part = 1; part < parts.size(); ++part) {
+        const TessellationResult next = tessellate_part(parts, part, layout, options);
+        append(whole.tessellation, next.tessellation);
+        merge(whole.report, next.report);
+        area += area_of(parts[part]);
+        covered += area_of(parts[part]) * next.report.covered_share;
+    }
+    whole.report.covered_share = covered / area;
+    return whole;
+}
+
+}  // namespace fretwork::tiling

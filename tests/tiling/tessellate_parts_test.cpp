@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "outlines.hpp"
+
+#include <fretwork/tiling/tessellate_parts.hpp>
+#include <fretwork/tiling/tessellation_check.hpp>
+
+namespace fretwork::tiling {
+namespace {
+
+using test::complaint_of;
+using testing::HasSubstr;
+
+Outline square_at(double x, double side) {
+    return make_outline({{x, 0}, {x + side, 0}, {x + side, side}, {x, side}}, {});
+}
+const pattern::NodeLayout kLayout = pattern::find_node_layout("paper7");
+const TessellationOptions kOptions{.edge_length = 0.03};
+
+TEST(TessellateParts, PartsFollowEachOtherAndShareNothing) {
+    const TessellationResult first = tessellate(square_at(0, 0.3), kLayout, kOptions);
+    const TessellationResult second = tessellate(square_at(1, 0.2), kLayout, kOptions);
+    const TessellationResult both =
+        tessellate_parts({square_at(0, 0.3), square_at(1, 0.2)}, kLayout, kOptions);
+    EXPECT_NO_THROW(validate(both.tessellation, kLayout));
+    ASSERT_EQ(both.tessellation.tiles.size(),
+              first.tessellation.tiles.size() + second.tessellation.tiles.size());
+    EXPECT_EQ(both.tessellation.interface_nodes.size(),
+              first.tessellation.interface_nodes.size() + second.tessellation.interface_nodes.size());
+    const auto number = static_cast<int>(first.tessellation.tiles.size());
+    EXPECT_EQ(tile_polygon(both.tessellation, TileIndex(0)), tile_polygon(first.tessellation, TileIndex(0)));
+    EXPECT_EQ(tile_polygon(both.tessellation, TileIndex(number)),
+              tile_polygon(second.tessellation, TileIndex(0)));
+}
+
+TEST(TessellateParts, TheReportIsOfAllTiles) {
+    const TessellationResult both =
+        tessellate_parts({square_at(0, 0.3), square_at(1, 0.2)}, kLayout, kOptions);
+    double area = 0;
+    for (int tile = 0; tile < both.report.tiles; ++tile)
+        area += pattern::signed_area(tile_polygon(both.tessellation, TileIndex(tile)));
+    EXPECT_EQ(both.report.tiles, static_cast<int>(both.tessellation.tiles.size()));
+    EXPECT_NEAR(both.report.covered_share, area / (0.09 + 0.04), 1e-9);
+}
+
+TEST(TessellateParts, OnePartIsTiledAsByItself) {
+    const TessellationResult alone = tessellate(square_at(0, 0.3), kLayout, kOptions);
+    EXPECT_EQ(tessellate_parts({square_at(0, 0.3)}, kLayout, kOptions).tessellation.interface_nodes,
+              alone.tessellation.interface_nodes);
+}
+
+TEST(TessellateParts, APartThatIsTooSmallIsNamed) {
+    EXPECT_THAT(complaint_of([] {
+                    tessellate_parts({square_at(0, 0.3), square_at(1, 0.001)}, kLayout, kOptions);
+                }),
+                HasSubstr("part 2 of 2: "));
+}
+
+}  // namespace
+}  // namespace fretwork::tiling
