@@ -39,13 +39,15 @@ RingParts ring_units(const Setting& setting) {
     return units;
 }
 
+Eigen::Index RingParameters::part_of(Eigen::Index parameter) const {
+    Eigen::Index part = 0;
+    ties.col(parameter).maxCoeff(&part);
+    return part;
+}
+
 Eigen::VectorXd RingParameters::select(const RingParts& parts) const {
     Eigen::VectorXd values(ties.cols());
-    for (Eigen::Index k = 0; k < ties.cols(); ++k) {
-        Eigen::Index first = 0;
-        ties.col(k).maxCoeff(&first);
-        values[k] = parts[first];
-    }
+    for (Eigen::Index k = 0; k < ties.cols(); ++k) values[k] = parts[part_of(k)];
     return values;
 }
 

@@ -38,6 +38,8 @@ struct RingParameters {
     std::vector<std::string> names;
     Eigen::MatrixXd ties;  ///< a column of zeros and ones for each parameter
 
+    /// The part that a parameter sets; of several the first.
+    [[nodiscard]] Eigen::Index part_of(Eigen::Index parameter) const;
     /// Some parts' values as the parameters' own: of parts that one parameter sets, the first.
     [[nodiscard]] Eigen::VectorXd select(const RingParts& parts) const;
     [[nodiscard]] RingParts parts(std::span<const double> values) const;

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace fretwork::reduction {
 namespace {
@@ -42,8 +43,7 @@ std::vector<TileParameter> tile_parameters(const RingParameters& parameters) {
                                                             "m^4", "m^4", "m^4", "rad", "m"};
     std::vector<TileParameter> rows;
     for (std::size_t k = 0; k < parameters.names.size(); ++k) {
-        Eigen::Index part = 0;  // the first one that it sets
-        parameters.ties.col(static_cast<Eigen::Index>(k)).maxCoeff(&part);
+        const Eigen::Index part = parameters.part_of(static_cast<Eigen::Index>(k));
         rows.push_back({parameters.names[k], kUnits[static_cast<std::size_t>(part)],
                         part < kRingTheta ? TileParameter::Scale::Logarithmic : TileParameter::Scale::Linear,
                         [part](const Setting& setting) {
