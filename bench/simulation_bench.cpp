@@ -231,20 +231,24 @@ void time_bent_edits(benchmark::State& state, const char* model, const Edit& edi
     state.counters["from_last"] = from_last / round;
 }
 
-/// The load changed by a tenth.
-auto move_load(double force) {
-    return [force](Session& session, int round) {
-        session.set_load_case(cantilever(force * (round % 2 == 0 ? 1.0 : 1.1)));
+/// The load changed by this share.
+auto move_load(double force, double share) {
+    return [force, share](Session& session, int round) {
+        session.set_load_case(cantilever(force * (round % 2 == 0 ? 1.0 : 1.0 + share)));
     };
 }
 
 void bent_new_load(benchmark::State& state, const char* model) {
-    time_bent_edits(state, model, move_load(bending_force(irregular(state))));
+    time_bent_edits(state, model, move_load(bending_force(irregular(state)), 0.1));
+}
+
+void bent_little_load(benchmark::State& state, const char* model) {
+    time_bent_edits(state, model, move_load(bending_force(irregular(state)), 0.01));
 }
 
 /// The same while it is dragged: nothing is asked of stability.
 void bent_dragged_load(benchmark::State& state, const char* model) {
-    time_bent_edits(state, model, move_load(bending_force(irregular(state))),
+    time_bent_edits(state, model, move_load(bending_force(irregular(state)), 0.01),
                     mechanics::StabilityCheck::Left);
 }
 
@@ -267,6 +271,7 @@ BENCHMARK_CAPTURE(bent_linear, condensed, "condensed")->Apply(bent_sizes);
 BENCHMARK_CAPTURE(bent_linear, full, "full")->Apply(bent_sizes);
 FRETWORK_BENT(bent_from_rest);
 FRETWORK_BENT(bent_new_load);
+FRETWORK_BENT(bent_little_load);
 FRETWORK_BENT(bent_dragged_load);
 FRETWORK_BENT(bent_repainted_tile);
 

@@ -13,8 +13,8 @@ enum class StartingPoint {
     LastEquilibrium  ///< by continuation from the equilibrium before
 };
 
-/// Whether the stability of an equilibrium is told. That takes a factorization: most of the time of a small
-/// edit.
+/// Whether the stability of an equilibrium is told. That takes a factorization, which a small change
+/// of the loads does not need otherwise.
 enum class StabilityCheck {
     Made,
     Left  ///< Solution::stability is None: for loads that are dragged. The next solution that is checked

@@ -92,8 +92,8 @@ class Session {
     /// else, and where it cannot be told to be of the same path, from rest. The result has no subject:
     /// result_subject() gives it. Throws InputError if an edit has left what cannot be built, NumericalError
     /// if the structure is not held, and base::Stopped; then all edits are kept, and the next call goes on.
-    /// StabilityCheck::Left, for loads that are dragged, answers in half the time. Linear solutions, and
-    /// paths of several load steps, leave it aside.
+    /// StabilityCheck::Left is for loads that are dragged in small steps. Linear solutions, and paths of
+    /// several load steps, leave it aside.
     mechanics::Result solve(const base::Control& control = {},
                             mechanics::StabilityCheck check = mechanics::StabilityCheck::Made);
 

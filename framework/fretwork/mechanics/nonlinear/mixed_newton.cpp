@@ -15,6 +15,9 @@ constexpr double kLongStep = 0.5;
 /// Factors are made anew after a step of old ones that has shrunk by less. An iteration with old ones costs a
 /// fifth of one with new ones, or less.
 constexpr double kShrink = 0.3;
+/// Where no factors are needed at the equilibrium, they are made anew if more iterations than this are left
+/// with old ones.
+constexpr double kManyIterations = 6.0;
 /// A step of old factors that has shrunk by less than this is not made at all.
 constexpr double kUseless = 0.5;
 /// rad: once steps are this short, the factors that are needed at the equilibrium anyway are made: they end
@@ -56,6 +59,13 @@ bool MixedNewton::factorize(const Configuration& configuration, double load_fact
     outcome_ = newton_.factorize();
     turned_ = moved_ = 0.0;
     return outcome_.zero_pivot < 0;
+}
+
+/// Whether old factors, whose steps shrink by this ratio, lead on so slowly that new ones are worth it.
+bool MixedNewton::is_slow(double ratio) const {
+    if (options_.classify_stability) return false;
+    const double digits = std::log(options_.relative_residual / system_.relative_residual());
+    return digits < kManyIterations * std::log(ratio);
 }
 
 double MixedNewton::size_of(const Eigen::VectorXd& step) const {
@@ -128,7 +138,7 @@ Termination MixedNewton::solve(double load_factor, Goal goal, const Eigen::Vecto
         const double ratio = size_of(step) / size;
         turn = unknowns_.largest_rotation(step);
         const bool is_useless = !anew && !(ratio <= kUseless);
-        anew = anew ? turn > kLongStep : !(ratio <= kShrink);
+        anew = anew ? turn > kLongStep : !(ratio <= kShrink) || is_slow(ratio);
         if (is_useless) continue;
         if (!(turn < kTooFar)) return Termination::Diverged;
         size *= ratio;

@@ -60,6 +60,7 @@ class MixedNewton {
 
   private:
     bool factorize(const Configuration& configuration, double load_factor);
+    [[nodiscard]] bool is_slow(double ratio) const;
     [[nodiscard]] double size_of(const Eigen::VectorXd& step) const;
 
     NonlinearSystem& system_;
