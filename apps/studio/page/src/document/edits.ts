@@ -73,8 +73,22 @@ export function editLoadCase(change: (present: LoadCase) => Partial<LoadCase>, m
   if (!now) return Promise.resolve();
   const present = loadCase.value ?? EMPTY;
   const index = now.load_cases.length ? now.selected_load_case : 0;
-  return tryAsk('set_load_case', { index, load_case: { ...present, ...change(present) }, merge });
+  return tryAsk('set_load_case', { index, load_case: written({ ...present, ...change(present) }), merge });
 }
+
+const SECOND_FORMAT = 'fretwork/load-case/2';
+/** Loads on areas and combinations came with the second form of the file. */
+function written(load_case: LoadCase): LoadCase {
+  const isSecond = load_case.loads?.some(({ per_area }) => per_area) || (load_case.combines ?? []).length > 0;
+  return isSecond ? { ...load_case, format: SECOND_FORMAT } : load_case;
+}
+
+/** Let another load case act as well, so many times; with 0 it does not. */
+export const combine = (name: string, factor: number): void =>
+  void editLoadCase(({ combines = [] }) => {
+    const rest = combines.filter(({ load_case }) => load_case !== name);
+    return { combines: factor === 0 ? rest : [...rest, { load_case: name, factor }] };
+  });
 
 const drag = new Latest<{ change: (present: LoadCase) => Partial<LoadCase>; merge: string }>(async ({ change, merge }) => {
   const seen = timed();

@@ -57,9 +57,9 @@ export const EXPORTS: ExportRow[] = [
   { ending: 'csv', title: 'CSV', words: 'displacements as a table' },
 ];
 
-const ALWAYS = ['svg', 'obj', 'ply', 'vtu', 'csv'];
+const ALWAYS = ['.svg', '.obj', '.ply', '.vtu', '.csv'];
 /** What the server writes. */
-export const offered = (): ExportRow[] => EXPORTS.filter(({ ending }) => (hello.value?.exports ?? ALWAYS).includes(ending));
+export const offered = (): ExportRow[] => EXPORTS.filter(({ ending }) => (hello.value?.exports ?? ALWAYS).includes(`.${ending}`));
 
 /** The server writes it as the command line does. What it refuses, it refuses in words. */
 export async function exportTo(ending: string): Promise<void> {

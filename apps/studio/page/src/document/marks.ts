@@ -4,8 +4,8 @@
 import { computed } from '@preact/signals';
 import { DOFS, type Dof, type Load, type Prescribed, type Support, type Vector } from '../protocol/messages';
 import { selectedNodes } from './selected_nodes';
-import { loadCase } from './store';
-import { surface } from './surface';
+import { documentNow, loadCase } from './store';
+import { areaOf, nodeAreas, surface } from './surface';
 
 export type HoldKind = 'fixed' | 'pinned' | 'partly';
 export interface HeldNode {
@@ -17,8 +17,11 @@ export interface LoadMark {
   index: number;
   load: Load;
   nodes: number[];
+  /** All of it that acts, in N and N m. */
   force: Vector;
   moment: Vector;
+  /** Of a load on an area: how large it is, in m2. */
+  area: number | null;
 }
 export interface PrescribedMark {
   index: number;
@@ -39,10 +42,17 @@ export const prescribedDof = (entry: Prescribed): Dof | undefined => DOFS.find((
 
 export const nodesOf = (entry: Support | Load | Prescribed): number[] => (surface.value ? selectedNodes(entry, surface.value) : []);
 
+/** The supports of a load case, and of those that act together with it. */
+const supports = computed<Support[]>(() => {
+  const together = new Set(loadCase.value?.combines?.map(({ load_case }) => load_case));
+  const others = documentNow.value?.load_cases.filter(({ name }) => together.has(name)) ?? [];
+  return [loadCase.value, ...others].flatMap((one) => one?.supports ?? []);
+});
+
 /** Each held node once, with all that holds it. */
 export const heldNodes = computed<HeldNode[]>(() => {
   const all = new Map<number, Set<Dof>>();
-  for (const support of loadCase.value?.supports ?? []) {
+  for (const support of supports.value) {
     for (const node of nodesOf(support)) {
       const fixed = all.get(node) ?? new Set<Dof>();
       support.fixed.forEach((dof) => fixed.add(dof));
@@ -52,15 +62,19 @@ export const heldNodes = computed<HeldNode[]>(() => {
   return [...all].map(([node, set]) => ({ node, kind: holdKind([...set]), fixed: DOFS.filter((dof) => set.has(dof)) }));
 });
 
-export const loadMarks = computed<LoadMark[]>(() =>
-  (loadCase.value?.loads ?? []).map((load, index) => ({
-    index,
-    load,
-    nodes: nodesOf(load),
-    force: load.force ?? [0, 0, 0],
-    moment: load.moment ?? [0, 0, 0],
-  })),
-);
+export const loadMarks = computed<LoadMark[]>(() => (loadCase.value?.loads ?? []).map(loadMark));
+
+function loadMark(load: Load, index: number): LoadMark {
+  const nodes = nodesOf(load);
+  const area = load.per_area ? loadedArea(load, nodes) : null;
+  const force = load.per_area && area !== null ? (load.per_area.map((value) => value * area) as Vector) : (load.force ?? [0, 0, 0]);
+  return { index, load, nodes, force, moment: load.moment ?? [0, 0, 0], area };
+}
+
+function loadedArea({ tiles }: Load, nodes: readonly number[]): number {
+  if (tiles) return tiles.reduce((sum, tile) => sum + areaOf(surface.value?.polygons[tile] ?? []), 0);
+  return nodes.reduce((sum, node) => sum + (nodeAreas.value[node] ?? 0), 0);
+}
 
 export const prescribedMarks = computed<PrescribedMark[]>(() =>
   (loadCase.value?.prescribed ?? []).map((entry, index) => {
@@ -75,6 +89,7 @@ export const isHeld = computed(() => heldNodes.value.length > 0);
 export const isLoaded = computed(
   () =>
     hasGravity.value ||
+    (loadCase.value?.combines ?? []).length > 0 ||
     loadMarks.value.some(({ force, moment }) => size(force) > 0 || size(moment) > 0) ||
     prescribedMarks.value.some(({ value }) => value !== 0),
 );

@@ -12,6 +12,7 @@ export function selectedNodes(selection: Selection, surface: Surface): number[] 
     return where(nodes.length, (i) => nodes[i][0] >= xmin && nodes[i][0] <= xmax && nodes[i][1] >= ymin && nodes[i][1] <= ymax);
   }
   if (selection.nearest) return [...new Set(selection.nearest.map((point) => nearestNode(nodes, point)))].sort((a, b) => a - b);
+  if (selection.tiles) return [...new Set(selection.tiles.flatMap((tile) => surface.tiles[tile]?.interface ?? []))].sort((a, b) => a - b);
   if (selection.side) return atSide(selection.side, surface);
   return [];
 }
@@ -41,6 +42,7 @@ export function rimStretch(rim: readonly number[][], from: number, to: number): 
 
 export function selectionWords(selection: Selection, count: number): string {
   if (selection.side) return `${selection.side} side, ${count} nodes`;
+  if (selection.tiles) return `${selection.tiles.length} tile${selection.tiles.length === 1 ? '' : 's'}`;
   if (count === 1 && selection.nodes) return `node ${selection.nodes[0]}`;
   return `${count} node${count === 1 ? '' : 's'}`;
 }

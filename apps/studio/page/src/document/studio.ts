@@ -91,7 +91,7 @@ function take(message: ServerEvent): void {
       store.working.value = null;
       break;
     case 'warning':
-      tell(message.text, 'error');
+      tell(message.text, 'warning');
       break;
   }
 }

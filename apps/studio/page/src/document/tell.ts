@@ -6,11 +6,11 @@ import { signal } from '@preact/signals';
 export interface Note {
   id: number;
   text: string;
-  tone: 'plain' | 'error';
+  tone: 'plain' | 'warning' | 'error';
 }
 export const notes = signal<Note[]>([]);
 
-const SHOWN_MS = { plain: 3500, error: 9000 };
+const SHOWN_MS = { plain: 3500, warning: 9000, error: 9000 };
 let next = 1;
 
 export function tell(text: string, tone: Note['tone'] = 'plain'): void {

@@ -7,7 +7,7 @@ export type UnitSystem = 'mm' | 'SI';
 export const unitSystem = signal<UnitSystem>(localStorage.getItem('fretwork.units') === 'SI' ? 'SI' : 'mm');
 effect(() => localStorage.setItem('fretwork.units', unitSystem.value));
 
-export type Quantity = 'share' | 'length' | 'angle' | 'force' | 'moment' | 'stress' | 'plain' | 'membrane' | 'bending' | 'area_mass' | 'frequency' | 'density' | 'acceleration';
+export type Quantity = 'share' | 'factor' | 'area_load' | 'length' | 'angle' | 'force' | 'moment' | 'stress' | 'plain' | 'membrane' | 'bending' | 'area_mass' | 'frequency' | 'density' | 'acceleration';
 
 interface Unit {
   name: string;
@@ -19,8 +19,10 @@ const BOTH: Partial<Record<Quantity, Unit>> = {
   force: { name: 'N', per: 1 },
   plain: { name: '', per: 1 },
   share: { name: '%', per: 100 },
+  factor: { name: '×', per: 1 },
   membrane: { name: 'N/mm', per: 1e-3 },
   area_mass: { name: 'kg/m²', per: 1 },
+  area_load: { name: 'N/m²', per: 1 },
   frequency: { name: 'Hz', per: 1 },
   density: { name: 'kg/m³', per: 1 },
   acceleration: { name: 'm/s²', per: 1 },

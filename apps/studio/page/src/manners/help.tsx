@@ -10,7 +10,7 @@ const POINTER: [string, string][] = [
   ['Drag in space', 'turn'],
   ['Right drag in space', 'move'],
   ['Wheel', 'zoom'],
-  ['Drag an arrow’s tip', 'change the force; Shift lets it leave the axes'],
+  ['Drag an arrow’s free end', 'change the force; Shift lets it leave the axes'],
   ['Middle drag, or Space and drag', 'move the plane'],
 ];
 

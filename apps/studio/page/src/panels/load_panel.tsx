@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-import { Download, MoveVertical, RotateCcw, Weight } from 'lucide-preact';
+import { Download, LayoutGrid, MoveVertical, RotateCcw, Weight } from 'lucide-preact';
 import { addLoad, addPrescribed, editLoadCase, setSetting } from '../document/edits';
-import { hasGravity, loadMarks, prescribedMarks } from '../document/marks';
+import { hasGravity, isLoaded, loadMarks, prescribedMarks } from '../document/marks';
 import { documentNow, loadCase } from '../document/store';
 import { activeEntry, selectedNodes } from '../document/ui';
+import { surface } from '../document/surface';
 import { Button, Check } from '../widgets/widgets';
 import { NumberField } from '../widgets/number';
 import { CaseBar } from './case_bar';
+import { Combination } from './combination';
 import { ChosenNodes } from './chosen_nodes';
 import { LoadRow } from './load_row';
 import { PrescribedRow } from './prescribed_row';
@@ -16,6 +18,7 @@ const EARTH = 9.81;
 const FIRST_FORCE = -0.1;
 const FIRST_MOMENT = 0.002;
 const FIRST_MOVE = 0.01;
+const FIRST_AREA_LOAD = -2;
 const chosenNodes = (): number[] => [...selectedNodes.peek()].sort((a, b) => a - b);
 
 export function pressChosen(): void {
@@ -39,6 +42,15 @@ function moveChosen(): void {
   selectedNodes.value = new Set();
 }
 
+/** On what is chosen, or on all. */
+function coverChosen(): void {
+  const chosen = chosenNodes();
+  const nodes = chosen.length ? chosen : (surface.peek()?.nodes.map((_, node) => node) ?? []);
+  activeEntry.value = { kind: 'load', index: loadMarks.peek().length };
+  addLoad({ nodes, per_area: [0, 0, FIRST_AREA_LOAD] });
+  selectedNodes.value = new Set();
+}
+
 export function LoadPanel() {
   const some = selectedNodes.value.size > 0;
   const nothing = loadMarks.value.length === 0 && prescribedMarks.value.length === 0;
@@ -48,18 +60,22 @@ export function LoadPanel() {
       <div class="panel-scroll">
         <ChosenNodes purpose="load" />
         <div class="row">
-          <Button id="add-force" title="A force on the chosen nodes; drag its tip in space" shortcut="X" disabled={!some} icon={Download} label="Force" onPress={pressChosen} />
+          <Button id="add-force" title="A force on the chosen nodes; drag its free end in space" shortcut="X" disabled={!some} icon={Download} label="Force" onPress={pressChosen} />
           <Button title="A moment on the chosen nodes" disabled={!some} icon={RotateCcw} label="Moment" onPress={turnChosen} />
           <Button title="Move the chosen nodes by a given length; drag them in space" disabled={!some} icon={MoveVertical} label="Move" onPress={moveChosen} />
+        </div>
+        <div class="row">
+          <Button id="add-area-load" title="A load on each square metre: of what is chosen, or of all" icon={LayoutGrid} label={some ? 'Area load' : 'Area load on all of it'} onPress={coverChosen} />
         </div>
         <h2>Weight</h2>
         <Gravity />
         <h2>Loads</h2>
-        {nothing && !hasGravity.value && <p class="hint">Nothing acts on the surface yet. Choose nodes, then press “Force”, or let its own weight act.</p>}
+        {nothing && !isLoaded.value && <p class="hint">Nothing acts on the surface yet. Choose nodes, then press “Force”, or let its own weight act.</p>}
         <ul class="entries">
           {loadMarks.value.map((mark) => <LoadRow key={`load-${mark.index}`} mark={mark} />)}
           {prescribedMarks.value.map((mark) => <PrescribedRow key={`move-${mark.index}`} mark={mark} />)}
         </ul>
+        <Combination />
       </div>
     </>
   );

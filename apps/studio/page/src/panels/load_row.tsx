@@ -16,21 +16,24 @@ export function LoadRow({ mark }: { mark: LoadMark }) {
   const open = activeEntry.value?.kind === 'load' && activeEntry.value.index === index;
   const twists = size(mark.moment) > 0 || (load.moment !== undefined && load.force === undefined);
   const Picture = twists ? RotateCcw : ArrowDownRight;
-  const words = twists ? shown(size(mark.moment), 'moment') : shown(size(mark.force), 'force');
+  const spread = load.per_area;
+  const words = spread ? shown(size(spread), 'area_load') : twists ? shown(size(mark.moment), 'moment') : shown(size(mark.force), 'force');
+  const how = spread ? `is ${shown(size(mark.force), 'force')}` : load.amount === 'total' ? 'in all' : 'each';
   return (
     <li class={`entry${open ? ' open' : ''}`}>
       <button type="button" class="entry-title" aria-expanded={open} onClick={() => (activeEntry.value = open ? null : { kind: 'load', index })}>
         <Picture aria-hidden class={twists ? 'tint-moment' : 'tint-force'} />
-        <span class="entry-words"><b>{words}</b> {load.amount === 'total' ? 'in all' : 'each'}, {selectionWords(load, nodes.length)}</span>
+        <span class="entry-words"><b>{words}</b> {how}, {selectionWords(load, nodes.length)}</span>
       </button>
       <Button kind="bare" title="Remove this load" icon={Trash2} onPress={() => { activeEntry.value = null; removeLoad(index); }} />
       {open && (
         <div class="entry-body">
-          {!twists && <Components label="Force" vector={mark.force} quantity="force" onChange={(force) => replaceLoad(index, { ...load, force })} />}
+          {spread && <Components label="Area" vector={spread} quantity="area_load" onChange={(per_area) => replaceLoad(index, { ...load, per_area })} />}
+          {!twists && !spread && <Components label="Force" vector={mark.force} quantity="force" onChange={(force) => replaceLoad(index, { ...load, force })} />}
           {twists && <Components label="Moment" vector={mark.moment} quantity="moment" onChange={(moment) => replaceLoad(index, { ...load, moment })} />}
           <div class="field">
-            <Segments label="Amount" value={load.amount ?? 'each'} onPick={(amount) => replaceLoad(index, { ...load, amount })}
-              options={[{ value: 'total', title: 'in all', tip: 'The nodes share it' }, { value: 'each', title: 'on each', tip: 'Every node gets it' }]} />
+            {!spread && <Segments label="Amount" value={load.amount ?? 'each'} onPick={(amount) => replaceLoad(index, { ...load, amount })}
+              options={[{ value: 'total', title: 'in all', tip: 'The nodes share it' }, { value: 'each', title: 'on each', tip: 'Every node gets it' }]} />}
             <button type="button" class="chip" onClick={() => (selectedNodes.value = new Set(nodes))}>show nodes</button>
           </div>
         </div>

@@ -12,6 +12,8 @@ export interface Selection {
   box?: [number, number, number, number];
   nearest?: Point[];
   side?: 'left' | 'right' | 'bottom' | 'top';
+  /** All nodes of these tiles; of loads on areas only. */
+  tiles?: number[];
 }
 export interface Support extends Selection {
   fixed: Dof[];
@@ -20,6 +22,8 @@ export interface Load extends Selection {
   force?: Vector;
   moment?: Vector;
   amount?: 'each' | 'total';
+  /** N/m2; each node stands for its share of its tiles. */
+  per_area?: Vector;
 }
 export type Prescribed = Selection & Partial<Record<Dof, number>>;
 export interface LoadCase {
@@ -30,6 +34,8 @@ export interface LoadCase {
   loads?: Load[];
   prescribed?: Prescribed[];
   gravity?: Vector;
+  /** Other load cases of the document that act as well, so many times. */
+  combines?: { load_case: string; factor: number }[];
 }
 
 export interface Tile {
@@ -83,7 +89,7 @@ export interface Hello {
   layouts: string[];
   has_library: boolean;
   can_recover?: boolean;
-  /** Endings of files that it exports. */
+  /** Endings of files that it exports, such as ".svg". */
   exports?: string[];
 }
 

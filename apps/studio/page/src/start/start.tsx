@@ -2,25 +2,22 @@
 // Where work begins: an example, an outline of one's own, or a project that is there.
 
 import { signal } from '@preact/signals';
-import { FileUp, FolderOpen, History, X } from 'lucide-preact';
-import { base64, openUpload } from '../document/files';
+import { FolderOpen, History, X } from 'lucide-preact';
+import { openUpload } from '../document/files';
 import { documentNow, hello, line } from '../document/store';
 import { ask } from '../document/studio';
 import { mode, selectedNodes, selectedTiles, startOpen } from '../document/ui';
-import { Button, Choice } from '../widgets/widgets';
-import { NumberField } from '../widgets/number';
+import { Button } from '../widgets/widgets';
 import { Mark } from '../panels/top_bar';
 import { startingPalette } from '../gallery/starting_palette';
 import type { PatternTable } from '../protocol/messages';
 import { ExampleDrawing } from './example_drawing';
+import { NewFromOutline, painting } from './new_from_outline';
+import { outline, outlineRequest, takeOutline, tileSize } from './outline';
 import './start.css';
 
-const tileSize = signal(0.026);
-const painting = signal<'random' | 'bare'>('random');
-const outline = signal<File | null>(null);
 const busy = signal<string | null>(null);
 const trouble = signal<string | null>(null);
-const over = signal(false);
 const PALETTE_SIZE = 24;
 const OUTLINES = '.svg,.dxf,.obj,.ply,.off,.json';
 
@@ -46,7 +43,7 @@ async function fromOutline(): Promise<void> {
   const file = outline.value;
   if (!file) return;
   const patterns = painting.value === 'random' ? { patterns: 'random:1', ...(await palette()) } : {};
-  await begin(`Tiling ${file.name} …`, 'new', { outline: { name: file.name, text_base64: await base64(file) }, tile_size: tileSize.value, ...patterns });
+  await begin(`Tiling ${file.name} …`, 'new', { outline: await outlineRequest(file), tile_size: tileSize.value, ...patterns });
 }
 
 /** Chance needs patterns to choose from: the library's calibrated ones, or a spread of all. */
@@ -60,7 +57,7 @@ async function palette(): Promise<{ palette?: string }> {
 export async function takeFile(file: File): Promise<void> {
   startOpen.value = true;
   const isProject = file.name.endsWith('.json') && (await file.slice(0, 4000).text()).includes('fretwork/project');
-  if (!isProject) outline.value = file;
+  if (!isProject) await takeOutline(file);
   else if (await openUpload(file)) startOpen.value = false;
 }
 
@@ -97,7 +94,7 @@ export function Start() {
           {!info && line.value !== 'lost' && <p class="hint">One moment …</p>}
         </div>
         <h2>Or from an outline of your own</h2>
-        <NewFromOutline />
+        <NewFromOutline busy={busy.value !== null} choose={() => choose(OUTLINES, (one) => void takeFile(one))} take={(file) => void takeFile(file)} make={() => void fromOutline()} />
         <div class="start-foot">
           <Button kind="bare" title="A project file of this machine" icon={FolderOpen} label="Open a project …" onPress={() => choose('.json', (file) => void takeFile(file))} />
           {info?.can_recover && !documentNow.value && (
@@ -105,34 +102,6 @@ export function Start() {
           )}
           {busy.value && <span class="busy" role="status"><i class="pulse" />{busy.value}</span>}
         </div>
-      </div>
-    </div>
-  );
-}
-
-function NewFromOutline() {
-  const file = outline.value;
-  return (
-    <div class={`drop${over.value ? ' over' : ''}${file ? ' taken' : ''}`}
-      onDragOver={(event) => { event.preventDefault(); over.value = true; }} onDragLeave={() => (over.value = false)}
-      onDrop={(event) => {
-        event.preventDefault();
-        event.stopPropagation();
-        over.value = false;
-        const dropped = event.dataTransfer?.files[0];
-        if (dropped) void takeFile(dropped);
-      }}>
-      <button type="button" class="drop-target" id="choose-outline" onClick={() => choose(OUTLINES, (one) => void takeFile(one))}>
-        <FileUp aria-hidden />
-        {file ? <span><b>{file.name}</b><br />another one …</span> : <span><b>Drop an outline here</b><br />SVG, DXF, OBJ or PLY. Or press to choose.</span>}
-      </button>
-      <div class="drop-options">
-        <label class="field"><span>Side of the tiles</span><NumberField id="tile-size" label="Side of the tiles" least={0.001} value={tileSize.value} quantity="length" onChange={(value) => (tileSize.value = value)} /></label>
-        <div class="field"><span>Patterns</span>
-          <Choice label="Patterns to begin with" value={painting.value} onPick={(value) => (painting.value = value)}
-            options={[{ value: 'random', title: 'a mix to begin with' }, { value: 'bare', title: 'none, I paint' }]} />
-        </div>
-        <Button id="make" kind="main" wide title="Cover it with tiles" label="Make it" disabled={!file || busy.value !== null} onPress={() => void fromOutline()} />
       </div>
     </div>
   );

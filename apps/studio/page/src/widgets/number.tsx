@@ -37,7 +37,7 @@ export function NumberField({ label, value, quantity, onChange, narrow, least, i
   };
   return (
     <span class={`number${narrow ? ' narrow' : ''}`}>
-      <input id={id} inputMode="decimal" aria-label={`${label}${unit.name ? `, in ${unit.name}` : ''}`} class={wrong ? 'wrong' : ''} aria-invalid={wrong} value={text} style={{ paddingRight: `${18 + 7.5 * unit.name.length}px` }}
+      <input id={id} inputMode="decimal" aria-label={`${label}${unit.name ? `, in ${unit.name}` : ''}`} class={wrong ? 'wrong' : ''} aria-invalid={wrong} value={text} style={{ width: `${(narrow ? 52 : 66) + 8 * unit.name.length + 12}px`, paddingRight: `${17 + 8 * unit.name.length}px` }}
         onFocus={(event) => event.currentTarget.select()} onInput={(event) => setDraft(event.currentTarget.value)} onBlur={commit} onKeyDown={keys} />
       <i>{unit.name}</i>
     </span>

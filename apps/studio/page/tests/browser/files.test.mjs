@@ -5,7 +5,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
-import { drop, edit, makeProject, openPage, read, solved, startStudio } from './studio.mjs';
+import { drop, edit, makeProject, openPage, picture, read, solved, startStudio } from './studio.mjs';
 
 const WIDTH = 10;
 const HEIGHT = 6;
@@ -62,6 +62,20 @@ test('outlines of each kind are dropped and become tiles', async (t) => {
     assert.ok((await read(page, 'tiles')).length > 20, `${name} is covered with tiles`);
   }
   assert.deepEqual(page.troubles, []);
+});
+
+test('an icon of four millimetres is shown, and becomes a surface of a useful size', async (t) => {
+  const { address } = await startStudio(t);
+  const page = await openPage(t, address);
+  await drop(page, 'icon.svg', '<svg xmlns="http://www.w3.org/2000/svg" width="16" height="16" viewBox="0 0 16 16"><path d="M8 1L10 6L15 6L11 9L13 15L8 11L3 15L5 9L1 6L6 6Z"/></svg>');
+  await page.waitForSelector('.outline-preview');
+  assert.match(await page.inputValue('#outline-width'), /^300$/);
+  await picture(page, '14-outline', 0);
+  await page.click('#make');
+  await page.waitForFunction(() => window.fretwork.store.documentNow.value);
+  const tiles = (await read(page, 'tiles')).length;
+  assert.ok(tiles > 30 && tiles < 300, `${tiles} tiles`);
+  assert.equal(await read(page, 'name'), 'icon');
 });
 
 /** What the first bytes of each kind of file say. */

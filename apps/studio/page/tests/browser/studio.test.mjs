@@ -132,8 +132,7 @@ test('a wrong outline is told in words where it happens', async (t) => {
   const chooser = page.waitForEvent('filechooser');
   await page.click('#choose-outline');
   await (await chooser).setFiles({ name: 'broken.svg', mimeType: 'image/svg+xml', buffer: Buffer.from('<svg><path d="M0 0L1"/></svg>') });
-  await page.click('#make');
-  const told = await page.textContent('#start-trouble');
+  const told = await page.textContent('#outline-trouble');
   assert.match(told, /broken\.svg/);
 });
 

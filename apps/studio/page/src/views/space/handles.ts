@@ -7,7 +7,7 @@ import { markInput } from '../../document/latency';
 import { scale as drawnScale } from '../../document/look';
 import { loadMarks, prescribedMarks, type LoadMark, type PrescribedMark } from '../../document/marks';
 import { activeEntry } from '../../document/ui';
-import type { Vector } from '../../protocol/messages';
+import type { Load, Vector } from '../../protocol/messages';
 import { pushes, reachOf, takenAs, type ArrowScale } from './marks_view';
 import { middle, onScreen } from './placed';
 import { snapped } from './snap';
@@ -79,12 +79,17 @@ function dragArrow(mark: LoadMark, key: 'force' | 'moment', { view, arrows, tip 
       const target = rayAt(at, view).intersectPlane(plane, new Vector3());
       if (!target) return;
       const vector = target.sub(base).multiplyScalar(perMetre).toArray() as Vector;
-      last = { ...last, [key]: free ? vector : snapped(vector) };
+      last = { ...last, ...written(mark, key, free ? vector : snapped(vector)) };
       markInput(when);
       dragLoad(mark.index, last, merge);
     },
     end: () => void (takenAs.pushes = null),
   };
+}
+
+/** The part of a load that says how large it is. */
+function written({ area }: LoadMark, key: 'force' | 'moment', vector: Vector): Partial<Load> {
+  return area ? { per_area: vector.map((value) => value / area) as Vector } : { [key]: vector };
 }
 
 function dragDiamond(mark: PrescribedMark, start: [number, number], view: View): Drag {

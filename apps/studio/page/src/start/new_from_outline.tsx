@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Drop an outline, see it, say how large it is, and cover it with tiles.
+
+import { signal } from '@preact/signals';
+import { FileUp } from 'lucide-preact';
+import { shown } from '../document/units';
+import { Button, Choice } from '../widgets/widgets';
+import { NumberField } from '../widgets/number';
+import { height, measured, outline, outlineTrouble, setWidth, tilesAbout, tileSize, width, type Measured } from './outline';
+
+export const painting = signal<'random' | 'bare'>('random');
+const over = signal(false);
+const PREVIEW = { width: 168, height: 104 };
+const LEAST_LENGTH = 0.001;
+
+interface Props {
+  busy: boolean;
+  choose: () => void;
+  take: (file: File) => void;
+  make: () => void;
+}
+
+export function NewFromOutline({ busy, choose, take, make }: Props) {
+  const file = outline.value;
+  const wrong = outlineTrouble.value !== null;
+  return (
+    <div class={`drop${over.value ? ' over' : ''}${file ? ' taken' : ''}`}
+      onDragOver={(event) => { event.preventDefault(); over.value = true; }} onDragLeave={() => (over.value = false)}
+      onDrop={(event) => {
+        event.preventDefault();
+        event.stopPropagation();
+        over.value = false;
+        const dropped = event.dataTransfer?.files[0];
+        if (dropped) take(dropped);
+      }}>
+      <button type="button" class="drop-target" id="choose-outline" onClick={choose}>
+        {file && measured.value ? <Preview of={measured.value} /> : <FileUp aria-hidden />}
+        {file ? <Told name={file.name} /> : <span><b>Drop an outline here</b><br />SVG, DXF, OBJ or PLY. Or press to choose.</span>}
+      </button>
+      <div class="drop-options">
+        {file && measured.value && (
+          <label class="field"><span>Width of the surface</span><NumberField id="outline-width" label="Width of the surface" least={LEAST_LENGTH} value={width.value} quantity="length" onChange={setWidth} /></label>
+        )}
+        <label class="field"><span>Side of the tiles</span><NumberField id="tile-size" label="Side of the tiles" least={LEAST_LENGTH} value={tileSize.value} quantity="length" onChange={(value) => (tileSize.value = value)} /></label>
+        <div class="field"><span>Patterns</span>
+          <Choice label="Patterns to begin with" value={painting.value} onPick={(value) => (painting.value = value)}
+            options={[{ value: 'random', title: 'a mix to begin with' }, { value: 'bare', title: 'none, I paint' }]} />
+        </div>
+        <Button id="make" kind="main" wide title="Cover it with tiles" label={tilesAbout.value ? `Make it, of about ${tilesAbout.value} tiles` : 'Make it'} disabled={!file || busy || wrong} onPress={make} />
+      </div>
+    </div>
+  );
+}
+
+function Told({ name }: { name: string }) {
+  const now = measured.value;
+  if (outlineTrouble.value) return <span><b>{name}</b><br /><span class="drop-trouble" role="alert" id="outline-trouble">{outlineTrouble.value}</span></span>;
+  return (
+    <span>
+      <b>{name}</b><br />
+      {now && <>{shown(width.value, 'length')} × {shown(height.value, 'length')}{width.value !== now.size[0] && <>, drawn {shown(now.size[0], 'length')} wide</>}<br /></>}
+      another one …
+    </span>
+  );
+}
+
+function Preview({ of: { loops, size } }: { of: Measured }) {
+  const xs = loops.flat().map(([x]) => x);
+  const ys = loops.flat().map(([, y]) => y);
+  const [left, top] = [Math.min(...xs), Math.max(...ys)];
+  const zoom = Math.min(PREVIEW.width / size[0], PREVIEW.height / size[1]);
+  const path = loops.map((loop) => `M${loop.map(([x, y]) => `${(zoom * (x - left)).toFixed(1)} ${(zoom * (top - y)).toFixed(1)}`).join('L')}Z`).join('');
+  return (
+    <svg class="outline-preview" width={zoom * size[0] + 4} height={zoom * size[1] + 4} viewBox={`-2 -2 ${zoom * size[0] + 4} ${zoom * size[1] + 4}`} aria-hidden="true">
+      <path d={path} />
+    </svg>
+  );
+}

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Loads on areas, and load cases that act together.
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { edit, makeProject, openPage, picture, read, solved, startStudio } from './studio.mjs';
+
+const answer = (page) => page.evaluate(() => window.fretwork.store.live.value.info);
+async function answered(page, action) {
+  const before = await page.evaluate(() => window.fretwork.store.answered.value);
+  await edit(page, action);
+  await page.waitForFunction((old) => window.fretwork.store.answered.value > old, before);
+  assert.equal(await page.evaluate(() => window.fretwork.store.problem.value), null);
+}
+const held = ({ reactions }) => reactions.reduce((sum, { force }) => sum + force[2], 0);
+
+test('what a load on an area adds up to is held by the supports', async (t) => {
+  const { address } = await startStudio(t, makeProject('40mm'));
+  const page = await openPage(t, address);
+  await solved(page);
+  await page.click('[data-value=load]');
+  const before = held(await answer(page));
+  await answered(page, () => page.click('#add-area-load'));
+  const [load] = (await read(page, 'load_cases'))[0].loads.filter(({ per_area }) => per_area);
+  const area = await page.evaluate(() => {
+    const { tiles, vertices } = window.fretwork.store.documentNow.value;
+    const twice = tiles.map(({ vertices: corners }) => corners.reduce((sum, corner, i) => {
+      const [[x, y], [u, v]] = [vertices[corner], vertices[corners[(i + 1) % corners.length]]];
+      return sum + x * v - u * y;
+    }, 0));
+    return twice.reduce((sum, one) => sum + Math.abs(one) / 2, 0);
+  });
+  const more = held(await answer(page)) - before;
+  // The solver ends where what is left is a ten-millionth of the loads.
+  assert.ok(Math.abs(more + load.per_area[2] * area) < 1e-5 * area, `${more} N held, ${-load.per_area[2] * area} N loaded`);
+  await picture(page, '15-area-load');
+});
+
+test('load cases act together, each so many times', async (t) => {
+  const { address } = await startStudio(t, makeProject('40mm'));
+  const page = await openPage(t, address);
+  await solved(page);
+  await page.click('[data-value=load]');
+  const single = held(await answer(page));
+  await answered(page, () => page.click('[aria-label="New load case"]')).catch(() => undefined);
+  const field = page.getByLabel('How many times bridge acts as well');
+  await field.fill('2');
+  await answered(page, () => field.press('Enter'));
+  assert.deepEqual((await read(page, 'load_cases'))[1].combines, [{ load_case: 'bridge', factor: 2 }]);
+  const twice = held(await answer(page));
+  assert.ok(Math.abs(twice - 2 * single) < 1e-4 * Math.abs(single), `${twice} N, and ${single} N once`);
+  await picture(page, '16-combination');
+});
