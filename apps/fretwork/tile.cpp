@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 
@@ -36,6 +37,8 @@ struct Options {
     std::string library;
     std::string layout;
     std::string out;
+    std::string narrow = "refine";
+    bool keep_mesh = false;
     bool json = false;
 };
 
@@ -45,6 +48,9 @@ std::optional<Library> open_library(const Options& options) {
     if (!std::filesystem::exists(options.out)) return std::nullopt;
     return simulation::open_project_library(options.out, simulation::read_project(options.out), "");
 }
+
+const std::map<std::string, tiling::Narrow> kNarrow = {
+    {"refine", tiling::Narrow::Refine}, {"merge", tiling::Narrow::Merge}, {"refuse", tiling::Narrow::Refuse}};
 
 /// The library of a project is named relative to the project file. Its setting goes into the project.
 void name_library(Project& project, const Options& options, const Library* library) {
@@ -155,7 +161,10 @@ void print_json(const tiling::TessellationReport& report, const Project& project
         {"mean_side", report.mean_side},
         {"sd_side", report.sd_side},
         {"smallest_side", report.smallest_side},
+        {"smallest_angle", report.smallest_angle},
         {"covered_share", report.covered_share},
+        {"outside_share", report.outside_share},
+        {"refined_share", report.refined_share},
         {"library", project.library_path},
         {"load_cases_kept", names_of(project.load_cases)}};
     std::fputs(base::json_text(json).c_str(), stdout);
@@ -168,6 +177,9 @@ void print(const tiling::TessellationReport& report, const Project& project, con
                 100 * report.hexagon_share, 100 * report.inner_hexagon_share, 1e3 * report.mean_side,
                 1e3 * report.sd_side, 1e3 * report.smallest_side);
     std::printf("covers %.2f %% of the outline\n", 100 * report.covered_share);
+    if (report.refined_share > 0)
+        std::printf("%.0f %% of the tiles are smaller, since the outline is narrow near them\n",
+                    std::max(1.0, 100 * report.refined_share));
     if (!project.load_cases.empty())
         std::printf("the project keeps its load cases: %zu\n", project.load_cases.size());
     if (options.library.empty() && !project.library_path.empty())
@@ -186,6 +198,8 @@ void run(const Options& options) {
     simulation::NewProjectOptions wanted{
         .outline_name = options.outline, .layout = options.layout, .painting = options.painting};
     if (!options.edge_length.empty()) wanted.edge_length = base::parse_length(options.edge_length);
+    wanted.narrow = kNarrow.at(options.narrow);
+    if (options.keep_mesh) wanted.tiles = simulation::TilesFrom::Mesh;
     wanted.control = work.control();
     simulation::NewProject made = simulation::make_project(file.parts, wanted, library);
     warn(made);
@@ -207,9 +221,18 @@ void add_tile(CLI::App& app, ExitCode&) {
         "--part", options->part,
         "Which part of a drawing with several: largest, all (each then needs supports of its own), "
         "or a number, 1 the largest (default: largest)");
-    verb->add_option(
+    CLI::Option* edge_length = verb->add_option(
         "--edge-length", options->edge_length,
         "Wanted mean side of the tiles, such as 26mm (default: the library's tile side, or the paper's)");
+    verb->add_option("--narrow", options->narrow,
+                     "Where the outline is narrower than a tile: refine makes smaller tiles, merge makes few "
+                     "and long ones "
+                     "of these, refuse refuses it")
+        ->check(CLI::IsMember(kNarrow))
+        ->capture_default_str();
+    verb->add_flag("--keep-mesh", options->keep_mesh,
+                   "Take the faces of a flat OBJ, PLY or OFF as the tiles, as they are")
+        ->excludes(edge_length);
     verb->add_option("--patterns", options->painting.patterns,
                      "random:SEED, one pattern id for all tiles, or a painting file (default: not painted)");
     verb->add_option("--palette", options->painting.palette,

@@ -47,6 +47,35 @@ TEST(TileCommand, NamesTheFileOfAnOutlineThatCannotBeTiled) {
     EXPECT_THAT(size.err, Not(HasSubstr("speck.json"))) << "what is wrong is the edge length";
 }
 
+TEST(TileCommand, KeepsTheFacesOfAMesh) {
+    const TemporaryFolder folder;
+    folder.file("mesh.obj",
+                "v 0 0 0\nv 0.02 0 0\nv 0.02 0.02 0\nv 0 0.02 0\nv 0.04 0 0\nf 1 2 3 4\nf 2 5 3\n");
+    const Outcome kept =
+        run_command("fretwork tile mesh.obj --keep-mesh --patterns 0-1+1-6 --out p.json", folder.path());
+    ASSERT_EQ(kept.exit_code, 0) << kept.err;
+    EXPECT_THAT(kept.out, HasSubstr("2 tiles, 6 interface nodes"));
+    const Outcome refused = run_command(
+        "fretwork tile experiments/outlines/specimen.svg --keep-mesh --out q.json", folder.path());
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_THAT(refused.err, HasSubstr("a mesh is an .obj, .ply or .off file"));
+}
+
+TEST(TileCommand, SaysWhatItDoesWhereTheOutlineIsNarrow) {
+    const TemporaryFolder folder;
+    folder.file(
+        "band.json",
+        R"({"format": "fretwork/outline/1", "boundary": [[0, 0], [0.5, 0], [0.5, 0.02], [0, 0.02]]})");
+    const Outcome refined = run_command("fretwork tile band.json --out p.json", folder.path());
+    ASSERT_EQ(refined.exit_code, 0) << refined.err;
+    EXPECT_THAT(refined.out, HasSubstr("100 % of the tiles are smaller"));
+    const Outcome refused =
+        run_command("fretwork tile band.json --narrow refuse --out q.json", folder.path());
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_THAT(refused.err,
+                AllOf(HasSubstr("band.json: the outline is 0.02 m wide near"), HasSubstr("work")));
+}
+
 TEST(TileCommand, KeepsTheLibraryOfAProjectThatIsThere) {
     const TemporaryFolder folder;
     const std::string tile = "fretwork tile experiments/outlines/specimen.svg --edge-length ";

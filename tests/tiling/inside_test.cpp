@@ -27,12 +27,13 @@ TEST(InsideTest, SaysWhatALookAtEverySideSays) {
     std::uniform_real_distribution<double> x(-0.1, 1.2);
     std::uniform_real_distribution<double> y(-0.1, 1.0);
     for (const char* name : {"example_a.svg", "example_b.svg", "example_c.svg", "specimen.svg"}) {
-        const Rim rim = sample_rim(read_outline(example_outline(name)), 0.04, {});
-        for (const double margin : {0.0, 0.01}) {
-            const InsideTest fast(rim, margin);
+        const SizeField field(0.04);
+        const Rim rim = sample_rim(read_outline(example_outline(name)), {field, 1.0}, {});
+        const InsideTest fast(rim, 0.01);
+        for (const double margin : {0.0, 0.004, 0.01}) {
             for (int i = 0; i < 2000; ++i) {
                 const Point2 point{x(random), y(random)};
-                EXPECT_EQ(fast(point), is_inside(rim, point, margin))
+                EXPECT_EQ(fast(point, margin), is_inside(rim, point, margin))
                     << name << " " << point.x << " " << point.y;
             }
         }

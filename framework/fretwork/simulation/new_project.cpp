@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
 #include <fretwork/simulation/new_project.hpp>
+#include <fretwork/tiling/mesh_tessellation.hpp>
 #include <fretwork/tiling/tessellate_parts.hpp>
+
+#include <algorithm>
+#include <cmath>
 
 namespace fretwork::simulation {
 namespace {
@@ -27,6 +31,22 @@ tiling::TessellationResult tessellate_named(const std::vector<tiling::Outline>& 
     }
 }
 
+/// The width in the plane of the rectangle that has the section's area and stiffness.
+double width_in_plane(const mechanics::Section& section) {
+    return std::sqrt(12 * section.I3 / section.area);
+}
+
+tiling::TessellationResult new_tiles(const std::vector<tiling::Outline>& parts,
+                                     const NewProjectOptions& options, const pattern::NodeLayout& layout,
+                                     const reduction::Setting& setting) {
+    tiling::TessellationOptions tiles;
+    tiles.edge_length = options.edge_length.value_or(setting.tile_side);
+    tiles.smallest_side = std::min(width_in_plane(setting.section), 0.25 * tiles.edge_length);
+    tiles.narrow = options.narrow;
+    tiles.control = options.control;
+    return tessellate_named(parts, options.outline_name, layout, tiles);
+}
+
 }  // namespace
 
 NewProject make_project(const tiling::Outline& outline, const NewProjectOptions& options,
@@ -43,10 +63,11 @@ NewProject make_project(const std::vector<tiling::Outline>& parts, const NewProj
     made.project.outline = parts.front();
     made.project.further_outlines.assign(parts.begin() + 1, parts.end());
     const reduction::Setting setting = library ? library->setting() : reduction::paper_setting();
-    made.edge_length = options.edge_length.value_or(setting.tile_side);
+    const bool is_mesh = options.tiles == TilesFrom::Mesh;
     tiling::TessellationResult result =
-        tessellate_named(parts, options.outline_name, made.project.layout,
-                         {.edge_length = made.edge_length, .control = options.control});
+        is_mesh ? tiling::read_mesh_tessellation(options.outline_name, made.project.layout)
+                : new_tiles(parts, options, made.project.layout, setting);
+    made.edge_length = is_mesh ? result.report.mean_side : options.edge_length.value_or(setting.tile_side);
     made.report = result.report;
     made.project.tessellation = std::move(result.tessellation);
     paint(made.project.tessellation, options.painting, made.project.layout, library);

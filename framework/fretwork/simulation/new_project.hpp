@@ -13,12 +13,20 @@
 
 namespace fretwork::simulation {
 
+/// Where the tiles of a new project come from.
+enum class TilesFrom {
+    Outline,  ///< the outline is covered with new ones
+    Mesh,     ///< the faces of the flat mesh that is named as the outline
+};
+
 /// How an outline becomes a project.
 struct NewProjectOptions {
     std::string outline_name{};           ///< its file; begins what is said of the outline, if not empty
     std::optional<double> edge_length{};  ///< m, wanted mean side of the tiles; none: the library's tile
                                           ///< side, or the paper's
-    std::string layout{};                 ///< a name or a file; empty: the library's, or paper7
+    TilesFrom tiles = TilesFrom::Outline;
+    tiling::Narrow narrow = tiling::Narrow::Refine;  ///< what to do where the outline is narrower than a tile
+    std::string layout{};                            ///< a name or a file; empty: the library's, or paper7
     PaintingChoice painting{};
     base::Control control{};
 };
@@ -27,12 +35,13 @@ struct NewProjectOptions {
 struct NewProject {
     Project project;
     tiling::TessellationReport report;
-    double edge_length = 0.0;  ///< m, that was wanted
+    double edge_length = 0.0;  ///< m, that was wanted; of a mesh, the mean side of its faces
 };
 
-/// Tile an outline and paint it. `library` may be null; the project is not linked with it. Throws as
-/// tiling::tessellate, with the outline's name, and paint; InputError if the library is one of another
-/// layout.
+/// Tile an outline and paint it. No side of a tile is shorter than the setting's bars are wide in the plane,
+/// or than a quarter of the wanted side if that is less. `library` may be null; the project is not linked
+/// with it. Throws as tiling::tessellate, with the outline's name, and paint; InputError if the library is
+/// one of another layout.
 NewProject make_project(const tiling::Outline& outline, const NewProjectOptions& options,
                         const library::Library* library);
 /// The same for outlines that lie apart: one tessellation, part after part.

@@ -3,6 +3,7 @@
 #include <fretwork/base/parallel.hpp>
 #include <fretwork/tiling/detail/candidate.hpp>
 #include <fretwork/tiling/detail/message_text.hpp>
+#include <fretwork/tiling/detail/narrow_parts.hpp>
 #include <fretwork/tiling/detail/numbering.hpp>
 #include <fretwork/tiling/detail/plane.hpp>
 #include <fretwork/tiling/detail/small_parts.hpp>
@@ -11,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 namespace fretwork::tiling {
 namespace {
@@ -18,14 +20,32 @@ namespace {
 using detail::Candidate;
 using detail::metres;
 using detail::short_number;
+using detail::SizeField;
 using detail::Start;
+using detail::Task;
 using detail::Work;
 
 constexpr int kMostTiles = 100000;
-constexpr double kTilesInFinal =
-    1500;  // so many are made in all, about: a small outline can be tried in more ways
-constexpr double kSmallestEdge = 1e-9;  // m; products of such lengths are far from underflow
-constexpr double kLargestEdge = 1e6;    // m
+/// So many tiles are made in all, about: a small outline can be tried in more ways.
+constexpr double kTilesInFinal = 800;
+constexpr double kTilesInGraded = 500;   // the same, where an attempt may be followed by others
+constexpr double kSketchingShare = 0.2;  // of the work that is left
+constexpr double kAttemptShare = 0.8;    // of the work that is left then
+constexpr int kAttempts = 8;
+constexpr double kFiner = 0.7;        // from one attempt to the next, where tiles had defects
+constexpr double kFinest = 0.1;       // of the wanted side
+constexpr double kBarsInSide = 1.5;   // the wanted side over the smallest allowed, at least
+constexpr double kSideInBand = 0.55;  // of a band's width: its tiles are about as long as wide
+constexpr double kSideAtHole = 0.16;  // of its length: three tiles around it at least
+constexpr double kLimbArea = 0.01;    // of the outline: what may be lost where no tile fits
+constexpr int kSidesTried = 5;        // before an outline is refused
+constexpr double kNextSide = 0.7;     // of the one tried before
+constexpr double kMostTilesTried = 5000;
+constexpr double kTipArea = 1e-3;         // of the outline: a sharp tip may lose so much
+constexpr double kTipsArea = 8e-3;        // the same of all tips
+constexpr double kNegligibleArea = 4e-4;  // of the outline: a narrow part may lose so much
+constexpr double kSmallestEdge = 1e-9;    // m; products of such lengths are far from underflow
+constexpr double kLargestEdge = 1e6;      // m
 /// Beyond, in tile sides from the origin, rounding of coordinates reaches the size of the smallest details.
 constexpr double kFarthest = 1e9;
 constexpr double kHexagonArea = 1.5 * std::numbers::sqrt3;  // of side 1
@@ -36,42 +56,120 @@ double estimated_tiles(const Outline& outline, const TessellationOptions& option
     return std::abs(pattern::signed_area(outline.boundary)) / hexagon;
 }
 
-/// How many lattices are worked out, of those that are sketched.
-std::size_t affordable_lattices(const Outline& outline, const TessellationOptions& options) {
-    const double affordable = std::ceil(std::max(3.0, kTilesInFinal / estimated_tiles(outline, options)));
-    return static_cast<std::size_t>(std::min(affordable, static_cast<double>(options.lattice_angles)));
-}
-
-/// The lattices whose first sketches are the most regular, best first. A triangular lattice is the same again
-/// after 60 degrees.
-std::vector<Start> best_lattices(const Outline& outline, const TessellationOptions& options, Work& work) {
-    const auto count = static_cast<std::size_t>(options.lattice_angles);
-    std::vector<std::pair<double, std::size_t>> ranking(count);
-    const auto lattice = [&](std::size_t i) {
-        return Start{std::numbers::pi / 3 * static_cast<double>(i) / static_cast<double>(count)};
-    };
-    base::parallel_for(count, options.threads, [&](std::size_t i) {
-        ranking[i] = {detail::rough_irregularity(outline, options, lattice(i), work), i};
+/// The starts that look best in a first sketch, best first, and as many as the number of tiles allows. A
+/// triangular lattice is the same again after 60 degrees.
+std::vector<Start> best_starts(const Task& task, Work& work) {
+    const bool is_graded = !task.field.is_uniform();
+    const auto count = static_cast<std::size_t>(is_graded ? (task.options.lattice_angles + 1) / 2
+                                                          : task.options.lattice_angles);
+    std::vector<std::pair<detail::Sketch, Start>> ranking(count);
+    work.begin_part(count * detail::rough_steps(task.options), kSketchingShare);
+    base::parallel_for(count, task.options.threads, [&](std::size_t i) {
+        Start start{std::numbers::pi / 3 * static_cast<double>(i) / static_cast<double>(count)};
+        const detail::Sketch sketch = detail::make_sketch(task, start, work);
+        start.factor = sketch.factor;
+        ranking[i] = {sketch, start};
     });
-    std::sort(ranking.begin(), ranking.end());
-    ranking.resize(affordable_lattices(outline, options));
+    std::ranges::stable_sort(ranking, {}, [](const auto& entry) { return entry.first.irregularity; });
     std::vector<Start> starts;
-    for (const auto& [irregularity, i] : ranking) starts.push_back(lattice(i));
+    const double most = is_graded ? kTilesInGraded : kTilesInFinal;
+    int tiles = 0;
+    for (const auto& [sketch, start] : ranking) {
+        tiles += sketch.tiles;
+        if (starts.empty() || tiles <= most) starts.push_back(start);
+    }
+    if (starts.empty() || (!is_graded && starts.size() > 1))
+        starts.push_back({.factor = std::numbers::sqrt3});  // remeshing
     return starts;
 }
 
-Candidate best_candidate(const Outline& outline, const TessellationOptions& options) {
-    const std::size_t sketches = static_cast<std::size_t>(options.lattice_angles);
-    const std::size_t finished = affordable_lattices(outline, options) + 1;
-    Work work(options.control, "tiling",
-              sketches * detail::rough_steps(options) + finished * detail::candidate_steps(options));
-    std::vector<Start> starts = best_lattices(outline, options, work);
-    starts.emplace_back();  // remeshing
+Candidate best_candidate(const Task& task, const std::vector<Start>& starts, Work& work) {
+    work.begin_part(starts.size() * detail::candidate_steps(task.options), kAttemptShare);
     std::vector<Candidate> candidates(starts.size());
-    base::parallel_for(starts.size(), options.threads, [&](std::size_t i) {
-        candidates[i] = detail::make_candidate(outline, options, starts[i], work);
-    });
+    base::parallel_for(starts.size(), task.options.threads,
+                       [&](std::size_t i) { candidates[i] = detail::make_candidate(task, starts[i], work); });
     return std::move(*std::min_element(candidates.begin(), candidates.end(), detail::is_better));
+}
+
+double area(const Outline& outline) {
+    double sum = pattern::signed_area(outline.boundary);
+    for (const pattern::Polygon& hole : outline.holes) sum += pattern::signed_area(hole);
+    return sum;
+}
+
+/// The smallest side that tiles may be wanted with.
+double smallest_wanted(const TessellationOptions& options) {
+    return std::max(kFinest * options.edge_length, kBarsInSide * options.smallest_side);
+}
+
+/// A tile with this side is about as wide as the widest place that counts as narrow.
+detail::NarrowLimits narrow_limits(const Outline& outline, const TessellationOptions& options) {
+    const double side = options.edge_length;
+    return {side / kSideInBand, std::min(kNegligibleArea * area(outline), 0.5 * side * side)};
+}
+
+struct WantedSides {
+    SizeField field;
+    /// Where the outline is too narrow for any tile, and more than a limb is behind.
+    std::optional<detail::NarrowPlace> too_narrow;
+};
+
+/// Smaller tiles where the outline is narrow, and around small holes.
+WantedSides wanted_sides(const Outline& outline, const TessellationOptions& options) {
+    SizeField field(options.edge_length);
+    const double side = options.edge_length;
+    const detail::NarrowLimits limits = narrow_limits(outline, options);
+    const double least = smallest_wanted(options);
+    for (const detail::NarrowPlace& narrow : detail::narrow_places(outline, limits, options.control)) {
+        if (narrow.width < least && narrow.cut_off > kLimbArea * area(outline)) return {field, narrow};
+        field.limit(narrow.place, std::max(least, kSideInBand * narrow.width));
+    }
+    for (const pattern::Polygon& hole : outline.holes) {
+        const double wanted = std::max(least, kSideAtHole * detail::perimeter(hole));
+        if (wanted < side) {
+            for (const pattern::Point2& point : hole) field.limit(point, wanted);
+        }
+    }
+    return {field, std::nullopt};
+}
+
+detail::BluntLimits blunt_limits(const Outline& outline, const TessellationOptions& options) {
+    const double all = area(outline);
+    return {std::min(kTipArea * all, 0.25 * options.edge_length * options.edge_length), kTipsArea * all};
+}
+
+/// The best tiling of several attempts: where one has defects, the tiles are wanted smaller in the next.
+Candidate best_attempt(const Outline& outline, const TessellationOptions& options, Work& work) {
+    const detail::BluntOutline blunt = detail::blunt(outline, options.edge_length / kSideInBand,
+                                                     blunt_limits(outline, options), options.control);
+    auto [field, too_narrow] = wanted_sides(blunt.outline, options);
+    Candidate best;
+    if (too_narrow) {
+        best.defects.push_back({detail::DefectKind::TooNarrow, too_narrow->place});
+        return best;
+    }
+    const double least = smallest_wanted(options);
+    const double share = blunt.lost_area / area(outline);
+    const detail::QualityLimits limits{.smallest_side = options.smallest_side,
+                                       .covered_share = detail::QualityLimits{}.covered_share / (1 - share)};
+    std::vector<Start> starts;
+    for (int attempt = 0; attempt < kAttempts; ++attempt) {
+        const Task task{blunt.outline, field, options, limits};
+        // What was uniform before may need other starts, and more of them.
+        if (attempt < 2) starts = best_starts(task, work);
+        Candidate candidate = best_candidate(task, starts, work);
+        const bool is_first = attempt == 0;
+        if (is_first || detail::is_better(candidate, best)) best = candidate;
+        if (best.defects.empty()) break;
+        bool is_finer = false;
+        for (const detail::Defect& defect : candidate.defects) {
+            const double wanted = std::max(least, kFiner * field.at(defect.place));
+            is_finer = field.limit(defect.place, wanted) || is_finer;
+        }
+        if (!is_finer) break;
+    }
+    best.report.covered_share *= 1 - share;
+    return best;
 }
 
 /// How far the boundary reaches in x and in y, metres.
@@ -118,23 +216,45 @@ void check_origin(const Outline& outline, const TessellationOptions& options) {
                            metres(kFarthest * options.edge_length));
 }
 
-/// Refuse what could not be painted or simulated.
-void check(const Candidate& candidate, const TessellationOptions& options) {
-    const std::string tiles = "tiles with sides of " + metres(options.edge_length);
-    if (candidate.dual.cells.empty())
-        throw base::GeometryError("the outline is too small or too narrow for " + tiles);
-    if (candidate.pieces > 1)
-        throw base::GeometryError("the outline is too narrow somewhere for " + tiles +
-                                  ": they would fall into " + std::to_string(candidate.pieces) +
-                                  " parts; choose a smaller edge length");
-    for (std::size_t cell = 0; cell < candidate.dual.cells.size(); ++cell) {
-        options.control.check();
-        const pattern::Polygon polygon = detail::polygon_of(candidate.dual, cell);
-        if (pattern::is_convex(polygon)) continue;
-        throw base::GeometryError("the outline is too narrow for " + tiles + " near " +
-                                  detail::place_text(polygon.front()) +
-                                  ": a tile there would not be convex; choose a smaller edge length");
+/// A smaller side of the tiles with which the outline can be tiled, found by trying; none of those tried.
+std::optional<double> side_that_works(const Outline& outline, const TessellationOptions& options,
+                                      double first, Work& work) {
+    double side = first;
+    for (int i = 0; i < kSidesTried; ++i, side *= kNextSide) {
+        TessellationOptions smaller = options;
+        smaller.edge_length = std::stod(detail::two_digits(side));
+        smaller.smallest_side = std::min(options.smallest_side, 0.25 * smaller.edge_length);
+        if (estimated_tiles(outline, smaller) > kMostTilesTried) return std::nullopt;
+        if (best_attempt(outline, smaller, work).defects.empty()) return smaller.edge_length;
     }
+    return std::nullopt;
+}
+
+std::string advice(const std::optional<double>& side) {
+    if (side) return "; sides of " + metres(*side) + " work";
+    return "; no smaller side that was tried works: make the outline wider there";
+}
+
+[[noreturn]] void refuse(const Outline& outline, const TessellationOptions& options,
+                         const detail::Defect& defect, Work& work) {
+    const auto works = side_that_works(outline, options, kNextSide * options.edge_length, work);
+    throw base::GeometryError("the outline is too narrow for tiles with sides of " +
+                              metres(options.edge_length) + " near " + detail::place_text(defect.place) +
+                              ": " + std::string(detail::words_for(defect.kind)) + advice(works));
+}
+
+void refuse_narrow(const Outline& outline, const TessellationOptions& options) {
+    const auto places = detail::narrow_places(outline, narrow_limits(outline, options), options.control);
+    if (places.empty()) return;
+    const detail::NarrowPlace& place = places.front();
+    TessellationOptions refining = options;
+    refining.narrow = Narrow::Refine;
+    refining.control = options.control.silent();
+    Work work(refining.control, "");
+    const auto works = side_that_works(outline, refining, kSideInBand * place.width, work);
+    throw base::GeometryError("the outline is " + metres(place.width) + " wide near " +
+                              detail::place_text(place.place) + ", narrower than tiles with sides of " +
+                              metres(options.edge_length) + advice(works));
 }
 
 }  // namespace
@@ -156,8 +276,11 @@ TessellationResult tessellate(const Outline& outline, const pattern::NodeLayout&
     check_origin(outline, options);
     const detail::CleanOutline clean = detail::without_negligible_points(outline, options.edge_length);
     detail::check_small_parts(clean.outline, options.edge_length, options.control);
-    Candidate best = best_candidate(clean.outline, options);
-    check(best, options);
+    if (options.narrow == Narrow::Refuse) refuse_narrow(clean.outline, options);
+    Work work(options.control, "tiling");
+    Candidate best = best_attempt(clean.outline, options, work);
+    if (!best.defects.empty()) refuse(clean.outline, options, best.defects.front(), work);
+    work.complete();
     best.report.negligible_points = clean.left_out;
     return {detail::number(best.dual, layout, options.control), best.report};
 }

@@ -14,10 +14,21 @@ namespace fretwork::tiling {
 /// Points of an outline nearer than this share of the wanted side to the point before them are left out.
 inline constexpr double kNegligibleShare = 1e-6;
 
+/// What to do where an outline is narrower than a tile.
+enum class Narrow {
+    Refine,  ///< smaller tiles, as many as it takes for one to fit
+    Merge,   ///< the same, and then as few as go together: a narrow band gets long tiles
+    Refuse,  ///< GeometryError
+};
+
 struct TessellationOptions {
     double edge_length = 0.0;  ///< m; wanted mean side of the polygons, from 1e-9 to 1e6
+    /// m; no side may be shorter, such as the width of the bars that are to meet there. 0: no limit of its
+    /// own.
+    double smallest_side = 0.0;
+    Narrow narrow = Narrow::Refine;
     int remeshing_iterations = 10;
-    int relaxation_iterations = 50;  ///< towards a centroidal tessellation
+    int relaxation_iterations = 40;  ///< towards a centroidal tessellation
     int lattice_angles = 12;         ///< so many triangular lattices are tried beside the remeshed triangles
     int threads = 0;                 ///< 0: all there are; the result does not depend on it
     /// Looked at in every loop; but some calls of CGAL and of the standard library work on the whole outline
@@ -36,7 +47,9 @@ struct TessellationReport {
     double smallest_angle = 0.0;       ///< rad, of a tile
     double hexagon_share = 0.0;        ///< of the tiles
     double inner_hexagon_share = 0.0;  ///< of the tiles with no vertex on the outline; 0 if there are none
-    double covered_share = 0.0;        ///< area of the tiles over area of the outline
+    double covered_share = 0.0;        ///< of the outline's area
+    double outside_share = 0.0;  ///< area of the tiles that is outside of the outline, over the outline's
+    double refined_share = 0.0;  ///< of the tiles that are wanted smaller, since the outline is narrow nearby
     int tiles = 0;
     /// Points of the outline that were left out, see kNegligibleShare.
     int negligible_points = 0;
@@ -54,16 +67,21 @@ struct TessellationResult {
 ///
 /// The triangles come from isotropic remeshing, and from triangular lattices at several angles; of the
 /// tilings whose mean side is the wanted one within 1 % (or as nearly as there is one), the most regular is
-/// taken: most hexagons inside, pentagons and hexagons at the rim, equal sides, equal areas, no sharp angles.
+/// taken: most hexagons inside, pentagons and hexagons at the rim, equal sides, equal areas. Where the
+/// outline is narrower than a tile, the tiles are smaller (options.narrow), and sharp tips lose their ends.
 /// Deviation from the paper: it names another remesher, and does not say how the rim is closed. Here sides
 /// between tiles end on the outline, and a tile's side at the rim is the chord between two such ends, or
 /// meets the outline's corner; then every tile is regularized.
 ///
-/// Throws GeometryError if the outline is too small for one tile, if two of its parts are nearer to each
-/// other than a ten-thousandth of `edge_length` (a needle, a slit), or if it is somewhere so narrow that the
-/// tiles would fall apart or not be convex; InputError if it would need more than 100,000 tiles or lies so
-/// far from the origin that its coordinates are too coarse; base::Stopped. The first, third and last of these
-/// are known before any triangle is made, but for what is narrow beside whole tiles. Deterministic.
+/// What is given back has the outline's topology, decided exactly, covers at least 98 % of it, and has no
+/// side shorter than a quarter of the side wanted there and no angle below 25 degrees: README.md has the
+/// laws.
+///
+/// Throws GeometryError with a place if no such tiling is found, and names a smaller side that works (it is
+/// tried), or if two parts of the outline are nearer to each other than a ten-thousandth of `edge_length` (a
+/// needle, a slit); InputError if it would need more than 100,000 tiles or lies so far from the origin that
+/// its coordinates are too coarse; base::Stopped. Needles, slits, size and place are looked at before any
+/// triangle is made. Deterministic.
 TessellationResult tessellate(const Outline& outline, const pattern::NodeLayout& layout,
                               const TessellationOptions& options);
 

@@ -41,6 +41,7 @@ void merge(TessellationReport& whole, const TessellationReport& part) {
     whole.smallest_angle = std::min(whole.smallest_angle, part.smallest_angle);
     whole.hexagon_share = mean(whole.hexagon_share, part.hexagon_share);
     whole.inner_hexagon_share = mean(whole.inner_hexagon_share, part.inner_hexagon_share);
+    whole.refined_share = mean(whole.refined_share, part.refined_share);
     whole.tiles += part.tiles;
     whole.negligible_points += part.negligible_points;
 }
@@ -64,14 +65,17 @@ TessellationResult tessellate_parts(const std::vector<Outline>& parts, const pat
     TessellationResult whole = tessellate_part(parts, 0, layout, options);
     double area = area_of(parts.front());
     double covered = area * whole.report.covered_share;
+    double outside = area * whole.report.outside_share;
     for (std::size_t part = 1; part < parts.size(); ++part) {
         const TessellationResult next = tessellate_part(parts, part, layout, options);
         append(whole.tessellation, next.tessellation);
         merge(whole.report, next.report);
         area += area_of(parts[part]);
         covered += area_of(parts[part]) * next.report.covered_share;
+        outside += area_of(parts[part]) * next.report.outside_share;
     }
     whole.report.covered_share = covered / area;
+    whole.report.outside_share = outside / area;
     return whole;
 }
 

@@ -3,7 +3,9 @@
 
 #include <fretwork/pattern/polygon.hpp>
 
+#include <functional>
 #include <set>
+#include <span>
 #include <vector>
 
 namespace fretwork::tiling::detail {
@@ -16,27 +18,26 @@ class ClosedCurve {
     [[nodiscard]] double length() const { return starts_.back(); }
     /// The point at a place along the curve; any number, since the curve is closed.
     [[nodiscard]] pattern::Point2 at(double place) const;
-    /// The point of the curve nearest to `point`.
-    [[nodiscard]] pattern::Point2 nearest(pattern::Point2 point) const;
+    /// The place between two places (the second behind the first, or equal) whose point is nearest to
+    /// `point`.
+    [[nodiscard]] double nearest_between(double from, double to, pattern::Point2 point) const;
+    /// The points of the curve between two places, with those at the places.
+    [[nodiscard]] pattern::Polygon stretch(double from, double to) const;
     /// The places of its corners, ascending: where the curve turns by more than `smallest_turn` (rad, either
-    /// way) within `reach` (metres) to both sides; one corner in each stretch of that length.
-    [[nodiscard]] std::vector<double> corners(double reach, double smallest_turn) const;
+    /// way) within reach(point) (metres) to both sides; one corner in each stretch of that length.
+    [[nodiscard]] std::vector<double> corners(const std::function<double(pattern::Point2)>& reach,
+                                              double smallest_turn) const;
+    /// The places of the points that it is made of, ascending from 0.
+    [[nodiscard]] std::span<const double> point_places() const { return {starts_.data(), points_.size()}; }
 
   private:
+    /// The side on which a place within one turn of the curve lies.
+    [[nodiscard]] std::size_t side_of(double place) const;
     [[nodiscard]] double turn_at(double place, double reach) const;
     [[nodiscard]] bool has_place_within(const std::set<double>& places, double place, double reach) const;
 
     pattern::Polygon points_;
     std::vector<double> starts_;  // arc length at each point, and at the first again
-
-    /// Sides first .. last - 1; none of their points is farther from `middle` (on them) than half_length.
-    struct Stretch {
-        pattern::Point2 middle;
-        double half_length;
-        std::size_t first;
-        std::size_t last;
-    };
-    std::vector<Stretch> stretches_;
 };
 
 }  // namespace fretwork::tiling::detail

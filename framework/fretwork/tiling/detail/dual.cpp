@@ -2,17 +2,11 @@
 #include <fretwork/tiling/detail/dual.hpp>
 #include <fretwork/tiling/detail/plane.hpp>
 
-#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
-
-#include <map>
+#include <algorithm>
 #include <numbers>
 
 namespace fretwork::tiling::detail {
 namespace {
-
-using Mesh = OpenMesh::TriMesh_ArrayKernelT<>;
-using OpenMesh::HalfedgeHandle;
-using OpenMesh::VertexHandle;
 
 /// Where one tile has several points of the rim in a row, those at which the outline turns by less are left
 /// out.
@@ -35,16 +29,19 @@ class DualBuilder {
   public:
     DualBuilder(const Rim& rim, const Triangulation& triangulation, const Work& work)
         : rim_(rim), triangulation_(triangulation), work_(work) {
-        for (std::size_t i = 0; i < triangulation.points.size(); ++i) mesh_.add_vertex({});
-        for (const auto& [a, b, c] : triangulation.triangles) {
+        previous_.resize(rim.next.size());
+        for (std::size_t b = 0; b < rim.next.size(); ++b)
+            previous_[static_cast<std::size_t>(rim.next[b])] = static_cast<int>(b);
+        first_triangles_.assign(triangulation.points.size(), -1);
+        for (std::size_t i = 0; i < triangulation.triangles.size(); ++i) {
             work_.check();
-            mesh_.add_face(VertexHandle(a), VertexHandle(b), VertexHandle(c));
+            for (const int corner : triangulation.triangles[i])
+                first_triangles_[static_cast<std::size_t>(corner)] = static_cast<int>(i);
         }
     }
 
     Dual build() {
-        flip_ears();
-        side_ends_.assign(mesh_.n_faces(), -1);
+        side_ends_.assign(triangulation_.triangles.size(), -1);
         corners_.assign(rim_.points.size(), {});
         add_inner_vertices();
         for (int b = 0; b < triangulation_.rim_count; ++b) add_rim_vertices(b);
@@ -65,8 +62,8 @@ class DualBuilder {
     };
     static constexpr int kShared = -2;
 
-    /// The triangles around a point of the rim, counterclockwise from its next to its previous point.
-    struct RimFan {
+    /// The triangles around a point, counterclockwise; of the rim: from its next to its previous point.
+    struct Fan {
         std::vector<int> neighbors;
         std::vector<int> faces;  // face i has neighbors i and i + 1
     };
@@ -76,82 +73,77 @@ class DualBuilder {
     }
     [[nodiscard]] bool is_rim(int index) const { return triangulation_.is_rim(index); }
 
-    int add_vertex(Point2 place, int loop, bool is_fixed) {
-        dual_.vertices.push_back({place, loop, is_fixed});
+    int add_inner_vertex(Point2 place) {
+        dual_.vertices.push_back({place});
         return static_cast<int>(dual_.vertices.size()) - 1;
     }
     int add_vertex_at(int rim_point) {
         const RimPoint& at = rim_.points[static_cast<std::size_t>(rim_point)];
-        return add_vertex(at.place, at.loop, at.is_corner);
+        dual_.vertices.push_back({at.place, at.loop, at.is_corner, at.along});
+        return static_cast<int>(dual_.vertices.size()) - 1;
     }
-
-    [[nodiscard]] int rim_vertices_of(OpenMesh::FaceHandle face) const {
-        int count = 0;
-        for (const VertexHandle v : mesh_.fv_range(face)) count += is_rim(v.idx()) ? 1 : 0;
-        return count;
-    }
-
-    /// A corner of the outline that a triangle of three rim points cuts off goes to the tile behind it.
-    void flip_ears() {
-        for (const OpenMesh::EdgeHandle edge : mesh_.edges()) {
-            work_.check();
-            if (mesh_.is_boundary(edge) || !mesh_.is_flip_ok(edge)) continue;
-            for (const unsigned side : {0U, 1U}) {
-                const HalfedgeHandle h = mesh_.halfedge_handle(edge, side);
-                if (is_ear(h) && is_convex_around(h)) {
-                    mesh_.flip(edge);
-                    break;
-                }
-            }
-        }
-    }
-    /// The triangle of h has two sides on the outline, and the one behind h has a site.
-    [[nodiscard]] bool is_ear(HalfedgeHandle h) const {
-        const HalfedgeHandle next = mesh_.next_halfedge_handle(h);
-        return mesh_.is_boundary(mesh_.edge_handle(next)) &&
-               mesh_.is_boundary(mesh_.edge_handle(mesh_.prev_halfedge_handle(h))) &&
-               !is_rim(opposite_vertex(mesh_.opposite_halfedge_handle(h)));
-    }
-    [[nodiscard]] int opposite_vertex(HalfedgeHandle h) const {
-        return mesh_.to_vertex_handle(mesh_.next_halfedge_handle(h)).idx();
-    }
-    /// The two triangles of h make a strictly convex quadrilateral.
-    [[nodiscard]] bool is_convex_around(HalfedgeHandle h) const {
-        const Point2 from = point(mesh_.from_vertex_handle(h).idx());
-        const Point2 to = point(mesh_.to_vertex_handle(h).idx());
-        const Point2 left = point(opposite_vertex(h));
-        const Point2 right = point(opposite_vertex(mesh_.opposite_halfedge_handle(h)));
-        return cross(from - left, right - from) > 0 && cross(to - right, left - to) > 0;
+    /// On the outline, at a share of the way to the next point of the rim, or, if it is negative, to the
+    /// previous one.
+    int add_vertex_beside(int rim_point, double share) {
+        const RimPoint& at = rim_.points[static_cast<std::size_t>(rim_point)];
+        const ClosedCurve& curve = rim_.curves[static_cast<std::size_t>(at.loop)];
+        const int other = share > 0 ? rim_.next[static_cast<std::size_t>(rim_point)]
+                                    : previous_[static_cast<std::size_t>(rim_point)];
+        double way = rim_.points[static_cast<std::size_t>(other)].along - at.along;
+        if (share > 0 && way <= 0) way += curve.length();
+        if (share <= 0 && way >= 0) way -= curve.length();
+        const double along = at.along + std::abs(share) * way;
+        dual_.vertices.push_back({curve.at(along), at.loop, false, along});
+        return static_cast<int>(dual_.vertices.size()) - 1;
     }
 
     void add_inner_vertices() {
-        for (const OpenMesh::FaceHandle face : mesh_.faces()) {
+        for (std::size_t face = 0; face < triangulation_.triangles.size(); ++face) {
             work_.check();
-            if (rim_vertices_of(face) > 0) continue;
-            std::array<Point2, 3> places;
-            auto place = places.begin();
-            for (const VertexHandle v : mesh_.fv_range(face)) *place++ = point(v.idx());
-            side_ends_[static_cast<std::size_t>(face.idx())] =
-                add_vertex(clamped_circumcenter(places[0], places[1], places[2]), -1, false);
+            const auto& [a, b, c] = triangulation_.triangles[face];
+            if (is_rim(a) || is_rim(b) || is_rim(c)) continue;
+            side_ends_[face] = add_inner_vertex(clamped_circumcenter(point(a), point(b), point(c)));
         }
     }
 
-    [[nodiscard]] RimFan fan_around(int rim_point) const {
-        RimFan fan;
-        HalfedgeHandle h = mesh_.find_halfedge(VertexHandle(rim_point),
-                                               VertexHandle(rim_.next[static_cast<std::size_t>(rim_point)]));
-        fan.neighbors.push_back(mesh_.to_vertex_handle(h).idx());
-        while (!mesh_.is_boundary(h)) {
-            fan.faces.push_back(mesh_.face_handle(h).idx());
-            h = mesh_.opposite_halfedge_handle(mesh_.prev_halfedge_handle(h));
-            fan.neighbors.push_back(mesh_.to_vertex_handle(h).idx());
+    /// The triangle behind the side from a point to the corner before it, seen counterclockwise.
+    [[nodiscard]] int clockwise(int triangle, int point) const {
+        const auto i = static_cast<std::size_t>(triangle);
+        return triangulation_
+            .neighbors[i][static_cast<std::size_t>(corner_at(triangulation_.triangles[i], point) + 2) % 3];
+    }
+    [[nodiscard]] int counterclockwise(int triangle, int point) const {
+        const auto i = static_cast<std::size_t>(triangle);
+        return triangulation_
+            .neighbors[i][static_cast<std::size_t>(corner_at(triangulation_.triangles[i], point) + 1) % 3];
+    }
+    [[nodiscard]] int corner_after(int triangle, int point, int steps) const {
+        const auto& corners = triangulation_.triangles[static_cast<std::size_t>(triangle)];
+        return corners[static_cast<std::size_t>(corner_at(corners, point) + steps) % 3];
+    }
+
+    /// For a point of the rim, one neighbour more than faces.
+    [[nodiscard]] Fan fan_around(int center) const {
+        Fan fan;
+        int first = first_triangles_[static_cast<std::size_t>(center)];
+        if (first < 0) return fan;
+        if (is_rim(center)) {
+            while (clockwise(first, center) >= 0) first = clockwise(first, center);
         }
+        int triangle = first;
+        do {
+            fan.neighbors.push_back(corner_after(triangle, center, 1));
+            fan.faces.push_back(triangle);
+            if (counterclockwise(triangle, center) < 0)
+                fan.neighbors.push_back(corner_after(triangle, center, 2));
+            triangle = counterclockwise(triangle, center);
+        } while (triangle >= 0 && triangle != first);
         return fan;
     }
 
     void add_rim_vertices(int b) {
         work_.check();
-        const RimFan fan = fan_around(b);
+        const Fan fan = fan_around(b);
         std::vector<int> sites;
         for (const int neighbor : fan.neighbors) {
             if (!is_rim(neighbor)) sites.push_back(neighbor);
@@ -173,7 +165,7 @@ class DualBuilder {
         }
     }
 
-    void end_all_sides_at(int b, const RimFan& fan) {
+    void end_all_sides_at(int b, const Fan& fan) {
         const int vertex = add_vertex_at(b);
         corners_[static_cast<std::size_t>(b)] = {vertex, kShared};
         for (const int face : fan.faces) side_ends_[static_cast<std::size_t>(face)] = vertex;
@@ -195,34 +187,21 @@ class DualBuilder {
     }
 
     /// Sides between tiles end on the outline around b in their order; side j lies between sites j and j + 1,
-    /// and site `middle` (or the side in the middle) lies at b.
-    void end_sides_beside(int b, const RimFan& fan, double middle) {
+    /// and site `middle` (or the side in the middle) lies at b. No side ends beyond half of the way to the
+    /// next point of the rim.
+    void end_sides_beside(int b, const Fan& fan, double middle) {
         const auto count = static_cast<double>(fan.faces.size()) - 2;  // of sides
+        const double most = std::max(middle, count - middle);
         for (std::size_t face = 1; face + 1 < fan.faces.size(); ++face) {
             const double place =
                 middle - (static_cast<double>(face) - 1 + 0.5);  // > 0: towards the next point
-            const int toward = place > 0 ? fan.neighbors.front() : fan.neighbors.back();
-            const Point2 at = between(point(b), point(toward), std::abs(place) / (count + 1));
             side_ends_[static_cast<std::size_t>(fan.faces[face])] =
-                add_vertex(at, rim_.points[static_cast<std::size_t>(b)].loop, false);
+                place == 0 ? add_vertex_at(b) : add_vertex_beside(b, 0.5 * place / most);
         }
     }
 
-    /// The neighbours of a site, counterclockwise, and the faces: face i has neighbors i and i + 1.
-    [[nodiscard]] RimFan fan_around_site(int site) const {
-        RimFan fan;
-        const HalfedgeHandle first = mesh_.halfedge_handle(VertexHandle(site));
-        HalfedgeHandle h = first;
-        do {
-            fan.neighbors.push_back(mesh_.to_vertex_handle(h).idx());
-            fan.faces.push_back(mesh_.face_handle(h).idx());
-            h = mesh_.opposite_halfedge_handle(mesh_.prev_halfedge_handle(h));
-        } while (h != first);
-        return fan;
-    }
-
     std::vector<int> cell_of(int site) {
-        const RimFan fan = fan_around_site(site);
+        const Fan fan = fan_around(site);
         std::vector<int> cell = walk(site, fan);
         if (cell.size() >= 3) return cell;
         for (const int neighbor :
@@ -235,13 +214,11 @@ class DualBuilder {
         return walk(site, fan);
     }
     [[nodiscard]] bool is_only_touched_by(int rim_point, int site) const {
-        for (const VertexHandle v : mesh_.vv_range(VertexHandle(rim_point))) {
-            if (!is_rim(v.idx()) && v.idx() != site) return false;
-        }
-        return true;
+        return std::ranges::all_of(fan_around(rim_point).neighbors,
+                                   [&](int neighbor) { return is_rim(neighbor) || neighbor == site; });
     }
 
-    [[nodiscard]] std::vector<int> walk(int site, const RimFan& fan) const {
+    [[nodiscard]] std::vector<int> walk(int site, const Fan& fan) const {
         std::vector<int> cell;
         const auto add = [&](int vertex) {
             if (vertex >= 0 && (cell.empty() || cell.back() != vertex)) cell.push_back(vertex);
@@ -251,7 +228,7 @@ class DualBuilder {
                 const Corner& corner = corners_[static_cast<std::size_t>(fan.neighbors[i])];
                 if (corner.owner == site || corner.owner == kShared) add(corner.vertex);
             }
-            add(side_ends_[static_cast<std::size_t>(fan.faces[i])]);
+            if (i < fan.faces.size()) add(side_ends_[static_cast<std::size_t>(fan.faces[i])]);
         }
         while (cell.size() > 1 && cell.front() == cell.back()) cell.pop_back();
         return cell;
@@ -260,7 +237,8 @@ class DualBuilder {
     const Rim& rim_;
     const Triangulation& triangulation_;
     const Work& work_;
-    Mesh mesh_;
+    std::vector<int> first_triangles_;  // for each point one of its triangles
+    std::vector<int> previous_;         // for each point of the rim
     Dual dual_;
     std::vector<int> side_ends_;   // for each triangle the vertex of the dual that it gives
     std::vector<Corner> corners_;  // for each point of the rim

@@ -14,6 +14,7 @@ struct DualVertex {
     pattern::Point2 place;
     int loop = -1;          ///< the loop of the outline on which it lies; -1: inside
     bool is_fixed = false;  ///< on a corner of the outline
+    double along = 0.0;     ///< its place on the loop's curve
 };
 
 /// The tiles of a triangulation, one for each site: polygons that share vertices and whole sides, closed
@@ -26,7 +27,7 @@ struct Dual {
 /// The dual of a triangulation. A triangle of three sites gives an inner vertex (its circumcenter, or the
 /// nearest point of the triangle); where two sites and a point of the rim make a triangle, the side between
 /// the two tiles ends on the outline. The outline's corners are vertices of the tiles in which they lie,
-/// where these stay convex.
+/// where these stay convex. Ears must have been flipped.
 Dual dual_of(const Rim& rim, const Triangulation& triangulation, const Work& work);
 
 /// The polygon of a cell.

@@ -6,7 +6,7 @@
 
 namespace fretwork::tiling::detail {
 
-InsideTest::InsideTest(const Rim& rim, double margin) : rim_(rim), margin_(margin) {
+InsideTest::InsideTest(const Rim& rim, double largest_margin) : rim_(rim) {
     Point2 low = rim.points.front().place;
     Point2 high = low;
     for (const RimPoint& point : rim.points) {
@@ -20,8 +20,8 @@ InsideTest::InsideTest(const Rim& rim, double margin) : rim_(rim), margin_(margi
     for (std::size_t i = 0; i < rim.points.size(); ++i) {
         const double from = along(rim.points[i].place);
         const double to = along(rim.points[static_cast<std::size_t>(rim.next[i])].place);
-        const std::size_t last = band_of(std::max(from, to) + margin);
-        for (std::size_t band = band_of(std::min(from, to) - margin); band <= last; ++band)
+        const std::size_t last = band_of(std::max(from, to) + largest_margin);
+        for (std::size_t band = band_of(std::min(from, to) - largest_margin); band <= last; ++band)
             sides_[band].push_back(i);
     }
 }
@@ -38,12 +38,12 @@ bool InsideTest::is_crossed(Point2 from, Point2 to, Point2 point) const {
     return is_wide_ ? is_left == (from.x > to.x) : is_left == (to.y > from.y);
 }
 
-bool InsideTest::operator()(Point2 point) const {
+bool InsideTest::operator()(Point2 point, double margin) const {
     bool inside = false;
     for (const std::size_t i : sides_[band_of(along(point))]) {
         const Point2 from = rim_.points[i].place;
         const Point2 to = rim_.points[static_cast<std::size_t>(rim_.next[i])].place;
-        if (margin_ > 0 && distance(nearest_on_side(from, to, point), point) < margin_) return false;
+        if (margin > 0 && distance(nearest_on_side(from, to, point), point) < margin) return false;
         if (is_crossed(from, to, point)) inside = !inside;
     }
     return inside;

@@ -8,14 +8,14 @@
 
 namespace fretwork::tiling::detail {
 
-/// Tells whether a point is inside the polygons through a rim's points, at least `margin` (metres) away from
+/// Tells whether a point is inside the polygons through a rim's points, at least a margin (metres) away from
 /// them. Looks only at the sides near the point: they are sorted into bands across the longer side of the
 /// rim's box.
 class InsideTest {
   public:
-    /// Refers to the rim.
-    InsideTest(const Rim& rim, double margin);
-    [[nodiscard]] bool operator()(pattern::Point2 point) const;
+    /// Refers to the rim. No margin that is asked for later may be larger.
+    InsideTest(const Rim& rim, double largest_margin);
+    [[nodiscard]] bool operator()(pattern::Point2 point, double margin) const;
 
   private:
     [[nodiscard]] std::size_t band_of(double place) const;
@@ -23,7 +23,6 @@ class InsideTest {
     [[nodiscard]] bool is_crossed(pattern::Point2 from, pattern::Point2 to, pattern::Point2 point) const;
 
     const Rim& rim_;
-    double margin_;
     bool is_wide_ = false;                         // the bands divide x, else y
     double low_ = 0.0;                             // where the first band begins
     double band_ = 1.0;                            // width of a band

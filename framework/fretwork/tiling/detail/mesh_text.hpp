@@ -25,6 +25,10 @@ MeshFile read_off(const std::filesystem::path& path);
 /// ASCII, or binary of either byte order.
 MeshFile read_ply(const std::filesystem::path& path);
 
+/// Read a mesh by the ending of its file, and check that it has faces and lies in a plane z = constant.
+/// Throws InputError or GeometryError with file and place.
+MeshFile read_flat_mesh(const std::filesystem::path& path);
+
 /// The words of a line of text, and its number, from 1.
 struct TextLine {
     std::size_t number = 0;

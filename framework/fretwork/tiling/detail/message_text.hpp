@@ -14,6 +14,12 @@ inline std::string short_number(double value) {
     std::snprintf(text, sizeof text, "%.6g", value);
     return text;
 }
+/// For lengths that a person is to type.
+inline std::string two_digits(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.2g", value);
+    return text;
+}
 inline std::string metres(double length) {
     return short_number(length) + " m";
 }

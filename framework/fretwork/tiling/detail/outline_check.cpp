@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <utility>
 
 namespace fretwork::tiling::detail {
@@ -84,19 +85,26 @@ bool clash(const Side& a, const Side& b) {
     return CGAL::do_intersect(Kernel::Segment_2(a.from, a.to), Kernel::Segment_2(b.from, b.to));
 }
 
-/// The first pair of sides that clash, in the order of loops and sides. Pairs whose boxes meet are tested,
-/// exactly.
-std::optional<std::string> flaw_of_crossing(const std::vector<Polygon>& loops, const base::Control& control) {
+/// Call found(a, b) for each pair of sides that clash. Pairs whose boxes meet are tested, exactly.
+template <class Found>
+void for_each_clash(const std::vector<Side>& sides, const base::Control& control, const Found& found) {
     using Box = CGAL::Box_intersection_d::Box_with_handle_d<double, 2, const Side*>;
-    const std::vector<Side> sides = sides_of(loops);
     std::vector<Box> boxes;
     boxes.reserve(sides.size());
     for (const Side& side : sides) boxes.emplace_back(side.from.bbox() + side.to.bbox(), &side);
-    std::optional<std::pair<const Side*, const Side*>> first;
     CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
         control.check();
         const std::pair<const Side*, const Side*> pair = std::minmax(a.handle(), b.handle());
-        if ((!first || pair < *first) && clash(*pair.first, *pair.second)) first = pair;
+        if (clash(*pair.first, *pair.second)) found(pair);
+    });
+}
+
+/// The first pair of sides that clash, in the order of loops and sides.
+std::optional<std::string> flaw_of_crossing(const std::vector<Polygon>& loops, const base::Control& control) {
+    const std::vector<Side> sides = sides_of(loops);
+    std::optional<std::pair<const Side*, const Side*>> first;
+    for_each_clash(sides, control, [&](const auto& pair) {
+        if (!first || pair < *first) first = pair;
     });
     if (!first) return std::nullopt;
     return first->first->name() + " touches or crosses " + first->second->name();
@@ -131,6 +139,25 @@ std::optional<std::string> outline_flaw(const std::vector<Polygon>& loops, const
     if (auto flaw = flaw_of_points(loops)) return flaw;
     if (auto flaw = flaw_of_crossing(loops, control)) return flaw;
     return flaw_of_nesting(loops, control);
+}
+
+std::vector<Point2> places_of_crossings(const std::vector<Polygon>& loops, const base::Control& control) {
+    const std::vector<Side> sides = sides_of(loops);
+    std::set<const Side*> clashing;
+    for_each_clash(sides, control, [&](const auto& pair) { clashing.insert({pair.first, pair.second}); });
+    std::vector<Point2> places;
+    for (const Side* side : clashing)
+        places.push_back({0.5 * (side->from.x() + side->to.x()), 0.5 * (side->from.y() + side->to.y())});
+    if (!places.empty()) return places;
+    for (std::size_t hole = 1; hole < loops.size(); ++hole) {
+        control.check();
+        const Point2& point = loops[hole].front();
+        bool is_well = is_inside(point, loops.front());
+        for (std::size_t other = 1; other < loops.size(); ++other)
+            is_well = is_well && (other == hole || !is_inside(point, loops[other]));
+        if (!is_well) places.push_back(point);
+    }
+    return places;
 }
 
 }  // namespace fretwork::tiling::detail

@@ -16,4 +16,10 @@ namespace fretwork::tiling::detail {
 std::optional<std::string> outline_flaw(const std::vector<pattern::Polygon>& loops,
                                         const base::Control& control);
 
+/// Where loops cross or touch themselves or each other, decided exactly: the middles of such sides. If there
+/// are none, the first point of each hole that lies outside the boundary or inside another. Throws
+/// base::Stopped.
+std::vector<pattern::Point2> places_of_crossings(const std::vector<pattern::Polygon>& loops,
+                                                 const base::Control& control);
+
 }  // namespace fretwork::tiling::detail

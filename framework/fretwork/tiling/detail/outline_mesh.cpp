@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 
 namespace fretwork::tiling::detail {
@@ -35,6 +36,7 @@ class QuietOpenMesh {
 
 /// All points must have the same z, but for rounding.
 void check_flat(const MeshFile& file, const std::filesystem::path& path) {
+    if (file.faces.empty()) throw base::InputError(path.string(), "", "has no face");
     std::array<double, 3> low = file.points.front();
     std::array<double, 3> high = low;
     for (const auto& point : file.points) {
@@ -90,7 +92,6 @@ void check_one_piece(const Mesh& mesh, const std::filesystem::path& path) {
 }
 
 std::vector<Loop> loops_of_mesh(const std::filesystem::path& path, const MeshFile& file) {
-    if (file.faces.empty()) throw base::InputError(path.string(), "", "has no face");
     check_flat(file, path);
     const Mesh mesh = make_mesh(file, path);
     check_one_piece(mesh, path);
@@ -122,6 +123,17 @@ std::vector<Loop> read_off_loops(const std::filesystem::path& path) {
 }
 std::vector<Loop> read_ply_loops(const std::filesystem::path& path) {
     return loops_of_mesh(path, read_ply(path));
+}
+
+MeshFile read_flat_mesh(const std::filesystem::path& path) {
+    std::string ending = path.extension().string();
+    for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    if (ending != ".obj" && ending != ".ply" && ending != ".off")
+        throw base::InputError(path.string(), "",
+                               "a mesh is an .obj, .ply or .off file, and this ends in '" + ending + "'");
+    MeshFile file = ending == ".obj" ? read_obj(path) : ending == ".ply" ? read_ply(path) : read_off(path);
+    check_flat(file, path);
+    return file;
 }
 
 }  // namespace fretwork::tiling::detail

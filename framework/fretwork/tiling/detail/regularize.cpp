@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/tiling/detail/cell_sides.hpp>
 #include <fretwork/tiling/detail/plane.hpp>
 #include <fretwork/tiling/detail/regularize.hpp>
 
+#include <algorithm>
 #include <complex>
 #include <numbers>
 
@@ -46,33 +48,108 @@ Polygon nearest_regular_polygon(const Polygon& polygon, const std::vector<Comple
     return regular;
 }
 
-}  // namespace
+constexpr double kPullingAngle = 40 * std::numbers::pi / 180;  // cells with a sharper one pull harder
+constexpr double kPullingSide = 0.4;                           // of the cell's mean, the same
+constexpr double kHarder = 1.2;                                // by so much each time
+constexpr double kHardest = 10;
+constexpr double kSlide = 0.9;  // of the way to the neighbour along the rim, at most
 
-void regularize(Dual& dual, const Rim& rim, int iterations, Work& work) {
-    work.advance(1);
-    RootsOfUnity roots;
-    for (int iteration = 0; iteration < iterations; ++iteration) {
-        std::vector<Point2> sums(dual.vertices.size());
-        std::vector<int> counts(dual.vertices.size());
-        for (std::size_t cell = 0; cell < dual.cells.size(); ++cell) {
-            work.check();
-            const Polygon polygon = polygon_of(dual, cell);
-            const Polygon wanted = nearest_regular_polygon(polygon, roots.of(polygon.size()));
-            for (std::size_t i = 0; i < wanted.size(); ++i) {
-                const auto vertex = static_cast<std::size_t>(dual.cells[cell][i]);
-                sums[vertex] = sums[vertex] + wanted[i];
-                ++counts[vertex];
-            }
-        }
-        for (std::size_t v = 0; v < dual.vertices.size(); ++v) {
-            work.check();
-            DualVertex& vertex = dual.vertices[v];
-            if (counts[v] == 0 || vertex.is_fixed) continue;
-            vertex.place = (1.0 / counts[v]) * sums[v];
-            if (vertex.loop >= 0)
-                vertex.place = rim.curves[static_cast<std::size_t>(vertex.loop)].nearest(vertex.place);
+/// Whether a cell has a reflex or sharp angle or a short side.
+bool is_far_from_regular(const Polygon& polygon) {
+    const double mean = perimeter(polygon) / static_cast<double>(polygon.size());
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const Point2 here = polygon[(i + 1) % polygon.size()];
+        const Point2 side = polygon[(i + 2) % polygon.size()] - here;
+        const double angle = turn(side, polygon[i] - here);
+        if (angle < kPullingAngle || length(side) < kPullingSide * mean) return true;
+    }
+    return false;
+}
+
+class Regularizer {
+  public:
+    Regularizer(Dual& dual, const Rim& rim, const Work& work)
+        : dual_(dual), rim_(rim), work_(work), weights_(dual.cells.size(), 1.0) {
+        find_neighbors_on_rim();
+    }
+
+    void iterate() {
+        sums_.assign(dual_.vertices.size(), {});
+        weight_sums_.assign(dual_.vertices.size(), 0.0);
+        for (std::size_t cell = 0; cell < dual_.cells.size(); ++cell) pull(cell);
+        for (std::size_t v = 0; v < dual_.vertices.size(); ++v) {
+            work_.check();
+            if (weight_sums_[v] > 0 && !dual_.vertices[v].is_fixed)
+                move(v, (1.0 / weight_sums_[v]) * sums_[v]);
         }
     }
+
+  private:
+    void find_neighbors_on_rim() {
+        previous_.assign(dual_.vertices.size(), -1);
+        next_.assign(dual_.vertices.size(), -1);
+        const auto sides = sides_of_cells(dual_, work_.control());
+        for_each_side(sides, work_.control(), [&](std::span<const CellSide> same) {
+            if (same.size() != 1) return;
+            next_[static_cast<std::size_t>(same.front().from)] = same.front().to;
+            previous_[static_cast<std::size_t>(same.front().to)] = same.front().from;
+        });
+    }
+
+    void pull(std::size_t cell) {
+        work_.check();
+        const Polygon polygon = polygon_of(dual_, cell);
+        double& weight = weights_[cell];
+        weight = is_far_from_regular(polygon) ? std::min(kHardest, kHarder * weight)
+                                              : std::max(1.0, weight / kHarder);
+        const Polygon wanted = nearest_regular_polygon(polygon, roots_.of(polygon.size()));
+        for (std::size_t i = 0; i < wanted.size(); ++i) {
+            const auto vertex = static_cast<std::size_t>(dual_.cells[cell][i]);
+            sums_[vertex] = sums_[vertex] + weight * wanted[i];
+            weight_sums_[vertex] += weight;
+        }
+    }
+
+    void move(std::size_t v, Point2 wanted) {
+        DualVertex& vertex = dual_.vertices[v];
+        if (vertex.loop < 0) {
+            vertex.place = wanted;
+            return;
+        }
+        const ClosedCurve& curve = rim_.curves[static_cast<std::size_t>(vertex.loop)];
+        const double back = kSlide * way(previous_[v], static_cast<int>(v));
+        const double forth = kSlide * way(static_cast<int>(v), next_[v]);
+        vertex.along = curve.nearest_between(vertex.along - back, vertex.along + forth, wanted);
+        vertex.place = curve.at(vertex.along);
+    }
+    /// Along the outline from one vertex to another in front of it; 0 if it is not in front.
+    [[nodiscard]] double way(int from, int to) const {
+        if (from < 0 || to < 0) return 0.0;
+        const DualVertex& a = dual_.vertices[static_cast<std::size_t>(from)];
+        const DualVertex& b = dual_.vertices[static_cast<std::size_t>(to)];
+        if (a.loop != b.loop) return 0.0;
+        const double all = rim_.curves[static_cast<std::size_t>(a.loop)].length();
+        const double apart = b.along - a.along;
+        const double forward = apart - all * std::floor(apart / all);
+        return forward < 0.9 * all ? forward : 0.0;
+    }
+
+    Dual& dual_;
+    const Rim& rim_;
+    const Work& work_;
+    RootsOfUnity roots_;
+    std::vector<double> weights_;
+    std::vector<int> previous_;  // for each vertex of the rim
+    std::vector<int> next_;
+    std::vector<Point2> sums_;
+    std::vector<double> weight_sums_;
+};
+
+}  // namespace
+
+void regularize(Dual& dual, const Rim& rim, int iterations, const Work& work) {
+    Regularizer regularizer(dual, rim, work);
+    for (int iteration = 0; iteration < iterations; ++iteration) regularizer.iterate();
 }
 
 }  // namespace fretwork::tiling::detail

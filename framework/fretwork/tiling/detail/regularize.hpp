@@ -6,8 +6,9 @@
 namespace fretwork::tiling::detail {
 
 /// Make the cells as regular as they can be together: again and again, every cell wants its vertices on the
-/// regular polygon nearest to it, and every vertex goes to the mean of what its cells want. Vertices of the
-/// rim slide along the outline; its corners stay. Each call is a step of the work.
-void regularize(Dual& dual, const Rim& rim, int iterations, Work& work);
+/// regular polygon nearest to it, and every vertex goes to the mean of what its cells want. Cells that are
+/// far from regular pull harder and harder. Vertices of the rim slide along the outline, never past each
+/// other; its corners stay.
+void regularize(Dual& dual, const Rim& rim, int iterations, const Work& work);
 
 }  // namespace fretwork::tiling::detail

@@ -3,6 +3,7 @@
 
 #include <fretwork/base/control.hpp>
 #include <fretwork/tiling/detail/closed_curve.hpp>
+#include <fretwork/tiling/detail/size_field.hpp>
 #include <fretwork/tiling/outline.hpp>
 
 #include <vector>
@@ -13,6 +14,7 @@ namespace fretwork::tiling::detail {
 struct RimPoint {
     pattern::Point2 place;
     int loop = 0;            ///< 0: the boundary; 1, 2, ..: the holes
+    double along = 0.0;      ///< its place on the loop's curve
     bool is_corner = false;  ///< a corner of the outline: it stays where it is
 };
 
@@ -23,10 +25,12 @@ struct Rim {
     std::vector<int> next;            ///< for each point the next point of the same loop
 };
 
-/// Put points on the outline's corners, and evenly between them at distances near `spacing` (metres). Where
-/// the polygons through these points cross, the points lie half as far apart, and so on down to an eighth.
-/// Throws GeometryError if that is no help: parts of the outline are much nearer to each other than a tile is
-/// wide. Throws base::Stopped.
-Rim sample_rim(const Outline& outline, double spacing, const base::Control& control);
+/// Put points on the outline's corners, and evenly between them at about the wanted distances. Throws
+/// base::Stopped.
+Rim sample_rim(const Outline& outline, const Spacing& spacing, const base::Control& control);
+
+/// Where the polygons through the rim's points cross or touch each other: there the points are too far apart
+/// for the gap between two parts of the outline. Decided exactly. Throws base::Stopped.
+std::vector<pattern::Point2> rim_crossings(const Rim& rim, const base::Control& control);
 
 }  // namespace fretwork::tiling::detail

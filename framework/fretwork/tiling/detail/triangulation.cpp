@@ -13,7 +13,8 @@ namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 struct FaceInfo {
-    int depth = -1;  // rims between the face and infinity: odd is inside
+    int depth = -1;     // rims between the face and infinity: odd is inside
+    int triangle = -1;  // of those inside
 };
 struct VertexInfo {
     int point = -1;
@@ -46,6 +47,26 @@ void mark_depths(Delaunay& delaunay, const Work& work) {
     }
 }
 
+/// The faces inside the rim, and which are neighbours.
+void add_triangles(Delaunay& delaunay, const Work& work, Triangulation& result) {
+    const auto is_inside = [](Delaunay::Face_handle face) { return face->info().depth % 2 != 0; };
+    for (const Delaunay::Face_handle face : delaunay.finite_face_handles()) {
+        work.check();
+        if (!is_inside(face)) continue;
+        face->info().triangle = static_cast<int>(result.triangles.size());
+        result.triangles.push_back(
+            {face->vertex(0)->info().point, face->vertex(1)->info().point, face->vertex(2)->info().point});
+    }
+    result.neighbors.reserve(result.triangles.size());
+    for (const Delaunay::Face_handle face : delaunay.finite_face_handles()) {
+        if (!is_inside(face)) continue;
+        const auto behind = [&](int i) {
+            return face->is_constrained(i) ? -1 : face->neighbor(i)->info().triangle;
+        };
+        result.neighbors.push_back({behind(0), behind(1), behind(2)});
+    }
+}
+
 }  // namespace
 
 Triangulation triangulate(const Rim& rim, const std::vector<pattern::Point2>& sites, const Work& work) {
@@ -69,12 +90,7 @@ Triangulation triangulate(const Rim& rim, const std::vector<pattern::Point2>& si
     }
     for (const pattern::Point2& site : sites) insert(site);
     mark_depths(delaunay, work);
-    for (const Delaunay::Face_handle face : delaunay.finite_face_handles()) {
-        work.check();
-        if (face->info().depth % 2 == 0) continue;
-        result.triangles.push_back(
-            {face->vertex(0)->info().point, face->vertex(1)->info().point, face->vertex(2)->info().point});
-    }
+    add_triangles(delaunay, work, result);
     return result;
 }
 

@@ -9,11 +9,12 @@
 
 namespace fretwork::tiling::detail {
 
-/// A long task that several threads share: whether it is to go on, and how far it is. Its progress ends with
-/// the object.
+/// A long task that several threads share: whether it is to go on, and how far it is. It comes in parts, of
+/// which nobody knows beforehand how many there will be: each is told as a share of what is left. Its
+/// progress ends with the object.
 class Work {
   public:
-    Work(const base::Control& control, std::string_view task, std::size_t steps);
+    Work(const base::Control& control, std::string_view task);
     ~Work();
     Work(const Work&) = delete;
     Work& operator=(const Work&) = delete;
@@ -21,13 +22,23 @@ class Work {
     [[nodiscard]] const base::Control& control() const { return control_; }
     /// Throws base::Stopped if the work is to stop.
     void check() const { control_.check(); }
-    /// So many steps are done, or turned out not to be needed. Throws base::Stopped.
-    void advance(std::size_t steps);
+    /// A part of at most so many steps begins, on this thread alone: such a share of what is left.
+    void begin_part(std::size_t most_steps, double share);
+    /// A step is done. Throws base::Stopped.
+    void advance();
+    /// All is done.
+    void complete();
 
   private:
+    void tell(double share);
+
     base::Control control_;
     std::mutex mutex_;
-    std::size_t done_ = 0;
+    std::size_t steps_ = 0;   // of the part
+    std::size_t done_ = 0;    // of them
+    double before_ = 0.0;     // share of the work that was done before the part
+    double share_ = 0.0;      // of the part in what was left then
+    double last_told_ = 0.0;  // share of the work
 };
 
 }  // namespace fretwork::tiling::detail

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/tiling/detail/narrow_parts.hpp>
+#include <fretwork/tiling/detail/plane.hpp>
+#include <fretwork/tiling/detail/triangulation.hpp>
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+
+namespace fretwork::tiling::detail {
+namespace {
+
+constexpr double kSampling = 0.05;  // of the width that counts as narrow: between points of the boundary
+constexpr double kLeastCut = 1.0;   // area that is cut off, over the square of the cut's length
+constexpr double kSharpCut = 0.9;   // the same of what is cut off as a sharp tip: of 31 degrees
+constexpr double kStraight = 1.2;   // length of a cut over the width there, at most
+constexpr double kEndless = std::numeric_limits<double>::infinity();
+
+void add_loop(const Polygon& points, int loop, double longest, Rim& rim) {
+    const auto first = static_cast<int>(rim.points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const Point2 from = points[i];
+        const Point2 to = points[(i + 1) % points.size()];
+        const auto count = std::max(1, static_cast<int>(std::ceil(distance(from, to) / longest)));
+        for (int k = 0; k < count; ++k) {
+            rim.points.push_back({between(from, to, static_cast<double>(k) / count), loop});
+            rim.next.push_back(static_cast<int>(rim.points.size()));
+        }
+    }
+    rim.next.back() = first;
+}
+
+Rim dense_rim(const Outline& outline, double longest) {
+    Rim rim;
+    add_loop(outline.boundary, 0, longest, rim);
+    int loop = 0;
+    for (const Polygon& hole : outline.holes) add_loop(hole, ++loop, longest, rim);
+    return rim;
+}
+
+/// The triangles as a graph: what each edge cuts off.
+class Cuts {
+  public:
+    Cuts(const Triangulation& triangulation, const Work& work) : t_(triangulation), work_(work) {
+        degrees_.assign(t_.triangles.size(), 0);
+        for (std::size_t i = 0; i < t_.triangles.size(); ++i) {
+            work_.check();
+            areas_.push_back(0.5 * cross(corner(i, 1) - corner(i, 0), corner(i, 2) - corner(i, 0)));
+            total_ += areas_.back();
+            cut_off_.push_back({kEndless, kEndless, kEndless});
+            is_end_.push_back({false, false, false});
+            for (const int neighbor : t_.neighbors[i]) degrees_[i] += neighbor >= 0 ? 1 : 0;
+        }
+        prune();
+    }
+
+    /// The smaller of the areas on both sides of an edge; endless if it does not part the shape.
+    [[nodiscard]] double cut_off(std::size_t triangle, std::size_t side) const {
+        return cut_off_[triangle][side];
+    }
+    /// Whether the triangle is on the side of the edge that is cut off, and that is the smaller one.
+    [[nodiscard]] bool is_end(std::size_t triangle, std::size_t side) const {
+        return is_end_[triangle][side];
+    }
+    [[nodiscard]] Point2 corner(std::size_t triangle, std::size_t i) const {
+        return t_.points[static_cast<std::size_t>(t_.triangles[triangle][i])];
+    }
+
+  private:
+    /// Take away triangles that hang on one edge, again and again.
+    void prune() {
+        std::vector<std::size_t> ends;
+        for (std::size_t i = 0; i < degrees_.size(); ++i) {
+            if (degrees_[i] == 1) ends.push_back(i);
+        }
+        std::vector<bool> is_gone(degrees_.size(), false);
+        std::vector<double> area = areas_;
+        for (std::size_t at = 0; at < ends.size(); ++at) {
+            work_.check();
+            const std::size_t i = ends[at];
+            if (is_gone[i]) continue;
+            is_gone[i] = true;
+            for (std::size_t side = 0; side < 3; ++side) {
+                const int behind = t_.neighbors[i][side];
+                if (behind < 0 || is_gone[static_cast<std::size_t>(behind)]) continue;
+                const auto other = static_cast<std::size_t>(behind);
+                const double smaller = std::min(area[i], total_ - area[i]);
+                cut_off_[i][side] = smaller;
+                is_end_[i][side] = area[i] <= smaller;
+                const auto back =
+                    static_cast<std::size_t>(std::ranges::find(t_.neighbors[other], static_cast<int>(i)) -
+                                             t_.neighbors[other].begin());
+                cut_off_[other][back] = smaller;
+                is_end_[other][back] = area[i] > smaller;
+                area[other] += area[i];
+                if (--degrees_[other] == 1) ends.push_back(other);
+            }
+        }
+    }
+
+    const Triangulation& t_;
+    const Work& work_;
+    std::vector<double> areas_;
+    std::vector<int> degrees_;
+    double total_ = 0.0;
+    std::vector<std::array<double, 3>> cut_off_;
+    std::vector<std::array<bool, 3>> is_end_;
+};
+
+/// How wide the shape is at an edge: from its ends to the side of the rim that one of its triangles has.
+double width_at(const Triangulation& triangulation, const Cuts& cuts, std::size_t triangle,
+                std::size_t side) {
+    const Point2 from = cuts.corner(triangle, (side + 1) % 3);
+    const Point2 to = cuts.corner(triangle, (side + 2) % 3);
+    double width = distance(from, to);
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (triangulation.neighbors[triangle][i] >= 0) continue;
+        const Point2 a = cuts.corner(triangle, (i + 1) % 3);
+        const Point2 b = cuts.corner(triangle, (i + 2) % 3);
+        const Point2 tip = cuts.corner(triangle, i);
+        width = std::min(width, distance(nearest_on_side(a, b, tip), tip));
+    }
+    return width;
+}
+
+}  // namespace
+
+std::vector<NarrowPlace> narrow_places(const Outline& outline, const NarrowLimits& limits,
+                                       const base::Control& control) {
+    const Work work(control.silent(), "");
+    const Triangulation triangulation = triangulate(dense_rim(outline, kSampling * limits.width), {}, work);
+    const Cuts cuts(triangulation, work);
+    std::vector<NarrowPlace> places;
+    for (std::size_t i = 0; i < triangulation.triangles.size(); ++i) {
+        work.check();
+        for (std::size_t side = 0; side < 3; ++side) {
+            if (triangulation.neighbors[i][side] < 0) continue;
+            const double width = width_at(triangulation, cuts, i, side);
+            if (width >= limits.width) continue;
+            if (cuts.cut_off(i, side) < std::max(kLeastCut * width * width, limits.least_area)) continue;
+            const Point2 place = between(cuts.corner(i, (side + 1) % 3), cuts.corner(i, (side + 2) % 3), 0.5);
+            places.push_back({place, width, cuts.cut_off(i, side)});
+        }
+    }
+    std::ranges::stable_sort(places, {}, &NarrowPlace::width);
+    return places;
+}
+
+namespace {
+
+/// A cut: from one point of the rim to another, with the points between them, behind `to`, cut off.
+struct TipCut {
+    double area;
+    int from;
+    int to;
+};
+
+/// The cuts that make tips blunt, the largest first.
+std::vector<TipCut> tip_cuts(const Triangulation& triangulation, const Cuts& cuts, double most) {
+    std::vector<TipCut> result;
+    for (std::size_t i = 0; i < triangulation.triangles.size(); ++i) {
+        for (std::size_t side = 0; side < 3; ++side) {
+            const double area = cuts.cut_off(i, side);
+            if (area > most || !cuts.is_end(i, side)) continue;
+            const double length = distance(cuts.corner(i, (side + 1) % 3), cuts.corner(i, (side + 2) % 3));
+            if (area < kSharpCut * length * length) continue;
+            if (length > kStraight * width_at(triangulation, cuts, i, side)) continue;
+            result.push_back({area, triangulation.triangles[i][(side + 1) % 3],
+                              triangulation.triangles[i][(side + 2) % 3]});
+        }
+    }
+    std::ranges::stable_sort(result, std::greater<>(), &TipCut::area);
+    return result;
+}
+
+/// The points of each loop that are left.
+Outline outline_of(const Rim& rim, const std::vector<bool>& is_gone, std::size_t loops) {
+    std::vector<Polygon> polygons(loops);
+    for (std::size_t i = 0; i < rim.points.size(); ++i) {
+        if (!is_gone[i])
+            polygons[static_cast<std::size_t>(rim.points[i].loop)].push_back(rim.points[i].place);
+    }
+    return {polygons.front(), {polygons.begin() + 1, polygons.end()}};
+}
+
+}  // namespace
+
+BluntOutline blunt(const Outline& outline, double narrow_width, const BluntLimits& limits,
+                   const base::Control& control) {
+    const Work work(control.silent(), "");
+    const Rim rim = dense_rim(outline, kSampling * narrow_width);
+    const Triangulation triangulation = triangulate(rim, {}, work);
+    const Cuts cuts(triangulation, work);
+    std::vector<bool> is_gone(rim.points.size(), false);
+    BluntOutline result{outline, 0.0};
+    for (const TipCut& cut : tip_cuts(triangulation, cuts, limits.tip)) {
+        const auto from = static_cast<std::size_t>(cut.from);
+        const auto to = static_cast<std::size_t>(cut.to);
+        if (is_gone[from] || is_gone[to] || result.lost_area + cut.area > limits.all) continue;
+        result.lost_area += cut.area;
+        for (auto i = static_cast<std::size_t>(rim.next[to]); i != from;
+             i = static_cast<std::size_t>(rim.next[i]))
+            is_gone[i] = true;
+    }
+    if (result.lost_area > 0) result.outline = outline_of(rim, is_gone, outline.holes.size() + 1);
+    return result;
+}
+
+}  // namespace fretwork::tiling::detail

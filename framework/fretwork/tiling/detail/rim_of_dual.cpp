@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/tiling/detail/cell_sides.hpp>
+#include <fretwork/tiling/detail/rim_of_dual.hpp>
+
+#include <algorithm>
+#include <numeric>
+
+namespace fretwork::tiling::detail {
+
+DualRim rim_of(const Dual& dual, const base::Control& control) {
+    DualRim rim;
+    std::vector<int> next(dual.vertices.size(), -1);
+    const auto sides = sides_of_cells(dual, control);
+    for_each_side(sides, control, [&](std::span<const CellSide> same) {
+        const CellSide& side = same.front();
+        if (same.size() == 1) {
+            int& after = next[static_cast<std::size_t>(side.from)];
+            if (after >= 0) rim.knots.push_back(side.from);
+            after = side.to;
+        } else if (same.size() > 2 || same.back().from == side.from) {
+            rim.knots.push_back(side.from);
+        }
+    });
+    for (std::size_t first = 0; first < next.size(); ++first) {
+        control.check();
+        if (next[first] < 0) continue;
+        std::vector<int>& line = rim.lines.emplace_back();
+        for (int at = static_cast<int>(first); at >= 0;) {
+            line.push_back(at);
+            at = std::exchange(next[static_cast<std::size_t>(at)], -1);
+        }
+        // A closed line comes back to its first vertex.
+        if (line.size() > 1 && line.front() == line.back())
+            line.pop_back();
+        else
+            rim.knots.push_back(line.back());
+    }
+    return rim;
+}
+
+Pieces pieces_of(const Dual& dual, const base::Control& control) {
+    std::vector<std::size_t> parent(dual.cells.size());
+    std::iota(parent.begin(), parent.end(), 0);
+    const auto root = [&](std::size_t cell) {
+        while (parent[cell] != cell) cell = parent[cell] = parent[parent[cell]];
+        return cell;
+    };
+    const auto sides = sides_of_cells(dual, control);
+    for_each_side(sides, control, [&](std::span<const CellSide> same) {
+        for (const CellSide& other : same.subspan(1)) parent[root(other.cell)] = root(same.front().cell);
+    });
+    std::vector<std::size_t> sizes(dual.cells.size(), 0);
+    for (std::size_t cell = 0; cell < sizes.size(); ++cell) ++sizes[root(cell)];
+    Pieces pieces;
+    std::size_t smallest = dual.cells.size() + 1;
+    for (std::size_t cell = 0; cell < sizes.size(); ++cell) {
+        if (sizes[cell] == 0) continue;
+        ++pieces.count;
+        if (sizes[cell] < smallest) {
+            smallest = sizes[cell];
+            pieces.cell_of_smallest = cell;
+        }
+    }
+    return pieces;
+}
+
+}  // namespace fretwork::tiling::detail

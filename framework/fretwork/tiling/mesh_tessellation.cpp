@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/tiling/detail/cell_sides.hpp>
+#include <fretwork/tiling/detail/measures.hpp>
+#include <fretwork/tiling/detail/mesh_text.hpp>
+#include <fretwork/tiling/detail/message_text.hpp>
+#include <fretwork/tiling/detail/numbering.hpp>
+#include <fretwork/tiling/detail/outline_check.hpp>
+#include <fretwork/tiling/detail/plane.hpp>
+#include <fretwork/tiling/detail/rim_of_dual.hpp>
+#include <fretwork/tiling/mesh_tessellation.hpp>
+
+#include <algorithm>
+
+namespace fretwork::tiling {
+namespace {
+
+using detail::Dual;
+using pattern::Point2;
+using pattern::Polygon;
+
+class MeshTiles {
+  public:
+    explicit MeshTiles(const std::filesystem::path& path) : path_(path) {
+        const detail::MeshFile file = detail::read_flat_mesh(path);
+        for (const auto& [x, y, z] : file.points) dual_.vertices.push_back({{x, y}});
+        dual_.cells = file.faces;
+        double area = 0.0;
+        for (std::size_t face = 0; face < dual_.cells.size(); ++face)
+            area += pattern::signed_area(detail::polygon_of(dual_, face));
+        if (area > 0) return;
+        for (std::vector<int>& face : dual_.cells) std::ranges::reverse(face);
+    }
+
+    Dual run() {
+        for (std::size_t face = 0; face < dual_.cells.size(); ++face) {
+            if (!pattern::is_convex(detail::polygon_of(dual_, face)))
+                fail(face, "is not convex, or runs the other way around than most faces");
+        }
+        check_sides();
+        check_rim();
+        return std::move(dual_);
+    }
+
+  private:
+    [[noreturn]] void fail(std::size_t face, const std::string& message) const {
+        throw base::GeometryError(path_.string(), "face " + std::to_string(face), message);
+    }
+    [[nodiscard]] std::string place_of(int vertex) const {
+        return detail::place_text(dual_.vertices[static_cast<std::size_t>(vertex)].place);
+    }
+
+    void check_sides() {
+        const auto sides = detail::sides_of_cells(dual_, {});
+        detail::for_each_side(sides, {}, [&](std::span<const detail::CellSide> same) {
+            if (same.size() == 1) {
+                rim_sides_.push_back(same.front());
+            } else if (same.size() > 2 || same[0].from == same[1].from) {
+                fail(same.back().cell, "has a side at " + place_of(same.back().from) + " that face " +
+                                           std::to_string(same.front().cell) +
+                                           " has on the same side, or that three faces have");
+            }
+        });
+        const detail::Pieces pieces = detail::pieces_of(dual_, {});
+        if (pieces.count > 1)
+            fail(pieces.cell_of_smallest, "does not hang together with the others by sides: there are " +
+                                              std::to_string(pieces.count) + " pieces");
+    }
+
+    void check_rim() {
+        const detail::DualRim rim = detail::rim_of(dual_, {});
+        if (!rim.knots.empty())
+            fail(face_with(rim.knots.front()),
+                 "touches another face at " + place_of(rim.knots.front()) + " in this vertex alone");
+        std::vector<Polygon> loops;
+        for (const std::vector<int>& line : rim.lines) {
+            Polygon& loop = loops.emplace_back();
+            for (const int v : line) {
+                detail::DualVertex& vertex = dual_.vertices[static_cast<std::size_t>(v)];
+                vertex.loop = static_cast<int>(loops.size()) - 1;  // any: it is on the rim
+                loop.push_back(vertex.place);
+            }
+        }
+        std::iter_swap(loops.begin(), std::ranges::max_element(loops, {}, pattern::signed_area));
+        const auto crossings = detail::places_of_crossings(loops, {});
+        if (!crossings.empty())
+            fail(face_at(crossings.front()), "has a side that touches or crosses another, near " +
+                                                 detail::place_text(crossings.front()) +
+                                                 ": faces share whole sides, and do not overlap");
+    }
+    [[nodiscard]] std::size_t face_with(int vertex) const {
+        const auto has = [&](const std::vector<int>& face) { return std::ranges::count(face, vertex) > 0; };
+        return static_cast<std::size_t>(std::ranges::find_if(dual_.cells, has) - dual_.cells.begin());
+    }
+    /// The face whose side on the rim has its middle nearest to a place.
+    [[nodiscard]] std::size_t face_at(Point2 place) const {
+        const auto off = [&](const detail::CellSide& side) {
+            const Point2 from = dual_.vertices[static_cast<std::size_t>(side.from)].place;
+            const Point2 to = dual_.vertices[static_cast<std::size_t>(side.to)].place;
+            return detail::distance(detail::between(from, to, 0.5), place);
+        };
+        return std::ranges::min_element(rim_sides_, {}, off)->cell;
+    }
+
+    const std::filesystem::path& path_;
+    Dual dual_;
+    std::vector<detail::CellSide> rim_sides_;
+};
+
+}  // namespace
+
+TessellationResult read_mesh_tessellation(const std::filesystem::path& path,
+                                          const pattern::NodeLayout& layout) {
+    const Dual dual = MeshTiles(path).run();
+    TessellationResult result{detail::number(dual, layout, {}), {}};
+    result.report = detail::measure(dual, detail::SizeField(1.0), {}).report;
+    result.report.covered_share = 1.0;
+    result.report.start = "mesh";
+    return result;
+}
+
+}  // namespace fretwork::tiling
