@@ -96,7 +96,7 @@ TEST_P(Examples, AreTiledSoundlyWithTheWantedMeanSideAndNearlyAllHexagonsInside)
     EXPECT_EQ(result.report.refined_share, 0.0);
     EXPECT_GT(result.report.inner_hexagon_share, 0.9);
     EXPECT_GT(result.report.smallest_side, 0.5 * kPaperSide);
-    EXPECT_GT(result.report.smallest_angle, 45 * std::numbers::pi / 180);
+    EXPECT_GT(result.report.smallest_angle, 40 * std::numbers::pi / 180);
 }
 
 INSTANTIATE_TEST_SUITE_P(Sizes, Examples, testing::Values("example_a.svg", "example_b.svg", "example_c.svg"));
@@ -274,12 +274,14 @@ TEST(Tessellate, AnOutlineThatIsFarTooLargeIsRefusedByItsSize) {
     EXPECT_THAT(complaint_of([&] { tile(thread); }), HasSubstr("100000 m wide"));
 }
 
-TEST(Tessellate, HardlyMoreThanOneTileIsStillATessellation) {
+TEST(Tessellate, ADiskThatIsHardlyLargerThanATileIsCovered) {
     for (const double size : {0.03, 0.045, 0.06}) {
         const Outline outline = make_outline(circle({0, 0}, size, 60), {});
         const TessellationResult result = tile(outline);
         expect_sound(result, outline, 0);
-        EXPECT_LE(result.report.tiles, 10);
+        // A hexagon covers 83 % of the disk around it: more and smaller tiles cover it as the law wants.
+        EXPECT_GE(result.report.covered_share, 0.98);
+        EXPECT_LE(result.report.tiles, 40);
     }
 }
 

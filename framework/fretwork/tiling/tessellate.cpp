@@ -27,7 +27,7 @@ using detail::Work;
 
 constexpr int kMostTiles = 100000;
 /// So many tiles are made in all, about: a small outline can be tried in more ways.
-constexpr double kTilesInFinal = 800;
+constexpr double kTilesInFinal = 1600;
 constexpr double kTilesInGraded = 500;   // the same, where an attempt may be followed by others
 constexpr double kSketchingShare = 0.2;  // of the work that is left
 constexpr double kAttemptShare = 0.8;    // of the work that is left then
