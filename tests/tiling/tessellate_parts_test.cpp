@@ -50,7 +50,9 @@ TEST(TessellateParts, OnePartIsTiledAsByItself) {
 
 TEST(TessellateParts, APartThatIsTooSmallIsNamed) {
     EXPECT_THAT(complaint_of([] {
-                    tessellate_parts({square_at(0, 0.3), square_at(1, 0.001)}, kLayout, kOptions);
+                    TessellationOptions options = kOptions;
+                    options.smallest_side = 0.002;  // of a bar
+                    tessellate_parts({square_at(0, 0.3), square_at(1, 0.001)}, kLayout, options);
                 }),
                 HasSubstr("part 2 of 2: "));
 }
