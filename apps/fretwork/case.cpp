@@ -7,6 +7,7 @@
 #include <fretwork/base/file_lock.hpp>
 #include <fretwork/base/internal/json_text.hpp>
 #include <fretwork/base/text.hpp>
+#include <fretwork/simulation/combination.hpp>
 #include <fretwork/simulation/conditions.hpp>
 #include <fretwork/simulation/load_case_file.hpp>
 #include <fretwork/simulation/project.hpp>
@@ -33,7 +34,8 @@ struct Options {
 /// Every selection of the load case must pick something on this project's tessellation, painted or not: so
 /// the masses of the tiles are left out.
 void check_on(const Project& project, const LoadCase& load_case) {
-    (void)simulation::resolve(load_case, simulation::make_surface(project, nullptr), {});
+    (void)simulation::resolve(simulation::combined(load_case, project.load_cases),
+                              simulation::make_surface(project, nullptr), {});
 }
 
 void add_to_project(const Options& options) {

@@ -12,16 +12,15 @@
 #include <fretwork/base/text.hpp>
 #include <fretwork/exports/bar_scene.hpp>
 #include <fretwork/exports/line_set.hpp>
+#include <fretwork/exports/picture_options.hpp>
 #include <fretwork/exports/writer_catalogue.hpp>
 #include <fretwork/simulation/project_library.hpp>
 #include <fretwork/simulation/result_subject.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <filesystem>
 #include <memory>
-#include <numbers>
 
 namespace fretwork::app {
 namespace {
@@ -38,19 +37,6 @@ struct Options {
     std::string colour;
 };
 
-/// What --view names besides angles, which are azimuth and elevation in degrees.
-struct NamedView {
-    const char* name;
-    double azimuth;
-    double elevation;
-};
-constexpr std::array<NamedView, 6> kViews = {{{"iso", 45.0, 35.264389682754654},
-                                              {"front", 0.0, 10.0},
-                                              {"right", 90.0, 10.0},
-                                              {"back", 180.0, 10.0},
-                                              {"left", 270.0, 10.0},
-                                              {"top", 0.0, 90.0}}};
-
 double read_number_option(const std::string& option, const std::string& text) {
     const auto number = base::read_number<double>(text);
     if (!number || !std::isfinite(*number))
@@ -58,42 +44,30 @@ double read_number_option(const std::string& option, const std::string& text) {
     return *number;
 }
 
-exports::ViewOptions read_view(const std::string& text) {
-    constexpr double kDegree = std::numbers::pi / 180.0;
-    const auto named =
-        std::ranges::find(kViews, text, [](const NamedView& view) { return std::string(view.name); });
-    if (named != kViews.end()) return {named->azimuth * kDegree, named->elevation * kDegree};
-    const auto angles = base::split(text, ',');
-    if (angles.size() != 2)
-        throw base::InputError(
-            "--view", "",
-            "'" + text + "' is neither iso, front, right, back, left, top nor AZIMUTH,ELEVATION in degrees");
-    const double elevation = read_number_option("--view", angles[1]);
-    if (std::abs(elevation) > 90.0)
-        throw base::InputError("--view", "",
-                               "an elevation of " + angles[1] + " degrees is not within -90 and 90");
-    return {read_number_option("--view", angles[0]) * kDegree, elevation * kDegree};
+/// What `parse` makes of an option's text; it says which option was wrong.
+template <class Value>
+Value read_option(const std::string& option, const std::string& text, Value (*parse)(const std::string&)) {
+    try {
+        return parse(text);
+    } catch (const base::InputError& error) {
+        throw base::InputError(option, "", error.what());
+    }
 }
 
-exports::PixelSize read_size(const std::string& text) {
-    constexpr int kMost = 8000;
-    const auto parts = base::split(text, 'x');
-    const auto side = [&](std::size_t part) { return base::read_number<int>(parts[part]).value_or(0); };
-    const auto is_fine = [](int pixels) { return pixels >= 16 && pixels <= kMost; };
-    if (parts.size() != 2 || !is_fine(side(0)) || !is_fine(side(1)))
-        throw base::InputError(
-            "--size", "", "'" + text + "' is not WIDTHxHEIGHT in pixels from 16 to " + std::to_string(kMost));
-    return {side(0), side(1)};
-}
+/// A surface that results are read for.
+struct OwnSurface {
+    const simulation::Surface& surface;
+    simulation::SurfaceIdentity identity;
+};
 
-mechanics::Result read_own_result(const std::string& file, const simulation::Surface& surface) {
+mechanics::Result read_own_result(const std::string& file, const OwnSurface& own) {
     mechanics::Result result = read_surface_result(file);
     const std::string difference =
-        result.subject ? simulation::subject_difference(*result.subject, surface) : "";
+        result.subject ? simulation::subject_difference(*result.subject, own.identity) : "";
     if (!difference.empty())
         throw base::InputError(file, "", "is no result of this project: they differ in " + difference);
     try {
-        exports::require_same_surface(surface, result);
+        exports::require_same_surface(own.surface, result);
     } catch (const base::InputError& error) {
         throw base::InputError(file, "", error.what());
     }
@@ -135,19 +109,20 @@ exports::Scene make_scene(const Options& options, const base::Control& control) 
     const simulation::Project project = simulation::read_checked_project(options.project);
     const auto library = simulation::open_project_library(options.project, project, options.library);
     exports::Scene scene{simulation::make_surface(project, library ? &*library : nullptr)};
+    OwnSurface own{scene.surface, {}};
+    if (!options.results.empty()) own.identity = simulation::surface_identity(scene.surface);
     for (const std::string& file : options.results) {
         control.check();
-        scene.results.push_back(
-            {std::filesystem::path(file).stem().string(), read_own_result(file, scene.surface)});
+        scene.results.push_back({std::filesystem::path(file).stem().string(), read_own_result(file, own)});
     }
     if (!options.load_case.empty()) {
-        const simulation::LoadCase& load_case = simulation::find_load_case(project, options.load_case);
+        const simulation::LoadCase load_case = simulation::find_load_case(project, options.load_case);
         check_load_case(load_case, options, scene);
         scene.conditions = simulation::resolve(load_case, scene.surface);
     }
     scene.displacement_scale = read_number_option("--scale", options.scale);
-    if (!options.view.empty()) scene.view = read_view(options.view);
-    if (!options.size.empty()) scene.picture.size = read_size(options.size);
+    if (!options.view.empty()) scene.view = read_option("--view", options.view, exports::parse_view);
+    if (!options.size.empty()) scene.picture.size = read_option("--size", options.size, exports::parse_size);
     if (!options.colour.empty()) scene.picture.colour = options.colour;
     return scene;
 }

@@ -6,6 +6,7 @@
 #include <fretwork/base/file.hpp>
 #include <fretwork/base/text.hpp>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <unistd.h>
@@ -144,13 +145,32 @@ void check_in_folder(const fs::path& path, const FileKind& folder) {
         check_replaced(path, kind);
 }
 
+bool has_our_table(const fs::path& folder) {
+    std::error_code ignored;
+    return std::ranges::any_of(fs::directory_iterator(folder, ignored), [](const fs::directory_entry& entry) {
+        return is_our_table(content_of(entry.path()).start);
+    });
+}
+
+/// People write settings and layouts, too: such a file is an older output only if it lies among our tables.
+void check_written_by_hand(const fs::path& path, const FileKind& folder) {
+    if (made_name(path, folder) != MadeName::Whole || content_of(path).format.empty()) return;
+    throw base::InputError(
+        path.string(), "",
+        "may be written by hand, as there is no older table of this command in its folder, and would be "
+        "replaced; name another folder, or move it first");
+}
+
 void check_folder(const NamedFile& folder) {
     if (!is_there(folder.path)) return;
     if (!is_folder(folder.path))
         throw base::InputError(folder.path.string(), "", "is a file, where a folder is needed");
     std::error_code ignored;
-    for (const auto& entry : fs::directory_iterator(folder.path, ignored))
+    const bool is_ours = has_our_table(folder.path);
+    for (const auto& entry : fs::directory_iterator(folder.path, ignored)) {
         check_in_folder(entry.path(), folder.kind);
+        if (!is_ours) check_written_by_hand(entry.path(), folder.kind);
+    }
 }
 
 bool lies_in(const NamedFile& file, const NamedFile& folder) {

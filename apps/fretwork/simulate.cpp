@@ -11,6 +11,7 @@
 #include <fretwork/base/text.hpp>
 #include <fretwork/exports/writer_catalogue.hpp>
 #include <fretwork/mechanics/frame_file.hpp>
+#include <fretwork/simulation/combination.hpp>
 #include <fretwork/simulation/load_case_file.hpp>
 #include <fretwork/simulation/project_library.hpp>
 #include <fretwork/simulation/simulate.hpp>
@@ -42,10 +43,11 @@ struct Options {
 /// The name of a load case of the project; else a file is one by its ending or its folder.
 LoadCase chosen_load_case(const Project& project, const std::string& name_or_file) {
     for (const LoadCase& own : project.load_cases) {
-        if (own.name == name_or_file) return own;
+        if (own.name == name_or_file) return simulation::find_load_case(project, name_or_file);
     }
     const std::filesystem::path path(name_or_file);
-    if (path.extension() == ".json" || path.has_parent_path()) return simulation::read_load_case(path);
+    if (path.extension() == ".json" || path.has_parent_path())
+        return simulation::combined(simulation::read_load_case(path), project.load_cases);
     return simulation::find_load_case(project, name_or_file);
 }
 

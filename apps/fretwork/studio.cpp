@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fretwork studio: a server of one document, for a page in the browser.
+#include "file_identity.hpp"
 #include "file_options.hpp"
 #include "interrupt.hpp"
 #include "verbs.hpp"
+
+#include <fretwork/base/error.hpp>
 
 #include <cstdio>
 #include <cstdlib>
@@ -48,7 +51,11 @@ void open_browser(std::string address) {
 }
 
 void run(Options options) {
-    if (!options.project.empty()) options.studio.project = std::filesystem::absolute(options.project);
+    if (!options.project.empty()) {
+        if (content_of(options.project).is_database)
+            throw base::InputError(options.project, "", "is a pattern library, where a project is needed");
+        options.studio.project = std::filesystem::absolute(options.project);
+    }
     options.studio.page =
         options.page.empty() ? studio::usual_page_path() : std::filesystem::path(options.page);
     options.studio.state_folder = state_folder();

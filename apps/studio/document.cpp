@@ -23,11 +23,17 @@ Document Document::recovered(Document saved, State changed) {
 DocumentStatus Document::status() const {
     return {.revision = revision_,
             .path = path_,
+            .name = path_ ? path_->stem().string() : name_,
             .is_saved = is_saved(),
             .is_recovered = is_recovered_,
             .selected_load_case = selected_,
             .undo = history_.undo_label(),
             .redo = history_.redo_label()};
+}
+
+Document Document::named(std::string name) && {
+    if (!name.empty()) name_ = std::move(name);
+    return std::move(*this);
 }
 
 void Document::moved() {

@@ -17,6 +17,8 @@ class Document {
     Document(State state, std::optional<std::filesystem::path> path, std::int64_t revision);
     /// One whose unsaved changes were found: to undo them is to have what lies in its file.
     static Document recovered(Document saved, State changed);
+    /// Another one with a name, which it has as long as it has no file.
+    Document named(std::string name) &&;
 
     [[nodiscard]] const StatePtr& now() const { return history_.now(); }
     [[nodiscard]] const std::optional<std::filesystem::path>& path() const { return path_; }
@@ -39,6 +41,7 @@ class Document {
 
     History history_;
     std::optional<std::filesystem::path> path_;
+    std::string name_ = "untitled";
     StatePtr saved_;
     std::int64_t revision_;
     std::size_t selected_ = 0;

@@ -70,7 +70,7 @@ void add_status(const DocumentStatus& status, Json& event) {
 }
 
 void add_place(const State& state, const DocumentStatus& status, Json& event) {
-    event["name"] = status.path ? status.path->stem().string() : "untitled";
+    event["name"] = status.name;
     event["path"] = status.path ? Json(status.path->string()) : Json();
     event["library"] = state.library->path.empty() ? Json() : Json(state.library->path.string());
 }

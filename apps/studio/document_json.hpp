@@ -15,6 +15,7 @@ namespace fretwork::studio {
 struct DocumentStatus {
     std::int64_t revision = 0;
     std::optional<std::filesystem::path> path{};  ///< of its file; none: it has none yet
+    std::string name{};
     bool is_saved = false;
     bool is_recovered = false;  ///< from an autosave that is newer than its file
     std::size_t selected_load_case = 0;

@@ -4,6 +4,7 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/reduction/setting_file.hpp>
 #include <fretwork/reduction/tile_model.hpp>
+#include <fretwork/simulation/combination.hpp>
 #include <fretwork/simulation/conditions.hpp>
 #include <fretwork/simulation/load_case_file.hpp>
 #include <fretwork/tiling/painting.hpp>
@@ -154,6 +155,11 @@ std::size_t read_index(const JsonReader& json, std::size_t last) {
     return static_cast<std::size_t>(json.integer(0, static_cast<long long>(last)));
 }
 
+/// All that combinations name must be there.
+void check_combinations(const std::vector<LoadCase>& cases) {
+    for (const LoadCase& load_case : cases) (void)simulation::combined(load_case, cases);
+}
+
 Edited set_load_case(const State& state, const JsonReader& request) {
     request.allow_only({"id", "do", "merge", "index", "load_case"});
     auto cases = *state.load_cases;
@@ -170,6 +176,7 @@ Edited set_load_case(const State& state, const JsonReader& request) {
         cases.push_back(std::move(load_case));
     else
         cases[index] = std::move(load_case);
+    check_combinations(cases);
     edit.state.load_cases = part(std::move(cases));
     return edit;
 }
@@ -182,6 +189,7 @@ Edited remove_load_case(const State& state, const JsonReader& request) {
     const std::size_t index = read_index(json, cases.size() - 1);
     Edited edit{state, "remove load case " + cases[index].name};
     cases.erase(cases.begin() + static_cast<std::ptrdiff_t>(index));
+    check_combinations(cases);
     edit.state.load_cases = part(std::move(cases));
     return edit;
 }

@@ -40,6 +40,10 @@ const std::vector<Example>& examples() {
     return all;
 }
 
+std::string example_title(std::string_view name) {
+    return read_example(name).at("title").string();
+}
+
 simulation::Project make_example(std::string_view name, const base::Control& control) {
     const JsonReader json = read_example(name);
     json.allow_only({"title", "description", "outline", "tile_size", "patterns", "palette", "load_case"});

@@ -20,6 +20,9 @@ struct Example {
 /// All of them, in the order in which they are offered.
 const std::vector<Example>& examples();
 
+/// Throws as make_example().
+std::string example_title(std::string_view name);
+
 /// Make an example's project: tiled, painted, held and loaded. Throws InputError that lists the names.
 simulation::Project make_example(std::string_view name, const base::Control& control);
 

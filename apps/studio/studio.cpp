@@ -44,7 +44,7 @@ std::span<const Studio::Impl::RequestRow> Studio::Impl::requests() {
         {"solve", &Impl::solve},      {"path", &Impl::path},
         {"modes", &Impl::modes},      {"buckling", &Impl::buckling},
         {"compare", &Impl::compare},  {"cancel", &Impl::cancel},
-        {"show", &Impl::show_fields},
+        {"show", &Impl::show_fields}, {"measure", &Impl::measure},
     };
     return kRequests;
 }

@@ -6,6 +6,7 @@
 
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/provenance.hpp>
+#include <fretwork/exports/writer_catalogue.hpp>
 #include <fretwork/reduction/tile_model.hpp>
 
 namespace fretwork::studio {
@@ -39,15 +40,21 @@ Json examples_json() {
     return list;
 }
 
-/// A row for each interface node that is held: its number, then what holds it.
+std::vector<std::string> export_endings() {
+    std::vector<std::string> endings;
+    for (const exports::WriterRow& writer : exports::writer_catalogue()) endings.emplace_back(writer.ending);
+    return endings;
+}
+
+/// For each interface node that is held, what holds it.
 Json reactions_json(const mechanics::Solution& solution, std::size_t interface_nodes) {
     Json rows = Json::array();
     const auto count = std::min(static_cast<Eigen::Index>(interface_nodes), solution.reactions.rows());
     for (Eigen::Index node = 0; node < count; ++node) {
-        if (solution.reactions.row(node).isZero(0.0)) continue;
-        Json row = {node};
-        for (const double component : solution.reactions.row(node)) row.push_back(component);
-        rows.push_back(std::move(row));
+        const auto row = solution.reactions.row(node);
+        if (row.isZero(0.0)) continue;
+        rows.push_back(
+            {{"node", node}, {"force", {row[0], row[1], row[2]}}, {"moment", {row[3], row[4], row[5]}}});
     }
     return rows;
 }
@@ -91,6 +98,7 @@ void Studio::Impl::hello(const Request& request) {
                      {"layouts", pattern::layout_names()},
                      {"has_library", document_ && !document_->now()->library->path.empty()},
                      {"has_document", document_.has_value()},
+                     {"exports", export_endings()},
                      {"can_recover", !document_ && std::filesystem::exists(autosave_place_->file())}});
     if (!document_) return;
     server_.send(request.client,

@@ -7,12 +7,16 @@
 #include <fretwork/base/base64.hpp>
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/file.hpp>
+#include <fretwork/base/quantity.hpp>
 #include <fretwork/base/scratch.hpp>
-#include <fretwork/base/text.hpp>
+#include <fretwork/exports/picture_options.hpp>
 #include <fretwork/exports/writer_catalogue.hpp>
 #include <fretwork/simulation/new_project.hpp>
 #include <fretwork/simulation/project_file.hpp>
 #include <fretwork/simulation/project_library.hpp>
+#include <fretwork/simulation/result_subject.hpp>
+
+#include <algorithm>
 
 namespace fretwork::studio {
 
@@ -37,13 +41,64 @@ tiling::OutlineFile read_dropped_outline(const std::string& name, std::string_vi
     }
 }
 
+/// An outline that comes in a message.
+struct SentOutline {
+    std::string name;
+    std::string content{};          ///< of the file
+    std::optional<double> width{};  ///< m, that it is to have
+};
+
+SentOutline read_sent_outline(const base::JsonReader& json) {
+    json.allow_only({"name", "text_base64", "width"});
+    SentOutline sent{.name = json.at("name").string()};
+    sent.content = base::decode_base64(json.at("text_base64").string(), sent.name);
+    if (const auto width = json.find("width")) sent.width = width->positive_number();
+    return sent;
+}
+
+tiling::OutlineFile outline_of(const SentOutline& sent) {
+    tiling::OutlineFile file = read_dropped_outline(sent.name, sent.content);
+    return sent.width ? tiling::scaled_to_width(std::move(file), *sent.width) : file;
+}
+
+Json points_json(const pattern::Polygon& loop) {
+    Json points = Json::array();
+    for (const pattern::Point2& point : loop) points.push_back({point.x, point.y});
+    return points;
+}
+
+/// The part that would be tiled.
+Json measured(const tiling::OutlineFile& file) {
+    const tiling::Outline& outline = file.parts.front();
+    const auto [left, right] = std::ranges::minmax(outline.boundary, {}, &pattern::Point2::x);
+    const auto [lower, upper] = std::ranges::minmax(outline.boundary, {}, &pattern::Point2::y);
+    Json loops = Json::array({points_json(outline.boundary)});
+    for (const pattern::Polygon& hole : outline.holes) loops.push_back(points_json(hole));
+    return {{"size", {right.x - left.x, upper.y - lower.y}}, {"loops", loops}, {"remarks", file.remarks}};
+}
+
 /// What `new` asks for.
 struct NewRequest {
     std::string example;
-    std::string outline_name;
-    std::string outline;  ///< the file's content
+    SentOutline outline;
     simulation::NewProjectOptions options;
 };
+
+struct NamedProject {
+    std::string name;
+    Project project;
+    std::vector<std::string> remarks{};  ///< on how the outline was read
+};
+
+NamedProject make(const NewRequest& wanted, const base::Control& control) {
+    if (!wanted.example.empty())
+        return {example_title(wanted.example), make_example(wanted.example, control)};
+    simulation::NewProjectOptions options = wanted.options;
+    options.control = control;
+    tiling::OutlineFile file = outline_of(wanted.outline);
+    return {std::filesystem::path(wanted.outline.name).stem().string(),
+            simulation::make_project(file.parts, options, nullptr).project, std::move(file.remarks)};
+}
 
 NewRequest read_new(const base::JsonReader& json) {
     json.allow_only({"id", "do", "outline", "example", "tile_size", "patterns", "palette", "layout"});
@@ -53,19 +108,44 @@ NewRequest read_new(const base::JsonReader& json) {
         wanted.example = example->string();
         return wanted;
     }
-    const base::JsonReader outline = json.at("outline");
-    outline.allow_only({"name", "text_base64"});
-    wanted.outline_name = outline.at("name").string();
-    wanted.outline = base::decode_base64(outline.at("text_base64").string(), wanted.outline_name);
+    wanted.outline = read_sent_outline(json.at("outline"));
     const auto text_of = [&](const char* key) {
         const auto value = json.find(key);
         return value ? value->string() : std::string();
     };
-    wanted.options.outline_name = wanted.outline_name;
+    wanted.options.outline_name = wanted.outline.name;
     wanted.options.layout = text_of("layout");
-    wanted.options.painting = {text_of("patterns"), text_of("palette")};
+    wanted.options.painting = {text_of("patterns"), text_of("palette"), {"patterns", "palette", "a library"}};
     if (const auto size = json.find("tile_size")) wanted.options.edge_length = size->positive_number();
     return wanted;
+}
+
+/// What of an address says how a scene is drawn: as the options of `fretwork export`.
+void read_drawing(const Target& target, exports::Scene& scene) {
+    if (const std::string scale = target.value("scale"); !scale.empty())
+        scene.displacement_scale = base::parse_number(scale);
+    if (const std::string view = target.value("view"); !view.empty()) scene.view = exports::parse_view(view);
+    if (const std::string size = target.value("size"); !size.empty())
+        scene.picture.size = exports::parse_size(size);
+    if (const std::string colour = target.value("colour"); !colour.empty()) scene.picture.colour = colour;
+}
+
+/// A file as `fretwork export` writes it. `solved` may be null.
+std::string exported(const Target& target, const Situation& situation, const SolvedPtr& solved) {
+    const exports::WriterRow& writer = exports::find_writer(target.value("to"));
+    const State& state = *situation.state;
+    exports::Scene scene{open_surface(state).surface};
+    read_drawing(target, scene);
+    if (!state.load_cases->empty()) {
+        const simulation::LoadCase load_case = load_case_of(situation);
+        scene.conditions = simulation::resolve(load_case, scene.surface);
+        if (solved) {
+            scene.results.push_back({solved->model, solved->result});
+            scene.results.front().result.subject = simulation::result_subject(
+                scene.surface, load_case, {.model = *state.model, .analysis = state.analysis});
+        }
+    }
+    return writer.text(scene);
 }
 
 /// Where there is a file already, it must be a project: others are not to be lost.
@@ -80,25 +160,26 @@ void require_project_file(const std::filesystem::path& path) {
 }  // namespace
 
 void Studio::Impl::make_new(const Request& request) {
-    in_background(files_, request,
-                  [this, request, wanted = read_new(request.json)](const base::Control& control) {
-                      NewRequest asked = wanted;
-                      asked.options.control = control;
-                      auto project = std::make_shared<Project>();
-                      std::string remarks;
-                      if (!asked.example.empty()) {
-                          *project = make_example(asked.example, control);
-                      } else {
-                          const auto file = read_dropped_outline(asked.outline_name, asked.outline);
-                          remarks = asked.outline_name + ", " + tiling::size_text(file.parts);
-                          for (const std::string& remark : file.remarks) remarks += "; " + remark;
-                          *project = simulation::make_project(file.parts, asked.options, nullptr).project;
-                      }
-                      return [this, request, project, remarks] {
-                          answer(request, {{"tiles", project->tessellation.tiles.size()}});
-                          show(Document(make_state(*project, folder_of({})), {}, next_revision()));
-                      };
-                  });
+    in_background(
+        files_, request, [this, request, wanted = read_new(request.json)](const base::Control& control) {
+            const auto made = std::make_shared<const NamedProject>(make(wanted, control));
+            return [this, request, made] {
+                answer(request,
+                       {{"tiles", made->project.tessellation.tiles.size()}, {"remarks", made->remarks}});
+                show(Document(make_state(made->project, folder_of({})), {}, next_revision())
+                         .named(made->name));
+            };
+        });
+}
+
+void Studio::Impl::measure(const Request& request) {
+    request.json.allow_only({"id", "do", "outline"});
+    in_background(
+        files_, request,
+        [this, request, sent = read_sent_outline(request.json.at("outline"))](const base::Control&) {
+            const auto size = std::make_shared<const Json>(measured(outline_of(sent)));
+            return [this, request, size] { answer(request, *size); };
+        });
 }
 
 Document Studio::Impl::read_document(const std::filesystem::path& path) {
@@ -150,9 +231,10 @@ void Studio::Impl::upload(const Request& request) {
             // Its library lies on another machine.
             project->library_path.clear();
             project->library_hash.clear();
-            return [this, request, project] {
+            return [this, request, project, source] {
                 answer(request);
-                show(Document(make_state(*project, folder_of({})), {}, next_revision()));
+                show(Document(make_state(*project, folder_of({})), {}, next_revision())
+                         .named(std::filesystem::path(source).stem().string()));
             };
         });
 }
@@ -201,23 +283,17 @@ void Studio::Impl::export_file(const Target& target, std::function<void(HttpAnsw
     const auto tell = [this, answer](HttpAnswer given) {
         server_.post([answer, given = std::move(given)] { answer(given); });
     };
-    files_.add(
-        {.work =
-             [=](const base::Control&) {
-                 if (name == "project.json")
-                     return tell({.type = "application/json",
-                                  .body = simulation::project_text(make_project(*state, folder)),
-                                  .download_name = name});
-                 const auto& writer = exports::find_writer(name);
-                 const auto library = open_library(*state);
-                 exports::Scene scene{surface_of(*state, library ? &*library : nullptr)};
-                 if (!state->load_cases->empty())
-                     scene.conditions = simulation::resolve(load_case_of(input.situation), scene.surface);
-                 if (solved) scene.results.push_back({solved->model, solved->result});
-                 tell(
-                     {.type = "application/octet-stream", .body = writer.text(scene), .download_name = name});
-             },
-         .failed = [tell](const std::string& error) { tell({.status = 422, .body = error + "\n"}); }});
+    files_.add({.work =
+                    [=](const base::Control&) {
+                        if (name == "project.json")
+                            return tell({.type = "application/json",
+                                         .body = simulation::project_text(make_project(*state, folder)),
+                                         .download_name = name});
+                        tell({.type = "application/octet-stream",
+                              .body = exported(target, input.situation, solved),
+                              .download_name = name});
+                    },
+                .failed = [tell](const std::string& error) { tell({.status = 422, .body = error + "\n"}); }});
 }
 
 HttpAnswer Studio::Impl::page() const {

@@ -107,6 +107,7 @@ class Studio::Impl final : public Service {
 
     // studio_files.cpp: files
     void make_new(const Request& request);
+    void measure(const Request& request);
     void open(const Request& request);
     void upload(const Request& request);
     void download(const Request& request);

@@ -24,9 +24,7 @@ class OneSolve {
     OneSolve(const SolverInput& input, std::shared_ptr<const simulation::SurfaceBeams> beams,
              const simulation::SimulationOptions& options)
         : beams_(std::move(beams)),
-          library_(open_library(*input.situation.state)),
-          session_(surface_of(*input.situation.state, library_ ? &*library_ : nullptr),
-                   load_case_of(input.situation), options) {
+          session_(open_surface(*input.situation.state).surface, load_case_of(input.situation), options) {
         if (input.fields.any()) sections_ = simulation::beam_sections(*beams_, session_.surface().setting);
     }
 
@@ -37,7 +35,6 @@ class OneSolve {
 
   private:
     std::shared_ptr<const simulation::SurfaceBeams> beams_;
-    std::optional<library::Library> library_;
     simulation::Session session_;
     std::vector<mechanics::BeamSection> sections_;
 };
@@ -145,8 +142,9 @@ void Studio::Impl::modes_of(const Request& request, simulation::ModeKind kind) {
     start(request, make_job(request, is_buckling ? "buckling" : "modes"),
           [count, kind, is_buckling](const Job& job, const base::Control& control) -> std::vector<Outgoing> {
               const State& state = *job.input.situation.state;
-              const auto modes = simulation::surface_modes(
-                  surface_of(state, nullptr), load_case_of(job.input.situation), kind, count, {control});
+              const auto modes =
+                  simulation::surface_modes(simulation::make_surface(make_project(state, "/"), nullptr),
+                                            load_case_of(job.input.situation), kind, count, {control});
               Json values = Json::array();
               for (const mechanics::Mode& mode : modes) values.push_back(mode.value);
               const Json event = {{"event", "modes"},

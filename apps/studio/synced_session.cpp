@@ -2,8 +2,8 @@
 #include "synced_session.hpp"
 
 #include <fretwork/base/error.hpp>
+#include <fretwork/simulation/combination.hpp>
 #include <fretwork/simulation/load_case_file.hpp>
-#include <fretwork/simulation/project_library.hpp>
 
 #include <map>
 
@@ -27,20 +27,27 @@ bool is_same(const simulation::LoadCase& a, const simulation::LoadCase& b) {
 }  // namespace
 
 std::optional<library::Library> open_library(const State& state) {
-    const std::filesystem::path folder = "/";
-    return simulation::open_project_library((folder / "project.json").string(), make_project(state, folder),
-                                            "");
+    if (state.library->path.empty()) return std::nullopt;
+    library::Library library = library::Library::open(state.library->path);
+    if (!library.has_content(state.library->hash))
+        throw base::InputError(
+            state.library->path.string(), "",
+            "has changed since the project was made: open the project with its own library, or "
+            "choose material and section anew");
+    return library;
 }
 
-simulation::Surface surface_of(const State& state, const library::Library* library) {
-    return simulation::make_surface(make_project(state, "/"), library);
+OpenedSurface open_surface(const State& state) {
+    auto library = open_library(state);
+    auto surface = simulation::make_surface(make_project(state, "/"), library ? &*library : nullptr);
+    return {std::move(library), std::move(surface)};
 }
 
-const simulation::LoadCase& load_case_of(const Situation& situation) {
+simulation::LoadCase load_case_of(const Situation& situation) {
     const auto& cases = *situation.state->load_cases;
     if (situation.load_case >= cases.size())
         throw base::InputError("there is no load case yet: hold some nodes, then load others");
-    return cases[situation.load_case];
+    return simulation::combined(cases[situation.load_case], cases);
 }
 
 simulation::Session& SyncedSession::follow(const Situation& wanted) {
@@ -60,11 +67,12 @@ simulation::Session& SyncedSession::follow(const Situation& wanted) {
 void SyncedSession::begin(const Situation& wanted) {
     const State& state = *wanted.state;
     session_.reset();
-    library_ = open_library(state);
+    OpenedSurface opened = open_surface(state);
+    library_ = std::move(opened.library);
     const simulation::CalibrationSource source = [this](const std::string& pattern) {
         return library_ ? library_->best_calibrations(pattern) : std::vector<reduction::Calibration>{};
     };
-    session_.emplace(surface_of(state, library_ ? &*library_ : nullptr), load_case_of(wanted),
+    session_.emplace(std::move(opened.surface), load_case_of(wanted),
                      simulation::SimulationOptions{.model = *state.model, .analysis = state.analysis},
                      source);
 }
@@ -82,7 +90,7 @@ void SyncedSession::edit(const State& before, const Situation& wanted) {
         }
         for (const auto& [model, tiles] : chosen) session_->set_tile_model(tiles, model);
     }
-    const simulation::LoadCase& load_case = load_case_of(wanted);
+    const simulation::LoadCase load_case = load_case_of(wanted);
     if (!is_same(session_->load_case(), load_case)) session_->set_load_case(load_case);
 }
 

@@ -41,11 +41,16 @@ class SyncedSession {
     Situation now_{};
 };
 
-/// The surface of a state. `library` is that of its link, or null.
-simulation::Surface surface_of(const State& state, const library::Library* library);
-/// The library of a state, if it names one. Throws InputError if it has changed, or is not there.
+/// The surface of a state, and its library if it names one.
+struct OpenedSurface {
+    std::optional<library::Library> library;
+    simulation::Surface surface;
+};
+/// Throws InputError if the library has changed, or is not there.
+OpenedSurface open_surface(const State& state);
+/// The library alone, without making the surface.
 std::optional<library::Library> open_library(const State& state);
-/// Throws InputError that says what to do if the document has no such load case.
-const simulation::LoadCase& load_case_of(const Situation& situation);
+/// With what it combines. Throws InputError that says what to do if the document has no such load case.
+simulation::LoadCase load_case_of(const Situation& situation);
 
 }  // namespace fretwork::studio

@@ -124,7 +124,11 @@ TEST_F(ResultFile, TextIsReadAsTheFileIs) {
 }
 
 TEST_F(ResultFile, FilesOfOlderFormatsAreRead) {
-    std::string text = result_text(some_result());
+    Result result = some_result();
+    result.subject->full_tiles.clear();
+    result.model_error.reset();
+    result.buckled_tiles.reset();
+    std::string text = result_text(result);
     text.replace(text.find("result/3"), 8, "result/2");
     EXPECT_EQ(parse_result(text, "somewhere").solution.energy, 2.5);
 }
@@ -154,6 +158,20 @@ TEST_F(ResultFile, ValuesThatNoSolverGivesAreRefusedWithTheirPlace) {
     EXPECT_THAT(complaint("\"residual\": 3e-10", "\"residual\": -3e-10"), HasSubstr("/residual"));
     EXPECT_THAT(complaint("\"seconds\": 0.25", "\"seconds\": -1"), HasSubstr("/seconds"));
     EXPECT_THAT(complaint("\"share\": 0.1", "\"share\": -0.1"), HasSubstr("/discretization_error/share"));
+}
+
+TEST_F(ResultFile, ValuesBeyondAllStructuresAreRefusedWithTheirPlace) {
+    EXPECT_THAT(complaint("0.3333333333333333", "1e308"), HasSubstr("/displacements/0: has 1e+308"));
+}
+
+TEST_F(ResultFile, AnIdThatTwoNodesHaveIsRefused) {
+    EXPECT_THAT(complaint("\"id\": 9", "\"id\": 4"),
+                HasSubstr("/nodes/1/id: is 4, the id of a node before it"));
+}
+
+TEST_F(ResultFile, KeysOfALaterFormatAreRefused) {
+    EXPECT_THAT(complaint("fretwork/result/3", "fretwork/result/2"),
+                HasSubstr("is no key of fretwork/result/2"));
 }
 
 TEST_F(ResultFile, AnEndThatIsNotThatOfTheLoadStepsIsRefused) {

@@ -2,6 +2,7 @@
 #include "honeycomb.hpp"
 #include "support.hpp"
 
+#include <fretwork/simulation/combination.hpp>
 #include <fretwork/simulation/conditions.hpp>
 #include <fretwork/simulation/load_case_file.hpp>
 
@@ -174,6 +175,129 @@ TEST(LoadCaseFile, RefusesUnknownKeysAndBadValuesWithTheirPlace) {
                 HasSubstr("'name' is missing"));
     EXPECT_THAT(complaint_of([] { read(with("")).name.clear(), read("{"); }), HasSubstr("malformed JSON"));
     EXPECT_THAT(complaint_of([] { read_load_case("nowhere.json"); }), HasSubstr("nowhere.json"));
+}
+
+// ---- area loads ----
+
+const NodesInBox kEverywhere{{-10, -10, 10, 10}};
+
+double area_of(const tiling::Tessellation& tessellation, std::size_t tile) {
+    return pattern::signed_area(tiling::tile_polygon(tessellation, tiling::TileIndex(tile)));
+}
+
+Eigen::Vector3d total_force(const Conditions& conditions) {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (const mechanics::NodalLoad& load : conditions.loads) sum += load.force;
+    return sum;
+}
+
+TEST(AreaLoad, AddsUpToItsPressureTimesTheAreaThatBearsIt) {
+    const Surface surface = make_surface(test::honeycomb(4, 3, {"0-1+1-6"}), nullptr);
+    const tiling::Tessellation& tessellation = surface.tessellation;
+    const Eigen::Vector3d pressure(1.0, 0.0, -50.0);
+    double whole = 0.0;
+    for (std::size_t t = 0; t < tessellation.tiles.size(); ++t) whole += area_of(tessellation, t);
+    LoadCase load_case;
+    load_case.name = "snow";
+    load_case.area_loads = {{Selection(kEverywhere), pressure}};
+    EXPECT_LT((total_force(resolve(load_case, surface)) - whole * pressure).norm(), 1e-12);
+    load_case.area_loads = {{LoadCase::AreaLoad::Tiles{{2, 5}}, pressure}};
+    const double two = area_of(tessellation, 2) + area_of(tessellation, 5);
+    const Conditions conditions = resolve(load_case, surface);
+    EXPECT_LT((total_force(conditions) - two * pressure).norm(), 1e-12);
+    for (const mechanics::NodalLoad& load : conditions.loads) {
+        const auto& nodes = tessellation.tiles[2].interface_nodes;
+        const auto& others = tessellation.tiles[5].interface_nodes;
+        const tiling::InterfaceIndex node(load.node.value);
+        EXPECT_TRUE(std::ranges::find(nodes, node) != nodes.end() ||
+                    std::ranges::find(others, node) != others.end());
+    }
+}
+
+TEST(AreaLoad, OfSomeNodesIsThatOfThePartsOfTheirTiles) {
+    const Surface surface = make_surface(test::honeycomb(4, 3, {"0-1+1-6"}), nullptr);
+    const tiling::Tessellation& tessellation = surface.tessellation;
+    const auto shared = tessellation.tiles[0].interface_nodes;
+    int tiles_of_first = 0;
+    for (const tiling::Tile& tile : tessellation.tiles)
+        tiles_of_first += static_cast<int>(std::ranges::count(tile.interface_nodes, shared.front()));
+    LoadCase load_case;
+    load_case.name = "snow";
+    load_case.area_loads = {{Selection(NodesById{{shared.front().value}}), {0, 0, -1}}};
+    // All hexagons are equal, and have six nodes.
+    EXPECT_NEAR(total_force(resolve(load_case, surface)).z(), -tiles_of_first * area_of(tessellation, 0) / 6,
+                1e-12);
+}
+
+TEST(AreaLoad, OnATileThatThereIsNotIsRefusedWithItsPlace) {
+    const Surface surface = make_surface(test::honeycomb(4, 3, {"0-1+1-6"}), nullptr);
+    LoadCase load_case = test::cantilever({0, 0, 1});
+    load_case.area_loads = {{LoadCase::AreaLoad::Tiles{{12}}, {0, 0, -1}}};
+    EXPECT_THAT(complaint_of([&] { check_selections(load_case, surface.tessellation); }),
+                AllOf(HasSubstr("/loads/1/tiles"), HasSubstr("no tile 12")));
+    load_case.area_loads = {{Selection(NodesInBox{{9, 9, 10, 10}}), {0, 0, -1}}};
+    EXPECT_THAT(complaint_of([&] { (void)resolve(load_case, surface); }), HasSubstr("/loads/1"));
+}
+
+// ---- combinations ----
+
+std::vector<LoadCase> wind_and_snow() {
+    LoadCase snow = test::cantilever({0, 0, -2});
+    snow.name = "snow";
+    snow.area_loads = {{Selection(kEverywhere), {0, 0, -10}}};
+    snow.gravity = {0, 0, -9.81};
+    LoadCase wind = test::cantilever({3, 0, 0});
+    wind.name = "wind";
+    wind.prescribed = {{NodesById{{4}}, mechanics::Dof::uz, 0.001}};
+    return {snow, wind};
+}
+
+TEST(Combination, HasTheLoadsOfItsCasesTimesTheirFactors) {
+    LoadCase both;
+    both.name = "both";
+    both.combines = {{"snow", 1.5}, {"wind", -0.5}};
+    const LoadCase sum = combined(both, wind_and_snow());
+    EXPECT_TRUE(sum.combines.empty());
+    EXPECT_EQ(sum.supports.size(), 2U);
+    EXPECT_EQ(sum.loads[0].force, Eigen::Vector3d(0, 0, -3));
+    EXPECT_EQ(sum.loads[1].force, Eigen::Vector3d(-1.5, 0, 0));
+    EXPECT_EQ(sum.area_loads[0].per_area, Eigen::Vector3d(0, 0, -15));
+    EXPECT_EQ(sum.prescribed[0].value, -0.0005);
+    EXPECT_NEAR(sum.gravity.z(), -1.5 * 9.81, 1e-12);
+}
+
+TEST(Combination, NamesTheCaseThatThereIsNot) {
+    LoadCase both;
+    both.name = "both";
+    both.combines = {{"snow", 1.0}, {"wnd", 1.0}};
+    EXPECT_THAT(complaint_of([&] { (void)combined(both, wind_and_snow()); }),
+                AllOf(HasSubstr("/combines/1/load_case"), HasSubstr("wind")));
+    both.combines = {{"both", 1.0}};
+    EXPECT_THAT(complaint_of([&] { (void)combined(both, wind_and_snow()); }), HasSubstr("itself"));
+    std::vector<LoadCase> cases = wind_and_snow();
+    cases[1].combines = {{"snow", 1.0}};
+    both.combines = {{"wind", 1.0}};
+    EXPECT_THAT(complaint_of([&] { (void)combined(both, cases); }), HasSubstr("combination, too"));
+    EXPECT_THAT(
+        complaint_of([&] { (void)resolve(both, make_surface(test::honeycomb(2, 2, {"0-6"}), nullptr)); }),
+        HasSubstr("looked for in a project"));
+}
+
+TEST(LoadCaseFile, KeepsAreaLoadsAndCombinations) {
+    const std::string text = R"({"format": "fretwork/load-case/2", "name": "all",
+        "loads": [{"box": [0, 0, 1, 1], "per_area": [0, 0, -1]}, {"nodes": [1], "force": [1, 0, 0]},
+                  {"tiles": [1, 3], "per_area": [0, 0, -2]}],
+        "combines": [{"load_case": "snow", "factor": 1.5}]})";
+    const LoadCase load_case = parse_load_case(text, "all.json");
+    ASSERT_EQ(load_case.loads.size(), 1U);
+    ASSERT_EQ(load_case.area_loads.size(), 2U);
+    EXPECT_EQ(std::get<LoadCase::AreaLoad::Tiles>(load_case.area_loads[1].where).numbers,
+              (std::vector<int>{1, 3}));
+    EXPECT_EQ(load_case.combines[0].factor, 1.5);
+    EXPECT_EQ(load_case_text(parse_load_case(load_case_text(load_case), "again")), load_case_text(load_case));
+    std::string first = text;
+    first.replace(first.find("case/2"), 6, "case/1");
+    EXPECT_THAT(complaint_of([&] { (void)parse_load_case(first, "all.json"); }), HasSubstr("per_area"));
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 // What pages ask of a server, and what they are told.
 #include "running_studio.hpp"
 
+#include <fretwork/base/base64.hpp>
 #include <fretwork/simulation/load_case_file.hpp>
 #include <fretwork/simulation/simulate.hpp>
 
@@ -232,8 +233,9 @@ TEST(StudioMessages, ReactionsBalanceTheLoads) {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     ASSERT_GT(solved.event["reactions"].size(), 1U);
     for (const Json& row : solved.event["reactions"]) {
-        ASSERT_EQ(row.size(), 7U);
-        for (std::size_t d = 0; d < 3; ++d) sum[static_cast<Eigen::Index>(d)] += row[d + 1].get<double>();
+        ASSERT_EQ(row["moment"].size(), 3U);
+        for (std::size_t d = 0; d < 3; ++d)
+            sum[static_cast<Eigen::Index>(d)] += row["force"][d].get<double>();
     }
     // The solver ends at a residual of 1e-8 or better; the load is 0.01 N.
     EXPECT_NEAR((sum - Eigen::Vector3d(0, 0, 0.01)).norm(), 0.0, 1e-8);
@@ -434,6 +436,91 @@ TEST(StudioFiles, AnOutlineBecomesADocument) {
     const Json refused =
         client.ask("new", {{"outline", {{"name", "../../x.zip"}, {"text_base64", outline}}}});
     EXPECT_FALSE(refused["ok"].get<bool>());
+}
+
+TEST(StudioFiles, AnOutlineIsMeasuredAndScaledToTheWidthThatIsWanted) {
+    const RunningStudio studio;
+    Client client(studio.address());
+    client.hello();
+    // A square of 4 mm with a hole, in the project's own form.
+    const std::string content =
+        R"({"format": "fretwork/outline/1", "boundary": [[0,0],[0.004,0],[0.004,0.004],[0,0.004]],
+            "holes": [[[0.001,0.001],[0.001,0.002],[0.002,0.002]]]})";
+    Json outline = {{"name", "icon.json"}, {"text_base64", base::encode_base64(content)}};
+    const Json measured = client.ask("measure", {{"outline", outline}});
+    ASSERT_TRUE(measured["ok"].get<bool>()) << measured;
+    EXPECT_EQ(measured["size"], (Json{0.004, 0.004}));
+    EXPECT_EQ(measured["loops"].size(), 2U);
+    EXPECT_FALSE(client.ask("new", {{"outline", outline}})["ok"].get<bool>()) << "too small for a tile";
+    outline["width"] = 0.3;
+    EXPECT_NEAR(client.ask("measure", {{"outline", outline}})["size"][1].get<double>(), 0.3, 1e-12);
+    ASSERT_TRUE(client.ask("new", {{"outline", outline}, {"tile_size", 0.026}})["ok"].get<bool>());
+    EXPECT_EQ(client.event({"document"})["name"], "icon");
+    outline["width"] = -1;
+    EXPECT_THAT(client.ask("measure", {{"outline", outline}})["error"].get<std::string>(),
+                HasSubstr("width"));
+}
+
+TEST(StudioFiles, MessagesNameTheKeysOfARequestAndNotTheOptionsOfACommand) {
+    const RunningStudio studio;
+    Client client(studio.address());
+    client.hello();
+    const Json outline = {
+        {"name", "square.json"},
+        {"text_base64",
+         base::encode_base64(
+             R"({"format": "fretwork/outline/1", "boundary": [[0,0],[0.2,0],[0.2,0.2],[0,0.2]]})")}};
+    for (const Json& more : {Json{{"patterns", "random:1"}}, Json{{"patterns", "0-99"}},
+                             Json{{"palette", "0-6"}}, Json{{"patterns", "random:x"}, {"palette", "0-6"}}}) {
+        Json request = {{"outline", outline}};
+        request.update(more);
+        const Json answer = client.ask("new", request);
+        ASSERT_FALSE(answer["ok"].get<bool>()) << more;
+        EXPECT_THAT(answer["error"].get<std::string>(), testing::Not(HasSubstr("--"))) << more;
+    }
+}
+
+TEST(StudioFiles, ExportsAreThoseOfTheCommandWithItsOptions) {
+    const RunningStudio studio(test::studio_project());
+    Client client(studio.address());
+    client.hello();
+    (void)next_solution(client);
+    const auto get = [&](const std::string& more) {
+        return test::http(studio.port(),
+                          test::get_request("/export?token=" + studio.token() + "&to=" + more));
+    };
+    const std::string picture = get("picture.png&size=64x40&view=-30,20&colour=stress");
+    EXPECT_EQ(test::status_of(picture), 200);
+    EXPECT_THAT(picture, HasSubstr("\x89PNG"));
+    const std::string page = get("view.html&scale=2");
+    EXPECT_THAT(page, HasSubstr("\"scale\":2.0"));
+    EXPECT_THAT(page, HasSubstr("cantilever"));
+    for (const char* wrong : {"picture.png&size=huge", "picture.png&view=up", "picture.png&colour=red",
+                              "view.html&scale=x", "x.step"})
+        EXPECT_EQ(test::status_of(get(wrong)), 422) << wrong;
+}
+
+TEST(StudioMessages, CombinationsAreSolvedAndWhatTheyNameStays) {
+    const RunningStudio studio(test::studio_project());
+    Client client(studio.address());
+    client.hello();
+    ASSERT_TRUE(client.ask("set_model", {{"model", "condensed"}})["ok"].get<bool>());
+    ASSERT_TRUE(client.ask("set_load_case", {{"index", 0}, {"load_case", load_case_json(-0.01)}})["ok"]);
+    const Solved one = solution_of(client, client.event({"changed"})["revision"].get<std::int64_t>() + 1);
+    const Json both = {{"format", "fretwork/load-case/2"},
+                       {"name", "twice"},
+                       {"combines", {{{"load_case", "cantilever"}, {"factor", 2.0}}}}};
+    const Json answer = client.ask("set_load_case", {{"index", 1}, {"load_case", both}});
+    ASSERT_TRUE(answer["ok"].get<bool>()) << answer;
+    Json changed = client.event({"changed"});
+    while (changed["selected_load_case"] != 1) changed = client.event({"changed"});
+    const Solved two = solution_of(client, changed["revision"]);
+    EXPECT_NEAR(two.event["largest_displacement"].get<double>(),
+                2 * one.event["largest_displacement"].get<double>(), 1e-9)
+        << "linear tiles";
+    EXPECT_FALSE(client.ask("remove_load_case", {{"index", 0}})["ok"].get<bool>());
+    ASSERT_TRUE(client.ask("remove_load_case", {{"index", 1}})["ok"].get<bool>());
+    EXPECT_TRUE(client.ask("remove_load_case", {{"index", 0}})["ok"].get<bool>());
 }
 
 TEST(StudioFiles, EveryExampleBendsAtOnce) {

@@ -2,12 +2,17 @@
 #include <fretwork/base/file.hpp>
 #include <fretwork/base/internal/json_text.hpp>
 #include <fretwork/base/json_reader.hpp>
+#include <fretwork/base/limits.hpp>
 #include <fretwork/base/provenance.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/mechanics/result_file.hpp>
 #include <fretwork/mechanics/solve.hpp>
 
+#include <algorithm>
+#include <functional>
+#include <initializer_list>
 #include <limits>
+#include <unordered_set>
 
 namespace fretwork::mechanics {
 namespace {
@@ -42,12 +47,27 @@ void append_solution(Json& json, const Solution& solution, const std::vector<Res
     json["reactions"] = rows_json(solution.reactions);
 }
 
-NodeValues read_rows(const JsonReader& reader, std::size_t count) {
+/// The limits of the first three and of the last three values of a row.
+struct RowLimits {
+    const base::Limits& first;
+    const base::Limits& last;
+};
+constexpr RowLimits kMotionLimits{base::kLengthLimits, base::kAngleLimits};
+constexpr RowLimits kLoadLimits{base::kForceLimits, base::kMomentLimits};
+
+NodeValues read_rows(const JsonReader& reader, std::size_t count, const RowLimits& limits) {
     NodeValues values(static_cast<Eigen::Index>(count), kDofsPerNode);
     Eigen::Index i = 0;
     for (const JsonReader& row : reader.elements(count)) {
         const std::vector<double> numbers = row.numbers(kDofsPerNode);
-        for (int d = 0; d < kDofsPerNode; ++d) values(i, d) = numbers[static_cast<std::size_t>(d)];
+        for (int d = 0; d < kDofsPerNode; ++d) {
+            const double value = numbers[static_cast<std::size_t>(d)];
+            const base::Limits& allowed = d < 3 ? limits.first : limits.last;
+            if (!base::is_within(value, allowed))
+                row.fail("has " + base::format_number(value) + ", where " + base::range_text(allowed) +
+                         " is needed");
+            values(i, d) = value;
+        }
         ++i;
     }
     return values;
@@ -90,7 +110,8 @@ std::vector<Mode> read_modes(const JsonReader& reader, std::string_view value, s
     std::vector<Mode> modes;
     for (const JsonReader& mode : reader.elements()) {
         mode.allow_only({value, "shape"});
-        modes.push_back({mode.at(value).positive_number(), read_rows(mode.at("shape"), nodes)});
+        modes.push_back(
+            {mode.at(value).positive_number(), read_rows(mode.at("shape"), nodes, kMotionLimits)});
     }
     return modes;
 }
@@ -117,8 +138,8 @@ Solution read_solution(const JsonReader& reader, const std::vector<Result::Node>
         for (const JsonReader& loss : losses->elements())
             solution.stability_losses.push_back(read_loss(loss, nodes));
     }
-    solution.displacements = read_rows(reader.at("displacements"), nodes.size());
-    solution.reactions = read_rows(reader.at("reactions"), nodes.size());
+    solution.displacements = read_rows(reader.at("displacements"), nodes.size(), kMotionLimits);
+    solution.reactions = read_rows(reader.at("reactions"), nodes.size(), kLoadLimits);
     return solution;
 }
 
@@ -149,6 +170,8 @@ std::vector<int> read_tiles(const JsonReader& reader) {
     std::vector<int> tiles;
     for (const JsonReader& tile : reader.elements())
         tiles.push_back(static_cast<int>(tile.integer(0, std::numeric_limits<int>::max())));
+    if (std::ranges::adjacent_find(tiles, std::greater_equal()) != tiles.end())
+        reader.fail("is not in ascending order, each tile once");
     return tiles;
 }
 
@@ -229,14 +252,44 @@ void check_keys(const JsonReader& document) {
                          "model_error_estimate"});
 }
 
-/// What files of the first format did not have yet, and those of the second always do.
-void read_origin(const JsonReader& document, Result& result) {
-    if (document.at("format").string() == "fretwork/result/1") {
-        for (const char* key : {"program", "subject"}) {
-            if (const auto member = document.find(key)) member->fail("is no key of fretwork/result/1");
-        }
-        return;
+void refuse_keys(const JsonReader& json, const std::string& format, std::initializer_list<const char*> keys) {
+    for (const char* key : keys) {
+        if (const auto member = json.find(key)) member->fail("is no key of " + format);
     }
+}
+
+/// Keys that came with a later format than the file's.
+void refuse_later_keys(const JsonReader& document) {
+    const std::string format = document.at("format").string();
+    if (format == "fretwork/result/3") return;
+    if (format == "fretwork/result/1") refuse_keys(document, format, {"program", "subject"});
+    refuse_keys(document, format, {"model_error_estimate", "buckled_tiles"});
+    if (const auto subject = document.find("subject")) refuse_keys(*subject, format, {"full_tiles"});
+}
+
+std::vector<Result::Node> read_nodes(const JsonReader& reader) {
+    std::vector<Result::Node> nodes;
+    std::unordered_set<int> ids;
+    for (const JsonReader& node : reader.elements()) {
+        nodes.push_back(read_node(node));
+        if (!ids.insert(nodes.back().id).second)
+            node.at("id").fail("is " + std::to_string(nodes.back().id) + ", the id of a node before it");
+    }
+    return nodes;
+}
+
+/// A surface is solved from rest to its whole load, and no further.
+void check_load_factor(const JsonReader& document, const Result& result) {
+    const double factor = result.solution.load_factor;
+    if (!result.subject || (factor >= 0.0 && factor <= 1.0)) return;
+    document.at("load_factor")
+        .fail("is " + base::format_number(factor) + ", where a share of the load from 0 to 1 is needed");
+}
+
+/// What files of the first format did not have yet, and later ones always do.
+void read_origin(const JsonReader& document, Result& result) {
+    refuse_later_keys(document);
+    if (document.at("format").string() == "fretwork/result/1") return;
     result.program = document.at("program").string();
     if (const auto subject = document.find("subject")) result.subject = read_subject(*subject);
 }
@@ -316,8 +369,9 @@ Result parse_result(std::string_view text, const std::string& source) {
     Result result;
     result.solver = read_solver(document.at("solver"));
     read_origin(document, result);
-    for (const JsonReader& node : document.at("nodes").elements()) result.nodes.push_back(read_node(node));
+    result.nodes = read_nodes(document.at("nodes"));
     result.solution = read_solution(document, result.nodes);
+    check_load_factor(document, result);
     result.seconds = read_not_negative(document.at("seconds"));
     if (const auto steps = document.find("load_steps")) result.load_steps = read_steps(*steps, result.nodes);
     check_end(document, result);

@@ -34,6 +34,40 @@ class EntryPicker {
     const tiling::Tessellation& tessellation_;
 };
 
+/// Which tiles bear an area load, and through which of their nodes.
+class AreaBearers {
+  public:
+    /// Throws InputError if there is none, or a number is out of range.
+    AreaBearers(const LoadCase& load_case, std::size_t entry, const tiling::Tessellation& tessellation)
+        : tiles_(tessellation.tiles.size(), true), nodes_(tessellation.interface_nodes.size(), true) {
+        const LoadCase::AreaLoad& load = load_case.area_loads[entry];
+        const std::size_t place = load_case.loads.size() + entry;  // files list them behind the others
+        if (const auto* where = std::get_if<Selection>(&load.where)) {
+            nodes_.assign(nodes_.size(), false);
+            for (const auto node : EntryPicker(load_case, tessellation)(*where, "loads", place))
+                nodes_[static_cast<std::size_t>(node)] = true;
+            return;
+        }
+        tiles_.assign(tiles_.size(), false);
+        for (const int tile : std::get<LoadCase::AreaLoad::Tiles>(load.where).numbers) {
+            if (tile < 0 || static_cast<std::size_t>(tile) >= tiles_.size())
+                throw base::InputError("load case '" + load_case.name + "'",
+                                       "/loads/" + std::to_string(place) + "/tiles",
+                                       "there is no tile " + std::to_string(tile) + "; the last one is " +
+                                           std::to_string(tiles_.size() - 1));
+            tiles_[static_cast<std::size_t>(tile)] = true;
+        }
+    }
+    [[nodiscard]] bool has(std::size_t tile) const { return tiles_[tile]; }
+    [[nodiscard]] bool has(tiling::InterfaceIndex node) const {
+        return nodes_[static_cast<std::size_t>(node)];
+    }
+
+  private:
+    std::vector<bool> tiles_;
+    std::vector<bool> nodes_;
+};
+
 class Resolver {
   public:
     Resolver(const LoadCase& load_case, const Surface& surface, std::span<const double> masses)
@@ -43,9 +77,13 @@ class Resolver {
           picked_(load_case, surface.tessellation) {}
 
     Conditions resolve() && {
+        if (!load_case_.combines.empty())
+            throw base::InputError("load case '" + load_case_.name + "'", "/combines",
+                                   "names other load cases, which are looked for in a project");
         for (std::size_t i = 0; i < load_case_.supports.size(); ++i) add_support(i);
         for (std::size_t i = 0; i < load_case_.prescribed.size(); ++i) add_prescribed(i);
         for (std::size_t i = 0; i < load_case_.loads.size(); ++i) add_load(i);
+        for (std::size_t i = 0; i < load_case_.area_loads.size(); ++i) add_area_load(i);
         if (!load_case_.gravity.isZero(0)) add_weights();
         return std::move(conditions_);
     }
@@ -88,6 +126,23 @@ class Resolver {
         }
     }
 
+    void add_area_load(std::size_t i) {
+        const tiling::Tessellation& tessellation = surface_.tessellation;
+        const AreaBearers bearers(load_case_, i, tessellation);
+        for (std::size_t t = 0; t < tessellation.tiles.size(); ++t) {
+            if (!bearers.has(t)) continue;
+            const auto& nodes = tessellation.tiles[t].interface_nodes;
+            const double area =
+                pattern::signed_area(tiling::tile_polygon(tessellation, tiling::TileIndex(t)));
+            const Eigen::Vector3d share =
+                area / static_cast<double>(nodes.size()) * load_case_.area_loads[i].per_area;
+            for (const auto node : nodes) {
+                if (bearers.has(node))
+                    conditions_.loads.push_back({NodeIndex(node.value), share, Eigen::Vector3d::Zero()});
+            }
+        }
+    }
+
     void add_weights() {
         if (surface_.setting.material.density == 0.0)
             throw base::InputError("load case '" + load_case_.name + "'", "/gravity",
@@ -119,6 +174,8 @@ void check_selections(const LoadCase& load_case, const tiling::Tessellation& tes
         (void)picked(load_case.prescribed[i].where, "prescribed", i);
     for (std::size_t i = 0; i < load_case.loads.size(); ++i)
         (void)picked(load_case.loads[i].where, "loads", i);
+    for (std::size_t i = 0; i < load_case.area_loads.size(); ++i)
+        (void)AreaBearers(load_case, i, tessellation);
 }
 
 bool needs_masses(const LoadCase& load_case, const Surface& surface) {

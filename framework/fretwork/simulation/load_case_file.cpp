@@ -14,6 +14,7 @@ using base::JsonReader;
 using mechanics::Dof;
 using mechanics::kDofNames;
 
+constexpr base::Limits kPerAreaLimits{1e-24, 1e18, "N/m2"};
 constexpr std::array<const char*, 4> kSideNames = {"left", "right", "bottom", "top"};
 
 double read_number(const JsonReader& json, const base::Limits& limits) {
@@ -156,6 +157,34 @@ Json prescribed_json(const LoadCase::PrescribedDisplacement& prescribed) {
     return json;
 }
 
+LoadCase::AreaLoad read_area_load(const JsonReader& json) {
+    json.allow_only({"nodes", "box", "nearest", "side", "tiles", "per_area"});
+    const Eigen::Vector3d per_area = read_vector(json.at("per_area"), kPerAreaLimits);
+    const auto tiles = json.find("tiles");
+    if (!tiles) return {read_selection(json), per_area};
+    json.allow_only({"tiles", "per_area"});
+    return {LoadCase::AreaLoad::Tiles{read_ids(*tiles).ids}, per_area};
+}
+
+Json area_load_json(const LoadCase::AreaLoad& load) {
+    Json json;
+    if (const auto* where = std::get_if<Selection>(&load.where)) write_selection(*where, json);
+    if (const auto* tiles = std::get_if<LoadCase::AreaLoad::Tiles>(&load.where))
+        json["tiles"] = tiles->numbers;
+    json["per_area"] = vector_json(load.per_area);
+    return json;
+}
+
+LoadCase::Share read_share(const JsonReader& json) {
+    json.allow_only({"load_case", "factor"});
+    constexpr base::Limits kFactorLimits{1e-6, 1e6, "times the load case"};
+    return {json.at("load_case").string(), read_number(json.at("factor"), kFactorLimits)};
+}
+
+Json share_json(const LoadCase::Share& share) {
+    return {{"load_case", share.load_case}, {"factor", share.factor}};
+}
+
 template <class Value>
 Json list_json(const std::vector<Value>& values, Json (*to_json)(const Value&)) {
     Json list = Json::array();
@@ -168,35 +197,53 @@ std::vector<JsonReader> elements_of(const JsonReader& json, std::string_view key
     return list ? list->elements() : std::vector<JsonReader>{};
 }
 
+bool needs_second_format(const LoadCase& load_case) {
+    return !load_case.area_loads.empty() || !load_case.combines.empty();
+}
+
 }  // namespace
 
 namespace detail {
 
 LoadCase load_case_from_json(const JsonReader& json) {
-    json.expect_format("load-case");
-    json.allow_only({"format", "name", "description", "supports", "loads", "prescribed", "gravity"});
+    json.expect_format("load-case", 2);
+    json.allow_only(
+        {"format", "name", "description", "supports", "loads", "prescribed", "gravity", "combines"});
     LoadCase load_case;
     load_case.name = json.at("name").string();
     if (load_case.name.empty()) json.at("name").fail("is empty, where a name is needed");
     if (const auto description = json.find("description")) load_case.description = description->string();
     for (const JsonReader& support : elements_of(json, "supports"))
         load_case.supports.push_back(read_support(support));
-    for (const JsonReader& load : elements_of(json, "loads")) load_case.loads.push_back(read_load(load));
+    for (const JsonReader& load : elements_of(json, "loads")) {
+        if (load.find("per_area"))
+            load_case.area_loads.push_back(read_area_load(load));
+        else
+            load_case.loads.push_back(read_load(load));
+    }
     for (const JsonReader& entry : elements_of(json, "prescribed"))
         read_prescribed(entry, load_case.prescribed);
     load_case.gravity = read_vector(json.find("gravity"), base::kAccelerationLimits);
+    for (const JsonReader& share : elements_of(json, "combines"))
+        load_case.combines.push_back(read_share(share));
+    if (json.at("format").string() == "fretwork/load-case/1" && needs_second_format(load_case))
+        json.fail(
+            "is of fretwork/load-case/1, which has neither per_area nor combines; fretwork/load-case/2 has");
     return load_case;
 }
 
 Json load_case_to_json(const LoadCase& load_case) {
     Json json;
-    json["format"] = "fretwork/load-case/1";
+    // What the first format can say is written so: other programs read it.
+    json["format"] = needs_second_format(load_case) ? "fretwork/load-case/2" : "fretwork/load-case/1";
     json["name"] = load_case.name;
     json["description"] = load_case.description;
     json["supports"] = list_json(load_case.supports, support_json);
     json["loads"] = list_json(load_case.loads, load_json);
+    for (const LoadCase::AreaLoad& load : load_case.area_loads) json["loads"].push_back(area_load_json(load));
     json["prescribed"] = list_json(load_case.prescribed, prescribed_json);
     json["gravity"] = vector_json(load_case.gravity);
+    if (!load_case.combines.empty()) json["combines"] = list_json(load_case.combines, share_json);
     return json;
 }
 

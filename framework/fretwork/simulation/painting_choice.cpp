@@ -30,32 +30,34 @@ std::vector<std::string> chosen_palette(const PaintingChoice& choice, const patt
                                         const library::Library* library) {
     if (std::filesystem::path(choice.palette).extension() == ".json")
         return tiling::read_painting(choice.palette, layout).patterns;
-    if (!choice.palette.empty()) return palette_of("--palette", layout, base::split(choice.palette, ','));
+    if (!choice.palette.empty())
+        return palette_of(choice.names.palette, layout, base::split(choice.palette, ','));
     if (!library)
-        throw base::InputError(
-            "--patterns", choice.patterns,
-            "a painting by chance needs patterns to choose from: give --palette or --library");
+        throw base::InputError(choice.names.patterns, choice.patterns,
+                               "a painting by chance needs patterns to choose from: give " +
+                                   choice.names.palette + " or " + choice.names.library);
     std::vector<std::string> palette;
     for (const library::PatternEntry& entry : library->patterns()) {
         if (library->best_fit(entry.id)) palette.push_back(entry.id);
     }
     if (palette.empty())
-        throw base::InputError(
-            "--library", "", "names a library that has no calibrated pattern; name patterns with --palette");
+        throw base::InputError(choice.names.library, "",
+                               "has no calibrated pattern; name patterns with " + choice.names.palette);
     return palette;
 }
 
-std::uint64_t parse_seed(std::string_view text) {
+std::uint64_t parse_seed(std::string_view text, const std::string& option) {
     if (const auto seed = base::read_number<std::uint64_t>(text)) return *seed;
-    throw base::InputError("--patterns", "", "'" + std::string(text) + "' is no seed; random:1 has one");
+    throw base::InputError(option, "", "'" + std::string(text) + "' is no seed; random:1 has one");
 }
 
 }  // namespace
 
 void check(const PaintingChoice& choice) {
     if (choice.palette.empty() || choice.patterns.starts_with(kRandom)) return;
-    throw base::InputError("--palette", "",
-                           "is what --patterns random:SEED chooses from, and --patterns is " +
+    throw base::InputError(choice.names.palette, "",
+                           "is what " + choice.names.patterns + " random:SEED chooses from, and " +
+                               choice.names.patterns + " is " +
                                (choice.patterns.empty() ? "not given" : "'" + choice.patterns + "'"));
 }
 
@@ -64,11 +66,12 @@ void paint(Tessellation& tessellation, const PaintingChoice& choice, const patte
     if (choice.patterns.empty()) return;
     if (choice.patterns.starts_with(kRandom)) {
         const auto palette = chosen_palette(choice, layout, library);
-        const auto seed = parse_seed(std::string_view(choice.patterns).substr(kRandom.size()));
+        const auto seed =
+            parse_seed(std::string_view(choice.patterns).substr(kRandom.size()), choice.names.patterns);
         return tiling::paint_randomly(tessellation, palette, seed);
     }
     if (std::filesystem::path(choice.patterns).extension() != ".json") {
-        const auto palette = palette_of("--patterns", layout, {choice.patterns});
+        const auto palette = palette_of(choice.names.patterns, layout, {choice.patterns});
         return tiling::paint_uniformly(tessellation, palette.front());
     }
     try {

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/text.hpp>
+#include <fretwork/simulation/combination.hpp>
 #include <fretwork/simulation/project.hpp>
 
 namespace fretwork::simulation {
 
-const LoadCase& find_load_case(const Project& project, const std::string& name) {
-    if (name.empty() && project.load_cases.size() == 1) return project.load_cases.front();
+LoadCase find_load_case(const Project& project, const std::string& name) {
+    if (name.empty() && project.load_cases.size() == 1)
+        return combined(project.load_cases.front(), project.load_cases);
     std::vector<std::string> names;
     for (const LoadCase& load_case : project.load_cases) {
-        if (load_case.name == name) return load_case;
+        if (load_case.name == name) return combined(load_case, project.load_cases);
         names.push_back(load_case.name);
     }
     if (names.empty())

@@ -33,8 +33,9 @@ struct Project {
     std::string library_hash;  ///< content hash of the library when the project was made
 };
 
-/// The load case of a name; "" is the only one there is. Throws InputError that lists what there is.
-const LoadCase& find_load_case(const Project& project, const std::string& name);
+/// The load case of a name, with what it combines; "" is the only one there is. Throws InputError that lists
+/// what there is, and as combined().
+LoadCase find_load_case(const Project& project, const std::string& name);
 
 /// The tile model of each tile, "" where it has none of its own; empty if none has.
 std::vector<std::string> models_by_tile(const Project& project);

@@ -2,6 +2,7 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/file.hpp>
 #include <fretwork/reduction/setting_file.hpp>
+#include <fretwork/simulation/combination.hpp>
 #include <fretwork/simulation/detail/load_case_json.hpp>
 #include <fretwork/simulation/project_file.hpp>
 #include <fretwork/tiling/tessellation_check.hpp>
@@ -149,6 +150,9 @@ void read_load_cases(const JsonReader& json, Project& project) {
         }
         project.load_cases.push_back(std::move(load_case));
     }
+    in_place<base::InputError>(json, [&](const JsonReader&) {
+        for (const LoadCase& load_case : project.load_cases) (void)combined(load_case, project.load_cases);
+    });
 }
 
 void read_tile_models(const JsonReader& json, Project& project) {

@@ -23,7 +23,11 @@ std::string place_of_model(const Project& project, tiling::TileIndex tile) {
 
 std::string library_path_of(const std::string& project_file, const Project& project) {
     if (project.library_path.empty()) return "";
-    return (std::filesystem::path(project_file).parent_path() / project.library_path).string();
+    // A project that comes through a pipe lies nowhere: its paths are those of the folder one works in.
+    std::error_code unknown;
+    const bool is_file = std::filesystem::is_regular_file(project_file, unknown);
+    const auto folder = is_file ? std::filesystem::path(project_file).parent_path() : std::filesystem::path();
+    return (folder / project.library_path).string();
 }
 
 std::optional<library::Library> open_project_library(const std::string& project_file, const Project& project,

@@ -87,13 +87,14 @@ std::string content_of(const std::string& load_case_text) {
 
 mechanics::ResultSubject result_subject(const Surface& surface, const LoadCase& load_case,
                                         const SimulationOptions& options) {
+    SurfaceIdentity identity = surface_identity(surface);
     return {.model = model_text(surface, options),
             .is_reference = is_reference(surface, options),
             .load_case = load_case.name,
             .load_case_text = load_case_text(load_case),
-            .tessellation_hash = tessellation_hash(surface),
-            .painting_hash = painting_hash(surface.tessellation),
-            .setting_hash = base::sha256(reduction::setting_text(surface.setting))};
+            .tessellation_hash = std::move(identity.tessellation_hash),
+            .painting_hash = std::move(identity.painting_hash),
+            .setting_hash = std::move(identity.setting_hash)};
 }
 
 void check_subject(const mechanics::ResultSubject& subject, const std::string& source,
@@ -113,6 +114,9 @@ void check_subject(const mechanics::ResultSubject& subject, const std::string& s
     }
     if (subject.is_reference ? !may_be_reference : must_be_reference)
         throw base::InputError(source, "/subject/is_reference", "does not agree with the model");
+    if (!subject.full_tiles.empty() && !mixed_share(named_models(subject.model).front()))
+        throw base::InputError(source, "/subject/full_tiles",
+                               "is for mixed models, and this is " + subject.model);
     (void)parse_load_case(subject.load_case_text, source + ": /subject/load_case");
 }
 
@@ -129,12 +133,23 @@ std::string subject_difference(const mechanics::ResultSubject& left, const mecha
     return base::join(differences, ", ");
 }
 
-std::string subject_difference(const mechanics::ResultSubject& result, const Surface& surface) {
+SurfaceIdentity surface_identity(const Surface& surface) {
+    return {.tessellation_hash = tessellation_hash(surface),
+            .painting_hash = painting_hash(surface.tessellation),
+            .setting_hash = base::sha256(reduction::setting_text(surface.setting)),
+            .tiles = surface.tessellation.tiles.size()};
+}
+
+std::string subject_difference(const mechanics::ResultSubject& result, const SurfaceIdentity& surface) {
     mechanics::ResultSubject own = result;
-    own.tessellation_hash = tessellation_hash(surface);
-    own.painting_hash = painting_hash(surface.tessellation);
-    own.setting_hash = base::sha256(reduction::setting_text(surface.setting));
-    return subject_difference(result, own);
+    own.tessellation_hash = surface.tessellation_hash;
+    own.painting_hash = surface.painting_hash;
+    own.setting_hash = surface.setting_hash;
+    const std::string difference = subject_difference(result, own);
+    const auto& full = result.full_tiles;
+    if (!difference.empty() || full.empty() || static_cast<std::size_t>(full.back()) < surface.tiles)
+        return difference;
+    return "the number of tiles (tile " + std::to_string(full.back()) + " is in full)";
 }
 
 }  // namespace fretwork::simulation

@@ -28,7 +28,16 @@ void check_subject(const mechanics::ResultSubject& subject, const std::string& s
 /// Descriptions of load cases do not count.
 std::string subject_difference(const mechanics::ResultSubject& left, const mechanics::ResultSubject& right);
 
-/// The same for a result and a surface, whose load case may be any.
-std::string subject_difference(const mechanics::ResultSubject& result, const Surface& surface);
+/// What results of a surface have in common. To make it takes some time, so it is made once.
+struct SurfaceIdentity {
+    std::string tessellation_hash;
+    std::string painting_hash;
+    std::string setting_hash;
+    std::size_t tiles = 0;
+};
+SurfaceIdentity surface_identity(const Surface& surface);
+
+/// What a result and a surface, whose load case may be any, differ in; empty: nothing.
+std::string subject_difference(const mechanics::ResultSubject& result, const SurfaceIdentity& surface);
 
 }  // namespace fretwork::simulation

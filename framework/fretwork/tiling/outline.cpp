@@ -80,6 +80,19 @@ std::array<Point2, 2> box_of_all(const std::vector<Outline>& parts) {
 
 }  // namespace
 
+OutlineFile scaled_to_width(OutlineFile file, double width) {
+    const auto [lower, upper] = box_of_all(file.parts);
+    const double factor = width / (upper.x - lower.x);
+    const auto scale = [factor](pattern::Polygon& loop) {
+        for (Point2& point : loop) point = {factor * point.x, factor * point.y};
+    };
+    for (Outline& part : file.parts) {
+        scale(part.boundary);
+        std::ranges::for_each(part.holes, scale);
+    }
+    return file;
+}
+
 OutlineFile read_outline_file(const std::filesystem::path& path) {
     std::string ending = path.extension().string();
     for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));

@@ -53,6 +53,9 @@ Outline read_outline(const std::filesystem::path& path);
 /// taken if something was not. Throws InputError that says what there is.
 OutlineFile take_parts(OutlineFile file, std::string_view which);
 
+/// All parts of a file by one factor, so that together they are `width` wide, metres.
+OutlineFile scaled_to_width(OutlineFile file, double width);
+
 /// Width and height of some outlines together, for people: "284 x 190 mm".
 std::string size_text(const std::vector<Outline>& parts);
 

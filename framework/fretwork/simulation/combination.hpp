@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/simulation/load_case.hpp>
+
+#include <span>
+
+namespace fretwork::simulation {
+
+/// A load case with what it combines: loads, area loads, prescribed displacements and gravity of the other
+/// cases times their factors, and the supports of all of them. One that combines nothing stays as it is.
+/// Throws InputError if it names a case that is not among `cases`, itself, or one that is a combination, too.
+LoadCase combined(const LoadCase& load_case, std::span<const LoadCase> cases);
+
+}  // namespace fretwork::simulation
