@@ -23,9 +23,10 @@ using testing::HasSubstr;
 /// Options whose value is a text and no file. One that is in neither list is a mistake: declare it with
 /// `declare_files` if it names a file.
 const std::set<std::string> kOtherTexts = {
-    "--edges",      "--min-angle",   "--max-valence", "--filter", "--tile-side", "--beam-width", "--require",
-    "--forbid",     "--edge-length", "--shard",       "--model",  "--optimizer", "--name",       "--problems",
-    "--optimizers", "--policy",      "--solver",      "--branch", "--masses",    "pattern",      "--address"};
+    "--edges",   "--min-angle", "--max-valence", "--filter", "--tile-side", "--beam-width",
+    "--require", "--forbid",    "--edge-length", "--shard",  "--model",     "--optimizer",
+    "--name",    "--problems",  "--optimizers",  "--policy", "--solver",    "--branch",
+    "--masses",  "pattern",     "--address",     "--part",   "--narrow",    "--scale"};
 
 /// --patterns lists ids; that of `tile` may be a file.
 bool is_other_text(const CLI::App& verb, const CLI::Option& option) {
