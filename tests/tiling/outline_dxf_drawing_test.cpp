@@ -169,7 +169,8 @@ TEST(DxfDrawing, EndsThatNearlyMeetAreJoinedAndTold) {
     EXPECT_THAT(file.remarks, ElementsAre("2 gaps of at most 0.03 mm closed"));
     EXPECT_THAT(
         complaint_of([] { read(line(0, 0, 100, 0) + line(100, 0, 100, 100) + line(100, 100, 0, 0.3)); }),
-        AllOf(HasSubstr("not closed"), HasSubstr("from (0, 0) mm to (100, 0) mm"), HasSubstr("up to 0.1 mm")));
+        AllOf(HasSubstr("not closed"), HasSubstr("from (0, 0) mm to (100, 0) mm"),
+              HasSubstr("up to 0.1 mm")));
 }
 
 TEST(DxfDrawing, DoubledLinesAreOne) {

@@ -18,7 +18,7 @@ struct Project {
     pattern::NodeLayout layout = pattern::find_node_layout("paper7");  ///< of the tessellation's patterns
     tiling::Outline outline;
     std::vector<tiling::Outline> further_outlines{};  ///< of a surface of several parts, the others
-    tiling::Tessellation tessellation;  ///< with its painting
+    tiling::Tessellation tessellation;                ///< with its painting
     std::vector<LoadCase> load_cases;
     /// Of the patterns' library when the project was made: so the project means the same without it. Projects
     /// of the first format have none.
