@@ -17,8 +17,14 @@ namespace {
 constexpr std::chrono::milliseconds kLeastPatience{100};
 constexpr std::chrono::milliseconds kMostPatience{400};
 constexpr std::chrono::milliseconds kLongestSilence{1000};
+/// Loads that have not moved for so long are at rest.
+constexpr std::chrono::milliseconds kRest{150};
 
 }  // namespace
+
+bool is_unchecked(const mechanics::Result& result) {
+    return result.solver != "linear" && result.solution.stability == mechanics::StabilityTest::None;
+}
 
 std::vector<std::string> warnings_of(const mechanics::Result& result) {
     const mechanics::Solution& solution = result.solution;
@@ -65,10 +71,17 @@ bool LiveSolver::is_to_be_stopped(Clock::time_point now) const {
 std::optional<LiveSolver::Attempt> LiveSolver::next_attempt(const std::stop_token& ending) {
     std::unique_lock lock(mutex_);
     began_.reset();
-    if (!changed_.wait(lock, ending, [this] { return waiting_.has_value(); })) return std::nullopt;
+    const auto has_input = [this] { return waiting_.has_value(); };
+    if (unchecked_) {
+        (void)changed_.wait_for(lock, ending, kRest, has_input);
+    } else {
+        (void)changed_.wait(lock, ending, has_input);
+    }
     if (ending.stop_requested()) return std::nullopt;
-    Attempt attempt{std::move(*waiting_), {}};
+    const auto check = has_input() ? mechanics::StabilityCheck::Left : mechanics::StabilityCheck::Made;
+    Attempt attempt{std::move(has_input() ? waiting_ : unchecked_).value(), check, {}};
     waiting_.reset();
+    unchecked_.reset();
     stop_ = std::stop_source();
     attempt.stop = stop_.get_token();
     began_ = Clock::now();
@@ -87,7 +100,7 @@ void LiveSolver::run(const std::stop_token& ending) {
     while (const auto attempt = next_attempt(ending)) {
         const auto began = Clock::now();
         try {
-            solve(attempt->input, attempt->stop);
+            solve(*attempt);
         } catch (const base::Stopped&) {
             continue;  // newer input is there
         } catch (const base::Error& error) {
@@ -124,17 +137,24 @@ std::span<const mechanics::BeamSection> LiveSolver::wanted_sections(const Solver
 }
 
 /// What was solved already is not solved again, where only further fields are asked for.
-mechanics::Result LiveSolver::result_of(const SolverInput& input, const std::stop_token& stop) {
-    if (last_solved_ && last_situation_ == input.situation) return last_solved_->result;
+mechanics::Result LiveSolver::result_of(const Attempt& attempt) {
+    const SolverInput& input = attempt.input;
+    const bool is_known = last_solved_ && last_situation_ == input.situation;
+    const bool is_enough =
+        is_known && (attempt.check == mechanics::StabilityCheck::Left || !is_unchecked(last_solved_->result));
+    if (is_enough) return last_solved_->result;
     last_solved_.reset();
     ToldProgress progress([&](const std::string&, double share) { listener_.told(input, share); });
-    return session_.follow(input.situation).solve({.stop = stop, .progress = &progress});
+    return session_.follow(input.situation)
+        .solve({.stop = attempt.stop, .progress = &progress}, attempt.check);
 }
 
-void LiveSolver::solve(const SolverInput& input, const std::stop_token& stop) {
+void LiveSolver::solve(const Attempt& attempt) {
+    const SolverInput& input = attempt.input;
     update_beams(input);
     auto solved = std::make_shared<SolvedSurface>();
-    solved->result = result_of(input, stop);
+    solved->result = result_of(attempt);
+    if (is_unchecked(solved->result) && attempt.check == mechanics::StabilityCheck::Left) unchecked_ = input;
     solved->model = *input.situation.state->model;
     solved->revision = input.revision;
     solved->beams_revision = beams_revision_;

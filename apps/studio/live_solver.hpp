@@ -66,17 +66,19 @@ class LiveSolver {
 
   private:
     using Clock = std::chrono::steady_clock;
-    /// What is to be solved next, and how it is told to stop.
+    /// What is to be solved next, and how it is told to stop. The stability of what is dragged is left open
+    /// until it rests.
     struct Attempt {
         SolverInput input;
+        mechanics::StabilityCheck check = mechanics::StabilityCheck::Made;
         std::stop_token stop;
     };
     void run(const std::stop_token& ending);
     std::optional<Attempt> next_attempt(const std::stop_token& ending);
     void end_attempt(Clock::time_point began);
     [[nodiscard]] bool is_to_be_stopped(Clock::time_point now) const;
-    void solve(const SolverInput& input, const std::stop_token& stop);
-    [[nodiscard]] mechanics::Result result_of(const SolverInput& input, const std::stop_token& stop);
+    void solve(const Attempt& attempt);
+    [[nodiscard]] mechanics::Result result_of(const Attempt& attempt);
     [[nodiscard]] std::span<const mechanics::BeamSection> wanted_sections(const SolverInput& input);
     void update_beams(const SolverInput& input);
 
@@ -91,8 +93,9 @@ class LiveSolver {
 
     // Of the thread alone:
     SyncedSession session_;
-    SolvedPtr last_solved_;     ///< the session's last solution; null: there is none
-    Situation last_situation_;  ///< and what it is of
+    std::optional<SolverInput> unchecked_{};  ///< answered, but for its stability
+    SolvedPtr last_solved_;                   ///< the session's last solution; null: there is none
+    Situation last_situation_;                ///< and what it is of
     StatePtr state_of_beams_;
     std::shared_ptr<const simulation::SurfaceBeams> beams_;
     std::int64_t beams_revision_ = 0;
@@ -101,6 +104,9 @@ class LiveSolver {
 
     std::jthread thread_;
 };
+
+/// Whether the stability of a solution was left open, to answer sooner.
+bool is_unchecked(const mechanics::Result& result);
 
 /// What to warn of in a result, for people: it did not converge, it is unstable, it is linear and turns far.
 std::vector<std::string> warnings_of(const mechanics::Result& result);

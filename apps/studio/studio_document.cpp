@@ -74,7 +74,7 @@ Outgoing solved_message(const SolvedSurface& solved, const BeamFields& fields, c
                   {"converged", solution.converged()},
                   {"residual", solution.residual},
                   {"iterations", solution.iterations},
-                  {"stable", solution.stable},
+                  {"stable", is_unchecked(solved.result) ? Json() : Json(solution.stable)},
                   {"load_factor", solution.load_factor},
                   {"warnings", solved.warnings},
                   {"largest_displacement", largest},

@@ -80,7 +80,7 @@ function Answer() {
         <dt>largest displacement</dt><dd id="largest" data-value={info.largest_displacement}>{shown(info.largest_displacement, 'length')}</dd>
         <dt>computed in</dt><dd>{digits(1000 * info.seconds)} ms</dd>
         {info.load_factor < 1 && <><dt>share of the load</dt><dd>{digits(100 * info.load_factor)} %</dd></>}
-        {!info.stable && <><dt>stable</dt><dd class="bad">no</dd></>}
+        {info.stable === false && <><dt>stable</dt><dd class="bad">no</dd></>}
       </dl>
       {info.warnings.map((warning) => <p key={warning} class="warning">{warning}</p>)}
       {info.reactions && info.reactions.length > 0 && (

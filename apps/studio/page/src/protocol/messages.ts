@@ -123,7 +123,8 @@ export interface Solved {
   model: string;
   seconds: number;
   residual: number;
-  stable: boolean;
+  /** null: not known yet, since loads are being dragged. */
+  stable: boolean | null;
   load_factor: number;
   converged: boolean;
   warnings: string[];

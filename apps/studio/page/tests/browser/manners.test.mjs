@@ -99,7 +99,12 @@ test('lassos and stretches of the rim choose what lies in them', async (t) => {
   assert.ok(tiles > 1 && tiles < 60, `${tiles} tiles`);
   await page.click('[data-value=hold]');
   await page.keyboard.press('e');
-  await drag(page, await tilePlace(page, 0), await tilePlace(page, 12));
+  const [from, to] = await page.evaluate(() => {
+    const { rim, tiles } = window.fretwork.store.documentNow.value;
+    const tileOf = (node) => tiles.findIndex((tile) => tile.interface.includes(node));
+    return [tileOf(rim[0][0]), tileOf(rim[0][Math.floor(rim[0].length / 3)])];
+  });
+  await drag(page, await tilePlace(page, from), await tilePlace(page, to));
   const nodes = Number((await page.textContent('#nodes-chosen')).split(' ')[0]);
   assert.ok(nodes > 1, `${nodes} nodes`);
   await edit(page, () => page.keyboard.press('p'));
