@@ -241,6 +241,24 @@ TEST(StudioMessages, ReactionsBalanceTheLoads) {
     EXPECT_NEAR((sum - Eigen::Vector3d(0, 0, 0.01)).norm(), 0.0, 1e-8);
 }
 
+TEST(StudioMessages, StabilityLeftOpenInADragIsToldWhenItRests) {
+    const RunningStudio studio(test::studio_project());
+    Client client(studio.address());
+    client.hello();
+    (void)client.ask("set_model", {{"model", "corotational"}});
+    Solved solved = next_solution(client);
+    while (solved.event["model"] != "corotational" || solved.event["stable"].is_null())
+        solved = next_solution(client);
+    const auto revision = solved.event["revision"].get<std::int64_t>();
+    (void)client.ask("set_load_case",
+                     {{"index", 0}, {"load_case", load_case_json(-0.0101)}, {"merge", "drag"}});
+    const Solved dragged = solution_of(client, revision + 1);
+    EXPECT_TRUE(dragged.event["stable"].is_null());
+    const Solved rested = next_solution(client);
+    EXPECT_EQ(rested.event["revision"], dragged.event["revision"]);
+    EXPECT_EQ(rested.event["stable"], true);
+}
+
 TEST(StudioMessages, ASurfaceThatIsNotHeldIsToldInWords) {
     Project project = test::studio_project();
     project.load_cases.front().supports.clear();
