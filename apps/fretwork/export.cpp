@@ -37,10 +37,13 @@ struct Options {
     std::string colour;
 };
 
-double read_number_option(const std::string& option, const std::string& text) {
+/// Beyond this a drawing of any surface shows nothing.
+constexpr double kLargestScale = 1e6;
+
+double read_scale(const std::string& text) {
     const auto number = base::read_number<double>(text);
-    if (!number || !std::isfinite(*number))
-        throw base::InputError(option, "", "'" + text + "' is not a finite number");
+    if (!number || !(std::abs(*number) <= kLargestScale))
+        throw base::InputError("--scale", "", "'" + text + "' is not a number from -1e6 to 1e6");
     return *number;
 }
 
@@ -120,7 +123,7 @@ exports::Scene make_scene(const Options& options, const base::Control& control) 
         check_load_case(load_case, options, scene);
         scene.conditions = simulation::resolve(load_case, scene.surface);
     }
-    scene.displacement_scale = read_number_option("--scale", options.scale);
+    scene.displacement_scale = read_scale(options.scale);
     if (!options.view.empty()) scene.view = read_option("--view", options.view, exports::parse_view);
     if (!options.size.empty()) scene.picture.size = read_option("--size", options.size, exports::parse_size);
     if (!options.colour.empty()) scene.picture.colour = options.colour;
@@ -129,7 +132,7 @@ exports::Scene make_scene(const Options& options, const base::Control& control) 
 
 void run(const Options& options) {
     for (const std::string& path : options.to) (void)exports::find_writer(path);
-    (void)read_number_option("--scale", options.scale);
+    (void)read_scale(options.scale);
     LongWork work;
     const base::Control control = work.control();
     const exports::Scene scene = make_scene(options, control);

@@ -150,7 +150,11 @@ export const dragPrescribed = (index: number, entry: Prescribed, merge: string):
 export const removePrescribed = (index: number): void =>
   void editLoadCase(({ prescribed }) => ({ prescribed: without(prescribed, index) }));
 
-export async function save(path?: string): Promise<void> {
+/** To its file; a document that has none asks for one. */
+export async function save(): Promise<void> {
+  const now = documentNow.peek();
+  const path = now?.path ? undefined : window.prompt('Save as (a file on the machine where the studio runs):', `${now?.name || 'surface'}.json`);
+  if (path === null) return;
   if (await tryAsk('save', path ? { path } : {})) tell('Saved.');
 }
 

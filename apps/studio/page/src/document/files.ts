@@ -29,7 +29,7 @@ export async function savePicture(): Promise<void> {
   if (scene) offer(await scene.stage.picture(), `${stem()}.png`);
 }
 
-export const openUpload = async (file: File): Promise<boolean> => (await tryAsk('upload', { text_base64: await base64(file) })) !== null;
+export const openUpload = async (file: File): Promise<boolean> => (await tryAsk('upload', { name: file.name, text_base64: await base64(file) })) !== null;
 
 export async function download(): Promise<void> {
   try {

@@ -33,7 +33,7 @@ export function TopBar() {
           </button>
           <div class="cluster">
             <Button kind="bare" title="New or open" icon={FilePlus2} onPress={() => (startOpen.value = true)} />
-            <Button kind="bare" id="save" title="Save" shortcut="Ctrl S" icon={Save} onPress={() => void save(now.path ? undefined : askPath(now.name))} />
+            <Button kind="bare" id="save" title="Save" shortcut="Ctrl S" icon={Save} onPress={() => void save()} />
             <span class="anchor">
               <Button kind="bare" id="export" title="Save as another kind of file" icon={Download} pressed={exportOpen.value} onPress={() => (exportOpen.value = !exportOpen.value)} />
               <ExportMenu />
@@ -65,6 +65,3 @@ export function TopBar() {
   );
 }
 
-function askPath(name: string): string | undefined {
-  return window.prompt('Save as, on the machine where the studio runs:', `${name || 'surface'}.json`) ?? undefined;
-}
