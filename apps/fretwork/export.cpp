@@ -108,9 +108,23 @@ void check_load_case(const simulation::LoadCase& load_case, const Options& optio
     }
 }
 
+/// The library is opened where it is asked for, where a project has no setting of its own, and where the
+/// tiles of a result are calibrated.
+bool needs_library(const Options& options, const simulation::Project& project) {
+    if (!options.library.empty() || !project.setting) return true;
+    return std::ranges::any_of(options.results, [&](const std::string& file) {
+        const auto subject = read_surface_result(file).subject;
+        if (!subject) return true;
+        const std::string model = subject->model.substr(0, subject->model.find(';'));
+        return simulation::needs_library(project, simulation::model_choice({.model = model}));
+    });
+}
+
 exports::Scene make_scene(const Options& options, const base::Control& control) {
     const simulation::Project project = simulation::read_checked_project(options.project);
-    const auto library = simulation::open_project_library(options.project, project, options.library);
+    std::optional<library::Library> library;
+    if (needs_library(options, project))
+        library = simulation::open_project_library(options.project, project, options.library);
     exports::Scene scene{simulation::make_surface(project, library ? &*library : nullptr)};
     OwnSurface own{scene.surface, {}};
     if (!options.results.empty()) own.identity = simulation::surface_identity(scene.surface);

@@ -150,11 +150,13 @@ ExitCode run(Options options) {
     LongWork work;
     if (options.linear) options.simulation.analysis = simulation::Analysis::Linear;
     const Project project = simulation::read_checked_project(options.project);
-    const auto library = simulation::open_project_library(options.project, project, options.library);
+    const simulation::ModelChoice choice = simulation::model_choice(options.simulation);
+    std::optional<library::Library> library;
+    if (!options.library.empty() || simulation::needs_library(project, choice))
+        library = simulation::open_project_library(options.project, project, options.library);
     const Surface surface = simulation::make_surface(project, library ? &*library : nullptr);
     options.simulation.validate(surface);
-    simulation::check_calibrations(options.project, project, surface,
-                                   simulation::model_choice(options.simulation));
+    simulation::check_calibrations(options.project, project, surface, choice);
     const LoadCase load_case = chosen_load_case(project, options.load_case);
     base::FileBatch files;
     if (!options.frame_out.empty()) files.add(options.frame_out, full_frame_text(surface, load_case));

@@ -76,5 +76,22 @@ TEST_F(CalibratedModels, AreSimulatedComparedAndDrawn) {
     }
 }
 
+TEST_F(CalibratedModels, AloneNeedTheLibraryOfAProject) {
+    succeed(
+        "fretwork tile experiments/outlines/specimen.svg --edge-length 60mm --patterns random:1 --palette "
+        "0-1+1-6,1-6+3-6 --library all.db --out p.json"
+        " && fretwork case add p.json experiments/cases/cantilever.json && rm all.db");
+    for (const std::string model : {"full", "condensed"}) {
+        succeed("fretwork simulate p.json --linear --model " + model + " --out r.json");
+        succeed("fretwork export p.json --result r.json --to r.svg");
+    }
+    for (const reduction::TileModel& model : calibrated_models()) {
+        const Outcome outcome =
+            run_command("fretwork simulate p.json --model " + model.name + " --out c.json", folder_.path());
+        EXPECT_EQ(outcome.exit_code, 2);
+        EXPECT_THAT(outcome.err, HasSubstr("all.db"));
+    }
+}
+
 }  // namespace
 }  // namespace fretwork::app

@@ -45,6 +45,14 @@ std::optional<library::Library> open_project_library(const std::string& project_
     return library;
 }
 
+bool needs_library(const Project& project, const ModelChoice& choice) {
+    const auto is_calibrated = [&](const std::string& model) {
+        return !reduction::find_tile_model(model, choice.models).parameters.empty();
+    };
+    return !project.setting || is_calibrated(choice.name) ||
+           std::ranges::any_of(project.tile_models, is_calibrated, &Project::TileModelChoice::model);
+}
+
 Project read_checked_project(const std::string& file) {
     Project project = read_project(file);
     for (std::size_t i = 0; i < project.tile_models.size(); ++i) {

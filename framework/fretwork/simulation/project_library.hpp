@@ -19,6 +19,10 @@ std::string library_path_of(const std::string& project_file, const Project& proj
 std::optional<library::Library> open_project_library(const std::string& project_file, const Project& project,
                                                      const std::string& wanted);
 
+/// Whether a project under this choice of models needs its library: a tile's model has calibrated parameters,
+/// or the project carries no setting. All else means the same without it.
+bool needs_library(const Project& project, const ModelChoice& choice);
+
 /// Read a project, and check that there are the tile models that it names for single tiles. Throws InputError
 /// that names the file and the place.
 Project read_checked_project(const std::string& file);
