@@ -230,6 +230,7 @@ TEST_P(OptimizerConformance, PassesOnWhatTheProblemThrows) {
 TEST_P(OptimizerConformance, RejectsOptionsThatMakeNoSense) {
     const auto problem = sphere(2);
     EXPECT_THROW(minimize(problem, row(), {.starts = 0}), base::InputError);
+    EXPECT_THROW(minimize(problem, row(), {.starts = 2'000'000'000}), base::InputError);
     EXPECT_THROW(minimize(problem, row(), {}, {.cost = 0}), base::InputError);
     EXPECT_THROW(minimize(problem, row(), {}, {.cost = 10, .seconds = -1.0}), base::InputError);
 }

@@ -30,8 +30,13 @@ std::string_view ending_name(Ending ending) {
     return "unknown";
 }
 
+/// More is a slip, and would take all memory before the budget ends it.
+constexpr int kMostStarts = 100'000;
+
 void OptimizerOptions::validate() const {
-    if (starts < 1) throw base::InputError("starts: " + std::to_string(starts) + " must be at least 1");
+    if (starts < 1 || starts > kMostStarts)
+        throw base::InputError("starts: " + std::to_string(starts) + " must be from 1 to " +
+                               std::to_string(kMostStarts));
 }
 
 }  // namespace fretwork::optimization

@@ -27,7 +27,7 @@ std::string_view ending_name(Ending ending);
 
 /// The options that all methods understand.
 struct OptimizerOptions {
-    int starts = 4;  ///< descents, or repetitions of a method that has none; >= 1
+    int starts = 4;  ///< descents, or repetitions of a method that has none; 1 to 100,000
     std::uint64_t seed = 1;
     /// Throws InputError if a value makes no sense.
     void validate() const;
