@@ -72,16 +72,11 @@ class MeshTiles {
         if (!rim.knots.empty())
             fail(face_with(rim.knots.front()),
                  "touches another face at " + place_of(rim.knots.front()) + " in this vertex alone");
-        std::vector<Polygon> loops;
-        for (const std::vector<int>& line : rim.lines) {
-            Polygon& loop = loops.emplace_back();
-            for (const int v : line) {
-                detail::DualVertex& vertex = dual_.vertices[static_cast<std::size_t>(v)];
-                vertex.loop = static_cast<int>(loops.size()) - 1;  // any: it is on the rim
-                loop.push_back(vertex.place);
-            }
+        for (std::size_t line = 0; line < rim.lines.size(); ++line) {
+            for (const int v : rim.lines[line])  // any loop: it is on the rim
+                dual_.vertices[static_cast<std::size_t>(v)].loop = static_cast<int>(line);
         }
-        std::iter_swap(loops.begin(), std::ranges::max_element(loops, {}, pattern::signed_area));
+        const std::vector<Polygon> loops = detail::loops_of(dual_, rim);
         const auto crossings = detail::places_of_crossings(loops, {});
         if (!crossings.empty())
             fail(face_at(crossings.front()), "has a side that touches or crosses another, near " +

@@ -91,12 +91,6 @@ Candidate best_candidate(const Task& task, const std::vector<Start>& starts, Wor
     return std::move(*std::min_element(candidates.begin(), candidates.end(), detail::is_better));
 }
 
-double area(const Outline& outline) {
-    double sum = pattern::signed_area(outline.boundary);
-    for (const pattern::Polygon& hole : outline.holes) sum += pattern::signed_area(hole);
-    return sum;
-}
-
 /// The smallest side that tiles may be wanted with.
 double smallest_wanted(const TessellationOptions& options) {
     return std::max(kFinest * options.edge_length, kBarsInSide * options.smallest_side);
@@ -105,7 +99,7 @@ double smallest_wanted(const TessellationOptions& options) {
 /// A tile with this side is about as wide as the widest place that counts as narrow.
 detail::NarrowLimits narrow_limits(const Outline& outline, const TessellationOptions& options) {
     const double side = options.edge_length;
-    return {side / kSideInBand, std::min(kNegligibleArea * area(outline), 0.5 * side * side)};
+    return {side / kSideInBand, std::min(kNegligibleArea * detail::area_of(outline), 0.5 * side * side)};
 }
 
 struct WantedSides {
@@ -121,7 +115,8 @@ WantedSides wanted_sides(const Outline& outline, const TessellationOptions& opti
     const detail::NarrowLimits limits = narrow_limits(outline, options);
     const double least = smallest_wanted(options);
     for (const detail::NarrowPlace& narrow : detail::narrow_places(outline, limits, options.control)) {
-        if (narrow.width < least && narrow.cut_off > kLimbArea * area(outline)) return {field, narrow};
+        if (narrow.width < least && narrow.cut_off > kLimbArea * detail::area_of(outline))
+            return {field, narrow};
         field.limit(narrow.place, std::max(least, kSideInBand * narrow.width));
     }
     for (const pattern::Polygon& hole : outline.holes) {
@@ -134,7 +129,7 @@ WantedSides wanted_sides(const Outline& outline, const TessellationOptions& opti
 }
 
 detail::BluntLimits blunt_limits(const Outline& outline, const TessellationOptions& options) {
-    const double all = area(outline);
+    const double all = detail::area_of(outline);
     return {std::min(kTipArea * all, 0.25 * options.edge_length * options.edge_length), kTipsArea * all};
 }
 
@@ -149,7 +144,7 @@ Candidate best_attempt(const Outline& outline, const TessellationOptions& option
         return best;
     }
     const double least = smallest_wanted(options);
-    const double share = blunt.lost_area / area(outline);
+    const double share = blunt.lost_area / detail::area_of(outline);
     const detail::QualityLimits limits{.smallest_side = options.smallest_side,
                                        .covered_share = detail::QualityLimits{}.covered_share / (1 - share)};
     std::vector<Start> starts;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
+#include <fretwork/tiling/detail/plane.hpp>
 #include <fretwork/tiling/tessellate_parts.hpp>
 
 #include <algorithm>
@@ -20,12 +21,6 @@ void append(Tessellation& whole, const Tessellation& part) {
     whole.vertices.insert(whole.vertices.end(), part.vertices.begin(), part.vertices.end());
     whole.interface_nodes.insert(whole.interface_nodes.end(), part.interface_nodes.begin(),
                                  part.interface_nodes.end());
-}
-
-double area_of(const Outline& outline) {
-    double area = pattern::signed_area(outline.boundary);
-    for (const pattern::Polygon& hole : outline.holes) area += pattern::signed_area(hole);
-    return area;
 }
 
 /// Shares and means of two sets of tiles together; sides count like tiles.
@@ -63,16 +58,16 @@ TessellationResult tessellate_parts(const std::vector<Outline>& parts, const pat
     if (parts.empty()) throw base::InputError("there is no outline to tile");
     if (parts.size() == 1) return tessellate(parts.front(), layout, options);
     TessellationResult whole = tessellate_part(parts, 0, layout, options);
-    double area = area_of(parts.front());
+    double area = detail::area_of(parts.front());
     double covered = area * whole.report.covered_share;
     double outside = area * whole.report.outside_share;
     for (std::size_t part = 1; part < parts.size(); ++part) {
         const TessellationResult next = tessellate_part(parts, part, layout, options);
         append(whole.tessellation, next.tessellation);
         merge(whole.report, next.report);
-        area += area_of(parts[part]);
-        covered += area_of(parts[part]) * next.report.covered_share;
-        outside += area_of(parts[part]) * next.report.outside_share;
+        area += detail::area_of(parts[part]);
+        covered += detail::area_of(parts[part]) * next.report.covered_share;
+        outside += detail::area_of(parts[part]) * next.report.outside_share;
     }
     whole.report.covered_share = covered / area;
     whole.report.outside_share = outside / area;

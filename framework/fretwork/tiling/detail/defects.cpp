@@ -143,16 +143,10 @@ class Comparison {
     }
 
     void check_crossings(const DualRim& lines, const base::Control& control) {
-        std::vector<Polygon> loops;
-        for (const std::vector<int>& line : lines.lines) {
-            Polygon& loop = loops.emplace_back();
-            for (const int v : line) loop.push_back(vertex(v).place);
-        }
-        const auto is_line = [](const Polygon& loop) { return loop.size() < 3; };
-        if (loops.empty() || std::ranges::any_of(loops, is_line) || !lines.knots.empty()) return;
-        // The outer line first.
-        std::iter_swap(loops.begin(), std::ranges::max_element(loops, {}, pattern::signed_area));
-        for (const Point2& place : places_of_crossings(loops, control)) note(DefectKind::Torn, place);
+        const auto is_short = [](const std::vector<int>& line) { return line.size() < 3; };
+        if (lines.lines.empty() || std::ranges::any_of(lines.lines, is_short) || !lines.knots.empty()) return;
+        for (const Point2& place : places_of_crossings(loops_of(dual_, lines), control))
+            note(DefectKind::Torn, place);
     }
 
     /// The places that lack most.

@@ -168,12 +168,6 @@ std::optional<std::vector<Outline>> outlines_of(const std::map<int, PartLoops>& 
     return outlines;
 }
 
-double area_of(const Outline& outline) {
-    double area = pattern::signed_area(outline.boundary);
-    for (const Polygon& hole : outline.holes) area += pattern::signed_area(hole);
-    return area;
-}
-
 /// The map of the rounded loops: as filled as before, since boundaries turn left and holes turn right.
 LineMap map_of(const std::map<int, PartLoops>& parts) {
     std::vector<MapLine> lines;

@@ -2,11 +2,12 @@
 #pragma once
 
 #include <fretwork/pattern/polygon.hpp>
+#include <fretwork/tiling/outline.hpp>
 
 #include <algorithm>
 #include <cmath>
 
-/// Arithmetic of points of the plane.
+/// Arithmetic of points of the plane, and of what they bound.
 namespace fretwork::tiling::detail {
 
 using pattern::Point2;
@@ -41,6 +42,12 @@ inline double perimeter(const Polygon& polygon) {
     for (std::size_t i = 0; i < polygon.size(); ++i)
         sum += distance(polygon[i], polygon[(i + 1) % polygon.size()]);
     return sum;
+}
+/// Without its holes.
+inline double area_of(const Outline& outline) {
+    double area = pattern::signed_area(outline.boundary);
+    for (const Polygon& hole : outline.holes) area += pattern::signed_area(hole);
+    return area;
 }
 inline Point2 between(Point2 a, Point2 b, double share) {
     return {a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)};

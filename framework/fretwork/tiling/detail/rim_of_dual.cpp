@@ -38,6 +38,16 @@ DualRim rim_of(const Dual& dual, const base::Control& control) {
     return rim;
 }
 
+std::vector<pattern::Polygon> loops_of(const Dual& dual, const DualRim& rim) {
+    std::vector<pattern::Polygon> loops;
+    for (const std::vector<int>& line : rim.lines) {
+        pattern::Polygon& loop = loops.emplace_back();
+        for (const int v : line) loop.push_back(dual.vertices[static_cast<std::size_t>(v)].place);
+    }
+    std::iter_swap(loops.begin(), std::ranges::max_element(loops, {}, pattern::signed_area));
+    return loops;
+}
+
 Pieces pieces_of(const Dual& dual, const base::Control& control) {
     std::vector<std::size_t> parent(dual.cells.size());
     std::iota(parent.begin(), parent.end(), 0);

@@ -17,6 +17,9 @@ struct DualRim {
 
 DualRim rim_of(const Dual& dual, const base::Control& control);
 
+/// The lines of the rim (one at least) as polygons, the outer one first.
+std::vector<pattern::Polygon> loops_of(const Dual& dual, const DualRim& rim);
+
 /// How many sets of cells hang together by sides, and a cell of the smallest set.
 struct Pieces {
     int count = 0;
