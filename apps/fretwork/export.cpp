@@ -57,14 +57,14 @@ Value read_option(const std::string& option, const std::string& text, Value (*pa
     }
 }
 
-/// A surface that results are read for.
+/// A surface that results are to be of.
 struct OwnSurface {
     const simulation::Surface& surface;
     simulation::SurfaceIdentity identity;
 };
 
-mechanics::Result read_own_result(const std::string& file, const OwnSurface& own) {
-    mechanics::Result result = read_surface_result(file);
+/// A result that was read from a file must be one of the surface.
+void check_own_result(const mechanics::Result& result, const std::string& file, const OwnSurface& own) {
     const std::string difference =
         result.subject ? simulation::subject_difference(*result.subject, own.identity) : "";
     if (!difference.empty())
@@ -74,7 +74,6 @@ mechanics::Result read_own_result(const std::string& file, const OwnSurface& own
     } catch (const base::InputError& error) {
         throw base::InputError(file, "", error.what());
     }
-    return result;
 }
 
 /// Options that only drawings look at.
@@ -110,28 +109,35 @@ void check_load_case(const simulation::LoadCase& load_case, const Options& optio
 
 /// The library is opened where it is asked for, where a project has no setting of its own, and where the
 /// tiles of a result are calibrated.
-bool needs_library(const Options& options, const simulation::Project& project) {
+bool needs_library(const Options& options, const simulation::Project& project,
+                   const std::vector<exports::Scene::LabelledResult>& results) {
     if (!options.library.empty() || !project.setting) return true;
-    return std::ranges::any_of(options.results, [&](const std::string& file) {
-        const auto subject = read_surface_result(file).subject;
-        if (!subject) return true;
-        const std::string model = subject->model.substr(0, subject->model.find(';'));
-        return simulation::needs_library(project, simulation::model_choice({.model = model}));
+    return std::ranges::any_of(results, [&](const exports::Scene::LabelledResult& shown) {
+        const auto& subject = shown.result.subject;
+        return !subject ||
+               simulation::needs_library(
+                   project, simulation::model_choice({.model = simulation::main_model(*subject)}));
     });
 }
 
 exports::Scene make_scene(const Options& options, const base::Control& control) {
     const simulation::Project project = simulation::read_checked_project(options.project);
+    std::vector<exports::Scene::LabelledResult> results;
+    for (const std::string& file : options.results) {
+        control.check();
+        results.push_back({std::filesystem::path(file).stem().string(), read_surface_result(file)});
+    }
     std::optional<library::Library> library;
-    if (needs_library(options, project))
+    if (needs_library(options, project, results))
         library = simulation::open_project_library(options.project, project, options.library);
     exports::Scene scene{simulation::make_surface(project, library ? &*library : nullptr)};
     OwnSurface own{scene.surface, {}};
     if (!options.results.empty()) own.identity = simulation::surface_identity(scene.surface);
-    for (const std::string& file : options.results) {
+    for (std::size_t i = 0; i < results.size(); ++i) {
         control.check();
-        scene.results.push_back({std::filesystem::path(file).stem().string(), read_own_result(file, own)});
+        check_own_result(results[i].result, options.results[i], own);
     }
+    scene.results = std::move(results);
     if (!options.load_case.empty()) {
         const simulation::LoadCase load_case = simulation::find_load_case(project, options.load_case);
         check_load_case(load_case, options, scene);

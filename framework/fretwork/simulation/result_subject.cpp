@@ -97,6 +97,10 @@ mechanics::ResultSubject result_subject(const Surface& surface, const LoadCase& 
             .setting_hash = std::move(identity.setting_hash)};
 }
 
+std::string main_model(const mechanics::ResultSubject& subject) {
+    return named_models(subject.model).front();
+}
+
 void check_subject(const mechanics::ResultSubject& subject, const std::string& source,
                    std::span<const reduction::TileModel> models) {
     bool may_be_reference = false;
@@ -114,7 +118,7 @@ void check_subject(const mechanics::ResultSubject& subject, const std::string& s
     }
     if (subject.is_reference ? !may_be_reference : must_be_reference)
         throw base::InputError(source, "/subject/is_reference", "does not agree with the model");
-    if (!subject.full_tiles.empty() && !mixed_share(named_models(subject.model).front()))
+    if (!subject.full_tiles.empty() && !mixed_share(main_model(subject)))
         throw base::InputError(source, "/subject/full_tiles",
                                "is for mixed models, and this is " + subject.model);
     (void)parse_load_case(subject.load_case_text, source + ": /subject/load_case");

@@ -19,6 +19,9 @@ namespace fretwork::simulation {
 mechanics::ResultSubject result_subject(const Surface& surface, const LoadCase& load_case,
                                         const SimulationOptions& options);
 
+/// The model of the tiles that have none of their own, as `simulate --model` takes it.
+std::string main_model(const mechanics::ResultSubject& subject);
+
 /// Check a subject that was read from a file: its models are in the catalogue, it is a reference only if they
 /// are, and its load case is one. Throws InputError that names `source` and the place.
 void check_subject(const mechanics::ResultSubject& subject, const std::string& source,

@@ -3,6 +3,7 @@
 #include <fretwork/base/parallel.hpp>
 #include <fretwork/mechanics/rotation_vector.hpp>
 #include <fretwork/simulation/detail/tile_builder.hpp>
+#include <fretwork/simulation/result_subject.hpp>
 #include <fretwork/simulation/surface_beams.hpp>
 
 #include <limits>
@@ -135,12 +136,6 @@ BeamState state_of(const StateRequest& request, const mechanics::Solution& solut
     return state;
 }
 
-/// The model of the tiles that have none of their own, in a result that was read.
-std::string main_model(const mechanics::Result& result) {
-    const std::string& text = result.subject->model;
-    return text.substr(0, text.find(';'));
-}
-
 /// The tiles of a result that was read, built anew.
 class ReadTiles {
   public:
@@ -150,7 +145,7 @@ class ReadTiles {
         if (rows < beams.interface_nodes)
             throw base::InputError("the result is not one of this project: it has too few nodes");
         if (result.subject)
-            build(main_model(result), result.subject->full_tiles);
+            build(main_model(*result.subject), result.subject->full_tiles);
         else if (rows == beams.nodes.size())
             build(reference_choice({}).name, {});
         if (!tiles_.empty() && starts_.back() != rows)

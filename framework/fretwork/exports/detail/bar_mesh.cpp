@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/exports/detail/bar_mesh.hpp>
-
-#include <Eigen/Geometry>
+#include <fretwork/mechanics/rotation_vector.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -15,12 +14,6 @@ using Eigen::Vector3d;
 using Eigen::Vector3f;
 
 constexpr double kPi = std::numbers::pi;
-
-Matrix3d rotation_of(const Vector3d& vector) {
-    const double angle = vector.norm();
-    if (angle == 0.0) return Matrix3d::Identity();
-    return Eigen::AngleAxisd(angle, vector / angle).toRotationMatrix();
-}
 
 class Builder {
   public:
@@ -47,7 +40,8 @@ class Builder {
     };
 
     [[nodiscard]] Matrix3d turn_of(std::size_t node) const {
-        return rotation_of(scale_ * scene_.motion.row(static_cast<Eigen::Index>(node)).tail<3>().transpose());
+        const auto row = static_cast<Eigen::Index>(node);
+        return mechanics::rotation_of(scale_ * scene_.motion.row(row).tail<3>().transpose()).matrix();
     }
     [[nodiscard]] Vector3d place(std::size_t node) const {
         return place_of(scene_, static_cast<int>(node), scale_);
