@@ -16,7 +16,7 @@ import surfaces
 
 MODELS = ("condensed", "corotational", "mixed:0.05", "mixed:0.1", "mixed:0.3")
 SEARCH_STEPS = 6
-FIELDS = ["number", "kind", "shape", "tiles", "span", "deflection", "rotation", "full_s"]
+FIELDS = ["number", "kind", "shape", "tiles", "span", "deflection", "rotation", "full_s", "full_linear_s"]
 for name in MODELS:
     FIELDS += [f"{name}_{what}" for what in ("mean", "largest", "l2", "s")]
 # What the difference from mixed:0.05, 0.1 and 0.3 says of the corotational mean error, and mixed:0.3 of the others'.
@@ -41,10 +41,14 @@ class Fretwork:
 
     def simulate(self, model, *options):
         return json.loads(self("simulate", "project.json", "--case", "./case.json", "--model", model, "--json",
-                               "--out", model.replace(":", "-") + ".json", *options))
+                               "--out", result_file(model, options), *options))
 
     def compare(self, better, model):
-        return json.loads(self("compare", better.replace(":", "-") + ".json", model.replace(":", "-") + ".json", "--json"))
+        return json.loads(self("compare", result_file(better), result_file(model), "--json"))
+
+
+def result_file(model, options=()):
+    return model.replace(":", "-") + ("-linear" if "--linear" in options else "") + ".json"
 
 
 def write(path, content):
@@ -95,7 +99,8 @@ def row_of(fretwork, surface, patterns, folder):
     full = fretwork.simulate("full")
     span = extent(surface["outline"]["boundary"])[0]
     row = {"number": surface["number"], "kind": surface["kind"], "shape": surface["shape"], "tiles": tiled["tiles"], "span": span,
-           "deflection": full["largest_displacement"] / span, "rotation": full["largest_rotation"], "full_s": full["seconds"]}
+           "deflection": full["largest_displacement"] / span, "rotation": full["largest_rotation"], "full_s": full["seconds"],
+           "full_linear_s": fretwork.simulate("full", "--linear")["seconds"]}
     for model in MODELS:
         row[f"{model}_s"] = fretwork.simulate(model)["seconds"]
         row.update({f"{model}_{what}": value for what, value in errors(fretwork.compare("full", model)).items()})
