@@ -82,6 +82,18 @@ void objective_value(benchmark::State& state) {
 }
 BENCHMARK(objective_value);
 
+void objective_gradient(benchmark::State& state) {
+    const Case& c = two_edges();
+    for (auto _ : state) benchmark::DoNotOptimize(c.problem.gradient(c.point, 0.0));
+}
+BENCHMARK(objective_gradient);
+
+void objective_residuals(benchmark::State& state) {
+    const Case& c = two_edges();
+    for (auto _ : state) benchmark::DoNotOptimize(c.problem.residuals(c.point, 1e-2));
+}
+BENCHMARK(objective_residuals);
+
 void objective_gradient_and_curvature(benchmark::State& state) {
     const Case& c = two_edges();
     for (auto _ : state) benchmark::DoNotOptimize(c.problem.curvature(c.point, 1e-2));

@@ -116,6 +116,19 @@ TEST(Objective, GradientAgreesWithFiniteDifferences) {
     }
 }
 
+TEST(Objective, GradientAloneIsThatOfTheCurvature) {
+    optimization::RandomStream random(9, 0);
+    for (const double smoothing : {0.1, 1e-3, 0.0}) {
+        const Eigen::VectorXd x = example().random_point(random);
+        const auto gradient = example().problem.gradient(x, smoothing);
+        const auto model = example().problem.curvature(x, smoothing);
+        // Both evaluate the same terms and add them up in another order.
+        EXPECT_NEAR(gradient.objective, model.objective, 1e-12 * model.objective);
+        EXPECT_NEAR(gradient.value, model.value, 1e-12 * model.value);
+        EXPECT_LT((gradient.gradient - model.gradient).norm(), 1e-9 * model.gradient.norm());
+    }
+}
+
 TEST(Objective, SquaredResidualsSumToItsValue) {
     optimization::RandomStream random(6, 0);
     const Eigen::VectorXd x = example().random_point(random);

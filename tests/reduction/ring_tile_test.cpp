@@ -107,6 +107,33 @@ TEST(RingHexagon, DerivativesComeWithTheSameDisplacements) {
     for (std::size_t s = 0; s < 5; ++s) EXPECT_EQ(plain[s], both.displacements[s]);
 }
 
+TEST(RingHexagon, AdjointGradientIsTheSumOverAllDerivatives) {
+    const Setting setting = paper_setting();
+    const RingHexagon hexagon(setting);
+    optimization::RandomStream random(4, 0);
+    const RingParts parts = random_parts(setting, random);
+    UnitDisplacements slopes(5, mechanics::NodeValues(6, 6));
+    for (auto& of_scenario : slopes) {
+        for (double& slope : of_scenario.reshaped()) slope = random.uniform() - 0.5;
+    }
+    UnitDisplacements seen;
+    const RingParts adjoint = hexagon.gradient(parts, [&](const UnitDisplacements& displacements) {
+        seen = displacements;
+        return slopes;
+    });
+    EXPECT_EQ(seen, hexagon.displacements(parts));
+    const auto forward = hexagon.derivatives(parts, RingDirections::Identity(kRingParts, kRingParts));
+    RingParts sum = RingParts::Zero();
+    RingParts size = RingParts::Zero();
+    for (std::size_t s = 0; s < 5; ++s) {
+        const Eigen::VectorXd flat = slopes[s].reshaped<Eigen::RowMajor>();
+        sum += forward.derivatives[s].transpose() * flat;
+        size += forward.derivatives[s].cwiseAbs().transpose() * flat.cwiseAbs();
+    }
+    // Two ways through one factorization: what round-off leaves grows with its conditioning, up to some 1e6.
+    for (int p = 0; p < kRingParts; ++p) EXPECT_NEAR(adjoint[p], sum[p], 1e-9 * size[p]) << "part " << p;
+}
+
 TEST(RingHexagon, RefusesMechanismsAndPolygonsOtherThanHexagons) {
     Setting setting = paper_setting();
     setting.scenarios[2].supports.resize(1);

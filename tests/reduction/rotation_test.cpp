@@ -113,6 +113,8 @@ TEST(GrowingRotation, JacobianAgreesWithFiniteDifferences) {
                 };
                 const Eigen::Vector3d slope = (change(v + e) - change(v - e)) / (2.0 * kStep);
                 EXPECT_LT((jacobian.col(i) - slope).norm(), 1e-9) << v.transpose();
+                const Eigen::Vector3d unit = Eigen::Vector3d::Unit(i);
+                EXPECT_LT((jacobian.transpose() * unit - growing.pull_back(unit)).norm(), kTolerance);
             }
         }
     }

@@ -89,8 +89,13 @@ double DifferenceProblem::value(const Eigen::VectorXd& point) const {
 
 optimization::GradientEvaluation DifferenceProblem::gradient(const Eigen::VectorXd& point,
                                                              double smoothing) const {
-    const auto model = curvature(point, smoothing);
-    return {model.objective, model.value, model.gradient};
+    const UnitDisplacementsAndDerivatives model = derivatives(point);
+    const DisplacementGradient of_error = objective_.gradient(model.displacements, smoothing);
+    optimization::GradientEvaluation result{of_error.objective, of_error.value,
+                                            Eigen::VectorXd::Zero(point.size())};
+    for (std::size_t s = 0; s < model.derivatives.size(); ++s)
+        result.gradient += model.derivatives[s].transpose() * of_error.slopes[s].reshaped<Eigen::RowMajor>();
+    return result;
 }
 
 optimization::ResidualEvaluation DifferenceProblem::residuals(const Eigen::VectorXd& point,

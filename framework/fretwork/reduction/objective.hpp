@@ -21,6 +21,13 @@ struct ErrorMetric {
     double smallest_rotation = 0.1 * std::numbers::pi / 180.0;  ///< eps_rot, rad
 };
 
+/// E with its norms smoothed, and its derivatives by a model's unit displacements.
+struct DisplacementGradient {
+    double objective = 0.0;  ///< E itself
+    double value = 0.0;      ///< of what is differentiated
+    UnitDisplacements slopes;
+};
+
 /// The distance of a linear model from the responses of a pattern: E of Eqs. (8) to (11), exactly as written.
 ///
 /// E = sum over scenarios and magnitudes of w e^2, where e is the weighted sum of two normalized sums over
@@ -43,6 +50,9 @@ class Objective {
     /// NumericalError that names the sample if the model did not converge where the pattern did.
     [[nodiscard]] std::vector<double> scenario_errors(const std::vector<Response>& model) const;
 
+    /// By the displacements themselves: the start of an adjoint gradient, which needs no derivatives of
+    /// these.
+    [[nodiscard]] DisplacementGradient gradient(const UnitDisplacements& model, double smoothing) const;
     /// Gradient and generalized Gauss-Newton matrix with respect to the model's parameters: the curvature of
     /// the norms is kept, second derivatives of the displacements are not. Not less than 2 J^T J.
     [[nodiscard]] optimization::CurvatureEvaluation curvature(const UnitDisplacementsAndDerivatives& model,
@@ -71,10 +81,17 @@ class Objective {
     };
     class NodeMotion;
     struct NodeTerm;
+    class SampleTerms;
     class Differentiation;
 
     static Sample make_sample(const Response::Sample& sample, double weight, const ErrorMetric& metric);
     static double answer_error(const Sample& sample, const mechanics::NodeValues& answer);
+    [[nodiscard]] DisplacementGradient smoothed_gradient(const UnitDisplacements& model,
+                                                         double smoothing) const;
+    [[nodiscard]] DisplacementGradient exact_gradient(const UnitDisplacements& model) const;
+    /// e, and into `slopes` its derivatives by each node's unit displacement.
+    static double differentiated_error(const Sample& sample, std::span<const NodeMotion> motions,
+                                       std::span<Eigen::Matrix<double, 6, 1>> slopes);
     static void set_steps(std::span<Sample> samples);
     static double sample_error(const Sample& sample, std::span<const NodeMotion> motions);
     [[nodiscard]] std::span<const Sample> samples_of(std::size_t scenario) const;

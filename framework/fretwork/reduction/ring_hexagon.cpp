@@ -143,6 +143,16 @@ class RingHexagon::Impl {
         return result;
     }
 
+    [[nodiscard]] RingParts gradient(const RingParts& parts, const SlopesOf& slopes_of) const {
+        UnitDisplacements displacements(scenario_count_, mechanics::NodeValues::Zero(kSectors, 6));
+        const std::array planes = {solve_plane(Plane::InPlane, parts, displacements),
+                                   solve_plane(Plane::OutOfPlane, parts, displacements)};
+        const UnitDisplacements slopes = slopes_of(displacements);
+        RingParts result = RingParts::Zero();
+        for (const Plane plane : kPlanes) add_gradient(plane, planes[index(plane)], slopes, result);
+        return result;
+    }
+
     /// Throws InputError if the scenario leaves the tile free to move.
     void check_holds(const Scenario& scenario, const RingParts& parts) const {
         for (const Plane plane : kPlanes) {
@@ -174,6 +184,59 @@ class RingHexagon::Impl {
         const std::vector<Change>& changes;
         const FreeFactor& factor;
     };
+
+    /// One plane with all its answers.
+    struct SolvedPlane {
+        PlaneParameters parameters;
+        CondensedHexagon hexagon;
+        struct Group {
+            FreeFactor factor;
+            std::vector<PlaneVector> solutions;  ///< one a case
+        };
+        std::vector<Group> groups;
+    };
+
+    SolvedPlane solve_plane(Plane plane, const RingParts& parts, UnitDisplacements& displacements) const {
+        const PlaneParameters own = plane_parameters(plane, parts);
+        SolvedPlane solved{own, CondensedHexagon(detail::hexagon_blocks(plane, own, apothem_)), {}};
+        const PlaneStiffness stiffness = global_stiffness(plane, solved.hexagon);
+        for (const SupportGroup& group : groups_[index(plane)]) {
+            auto& [factor, solutions] = solved.groups.emplace_back(FreeFactor(stiffness, group.free_dofs),
+                                                                   std::vector<PlaneVector>{});
+            for (const auto& load_case : group.cases) {
+                solutions.push_back(factor.solve(load_case.load));
+                write(solutions.back(), plane, displacements[load_case.scenario]);
+            }
+        }
+        return solved;
+    }
+
+    /// With K u = f and K a = slope, the derivative by a parameter is -a^T dK u.
+    void add_gradient(Plane plane, const SolvedPlane& solved, const UnitDisplacements& slopes,
+                      RingParts& gradient) const {
+        HexagonBlocks work = detail::no_blocks();
+        const auto& groups = groups_[index(plane)];
+        for (std::size_t g = 0; g < groups.size(); ++g) {
+            for (std::size_t c = 0; c < groups[g].cases.size(); ++c) {
+                const PlaneVector slope = read(slopes[groups[g].cases[c].scenario], plane);
+                const PlaneVector adjoint = solved.groups[g].factor.solve(slope);
+                solved.hexagon.add_work(in_own_axes(plane, adjoint),
+                                        in_own_axes(plane, solved.groups[g].solutions[c]), work);
+            }
+        }
+        const auto by_parameter = detail::hexagon_block_derivatives(plane, solved.parameters, apothem_);
+        const PlaneParameters rates = parameter_rates(plane);
+        const auto places = plane_parts(plane);
+        for (int p = 0; p < kPlaneParameters; ++p)
+            gradient[places[p]] -= rates[p] * detail::sum_of_products(by_parameter[p], work);
+    }
+
+    [[nodiscard]] NodeColumns in_own_axes(Plane plane, const PlaneVector& global) const {
+        const auto& turns = turns_[index(plane)];
+        NodeColumns own;
+        for (int i = 0; i < kSectors; ++i) own.col(i) = turns[i] * global.segment<3>(3 * i);
+        return own;
+    }
 
     [[nodiscard]] PlaneParameters plane_parameters(Plane plane, const RingParts& parts) const {
         const PlaneParameters rates = parameter_rates(plane);
@@ -234,11 +297,19 @@ class RingHexagon::Impl {
         }
     }
 
+    static PlaneVector read(const mechanics::NodeValues& displacements, Plane plane) {
+        const auto components = plane_components(plane);
+        PlaneVector result;
+        for (int node = 0; node < kSectors; ++node) {
+            for (int c = 0; c < 3; ++c) result[3 * node + c] = displacements(node, components[c]);
+        }
+        return result;
+    }
+
     void differentiate(const PlaneState& state, const PlaneVector& solution,
                        Eigen::MatrixXd& derivatives) const {
         const auto& turns = turns_[index(state.plane)];
-        NodeColumns interface;
-        for (int i = 0; i < kSectors; ++i) interface.col(i) = turns[i] * solution.segment<3>(3 * i);
+        const NodeColumns interface = in_own_axes(state.plane, solution);
         const NodeColumns ring = state.hexagon.ring_displacements(interface);
         const auto components = plane_components(state.plane);
         for (const Change& by : state.changes) {
@@ -285,6 +356,10 @@ UnitDisplacements RingHexagon::displacements(const RingParts& parts) const {
 UnitDisplacementsAndDerivatives RingHexagon::derivatives(const RingParts& parts,
                                                          const RingDirections& directions) const {
     return impl_->derivatives(parts, directions);
+}
+
+RingParts RingHexagon::gradient(const RingParts& parts, const SlopesOf& slopes_of) const {
+    return impl_->gradient(parts, slopes_of);
 }
 
 }  // namespace fretwork::reduction

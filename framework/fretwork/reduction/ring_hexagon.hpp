@@ -4,6 +4,7 @@
 #include <fretwork/reduction/ring_parameters.hpp>
 #include <fretwork/reduction/unit_displacements.hpp>
 
+#include <functional>
 #include <memory>
 
 namespace fretwork::reduction {
@@ -30,6 +31,12 @@ class RingHexagon {
     /// With their derivatives along some directions.
     [[nodiscard]] UnitDisplacementsAndDerivatives derivatives(const RingParts& parts,
                                                               const RingDirections& directions) const;
+
+    /// Gives the derivatives of some function by the displacements, in their shape.
+    using SlopesOf = std::function<UnitDisplacements(const UnitDisplacements&)>;
+    /// The derivatives of a function of the displacements by the parts: the adjoint way, which takes one
+    /// further solution a scenario, however many parts there are.
+    [[nodiscard]] RingParts gradient(const RingParts& parts, const SlopesOf& slopes_of) const;
 
   private:
     class Impl;

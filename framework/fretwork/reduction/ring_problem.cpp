@@ -53,18 +53,31 @@ double RingProblem::value(const Eigen::VectorXd& x) const {
     return objective_.value(displacements(x));
 }
 
-UnitDisplacementsAndDerivatives RingProblem::model_at(const Eigen::VectorXd& x) const {
-    const std::vector<double> values = parameter_values(x);
+RingDirections RingProblem::directions_at(std::span<const double> values) const {
     RingDirections directions = parameters_.ties;
-    for (Eigen::Index i = 0; i < x.size(); ++i)
+    for (Eigen::Index i = 0; i < directions.cols(); ++i)
         directions.col(i) *=
             is_logarithm(static_cast<int>(i)) ? values[static_cast<std::size_t>(i)] : units_[i];
-    return model_.derivatives(parameters_.parts(values), directions);
+    return directions;
+}
+
+UnitDisplacementsAndDerivatives RingProblem::model_at(const Eigen::VectorXd& x) const {
+    const std::vector<double> values = parameter_values(x);
+    return model_.derivatives(parameters_.parts(values), directions_at(values));
 }
 
 optimization::GradientEvaluation RingProblem::gradient(const Eigen::VectorXd& x, double smoothing) const {
-    const auto model = curvature(x, smoothing);
-    return {model.objective, model.value, model.gradient};
+    const std::vector<double> values = parameter_values(x);
+    optimization::GradientEvaluation result;
+    const RingParts slopes =
+        model_.gradient(parameters_.parts(values), [&](const UnitDisplacements& displacements) {
+            DisplacementGradient of_error = objective_.gradient(displacements, smoothing);
+            result.objective = of_error.objective;
+            result.value = of_error.value;
+            return std::move(of_error.slopes);
+        });
+    result.gradient = directions_at(values).transpose() * slopes;
+    return result;
 }
 
 optimization::ResidualEvaluation RingProblem::residuals(const Eigen::VectorXd& x, double smoothing) const {

@@ -9,6 +9,7 @@ namespace fretwork::reduction {
 /// The calibration of a ring with links to one pattern as a problem to be minimized. Variables: the natural
 /// logarithms of sections as multiples of the setting's, theta in radians, and R as a share of the
 /// centroid-to-side distance. An evaluation of any kind costs one factorization of the model's stiffness.
+/// The gradient comes from one adjoint solution a scenario; residuals and curvature need one a parameter.
 class RingProblem final : public CalibrationProblem {
   public:
     /// Keeps references to the model and the objective.
@@ -43,6 +44,8 @@ class RingProblem final : public CalibrationProblem {
     [[nodiscard]] Eigen::VectorXd point(std::span<const double> values) const;
 
   private:
+    /// How the model's parts change with the variables.
+    [[nodiscard]] RingDirections directions_at(std::span<const double> values) const;
     [[nodiscard]] UnitDisplacementsAndDerivatives model_at(const Eigen::VectorXd& point) const;
 
     std::unique_ptr<const RingHexagon> owned_model_;  ///< if it is not the caller's

@@ -112,4 +112,14 @@ NodeColumns CondensedHexagon::changed_forces(const HexagonBlocks& change, const 
            blocks_.interface_ring * ring_inverse_.apply(on_ring);
 }
 
+void CondensedHexagon::add_work(const NodeColumns& one, const NodeColumns& other, HexagonBlocks& sum) const {
+    const NodeColumns one_ring = ring_displacements(one);
+    const NodeColumns other_ring = ring_displacements(other);
+    sum.interface_own.noalias() += one * other.transpose();
+    sum.interface_ring.noalias() += one * other_ring.transpose() + other * one_ring.transpose();
+    sum.ring_own.noalias() += one_ring * other_ring.transpose();
+    sum.ring_next.noalias() +=
+        one_ring * shifted(other_ring, 1).transpose() + other_ring * shifted(one_ring, 1).transpose();
+}
+
 }  // namespace fretwork::reduction::detail

@@ -31,6 +31,9 @@ class CondensedHexagon {
     /// dS u, where dS is how the condensed stiffness changes with the blocks.
     [[nodiscard]] NodeColumns changed_forces(const HexagonBlocks& change, const NodeColumns& interface,
                                              const NodeColumns& ring) const;
+    /// Add a^T S u as a sum over the entries of the blocks: by how much it grows with each. `one` and `other`
+    /// are displacements of the interface nodes.
+    void add_work(const NodeColumns& one, const NodeColumns& other, HexagonBlocks& sum) const;
 
   private:
     HexagonBlocks blocks_;

@@ -202,4 +202,11 @@ void add_blocks(HexagonBlocks& sum, double factor, const HexagonBlocks& blocks) 
     sum.ring_next += factor * blocks.ring_next;
 }
 
+double sum_of_products(const HexagonBlocks& one, const HexagonBlocks& other) {
+    return one.interface_own.cwiseProduct(other.interface_own).sum() +
+           one.interface_ring.cwiseProduct(other.interface_ring).sum() +
+           one.ring_own.cwiseProduct(other.ring_own).sum() +
+           one.ring_next.cwiseProduct(other.ring_next).sum();
+}
+
 }  // namespace fretwork::reduction::detail

@@ -31,6 +31,13 @@ class GrowingRotation {
     }
     /// J with exp(v + dv) = exp(v) exp(J dv) to first order, where v is the rotation vector.
     [[nodiscard]] Eigen::Matrix3d right_jacobian() const;
+    /// J^T times a vector.
+    [[nodiscard]] Eigen::Vector3d pull_back(const Eigen::Vector3d& vector) const {
+        if (angle_ == 0.0) return vector;
+        const double along = 2.0 * sine_ * cosine_ / angle_;
+        const double across = 2.0 * sine_ * sine_ / angle_;
+        return along * vector + (1.0 - along) * axis_.dot(vector) * axis_ + across * axis_.cross(vector);
+    }
 
   private:
     double rate_;  ///< angle for a magnitude of 1
