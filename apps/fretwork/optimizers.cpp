@@ -7,6 +7,7 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/file.hpp>
 #include <fretwork/base/internal/json_text.hpp>
+#include <fretwork/base/quantity.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/study/known_value.hpp>
 #include <fretwork/study/landscape.hpp>
@@ -31,6 +32,7 @@ Examples:
 
 struct Options {
     std::string out;
+    std::string ids;
     std::string known;
     std::string results;
     std::string problems = "all";
@@ -75,9 +77,12 @@ ExitCode known(Options options) {
     LongWork work;
     options.known_values.threads = options.threads;
     options.known_values.control = work.control();
-    auto values = options.known.empty()
-                      ? find_known_values(study::study_problem_ids(options.patterns), options.known_values)
-                      : study::read_known_values(options.known);
+    const auto search = [&] {
+        const auto ids = options.ids.empty() ? study::study_problem_ids(options.patterns)
+                                             : study::read_problem_ids(options.ids);
+        return find_known_values(ids, options.known_values);
+    };
+    auto values = options.known.empty() ? search() : study::read_known_values(options.known);
     if (!options.results.empty()) improve_known_values(values, options.results);
     base::write_file_atomically(options.out, known_values_csv(values));
     if (options.json) {
@@ -91,14 +96,25 @@ ExitCode known(Options options) {
 
 // ---- run ----
 
-std::vector<Contender> chosen_contenders(const std::string& choice) {
+/// "slsqp" with the comparison's number of starts, "slsqp:32" with 32.
+Contender chosen_contender(const std::string& word) {
+    const auto colon = word.find(':');
     const auto all = study::default_contenders();
-    if (choice == "all") return all;
+    const auto* row = &optimization::find_optimizer(word.substr(0, colon));
+    Contender contender = *std::ranges::find(all, row, &Contender::method);
+    if (colon == std::string::npos) return contender;
+    const auto starts = base::read_number<int>(word.substr(colon + 1));
+    if (!starts)
+        throw base::InputError("--optimizers: '" + word + "' has no number of starts after its colon");
+    optimization::OptimizerOptions{.starts = *starts}.validate();
+    contender.starts = *starts;
+    return contender;
+}
+
+std::vector<Contender> chosen_contenders(const std::string& choice) {
+    if (choice == "all") return study::default_contenders();
     std::vector<Contender> chosen;
-    for (const std::string& name : base::split(choice, ',')) {
-        const auto* row = &optimization::find_optimizer(name);
-        chosen.push_back(*std::ranges::find(all, row, &Contender::method));
-    }
+    for (const std::string& word : base::split(choice, ',')) chosen.push_back(chosen_contender(word));
     return chosen;
 }
 
@@ -193,13 +209,18 @@ void add_known(CLI::App& verb, const std::shared_ptr<Options>& options, ExitCode
     action
         ->add_option("--starts", options->known_values.starts, "Descents of each calibrator on each problem")
         ->capture_default_str();
+    action
+        ->add_option("--ids", options->ids, "Search these problems, one id a line, instead of choosing some")
+        ->excludes("--patterns");
     action->add_option("--from", options->known, "Begin with this file instead of searching")
         ->excludes("--patterns")
+        ->excludes("--ids")
         ->excludes("--starts");
     action->add_option("--results", options->results, "Take over what these runs found lower");
     add_threads(*action, *options)->excludes("--from");
     action->add_flag("--json", options->json, "Print JSON");
-    declare_files(*action, {output("--out", kTableFile), input("--from"), input("--results")});
+    declare_files(*action,
+                  {output("--out", kTableFile), input("--ids"), input("--from"), input("--results")});
     action->callback([options, &exit_code] { exit_code = known(*options); });
 }
 
@@ -212,7 +233,9 @@ void add_run(CLI::App& verb, const std::shared_ptr<Options>& options, ExitCode& 
     action->add_option("--out", options->out, "Folder for results.csv")->required();
     action->add_option("--problems", options->problems, "all, or ids, families and family:N joined by commas")
         ->capture_default_str();
-    action->add_option("--optimizers", options->optimizers, "all, or names joined by commas")
+    action
+        ->add_option("--optimizers", options->optimizers,
+                     "all, or names joined by commas; slsqp:32 is slsqp with 32 starts")
         ->capture_default_str();
     action->add_option("--repetitions", options->plan.repetitions, "Runs of each method that uses the seed")
         ->capture_default_str();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
+#include <fretwork/base/file.hpp>
 #include <fretwork/base/quantity.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/optimization/analytic_problems.hpp>
@@ -48,10 +49,18 @@ const pattern::NodeLayout& paper_layout() {
     return layout;
 }
 
+/// The layout that stands before a pattern's id, or else the paper's.
+pattern::NodeLayout layout_of(const std::string& pattern_id) {
+    const auto colon = pattern_id.find(':');
+    return colon == std::string::npos ? paper_layout()
+                                      : pattern::find_node_layout(pattern_id.substr(0, colon));
+}
+
 StudyProblem calibration_problem(const std::string& id, const std::string& pattern_id) {
     const auto setting = reduction::paper_setting();
-    const auto pattern = pattern::parse_pattern_id(paper_layout(), pattern_id);
-    const auto responses = reduction::compute_responses(paper_layout(), pattern, setting);
+    const auto layout = layout_of(pattern_id);
+    const auto pattern = pattern::parse_pattern_id(layout, pattern_id);
+    const auto responses = reduction::compute_responses(layout, pattern, setting);
     return {id, make_calibration(responses, setting), std::nullopt, {}};
 }
 
@@ -158,6 +167,25 @@ std::vector<std::string> study_problem_ids(std::size_t patterns) {
     for (const auto& entry : optimization::analytic_problems()) {
         ids.push_back("analytic/" + entry.problem->name());
     }
+    return ids;
+}
+
+std::vector<std::string> read_problem_ids(const std::filesystem::path& path) {
+    const auto lines = base::split(base::read_text_file(path), '\n');
+    std::vector<std::string> ids;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        if (lines[i].empty()) continue;
+        const std::string place = "line " + std::to_string(i + 1);
+        if (std::ranges::find(ids, lines[i]) != ids.end())
+            throw base::InputError(path.string(), place, "problem " + lines[i] + " stands there already");
+        try {
+            (void)make_study_problem(lines[i]);
+        } catch (const base::InputError& error) {
+            throw base::InputError(path.string(), place, error.what());
+        }
+        ids.push_back(lines[i]);
+    }
+    if (ids.empty()) throw base::InputError(path.string() + ": names no problem");
     return ids;
 }
 
