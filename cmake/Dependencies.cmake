@@ -33,6 +33,11 @@ if(NOT FRETWORK_ONLY_LIGHT_STAGES)
   find_package(SQLite3 3.40 REQUIRED)                          # library
   find_package(PNG 1.6 REQUIRED)                               # exports: pictures
   find_package(CLI11 2.1 REQUIRED)                             # apps: the command line
+  find_library(CLIPPER_LIBRARY polyclipping REQUIRED)          # fabrication: Booleans (Debian ships no CMake package)
+  find_path(CLIPPER_INCLUDE_DIR polyclipping/clipper.hpp REQUIRED)
+  add_library(Clipper::Clipper UNKNOWN IMPORTED)
+  set_target_properties(Clipper::Clipper PROPERTIES IMPORTED_LOCATION "${CLIPPER_LIBRARY}"
+                                                    INTERFACE_INCLUDE_DIRECTORIES "${CLIPPER_INCLUDE_DIR}")
   find_library(OPENMESH_CORE_LIBRARY OpenMeshCore REQUIRED)    # tiling: rims of meshes (Debian ships no CMake package)
   find_path(OPENMESH_INCLUDE_DIR OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh REQUIRED)
   add_library(OpenMesh::Core UNKNOWN IMPORTED)

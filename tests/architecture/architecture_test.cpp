@@ -32,13 +32,16 @@ const std::map<std::string, std::set<std::string>> kMayInclude = {
     {"library", {"base", "pattern", "mechanics", "optimization", "reduction"}},
     {"tiling", {"base", "pattern"}},
     {"simulation", {"base", "pattern", "mechanics", "optimization", "reduction", "library", "tiling"}},
-    {"exports",
+    {"fabrication",
      {"base", "pattern", "mechanics", "optimization", "reduction", "library", "tiling", "simulation"}},
+    {"exports",
+     {"base", "pattern", "mechanics", "optimization", "reduction", "library", "tiling", "simulation",
+      "fabrication"}},
 };
 
 /// Libraries behind a fence: which stages may use them, and only in files that no user of the framework sees.
 const std::map<std::string, std::set<std::string>> kFences = {
-    {"CGAL/", {"pattern", "tiling"}},
+    {"CGAL/", {"pattern", "tiling", "fabrication"}},
     {"OpenMesh/", {"tiling"}},
     {"boost/graph/", {"pattern"}},
     {"nauty/", {"pattern"}},
@@ -51,10 +54,11 @@ const std::map<std::string, std::set<std::string>> kFences = {
     {"nettle/", {"base"}},
     {"pugixml", {"tiling", "exports"}},
     {"png.h", {"exports"}},
+    {"polyclipping/", {"fabrication"}},
     {"simdjson", {"base"}},
     {"nlohmann/",
      {"base", "pattern", "mechanics", "optimization", "reduction", "library", "tiling", "simulation",
-      "exports"}},
+      "fabrication", "exports"}},
 };
 
 /// Rooms of a stage: folders whose headers are its own, as those in detail/ are. Which other rooms of the

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/base/text.hpp>
+#include <fretwork/fabrication/bar_plan.hpp>
+#include <fretwork/fabrication/detail/crossings.hpp>
+#include <fretwork/fabrication/detail/plane.hpp>
+#include <fretwork/tiling/tessellation_check.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <string>
+#include <utility>
+
+namespace fretwork::fabrication {
+namespace {
+
+using namespace detail;
+
+/// Nodes nearer than this are one node.
+constexpr double kSamePlace = 1e-8;  // m
+
+/// For each point the first one at its place.
+std::vector<std::size_t> first_at_place(const std::vector<Point2>& points) {
+    std::vector<std::size_t> order(points.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        return std::pair(points[a].x, a) < std::pair(points[b].x, b);
+    });
+    std::vector<std::size_t> first(points.size());
+    std::iota(first.begin(), first.end(), std::size_t{0});
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        for (std::size_t j = i + 1; j < order.size(); ++j) {
+            const Point2& a = points[order[i]];
+            const Point2& b = points[order[j]];
+            if (b.x - a.x > kSamePlace) break;
+            if (std::abs(b.y - a.y) > kSamePlace) continue;
+            const auto [low, high] = std::minmax(first[order[i]], first[order[j]]);
+            first[order[i]] = first[order[j]] = low;
+            first[high] = low;
+        }
+    }
+    return first;
+}
+
+/// Let bars end at the first node of each place.
+void join_coincident_nodes(BarPlan& plan) {
+    const auto first = first_at_place(plan.nodes);
+    for (std::size_t n = 0; n < first.size(); ++n) {
+        if (first[n] != n)
+            plan.coincidences.push_back({TessellationNodeIndex(n), TessellationNodeIndex(first[n])});
+    }
+    for (Bar& bar : plan.bars) {
+        for (TessellationNodeIndex& node : bar.nodes)
+            node = TessellationNodeIndex(first[static_cast<std::size_t>(node)]);
+        if (bar.nodes[0] == bar.nodes[1])
+            throw base::GeometryError("tile " + std::to_string(bar.tile) + " has a beam without length at " +
+                                      place_text(plan.nodes[static_cast<std::size_t>(bar.nodes[0])]));
+    }
+}
+
+/// A side that only one tile has.
+struct RimSide {
+    TileIndex tile;
+    std::vector<TessellationNodeIndex> nodes;  ///< vertex, interface nodes, vertex
+};
+
+std::vector<RimSide> rim_sides(const tiling::Tessellation& tessellation, std::size_t first_vertex) {
+    std::map<std::pair<int, int>, RimSide> sides;
+    for (std::size_t t = 0; t < tessellation.tiles.size(); ++t) {
+        const tiling::Tile& tile = tessellation.tiles[t];
+        const std::size_t count = tile.vertices.size();
+        const std::size_t per_side = tile.interface_nodes.size() / count;
+        for (std::size_t s = 0; s < count; ++s) {
+            const int from = tile.vertices[s];
+            const int to = tile.vertices[(s + 1) % count];
+            if (sides.erase({to, from}) > 0) continue;
+            RimSide side{TileIndex(t),
+                         {TessellationNodeIndex(first_vertex + static_cast<std::size_t>(from))}};
+            for (std::size_t i = 0; i < per_side; ++i)
+                side.nodes.emplace_back(tile.interface_nodes[s * per_side + i].value);
+            side.nodes.emplace_back(first_vertex + static_cast<std::size_t>(to));
+            sides.emplace(std::pair(from, to), std::move(side));
+        }
+    }
+    std::vector<RimSide> rim;
+    for (auto& [ends, side] : sides) rim.push_back(std::move(side));
+    return rim;
+}
+
+/// A bar along every side of the rim, from vertex to interface node to vertex.
+void add_frame(BarPlan& plan, const tiling::Tessellation& tessellation, double width) {
+    const std::size_t first_vertex = plan.nodes.size();
+    plan.nodes.insert(plan.nodes.end(), tessellation.vertices.begin(), tessellation.vertices.end());
+    for (const RimSide& side : rim_sides(tessellation, first_vertex)) {
+        for (std::size_t i = 0; i + 1 < side.nodes.size(); ++i)
+            plan.bars.push_back({{side.nodes[i], side.nodes[i + 1]}, width, side.tile});
+    }
+}
+
+void require_closed_tiles(const simulation::Surface& surface) {
+    tiling::validate(surface.tessellation, surface.layout);
+    for (std::size_t t = 0; t < surface.tessellation.tiles.size(); ++t) {
+        if (surface.tessellation.tiles[t].pattern < 0)
+            throw base::InputError("tile " + std::to_string(t) +
+                                   " is not painted: it has no beams that could be made");
+    }
+}
+
+double positive_side(double square, const char* what) {
+    const double side = std::sqrt(square);
+    if (std::isfinite(side) && side > 0.0) return side;
+    throw base::InputError("the setting's beams have no " + std::string(what) +
+                           ": area and second moments of their section must be above zero");
+}
+
+}  // namespace
+
+Rectangle equivalent_rectangle(const mechanics::Section& section) {
+    return {positive_side(12.0 * section.I3 / section.area, "width"),
+            positive_side(12.0 * section.I2 / section.area, "height")};
+}
+
+BarPlan bar_plan(const simulation::Surface& surface, double frame_width) {
+    if (!(frame_width >= 0.0) || !std::isfinite(frame_width))
+        throw base::InputError("the width of a frame is " + base::format_number(frame_width) +
+                               " m, where zero (no frame) or a length is needed");
+    require_closed_tiles(surface);
+    const Rectangle bar = equivalent_rectangle(surface.setting.section);
+    const tiling::TessellationFan fan = simulation::surface_fan(surface);
+    BarPlan plan{.nodes = fan.nodes,
+                 .width = bar.width,
+                 .height = bar.height,
+                 .interface_nodes = static_cast<std::size_t>(fan.interface_node_count)};
+    for (const tiling::TessellationFan::Edge& edge : fan.edges)
+        plan.bars.push_back({edge.nodes, bar.width, edge.tile});
+    if (frame_width > 0.0) add_frame(plan, surface.tessellation, frame_width);
+    join_coincident_nodes(plan);
+    if (plan.bars.empty()) throw base::InputError("the surface has no beams that could be made");
+    require_no_crossings(plan);
+    return plan;
+}
+
+}  // namespace fretwork::fabrication

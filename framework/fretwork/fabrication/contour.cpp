@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/fabrication/contour.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace fretwork::fabrication {
+namespace {
+
+using pattern::Point2;
+
+/// Call visit(point, place of the next one) for every point.
+template <class Visit>
+void each_segment(const Contour& contour, const Visit& visit) {
+    for (std::size_t i = 0; i < contour.size(); ++i)
+        visit(contour[i], contour[(i + 1) % contour.size()].place);
+}
+
+double chord_length(const Point2& from, const Point2& to) {
+    return std::hypot(to.x - from.x, to.y - from.y);
+}
+
+void include(Box& box, const Point2& point) {
+    box.xmin = std::min(box.xmin, point.x);
+    box.xmax = std::max(box.xmax, point.x);
+    box.ymin = std::min(box.ymin, point.y);
+    box.ymax = std::max(box.ymax, point.y);
+}
+
+/// The directions along the axes that an arc passes.
+void include_arc(Box& box, const ContourPoint& from, const Point2& to) {
+    const Arc arc = arc_between(from, to);
+    const double start = std::atan2(from.place.y - arc.center.y, from.place.x - arc.center.x);
+    constexpr double kQuarter = std::numbers::pi / 2.0;
+    const double low = std::min(start, start + arc.sweep);
+    const double high = std::max(start, start + arc.sweep);
+    for (double angle = std::ceil(low / kQuarter) * kQuarter; angle <= high; angle += kQuarter)
+        include(box,
+                {arc.center.x + arc.radius * std::cos(angle), arc.center.y + arc.radius * std::sin(angle)});
+}
+
+}  // namespace
+
+Arc arc_between(const ContourPoint& from, const Point2& to) {
+    const double b = from.bulge;
+    const double chord = chord_length(from.place, to);
+    const double to_center = (1.0 - b * b) / (4.0 * b);  // from the chord's middle to its left, in chords
+    return {.center = {0.5 * (from.place.x + to.x) - to_center * (to.y - from.place.y),
+                       0.5 * (from.place.y + to.y) + to_center * (to.x - from.place.x)},
+            .radius = chord * (1.0 + b * b) / (4.0 * std::abs(b)),
+            .sweep = 4.0 * std::atan(b)};
+}
+
+double signed_area(const Contour& contour) {
+    double area = 0.0;
+    if (contour.empty()) return area;
+    const Point2 origin = contour.front().place;
+    each_segment(contour, [&](const ContourPoint& from, const Point2& to) {
+        area += 0.5 * ((from.place.x - origin.x) * (to.y - origin.y) -
+                       (to.x - origin.x) * (from.place.y - origin.y));
+        if (from.bulge == 0.0) return;
+        const Arc arc = arc_between(from, to);
+        area += 0.5 * arc.radius * arc.radius * (arc.sweep - std::sin(arc.sweep));
+    });
+    return area;
+}
+
+double length(const Contour& contour) {
+    double sum = 0.0;
+    each_segment(contour, [&](const ContourPoint& from, const Point2& to) {
+        if (from.bulge == 0.0) {
+            sum += chord_length(from.place, to);
+        } else {
+            const Arc arc = arc_between(from, to);
+            sum += arc.radius * std::abs(arc.sweep);
+        }
+    });
+    return sum;
+}
+
+pattern::Polygon flattened(const Contour& contour, double tolerance) {
+    pattern::Polygon polygon;
+    each_segment(contour, [&](const ContourPoint& from, const Point2& to) {
+        polygon.push_back(from.place);
+        if (from.bulge == 0.0) return;
+        const Arc arc = arc_between(from, to);
+        const double step = 2.0 * std::acos(std::clamp(1.0 - tolerance / arc.radius, 0.0, 1.0));
+        const int chords = std::max(1, static_cast<int>(std::ceil(std::abs(arc.sweep) / step)));
+        const double start = std::atan2(from.place.y - arc.center.y, from.place.x - arc.center.x);
+        for (int i = 1; i < chords; ++i) {
+            const double angle = start + arc.sweep * i / chords;
+            polygon.push_back(
+                {arc.center.x + arc.radius * std::cos(angle), arc.center.y + arc.radius * std::sin(angle)});
+        }
+    });
+    return polygon;
+}
+
+Contour circle(const Point2& center, double radius) {
+    return {{{center.x - radius, center.y}, 1.0}, {{center.x + radius, center.y}, 1.0}};
+}
+
+Contour reversed(const Contour& contour) {
+    Contour other;
+    for (std::size_t i = contour.size(); i-- > 0;)
+        other.push_back({contour[(i + 1) % contour.size()].place, -contour[i].bulge});
+    return other;
+}
+
+Contour straight(const pattern::Polygon& polygon) {
+    Contour contour;
+    for (const Point2& point : polygon) contour.push_back({point, 0.0});
+    return contour;
+}
+
+Box box_of(std::span<const Point2> points) {
+    Box box{points.front().x, points.front().y, points.front().x, points.front().y};
+    for (const Point2& point : points) include(box, point);
+    return box;
+}
+
+Box box_of(const Contour& contour) {
+    const Point2& first = contour.front().place;
+    Box box{first.x, first.y, first.x, first.y};
+    each_segment(contour, [&](const ContourPoint& from, const Point2& to) {
+        include(box, from.place);
+        if (from.bulge != 0.0) include_arc(box, from, to);
+    });
+    return box;
+}
+
+Box united(const Box& left, const Box& right) {
+    return {std::min(left.xmin, right.xmin), std::min(left.ymin, right.ymin), std::max(left.xmax, right.xmax),
+            std::max(left.ymax, right.ymax)};
+}
+
+Box grown(const Box& box, double margin) {
+    return {box.xmin - margin, box.ymin - margin, box.xmax + margin, box.ymax + margin};
+}
+
+}  // namespace fretwork::fabrication

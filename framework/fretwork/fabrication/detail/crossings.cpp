@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/fabrication/detail/box_grid.hpp>
+#include <fretwork/fabrication/detail/crossings.hpp>
+#include <fretwork/fabrication/detail/plane.hpp>
+
+#include <optional>
+#include <string>
+
+namespace fretwork::fabrication::detail {
+namespace {
+
+/// Bars nearer than this touch: what rounding leaves between a node and a bar that passes through it.
+constexpr double kTouching = 1e-9;  // m
+/// Bars of a common node at a smaller angle lie over each other.
+constexpr double kSameDirection = 1e-6;  // rad
+
+struct Segment {
+    Point2 from;
+    Point2 to;
+};
+
+Segment segment(const BarPlan& plan, const Bar& bar) {
+    return {plan.nodes[static_cast<std::size_t>(bar.nodes[0])],
+            plan.nodes[static_cast<std::size_t>(bar.nodes[1])]};
+}
+
+bool cross_properly(const Segment& a, const Segment& b) {
+    const auto side = [](const Segment& line, const Point2& point) {
+        return cross(line.to - line.from, point - line.from);
+    };
+    return side(a, b.from) * side(a, b.to) < 0.0 && side(b, a.from) * side(b, a.to) < 0.0;
+}
+
+/// Where two bars without a common node touch, if they do.
+std::optional<Point2> meeting_place(const Segment& a, const Segment& b) {
+    if (cross_properly(a, b)) {
+        const Point2 along = a.to - a.from;
+        const double share = cross(b.from - a.from, b.to - b.from) / cross(along, b.to - b.from);
+        return a.from + share * along;
+    }
+    const auto touches = [](const Point2& point, const Segment& line) {
+        return distance(point, nearest_on_segment(point, line.from, line.to)) <= kTouching;
+    };
+    if (touches(a.from, b)) return a.from;
+    if (touches(a.to, b)) return a.to;
+    if (touches(b.from, a)) return b.from;
+    if (touches(b.to, a)) return b.to;
+    return std::nullopt;
+}
+
+/// The other ends of two bars as seen from their common node, or nothing.
+std::optional<Point2> overlap_at_common_node(const BarPlan& plan, const Bar& a, const Bar& b) {
+    for (std::size_t i = 0; i < 2; ++i) {
+        for (std::size_t j = 0; j < 2; ++j) {
+            if (a.nodes[i] != b.nodes[j]) continue;
+            const Point2 node = plan.nodes[static_cast<std::size_t>(a.nodes[i])];
+            const Point2 along_a = unit(plan.nodes[static_cast<std::size_t>(a.nodes[1 - i])] - node);
+            const Point2 along_b = unit(plan.nodes[static_cast<std::size_t>(b.nodes[1 - j])] - node);
+            if (distance(along_a, along_b) < kSameDirection) return node;
+        }
+    }
+    return std::nullopt;
+}
+
+bool have_common_node(const Bar& a, const Bar& b) {
+    return a.nodes[0] == b.nodes[0] || a.nodes[0] == b.nodes[1] || a.nodes[1] == b.nodes[0] ||
+           a.nodes[1] == b.nodes[1];
+}
+
+[[noreturn]] void fail(const Bar& a, const Bar& b, const Point2& place) {
+    const std::string tiles = a.tile == b.tile ? "tile " + std::to_string(a.tile) + ": two of its beams"
+                                               : "tiles " + std::to_string(a.tile) + " and " +
+                                                     std::to_string(b.tile) + ": beams of theirs";
+    throw base::GeometryError(tiles + " cross or lie over each other at " + place_text(place) +
+                              "; what is made from one sheet must meet in nodes");
+}
+
+}  // namespace
+
+void require_no_crossings(const BarPlan& plan) {
+    std::vector<Box> boxes;
+    for (const Bar& bar : plan.bars) {
+        const Segment line = segment(plan, bar);
+        boxes.push_back(grown(box_of(std::array{line.from, line.to}), kTouching));
+    }
+    const BoxGrid grid(boxes);
+    for (std::size_t i = 0; i < plan.bars.size(); ++i) {
+        const Bar& bar = plan.bars[i];
+        for (const std::size_t j : grid.meeting(boxes[i])) {
+            if (j <= i) continue;
+            const Bar& other = plan.bars[j];
+            const auto place = have_common_node(bar, other)
+                                   ? overlap_at_common_node(plan, bar, other)
+                                   : meeting_place(segment(plan, bar), segment(plan, other));
+            if (place) fail(bar, other, *place);
+        }
+    }
+}
+
+}  // namespace fretwork::fabrication::detail

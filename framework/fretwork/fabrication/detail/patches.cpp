@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/fabrication/detail/patches.hpp>
+#include <fretwork/fabrication/detail/plane.hpp>
+
+#include <map>
+#include <numbers>
+
+namespace fretwork::fabrication::detail {
+namespace {
+
+constexpr double kFullTurn = 2.0 * std::numbers::pi;
+/// Bars that go straight on need no round end.
+constexpr double kStraightOn = 1e-6;  // rad
+
+Patch patch(pattern::Polygon polygon, std::optional<Disc> disc = std::nullopt) {
+    Patch made{std::move(polygon), disc, {}};
+    made.box = box_of(made.polygon);
+    return made;
+}
+
+Patch rectangle(const Point2& from, const Point2& to, double width) {
+    const Point2 aside = 0.5 * width * left_of(unit(to - from));
+    return patch({from - aside, to - aside, to + aside, from + aside});
+}
+
+/// Around a node, with corners where an arc from one angle to another begins and ends. The whole circle, and
+/// not only the sector of the arc: so it lies over the bars, and does not just touch them.
+Patch round_end(const Disc& disc, double from, double to) {
+    pattern::Polygon polygon;
+    const auto add_arc = [&](double start, double end) {
+        const int chords = std::max(1, static_cast<int>(std::ceil((end - start) / kChordAngle)));
+        for (int i = 0; i < chords; ++i)
+            polygon.push_back(disc.center + disc.radius * direction(start + (end - start) * i / chords));
+    };
+    add_arc(from, to);
+    add_arc(to, from + kFullTurn);
+    return patch(std::move(polygon), disc);
+}
+
+/// The angles of the bars of one width that leave a node.
+using Directions = std::map<std::pair<int, double>, std::vector<double>>;  // by node and width
+
+Directions directions(const BarPlan& plan) {
+    Directions found;
+    for (const Bar& bar : plan.bars) {
+        const Point2& from = plan.nodes[static_cast<std::size_t>(bar.nodes[0])];
+        const Point2& to = plan.nodes[static_cast<std::size_t>(bar.nodes[1])];
+        const Point2 along = to - from;
+        found[{bar.nodes[0], bar.width}].push_back(std::atan2(along.y, along.x));
+        found[{bar.nodes[1], bar.width}].push_back(std::atan2(-along.y, -along.x));
+    }
+    for (auto& [place, angles] : found) std::sort(angles.begin(), angles.end());
+    return found;
+}
+
+/// The round ends that the rectangles around a node leave open.
+void add_round_ends(std::vector<Patch>& patches, const Disc& disc, const std::vector<double>& angles) {
+    constexpr double kQuarter = std::numbers::pi / 2.0;
+    for (std::size_t i = 0; i < angles.size(); ++i) {
+        const double next = i + 1 < angles.size() ? angles[i + 1] : angles.front() + kFullTurn;
+        if (next - angles[i] <= std::numbers::pi + kStraightOn) continue;
+        patches.push_back(round_end(disc, angles[i] + kQuarter, next - kQuarter));
+    }
+}
+
+}  // namespace
+
+std::vector<Patch> bar_patches(const BarPlan& plan, double growth) {
+    std::vector<Patch> patches;
+    for (const Bar& bar : plan.bars)
+        patches.push_back(rectangle(plan.nodes[static_cast<std::size_t>(bar.nodes[0])],
+                                    plan.nodes[static_cast<std::size_t>(bar.nodes[1])], bar.width + growth));
+    for (const auto& [place, angles] : directions(plan)) {
+        const auto& [node, width] = place;
+        add_round_ends(patches, {plan.nodes[static_cast<std::size_t>(node)], 0.5 * (width + growth)}, angles);
+    }
+    return patches;
+}
+
+Patch disc_patch(const Disc& disc) {
+    return round_end(disc, 0.0, std::numbers::pi);
+}
+
+}  // namespace fretwork::fabrication::detail

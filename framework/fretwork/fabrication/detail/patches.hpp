@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What material consists of before it is united: rectangles along bars, and round ends around nodes.
+#pragma once
+
+#include <fretwork/fabrication/bar_plan.hpp>
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace fretwork::fabrication::detail {
+
+struct Disc {
+    pattern::Point2 center;
+    double radius = 0.0;  ///< m
+};
+
+/// A convex polygon of material. Where it has arcs, its corners lie on their circle.
+struct Patch {
+    pattern::Polygon polygon;
+    std::optional<Disc> disc{};
+    Box box;
+};
+
+/// The angle between neighbouring corners on a circle, rad. Where a line cuts a chord, the arc ends on the
+/// line all the same (with_arcs()); openings that are smaller than a chord's sagitta, 1e-3 of the radius, are
+/// lost.
+inline constexpr double kChordAngle = 0.1;
+
+/// The material of bars that are wider by `growth` (m): all places within half a width of a bar's line.
+/// Rectangles do for that wherever neighbouring bars of a node enclose no more than half a turn; elsewhere
+/// the circle around the node is added.
+std::vector<Patch> bar_patches(const BarPlan& plan, double growth);
+
+Patch disc_patch(const Disc& disc);
+
+}  // namespace fretwork::fabrication::detail

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/fabrication/detail/assembling.hpp>
+#include <fretwork/fabrication/detail/planar_faces.hpp>
+#include <fretwork/fabrication/detail/plane.hpp>
+
+#include <limits>
+#include <numeric>
+#include <optional>
+
+namespace fretwork::fabrication::detail {
+namespace {
+
+/// Half-bars 2 b and 2 b + 1 are bar b and the same in the other direction.
+class HalfBars {
+  public:
+    explicit HalfBars(const BarPlan& plan) : plan_(plan), leaving_(plan.nodes.size()) {
+        for (std::size_t h = 0; h < 2 * plan.bars.size(); ++h) leaving_[start(h)].push_back(h);
+        for (auto& around : leaving_)
+            std::sort(around.begin(), around.end(),
+                      [&](std::size_t a, std::size_t b) { return angle(a) < angle(b); });
+        place_.resize(2 * plan.bars.size());
+        for (const auto& around : leaving_)
+            for (std::size_t i = 0; i < around.size(); ++i) place_[around[i]] = i;
+    }
+
+    [[nodiscard]] std::size_t count() const { return place_.size(); }
+    [[nodiscard]] std::size_t start(std::size_t half) const {
+        return static_cast<std::size_t>(plan_.bars[half / 2].nodes[half % 2]);
+    }
+    [[nodiscard]] const Point2& place(std::size_t half) const { return plan_.nodes[start(half)]; }
+    /// The one that goes on along the same region: the next clockwise from the way back.
+    [[nodiscard]] std::size_t next(std::size_t half) const {
+        const std::size_t back = half ^ 1U;
+        const auto& around = leaving_[start(back)];
+        return around[(place_[back] + around.size() - 1) % around.size()];
+    }
+
+  private:
+    [[nodiscard]] double angle(std::size_t half) const {
+        const Point2 along = place(half ^ 1U) - place(half);
+        return std::atan2(along.y, along.x);
+    }
+
+    const BarPlan& plan_;
+    std::vector<std::vector<std::size_t>> leaving_;
+    std::vector<std::size_t> place_;
+};
+
+/// Which nodes hang together.
+class Components {
+  public:
+    explicit Components(const BarPlan& plan) : parent_(plan.nodes.size()) {
+        std::iota(parent_.begin(), parent_.end(), std::size_t{0});
+        for (const Bar& bar : plan.bars)
+            parent_[root(static_cast<std::size_t>(bar.nodes[0]))] =
+                root(static_cast<std::size_t>(bar.nodes[1]));
+    }
+    std::size_t root(std::size_t node) {
+        while (parent_[node] != node) node = parent_[node] = parent_[parent_[node]];
+        return node;
+    }
+
+  private:
+    std::vector<std::size_t> parent_;
+};
+
+struct FoundWalk {
+    Walk walk;
+    double area = 0.0;
+    std::size_t component = 0;
+};
+
+std::vector<FoundWalk> all_walks(const BarPlan& plan) {
+    const HalfBars halves(plan);
+    Components components(plan);
+    std::vector<bool> seen(halves.count());
+    std::vector<FoundWalk> walks;
+    for (std::size_t first = 0; first < halves.count(); ++first) {
+        if (seen[first]) continue;
+        FoundWalk& found = walks.emplace_back();
+        found.component = components.root(halves.start(first));
+        for (std::size_t half = first; !seen[half]; half = halves.next(half)) {
+            seen[half] = true;
+            found.walk.push_back(halves.place(half));
+        }
+        found.area = pattern::signed_area(found.walk);
+    }
+    return walks;
+}
+
+/// For each component the number of the walk around it from outside: the one of smallest area, which is
+/// negative, or zero for a tree.
+std::vector<std::size_t> outside_walks(const std::vector<FoundWalk>& walks, std::size_t nodes) {
+    constexpr auto kNone = std::numeric_limits<std::size_t>::max();
+    std::vector<std::size_t> outside(nodes, kNone);
+    for (std::size_t w = 0; w < walks.size(); ++w) {
+        std::size_t& chosen = outside[walks[w].component];
+        if (chosen == kNone || walks[w].area < walks[chosen].area) chosen = w;
+    }
+    std::erase(outside, kNone);
+    return outside;
+}
+
+}  // namespace
+
+std::vector<Face> planar_faces(const BarPlan& plan) {
+    const auto walks = all_walks(plan);
+    const auto outside = outside_walks(walks, plan.nodes.size());
+    std::vector<Face> faces;
+    std::vector<const FoundWalk*> of_face;
+    for (std::size_t w = 0; w < walks.size(); ++w) {
+        if (std::find(outside.begin(), outside.end(), w) != outside.end()) continue;
+        faces.push_back({walks[w].walk, {}});
+        of_face.push_back(&walks[w]);
+    }
+    faces.emplace_back();
+    for (const std::size_t w : outside) {
+        std::size_t home = faces.size() - 1;
+        for (std::size_t f = 0; outside.size() > 1 && f < of_face.size(); ++f) {
+            if (of_face[f]->component == walks[w].component) continue;
+            if (!contains(of_face[f]->walk, walks[w].walk.front())) continue;
+            if (home == faces.size() - 1 || of_face[f]->area < of_face[home]->area) home = f;
+        }
+        faces[home].islands.push_back(walks[w].walk);
+    }
+    return faces;
+}
+
+}  // namespace fretwork::fabrication::detail

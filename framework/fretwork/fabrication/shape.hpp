@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/base/control.hpp>
+#include <fretwork/fabrication/bar_plan.hpp>
+#include <fretwork/fabrication/contour.hpp>
+
+#include <vector>
+
+namespace fretwork::fabrication {
+
+/// Material in one piece. Contours have it on their left.
+struct Piece {
+    Contour outer;                  ///< counterclockwise
+    std::vector<Contour> openings;  ///< clockwise; those between bars, then the holes for bolts
+};
+
+/// The true outline of a surface: bars with their width, merged where they meet.
+struct Shape {
+    std::vector<Piece> pieces;  ///< from left to right
+    double height = 0.0;        ///< m
+};
+
+/// What is made besides the bars.
+struct ShapeOptions {
+    double fillet = 0.0;       ///< m, radius of inner corners; smaller where two of them do not fit; 0: sharp
+    double kerf = 0.0;         ///< m, width that the cutter takes away: contours lie half of it outside
+    double frame_width = 0.0;  ///< m, of bars along the rim; 0: none
+    double bolt_diameter = 0.0;                  ///< m, of holes at `bolts`; 0: none
+    double eye_diameter = 0.0;                   ///< m, of the discs around them; 0: twice the bolt's
+    std::vector<TessellationNodeIndex> bolts{};  ///< nodes with a hole
+    base::Control control{};
+    /// Throws InputError that names the option.
+    void validate() const;
+};
+
+/// The outline of a surface's bars: all places within half a width of a bar's line, so joints and free ends
+/// are round. Exact Booleans on a grid of a nanometre; arcs are arcs. Throws as bar_plan(), and InputError
+/// for options that make no sense and holes that meet; Stopped.
+Shape make_shape(const simulation::Surface& surface, const ShapeOptions& options = {});
+/// The same of a plan, which has its frame already.
+Shape make_shape(const BarPlan& plan, const ShapeOptions& options);
+
+/// m2
+double area(const Shape& shape);
+/// Of all contours, m.
+double cut_length(const Shape& shape);
+Box box_of(const Shape& shape);
+
+}  // namespace fretwork::fabrication
