@@ -36,6 +36,11 @@ Document Document::named(std::string name) && {
     return std::move(*this);
 }
 
+Document Document::found_elsewhere() && {
+    saved_ = now();
+    return std::move(*this);
+}
+
 void Document::moved() {
     ++revision_;
     const std::size_t cases = now()->load_cases->size();

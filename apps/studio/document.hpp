@@ -19,6 +19,9 @@ class Document {
     static Document recovered(Document saved, State changed);
     /// Another one with a name, which it has as long as it has no file.
     Document named(std::string name) &&;
+    /// Another one whose first state is no work to be lost: it lies in an example, or in a file that was
+    /// sent.
+    Document found_elsewhere() &&;
 
     [[nodiscard]] const StatePtr& now() const { return history_.now(); }
     [[nodiscard]] const std::optional<std::filesystem::path>& path() const { return path_; }

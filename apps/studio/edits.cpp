@@ -7,6 +7,7 @@
 #include <fretwork/simulation/combination.hpp>
 #include <fretwork/simulation/conditions.hpp>
 #include <fretwork/simulation/load_case_file.hpp>
+#include <fretwork/simulation/simulation_options.hpp>
 #include <fretwork/tiling/painting.hpp>
 
 #include <algorithm>
@@ -18,9 +19,14 @@ namespace {
 using base::JsonReader;
 using simulation::LoadCase;
 
+/// An equal value leaves the part as it is: then the edit changes nothing.
 template <class Value>
-State::Part<Value> part(Value value) {
-    return std::make_shared<const Value>(std::move(value));
+void change(State::Part<Value>& part, Value value) {
+    if (*part != value) part = std::make_shared<const Value>(std::move(value));
+}
+
+bool is_same(const LoadCase& a, const LoadCase& b) {
+    return simulation::load_case_text(a) == simulation::load_case_text(b);
 }
 
 std::string counted(std::size_t count, const std::string& noun) {
@@ -89,7 +95,7 @@ Edited paint(const State& state, const JsonReader& request) {
         for (const std::size_t tile : tiles) painting.patterns[tile] = place;
         count = tiles.size();
     }
-    edit.state.painting = part(std::move(painting));
+    change(edit.state.painting, std::move(painting));
     edit.label = "paint " + counted(count, "tile");
     return edit;
 }
@@ -104,13 +110,16 @@ Edited turn(const State& state, const JsonReader& request) {
         painting.turns[tile] = static_cast<int>(((painting.turns[tile] + by) % sides + sides) % sides);
     }
     Edited edit{state, "turn " + counted(tiles.size(), "tile")};
-    edit.state.painting = part(std::move(painting));
+    change(edit.state.painting, std::move(painting));
     return edit;
 }
 
-/// The name of a tile model of the catalogue.
-std::string read_model(const JsonReader& json) {
+enum class Mixed { Refused, Taken };
+
+/// The name of a tile model of the catalogue, or `mixed:SHARE`.
+std::string read_model(const JsonReader& json, Mixed mixed) {
     try {
+        if (mixed == Mixed::Taken && simulation::mixed_share(json.string())) return json.string();
         return reduction::find_tile_model(json.string()).name;
     } catch (const base::InputError& error) {
         json.fail(error.what());
@@ -119,9 +128,9 @@ std::string read_model(const JsonReader& json) {
 
 Edited set_model(const State& state, const JsonReader& request) {
     request.allow_only({"id", "do", "merge", "model", "linear"});
-    const std::string model = read_model(request.at("model"));
+    const std::string model = read_model(request.at("model"), Mixed::Taken);
     Edited edit{state, "model " + model};
-    edit.state.model = part(model);
+    change(edit.state.model, model);
     if (const auto linear = request.find("linear"))
         edit.state.analysis =
             linear->boolean() ? simulation::Analysis::Linear : simulation::Analysis::OfTheModel;
@@ -132,11 +141,11 @@ Edited set_tile_model(const State& state, const JsonReader& request) {
     request.allow_only({"id", "do", "merge", "tiles", "model"});
     const auto tiles = read_tiles(request.at("tiles"), state);
     const JsonReader name = request.at("model");
-    const std::string model = name.string().empty() ? "" : read_model(name);
+    const std::string model = name.string().empty() ? "" : read_model(name, Mixed::Refused);
     auto models = *state.tile_models;
     for (const std::size_t tile : tiles) models[tile] = model;
     Edited edit{state, "model of " + counted(tiles.size(), "tile")};
-    edit.state.tile_models = part(std::move(models));
+    change(edit.state.tile_models, std::move(models));
     return edit;
 }
 
@@ -146,8 +155,8 @@ Edited set_setting(const State& state, const JsonReader& request) {
     Edited edit{state, "material and section"};
     const auto setting = reduction::parse_setting(request.at("setting").text(), "message: /setting");
     if (setting == *state.setting) return edit;
-    edit.state.setting = part(setting);
-    if (!state.library->path.empty()) edit.state.library = part(LibraryLink{});
+    edit.state.setting = std::make_shared<const reduction::Setting>(setting);
+    if (!state.library->path.empty()) edit.state.library = std::make_shared<const LibraryLink>();
     return edit;
 }
 
@@ -174,10 +183,12 @@ Edited set_load_case(const State& state, const JsonReader& request) {
     Edited edit{state, (index == cases.size() ? "new load case " : "load case ") + load_case.name};
     if (index == cases.size())
         cases.push_back(std::move(load_case));
+    else if (is_same(cases[index], load_case))
+        return edit;
     else
         cases[index] = std::move(load_case);
     check_combinations(cases);
-    edit.state.load_cases = part(std::move(cases));
+    edit.state.load_cases = std::make_shared<const std::vector<LoadCase>>(std::move(cases));
     return edit;
 }
 
@@ -190,7 +201,7 @@ Edited remove_load_case(const State& state, const JsonReader& request) {
     Edited edit{state, "remove load case " + cases[index].name};
     cases.erase(cases.begin() + static_cast<std::ptrdiff_t>(index));
     check_combinations(cases);
-    edit.state.load_cases = part(std::move(cases));
+    edit.state.load_cases = std::make_shared<const std::vector<LoadCase>>(std::move(cases));
     return edit;
 }
 

@@ -30,16 +30,19 @@ std::vector<std::string> warnings_of(const mechanics::Result& result) {
     const mechanics::Solution& solution = result.solution;
     std::vector<std::string> warnings;
     if (!solution.converged())
-        warnings.emplace_back("the solution is not an equilibrium: it ends at " +
-                              std::to_string(std::lround(100 * solution.load_factor)) + " % of the load");
-    if (!solution.stable) warnings.emplace_back("the equilibrium is not stable: the surface would snap");
+        warnings.emplace_back("No equilibrium was found: the computation stopped at " +
+                              std::to_string(std::lround(100 * solution.load_factor)) +
+                              " % of the load. Make the load smaller, or hold the surface more.");
+    if (!solution.stable)
+        warnings.emplace_back("This equilibrium is not stable: the surface would snap into another shape.");
     constexpr double kSmallTurn = 0.2;  // rad; the sine is off by 0.7 %
     if (result.solver == "linear" && solution.displacements.rows() > 0) {
         const double turn = solution.displacements.rightCols<3>().rowwise().norm().maxCoeff();
         if (turn > kSmallTurn)
             warnings.emplace_back(
-                "a linear model is right for small displacements only, and this one turns by " +
-                std::to_string(std::lround(turn * 180 / std::numbers::pi)) + " degrees");
+                "A linear model is right for small displacements only, and this surface turns by " +
+                std::to_string(std::lround(turn * 180 / std::numbers::pi)) +
+                " degrees: choose a model for large displacements.");
     }
     return warnings;
 }

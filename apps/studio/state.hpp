@@ -16,6 +16,7 @@ struct Painting {
     std::vector<std::string> palette;  ///< pattern ids
     std::vector<int> patterns;         ///< of each tile: an index into the palette; -1: not painted
     std::vector<int> turns;            ///< of each tile: so many vertices further than in the ground
+    friend bool operator==(const Painting&, const Painting&) = default;
 };
 
 /// Where the pattern library lies, and the hash that it had. Both empty: there is none.
@@ -41,6 +42,8 @@ struct State {
     simulation::Analysis analysis = simulation::Analysis::OfTheModel;
 
     [[nodiscard]] std::size_t tile_count() const { return painting->patterns.size(); }
+    /// Whether all parts are the same objects.
+    friend bool operator==(const State&, const State&) = default;
 };
 using StatePtr = std::shared_ptr<const State>;
 

@@ -2,6 +2,7 @@
 #include "edits.hpp"
 #include "studio.hpp"
 #include "studio_impl.hpp"
+#include "words.hpp"
 
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/text.hpp>
@@ -45,6 +46,8 @@ std::span<const Studio::Impl::RequestRow> Studio::Impl::requests() {
         {"modes", &Impl::modes},      {"buckling", &Impl::buckling},
         {"compare", &Impl::compare},  {"cancel", &Impl::cancel},
         {"show", &Impl::show_fields}, {"measure", &Impl::measure},
+        {"recover", &Impl::recover},  {"recoverable", &Impl::recoverable},
+        {"forget", &Impl::forget},
     };
     return kRequests;
 }
@@ -60,7 +63,7 @@ Studio::Impl::Impl(const StudioOptions& options)
     if (options.project)
         show(read_document(*options.project));
     else
-        autosave_place_.emplace(options.state_folder, std::nullopt);
+        autosave_place_.emplace(options.state_folder, std::nullopt);  // whether one can be made is told now
 }
 
 Studio::Impl::~Impl() = default;
@@ -101,6 +104,7 @@ void Studio::Impl::dispatch(const Request& request) {
     const StatePtr before = document(request).now();
     auto edit = edited(*before, name, request.json);
     if (!edit) request.json.at("do").fail("'" + base::shortened(name, 40) + "' is no request");
+    if (edit->state == *before) return answer(request, {{"unchanged", true}});
     document_->add(std::move(*edit));
     answer(request);
     tell_change(*before);
@@ -113,7 +117,7 @@ void Studio::Impl::answer(const Request& request, Json members) {
 }
 
 void Studio::Impl::refuse(ClientId client, const Json& id, const std::string& error) {
-    const Json json = {{"id", id}, {"ok", false}, {"error", one_line(error)}};
+    const Json json = {{"id", id}, {"ok", false}, {"error", one_line(in_words(error))}};
     server_.send(client, {{text_part(compact(json))}});
 }
 

@@ -3,6 +3,7 @@
 #include "examples.hpp"
 #include "frames.hpp"
 #include "studio_impl.hpp"
+#include "words.hpp"
 
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/provenance.hpp>
@@ -29,6 +30,13 @@ Json models_json() {
                         {"large_displacements", model.displacements == reduction::Displacements::Large},
                         {"parameters", parameters}});
     }
+    list.push_back(
+        {{"name", "mixed"},
+         {"summary", "corotational tiles, and every beam in a share of them: in those where that is worst"},
+         {"reference", false},
+         {"large_displacements", true},
+         {"parameters", Json::array()},
+         {"share", true}});
     return list;
 }
 
@@ -99,7 +107,7 @@ void Studio::Impl::hello(const Request& request) {
                      {"has_library", document_ && !document_->now()->library->path.empty()},
                      {"has_document", document_.has_value()},
                      {"exports", export_endings()},
-                     {"can_recover", !document_ && std::filesystem::exists(autosave_place_->file())}});
+                     {"recoverable", recoverable_json()}});
     if (!document_) return;
     server_.send(request.client,
                  {{text_part(document_event(*document_->now(), document_->status()).dump())}});
@@ -161,10 +169,17 @@ void Studio::Impl::select_load_case(const Request& request) {
     tell_change(*document_->now());
 }
 
-void Studio::Impl::show(Document next) {
-    document_ = std::move(next);
+void Studio::Impl::replace(const Request& request, Opened next) {
+    const auto discard = request.json.find("discard");
+    if (document_ && discard && discard->boolean()) autosave_.forget(autosave_place_->file());
+    show(std::move(next));
+}
+
+void Studio::Impl::show(Opened next) {
+    document_ = std::move(next.document);
     first_revision_ = document_->revision();
-    take_place(document_->path());
+    autosave_place_ =
+        next.place ? std::move(next.place) : AutosavePlace(options_.state_folder, document_->path());
     beams_ = {};
     failed_ = {};
     last_solved_.reset();
@@ -174,18 +189,12 @@ void Studio::Impl::show(Document next) {
     keep();
 }
 
-void Studio::Impl::take_place(const std::optional<std::filesystem::path>& path) {
-    if (autosave_place_ && place_is_of_ == path) return;
-    autosave_place_.reset();  // its lock first
-    autosave_place_.emplace(options_.state_folder, path);
-    place_is_of_ = path;
-}
-
 void Studio::Impl::keep() {
     if (document_->is_saved())
         autosave_.forget(autosave_place_->file());
     else
-        autosave_.keep(document_->now(), autosave_place_->file());
+        autosave_.keep(document_->now(), {document_->status().name, document_->path()},
+                       autosave_place_->file());
 }
 
 void Studio::Impl::tell_change(const State& before) {
@@ -252,7 +261,7 @@ void Studio::Impl::tell_failed(const SolverInput& input, const std::string& erro
     const Json event = {{"event", "failed"},
                         {"revision", input.revision},
                         {"model", *input.situation.state->model},
-                        {"error", error}};
+                        {"error", in_words(error)}};
     failed_ = {{text_part(event.dump())}, "solution"};
     broadcast(failed_);
 }

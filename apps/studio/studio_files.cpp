@@ -3,6 +3,7 @@
 #include "examples.hpp"
 #include "pattern_list.hpp"
 #include "studio_impl.hpp"
+#include "words.hpp"
 
 #include <fretwork/base/base64.hpp>
 #include <fretwork/base/error.hpp>
@@ -17,6 +18,7 @@
 #include <fretwork/simulation/result_subject.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace fretwork::studio {
 
@@ -87,24 +89,38 @@ struct NewRequest {
 struct NamedProject {
     std::string name;
     Project project;
-    std::vector<std::string> remarks{};  ///< on how the outline was read
+    std::vector<std::string> remarks{};  ///< on how the outline was read, and tiled
+    bool is_example = false;
 };
+
+/// What the tiling did to the drawing.
+void add_remarks(const simulation::NewProject& made, std::vector<std::string>& remarks) {
+    if (made.report.negligible_points > 0)
+        remarks.push_back(std::to_string(made.report.negligible_points) +
+                          " points of the outline that lie very close to others left out");
+    if (made.report.refined_share > 0.0)
+        remarks.push_back(std::to_string(std::lround(100 * made.report.refined_share)) +
+                          " % of the tiles are smaller, since the outline is narrow near them");
+}
 
 NamedProject make(const NewRequest& wanted, const base::Control& control) {
     if (!wanted.example.empty())
-        return {example_title(wanted.example), make_example(wanted.example, control)};
+        return {example_title(wanted.example), make_example(wanted.example, control), {}, true};
     simulation::NewProjectOptions options = wanted.options;
     options.control = control;
     tiling::OutlineFile file = outline_of(wanted.outline);
-    return {std::filesystem::path(wanted.outline.name).stem().string(),
-            simulation::make_project(file.parts, options, nullptr).project, std::move(file.remarks)};
+    simulation::NewProject made = simulation::make_project(file.parts, options, nullptr);
+    add_remarks(made, file.remarks);
+    return {std::filesystem::path(wanted.outline.name).stem().string(), std::move(made.project),
+            std::move(file.remarks)};
 }
 
 NewRequest read_new(const base::JsonReader& json) {
-    json.allow_only({"id", "do", "outline", "example", "tile_size", "patterns", "palette", "layout"});
+    json.allow_only(
+        {"id", "do", "outline", "example", "tile_size", "patterns", "palette", "layout", "discard"});
     NewRequest wanted;
     if (const auto example = json.find("example")) {
-        json.allow_only({"id", "do", "example"});
+        json.allow_only({"id", "do", "example", "discard"});
         wanted.example = example->string();
         return wanted;
     }
@@ -166,8 +182,9 @@ void Studio::Impl::make_new(const Request& request) {
             return [this, request, made] {
                 answer(request,
                        {{"tiles", made->project.tessellation.tiles.size()}, {"remarks", made->remarks}});
-                show(Document(make_state(made->project, folder_of({})), {}, next_revision())
-                         .named(made->name));
+                Document next(make_state(made->project, folder_of({})), {}, next_revision());
+                next = std::move(next).named(made->name);
+                replace(request, {made->is_example ? std::move(next).found_elsewhere() : std::move(next)});
             };
         });
 }
@@ -182,45 +199,15 @@ void Studio::Impl::measure(const Request& request) {
         });
 }
 
-Document Studio::Impl::read_document(const std::filesystem::path& path) {
-    const auto project = simulation::read_checked_project(path.string());
-    Document saved(make_state(project, folder_of(path)), path, next_revision());
-    take_place(path);
-    const auto& autosave = autosave_place_->file();
-    std::error_code unknown;
-    if (!std::filesystem::exists(autosave) ||
-        std::filesystem::last_write_time(autosave, unknown) < std::filesystem::last_write_time(path, unknown))
-        return saved;
-    try {
-        State changed =
-            make_state(simulation::read_checked_project(autosave.string()), autosave.parent_path());
-        return Document::recovered(std::move(saved), std::move(changed));
-    } catch (const base::Error& error) {  // what lies in the file can be opened all the same
-        broadcast(Json{{"event", "warning"}, {"text", error.what()}});
-        return saved;
-    }
-}
-
 void Studio::Impl::open(const Request& request) {
-    request.json.allow_only({"id", "do", "path"});
-    Document next = read_document(std::filesystem::absolute(request.json.at("path").string()));
+    request.json.allow_only({"id", "do", "path", "discard"});
+    Opened next = read_document(request.json.at("path").string());
     answer(request);
-    show(std::move(next));
-}
-
-void Studio::Impl::recover(const Request& request) {
-    request.json.allow_only({"id", "do"});
-    const auto& autosave = autosave_place_->file();
-    if (document_ || !std::filesystem::exists(autosave))
-        throw base::InputError("there is nothing to recover");
-    Document next(make_state(simulation::read_checked_project(autosave.string()), autosave.parent_path()), {},
-                  next_revision());
-    answer(request);
-    show(std::move(next));
+    replace(request, std::move(next));
 }
 
 void Studio::Impl::upload(const Request& request) {
-    request.json.allow_only({"id", "do", "name", "text_base64"});
+    request.json.allow_only({"id", "do", "name", "text_base64", "discard"});
     const auto name = request.json.find("name");
     const std::string source = name ? name->string() : "the file";
     in_background(
@@ -233,8 +220,9 @@ void Studio::Impl::upload(const Request& request) {
             project->library_hash.clear();
             return [this, request, project, source] {
                 answer(request);
-                show(Document(make_state(*project, folder_of({})), {}, next_revision())
-                         .named(std::filesystem::path(source).stem().string()));
+                replace(request, {Document(make_state(*project, folder_of({})), {}, next_revision())
+                                      .named(std::filesystem::path(source).stem().string())
+                                      .found_elsewhere()});
             };
         });
 }
@@ -251,13 +239,12 @@ void Studio::Impl::save(const Request& request) {
     Document& shown = document(request);
     const auto wanted = request.json.find("path");
     if (!wanted && !shown.path()) throw base::InputError("the document has no file yet: name one");
-    const auto path = wanted ? std::filesystem::absolute(wanted->string()) : *shown.path();
+    const auto path = wanted ? std::filesystem::absolute(wanted->string()).lexically_normal() : *shown.path();
     if (!shown.path() || path != *shown.path()) require_project_file(path);
     simulation::write_project(make_project(*shown.now(), folder_of(path)), path);
     autosave_.forget(autosave_place_->file());
+    if (path != shown.path()) autosave_place_ = AutosavePlace(options_.state_folder, path);
     shown.saved_as(path);
-    take_place(path);
-    autosave_.forget(autosave_place_->file());
     answer(request, {{"path", path.string()}});
     broadcast(changed_event(*shown.now(), *shown.now(), shown.status()));
 }
@@ -283,17 +270,19 @@ void Studio::Impl::export_file(const Target& target, std::function<void(HttpAnsw
     const auto tell = [this, answer](HttpAnswer given) {
         server_.post([answer, given = std::move(given)] { answer(given); });
     };
-    files_.add({.work =
-                    [=](const base::Control&) {
-                        if (name == "project.json")
-                            return tell({.type = "application/json",
-                                         .body = simulation::project_text(make_project(*state, folder)),
-                                         .download_name = name});
-                        tell({.type = "application/octet-stream",
-                              .body = exported(target, input.situation, solved),
-                              .download_name = name});
-                    },
-                .failed = [tell](const std::string& error) { tell({.status = 422, .body = error + "\n"}); }});
+    files_.add(
+        {.work =
+             [=](const base::Control&) {
+                 if (name == "project.json")
+                     return tell({.type = "application/json",
+                                  .body = simulation::project_text(make_project(*state, folder)),
+                                  .download_name = name});
+                 tell({.type = "application/octet-stream",
+                       .body = exported(target, input.situation, solved),
+                       .download_name = name});
+             },
+         .failed =
+             [tell](const std::string& error) { tell({.status = 422, .body = in_words(error) + "\n"}); }});
 }
 
 HttpAnswer Studio::Impl::page() const {

@@ -65,13 +65,17 @@ class Studio::Impl final : public Service {
     void show_fields(const Request& request);
     [[nodiscard]] Document& document(const Request& request);
     [[nodiscard]] std::int64_t next_revision() const { return document_ ? document_->revision() + 1 : 1; }
-    void show(Document next);
-    /// The document of a file, with its unsaved changes if there are any.
-    [[nodiscard]] Document read_document(const std::filesystem::path& path);
-    void recover(const Request& request);
-    /// Keep what is not saved in the place for the document of this file.
+    /// A document, and where it is kept while it is not saved; none: at a new place.
+    struct Opened {
+        Document document;
+        std::optional<AutosavePlace> place{};
+    };
+    void show(Opened next);
+    /// As the request says, what is not saved of the present document is given up before; else it stays
+    /// recoverable.
+    void replace(const Request& request, Opened next);
+    /// Keep what is not saved.
     void keep();
-    void take_place(const std::optional<std::filesystem::path>& path);
     /// Whether something that was computed is of the document that is shown.
     [[nodiscard]] bool is_shown(std::int64_t revision) const;
     void tell_change(const State& before);
@@ -105,6 +109,16 @@ class Studio::Impl final : public Service {
     void compare(const Request& request);
     void cancel(const Request& request);
 
+    // studio_recovery.cpp: what was not saved
+    /// The document of a file, with its unsaved changes if there are any.
+    [[nodiscard]] Opened read_document(const std::filesystem::path& path);
+    [[nodiscard]] base::Json recoverable_json() const;
+    [[nodiscard]] Recoverable find(const base::JsonReader& key) const;
+    [[nodiscard]] Opened recovered(const Recoverable& found);
+    void recover(const Request& request);
+    void recoverable(const Request& request);
+    void forget(const Request& request);
+
     // studio_files.cpp: files
     void make_new(const Request& request);
     void measure(const Request& request);
@@ -127,7 +141,6 @@ class Studio::Impl final : public Service {
     Outgoing failed_;                  ///< why
     std::optional<ShownBeams> last_beams_;
     std::optional<AutosavePlace> autosave_place_;
-    std::optional<std::filesystem::path> place_is_of_;  ///< the document's file; none: it was never saved
     Autosave autosave_;
     Background files_;  ///< what takes a second or two
     Background jobs_;   ///< what takes as long as it takes

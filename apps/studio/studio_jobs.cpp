@@ -2,6 +2,7 @@
 // What takes longer and is asked for: other models, modes, the load path, comparisons.
 #include "frames.hpp"
 #include "studio_impl.hpp"
+#include "words.hpp"
 
 #include <fretwork/base/error.hpp>
 #include <fretwork/simulation/comparison.hpp>
@@ -79,7 +80,7 @@ void Studio::Impl::start(const Request& request, Job job,
                            {"revision", job.input.revision},
                            {"model", job.model},
                            {"background", true},
-                           {"error", error}});
+                           {"error", in_words(error)}});
         });
     };
     jobs_.add({.work =

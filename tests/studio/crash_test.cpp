@@ -13,7 +13,8 @@ namespace {
 /// `fretwork studio` in a process of its own.
 class Program {
   public:
-    explicit Program(const std::filesystem::path& folder) {
+    enum class Opens { Project, Nothing };
+    explicit Program(const std::filesystem::path& folder, Opens opens = Opens::Project) {
         int ends[2];
         if (::pipe(ends) != 0) throw std::runtime_error("no pipe");
         child_ = ::fork();
@@ -21,7 +22,8 @@ class Program {
             ::dup2(ends[1], STDOUT_FILENO);
             ::setenv("XDG_STATE_HOME", folder.c_str(), 1);
             const std::string project = folder / "project.json";
-            ::execl(FRETWORK_PROGRAM, "fretwork", "studio", "--no-browser", project.c_str(), nullptr);
+            ::execl(FRETWORK_PROGRAM, "fretwork", "studio", "--no-browser",
+                    opens == Opens::Project ? project.c_str() : nullptr, nullptr);
             ::_exit(127);
         }
         ::close(ends[1]);
@@ -78,6 +80,13 @@ TEST(StudioProgram, LosesNothingOfWhatWasKeptWhenItIsKilled) {
         };
         while (!is_kept()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
         EXPECT_EQ(program.end(SIGKILL), -1);
+    }
+    {
+        const Program without(folder.path(), Program::Opens::Nothing);
+        test::Client client(test::StudioAddress(without.address()));
+        const auto hello = client.ask("hello", {{"protocol", 1}});
+        ASSERT_EQ(hello["recoverable"].size(), 1U) << "it is offered without naming the file";
+        EXPECT_EQ(hello["recoverable"][0]["name"], "project");
     }
     Program program(folder.path());
     test::Client client(test::StudioAddress(program.address()));

@@ -12,6 +12,7 @@ import { LoadPanel } from './panels/load_panel';
 import { LookPanel } from './panels/look_panel';
 import { PaintPanel } from './panels/paint_panel';
 import { TopBar } from './panels/top_bar';
+import { UnsavedSheet } from './manners/unsaved';
 import { Start, takeFile } from './start/start';
 import { Views } from './views/views';
 import { Tooltip } from './widgets/tooltip';
@@ -35,6 +36,7 @@ export function App() {
         const file = event.dataTransfer?.files[0];
         if (file) void takeFile(file);
       }}>
+      <LineNotice />
       <TopBar />
       {ready && (
         <main class="work">
@@ -44,7 +46,7 @@ export function App() {
       )}
       {(startOpen.value || (!ready && hello.value)) && <Start />}
       <HelpSheet />
-      <LineNotice />
+      <UnsavedSheet />
       <Notes />
       <Tooltip />
     </div>

@@ -7,6 +7,7 @@ import * as store from './document/store';
 import { cut, start } from './document/studio';
 import { surface } from './document/surface';
 import { watchKeys } from './manners/shortcuts';
+import { watchClosing } from './manners/unsaved';
 import type { Point } from './protocol/messages';
 import { toScreen, viewport } from './views/plane/viewport';
 import { currentScene } from './views/space/current';
@@ -17,6 +18,7 @@ import './styles/widgets.css';
 render(<App />, document.getElementById('studio') as HTMLElement);
 watchKeys();
 watchTips();
+watchClosing();
 start();
 
 /** What the browser tests read and do. */

@@ -30,16 +30,24 @@ function withPainted(tiles: readonly number[], patterns: readonly string[]): str
   return all;
 }
 
-export async function paint({ tiles, patterns }: Paint, merge = newGesture('paint')): Promise<void> {
-  if (tiles.length === 0) return;
+/** Resolves to whether the surface is another one now. */
+export async function paint({ tiles, patterns }: Paint, merge = newGesture('paint')): Promise<boolean> {
+  if (tiles.length === 0) return false;
   const all = withPainted(tiles, patterns);
   const same = patterns.every((pattern) => pattern === patterns[0]);
-  if (!same && all.every((pattern) => pattern)) await sendPaint({ patterns: all, merge });
-  else for (const [pattern, some] of grouped(tiles, patterns)) await sendPaint({ tiles: some, pattern, merge });
+  if (!same && all.every((pattern) => pattern)) return sendPaint({ patterns: all, merge });
+  let isChanged = false;
+  for (const [pattern, some] of grouped(tiles, patterns)) isChanged = (await sendPaint({ tiles: some, pattern, merge })) || isChanged;
+  return isChanged;
 }
 
-async function sendPaint(request: object): Promise<void> {
-  if (!(await tryAsk('paint', request))) pending.value = new Map();
+/** An edit that changes nothing is answered, and no event follows. */
+const hasChanged = (answer: { unchanged?: boolean } | null): boolean => answer !== null && !answer.unchanged;
+
+async function sendPaint(request: object): Promise<boolean> {
+  const isChanged = hasChanged(await tryAsk('paint', request));
+  if (!isChanged) pending.value = new Map();
+  return isChanged;
 }
 
 /** Tiles by the pattern that they get: how paint is sent while some tiles have none yet. */
@@ -68,9 +76,9 @@ export function addLoadCase(from: Partial<LoadCase> = {}): void {
 }
 
 /** Change the selected load case, or make the first one. */
-export function editLoadCase(change: (present: LoadCase) => Partial<LoadCase>, merge?: string): Promise<unknown> {
+export function editLoadCase(change: (present: LoadCase) => Partial<LoadCase>, merge?: string): Promise<{ unchanged?: boolean } | null> {
   const now = documentNow.value;
-  if (!now) return Promise.resolve();
+  if (!now) return Promise.resolve(null);
   const present = loadCase.value ?? EMPTY;
   const index = now.load_cases.length ? now.selected_load_case : 0;
   return tryAsk('set_load_case', { index, load_case: written({ ...present, ...change(present) }), merge });
@@ -93,7 +101,7 @@ export const combine = (name: string, factor: number): void =>
 const drag = new Latest<{ change: (present: LoadCase) => Partial<LoadCase>; merge: string }>(async ({ change, merge }) => {
   const seen = timed();
   const done = settled();
-  if ((await editLoadCase(change, merge)) === null) return;
+  if (!hasChanged(await editLoadCase(change, merge))) return;
   await done;
   seen();
 });
@@ -104,7 +112,7 @@ const strokes = new Latest<{ paint: Paint; merge: string }>(async (stroke) => {
   pendingPaint.clear();
   const seen = timed();
   const done = settled();
-  await paint(stroke.paint, stroke.merge);
+  if (!(await paint(stroke.paint, stroke.merge))) return;
   await done;
   seen();
 });
@@ -151,11 +159,13 @@ export const removePrescribed = (index: number): void =>
   void editLoadCase(({ prescribed }) => ({ prescribed: without(prescribed, index) }));
 
 /** To its file; a document that has none asks for one. */
-export async function save(): Promise<void> {
+export async function save(): Promise<boolean> {
   const now = documentNow.peek();
   const path = now?.path ? undefined : window.prompt('Save as (a file on the machine where the studio runs):', `${now?.name || 'surface'}.json`);
-  if (path === null) return;
-  if (await tryAsk('save', path ? { path } : {})) tell('Saved.');
+  if (path === null) return false;
+  const isSaved = (await tryAsk('save', path ? { path } : {})) !== null;
+  if (isSaved) tell('Saved.');
+  return isSaved;
 }
 
 /** Compare the live model with the full one: solve that in the background, then ask for the difference. */

@@ -29,7 +29,8 @@ export async function savePicture(): Promise<void> {
   if (scene) offer(await scene.stage.picture(), `${stem()}.png`);
 }
 
-export const openUpload = async (file: File): Promise<boolean> => (await tryAsk('upload', { name: file.name, text_base64: await base64(file) })) !== null;
+export const openUpload = async (file: File, more: object): Promise<boolean> =>
+  (await tryAsk('upload', { name: file.name, text_base64: await base64(file), ...more })) !== null;
 
 export async function download(): Promise<void> {
   try {

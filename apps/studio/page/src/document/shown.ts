@@ -4,7 +4,7 @@
 import { computed, effect, signal } from '@preact/signals';
 import type { Solution } from '../protocol/binary';
 import { playing, scale, shapeIndex } from './look';
-import { live, shapes } from './store';
+import { live, notTheAnswer, shapes } from './store';
 import { surface } from './surface';
 
 export interface Shown {
@@ -17,9 +17,11 @@ export interface Shown {
 export const phase = signal(0.25);
 const MODE_SIZE = 0.12;
 
+/** null: at rest, without colours, because nothing is known or what is known is not the answer. */
 export const shown = computed<Shown | null>(() => {
   const now = shapes.value;
   if (!now || now.shapes.length === 0) {
+    if (notTheAnswer.value) return null;
     return live.value && { solution: live.value.solution, fields: live.value.info.fields, factor: scale.value };
   }
   const solution = now.shapes[Math.min(shapeIndex.value, now.shapes.length - 1)];

@@ -3,7 +3,7 @@
 
 import { computed, signal } from '@preact/signals';
 import type { Beams, Solution } from '../protocol/binary';
-import type { Hello, LoadCase, PatternTable, Solved, StudioDocument } from '../protocol/messages';
+import type { Hello, LoadCase, PatternTable, Recoverable, Solved, StudioDocument } from '../protocol/messages';
 import type { LineState } from '../protocol/connection';
 
 export interface SolvedModel {
@@ -15,16 +15,24 @@ export interface SolvedModel {
 
 export const line = signal<LineState>('connecting');
 export const hello = signal<Hello | null>(null);
+/** Documents with changes that were not saved, the newest first. */
+export const recoverable = signal<Recoverable[]>([]);
 export const documentNow = signal<StudioDocument | null>(null);
 export const revision = signal(0);
 export const beams = signal<Beams | null>(null);
 
-/** The newest solution of the live model; stays while a newer one is computed, or when that fails. */
+/** The newest solution of the live model; stays while a newer one is computed, and goes when that fails. */
 export const live = signal<SolvedModel | null>(null);
 /** The newest revision of the document that the live model has answered, with a solution or in words. */
 export const answered = signal(0);
 /** Why the live model has no newer solution, in words; null when it has. */
 export const problem = signal<string | null>(null);
+/** Why what is drawn is not the answer to what is held and loaded; null when it is. */
+export const notTheAnswer = computed<string | null>(() => {
+  if (problem.value) return problem.value;
+  const info = live.value?.info;
+  return info && !info.converged ? (info.warnings[0] ?? 'No equilibrium was found.') : null;
+});
 /** The last solution of other models, by name: the full model on demand. */
 export const others = signal<ReadonlyMap<string, SolvedModel>>(new Map());
 /** Work that lasts: which model, and how far it is (0 to 1). */

@@ -19,7 +19,11 @@ function socketAddress(): string {
   return `${scheme}://${location.host}/socket${location.search}`;
 }
 
-const connection = new Connection(socketAddress(), { state, event, binary, opened });
+/** Whether a server is there that does not know this address: it is of an earlier run. */
+const isRefused = (): Promise<boolean> =>
+  fetch(`/${location.search}`, { method: 'HEAD' }).then((answer) => answer.status === 403, () => false);
+
+const connection = new Connection(socketAddress(), { state, event, binary, opened, isRefused });
 
 export const start = (): void => connection.open();
 /** As if the line were cut; it mends itself. */
@@ -43,7 +47,10 @@ function state(value: typeof store.line.value): void {
 function opened(): void {
   awaited = null;
   void ask<Hello>('hello', { protocol: 1, fields: beamFields.peek() }).then(
-    (answer) => (store.hello.value = answer),
+    (answer) => batch(() => {
+      store.hello.value = answer;
+      store.recoverable.value = answer.recoverable ?? [];
+    }),
     (error: Error) => tell(error.message, 'error'),
   );
 }
@@ -134,7 +141,7 @@ function change(message: Partial<StudioDocument>): void {
 
 function failed({ error, background, revision }: { error: string; background?: boolean; revision: number }): void {
   store.working.value = null;
-  if (!background) [store.problem.value, store.answered.value] = [error, revision];
+  if (!background) [store.live.value, store.problem.value, store.answered.value] = [null, error, revision];
   else if (error !== 'cancelled') tell(error, 'error');
 }
 

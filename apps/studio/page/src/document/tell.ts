@@ -2,6 +2,7 @@
 // Short words to the person in front of the page, where nothing closer to the place would be seen.
 
 import { signal } from '@preact/signals';
+import { inShownUnits } from './units';
 
 export interface Note {
   id: number;
@@ -14,8 +15,8 @@ const SHOWN_MS = { plain: 3500, warning: 9000, error: 9000 };
 let next = 1;
 
 export function tell(text: string, tone: Note['tone'] = 'plain'): void {
-  const note = { id: next++, text, tone };
-  notes.value = [...notes.value.filter((other) => other.text !== text), note];
+  const note = { id: next++, text: inShownUnits(text), tone };
+  notes.value = [...notes.value.filter((other) => other.text !== note.text), note];
   setTimeout(() => dismiss(note.id), SHOWN_MS[tone]);
 }
 

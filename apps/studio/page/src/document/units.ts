@@ -66,6 +66,14 @@ export function shown(value: number | null | undefined, quantity: Quantity, syst
   return `${digits(value * per)}${space}${name}`;
 }
 
+/** A text of the program, which counts in metres, with its lengths in the units that are shown. */
+export function inShownUnits(text: string): string {
+  const length = (value: string): string => shown(Number(value), 'length');
+  return text
+    .replace(/(?<![\w.])(\d[\d.]*(?:e[-+]?\d+)?) m(?![\w²/])/g, (_, value: string) => length(value))
+    .replace(/\((-?[\d.]+(?:e[-+]?\d+)?), (-?[\d.]+(?:e[-+]?\d+)?)\)/g, (_, x: string, y: string) => `(${length(x)}, ${length(y)})`);
+}
+
 /** A number as typed, with a comma or a point, with or without a unit that it may end in; null if it is none. */
 export function typed(text: string, quantity: Quantity, system = unitSystem.value): number | null {
   const match = /^\s*([-+−]?[\d.,]+(?:e[-+]?\d+)?)\s*([^\d\s].*)?$/i.exec(text);

@@ -19,6 +19,8 @@ export function Notes() {
 }
 
 export function LineNotice() {
+  if (line.value === 'refused')
+    return <div class="lost" role="alert">This address is of an earlier run of the studio. Open the address that the studio printed when it was started again; what was not saved is offered there.</div>;
   if (line.value !== 'lost') return null;
   return <div class="lost" role="alert">The connection to the studio is lost; trying again … Your work is kept: if the studio has ended, start it again and open the address that it prints.</div>;
 }

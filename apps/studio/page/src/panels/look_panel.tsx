@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 import { Gauge, Play, Scale } from 'lucide-preact';
-import { cancelWork, setModel, solveFull } from '../document/edits';
+import { cancelWork, solveFull } from '../document/edits';
 import { field, scale, shadows, showFull, showMarks, showRest, strength } from '../document/look';
 import { shapeIndex } from '../document/look';
 import { stop } from '../document/shown';
-import { compared, documentNow, hello, live, others, problem, shapes, working } from '../document/store';
+import { compared, documentNow, live, notTheAnswer, others, problem, shapes, working } from '../document/store';
 import { tryAsk } from '../document/studio';
 import { probed } from '../document/ui';
-import { digits, shown } from '../document/units';
+import { digits, inShownUnits, shown } from '../document/units';
 import { Button, Check } from '../widgets/widgets';
 import { NumberField } from '../widgets/number';
 import { MaterialFields } from './material_fields';
+import { Models } from './models';
 
 const PATH_STEPS = 20;
 const MODE_COUNT = 6;
@@ -54,32 +55,17 @@ async function animate(what: 'path' | 'modes' | 'buckling', more: object): Promi
   if (!(await tryAsk(what, more))) working.value = null;
 }
 
-function Models() {
-  const now = documentNow.value;
-  return (
-    <div class="models" role="radiogroup" aria-label="Model">
-      {(hello.value?.models ?? []).map(({ name, summary, large_displacements }) => (
-        <button key={name} type="button" role="radio" class="model" aria-checked={now?.model === name} data-model={name} onClick={() => setModel(name)}>
-          <b>{name}</b>
-          <span>{summary}</span>
-          {!large_displacements && <em>small displacements</em>}
-        </button>
-      ))}
-    </div>
-  );
-}
-
 function Answer() {
   const now = live.value;
-  if (problem.value) return <p class="trouble">{problem.value}</p>;
+  if (problem.value) return <p class="trouble">{inShownUnits(problem.value)}</p>;
   if (!now) return <p class="hint">Once the surface is painted, held and loaded, what it does stands here.</p>;
   const { info } = now;
+  if (notTheAnswer.value) return <p class="trouble">{notTheAnswer.value}</p>;
   return (
     <>
       <dl class="facts">
         <dt>largest displacement</dt><dd id="largest" data-value={info.largest_displacement}>{shown(info.largest_displacement, 'length')}</dd>
         <dt>computed in</dt><dd>{digits(1000 * info.seconds)} ms</dd>
-        {info.load_factor < 1 && <><dt>share of the load</dt><dd>{digits(100 * info.load_factor)} %</dd></>}
         {info.stable === false && <><dt>stable</dt><dd class="bad">no</dd></>}
       </dl>
       {info.warnings.map((warning) => <p key={warning} class="warning">{warning}</p>)}

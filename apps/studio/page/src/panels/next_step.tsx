@@ -3,7 +3,8 @@
 
 import { isHeld, isLoaded } from '../document/marks';
 import { tilePatterns } from '../document/patterns_now';
-import { documentNow, live, problem, working } from '../document/store';
+import { documentNow, live, notTheAnswer, problem, working } from '../document/store';
+import { inShownUnits } from '../document/units';
 import { mode, type Mode } from '../document/ui';
 
 interface Step {
@@ -19,7 +20,8 @@ function stepNow(): Step | null {
   if (bare > 0) return { text: `${bare} tile${bare > 1 ? 's have' : ' has'} no pattern yet. Pick one at the left and paint.`, action: 'Paint', to: 'paint', tone: 'step' };
   if (!isHeld.value) return { text: 'Next: say where the surface is held.', action: 'Hold it', to: 'hold', tone: 'step' };
   if (!isLoaded.value) return { text: 'Next: load it, and it bends.', action: 'Load it', to: 'load', tone: 'step' };
-  if (problem.value) return { text: problem.value, tone: 'trouble' };
+  if (problem.value) return { text: `There is no answer. ${problem.value}`, tone: 'trouble' };
+  if (notTheAnswer.value) return { text: `What is drawn is not the answer. ${notTheAnswer.value}`, tone: 'trouble' };
   return null;
 }
 
@@ -29,7 +31,7 @@ export function NextStep() {
   const here = step.to === mode.value;
   return (
     <div class={`card next-step ${step.tone}`} role="status">
-      <span>{step.text}</span>
+      <span>{inShownUnits(step.text)}</span>
       {step.action && !here && (
         <button type="button" class="button main" id="next-step" onClick={() => (mode.value = step.to as Mode)}>{step.action}</button>
       )}
@@ -42,6 +44,6 @@ export function Status() {
   const busy = working.value;
   const now = live.value;
   if (busy) return <span class="status" aria-live="polite"><i class="pulse" />computing {busy.background ? 'in the background' : busy.model} {busy.share > 0.02 ? `${Math.round(100 * busy.share)} %` : ''}</span>;
-  if (problem.value || !now) return <span class="status" />;
+  if (notTheAnswer.value || !now) return <span class="status" />;
   return <span class="status" data-tip="Time of the last answer of the live model"><i class="ready" />{Math.max(1, Math.round(1000 * now.info.seconds))} ms</span>;
 }

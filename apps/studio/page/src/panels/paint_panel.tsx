@@ -11,6 +11,7 @@ import { orderedPalette } from '../gallery/order';
 import { byChance, byImage } from '../painting/assign';
 import { readImage } from '../painting/read_image';
 import { Button, Choice } from '../widgets/widgets';
+import { obstacle } from './models';
 
 const targets = (): number[] => {
   const chosen = [...selectedTiles.peek()];
@@ -60,7 +61,7 @@ export function PaintPanel() {
         {chosen.size > 0 && (
           <div class="field"><span>Computed as</span>
             <Choice label="Model of the selected tiles" value={model} onPick={(name) => setTileModel([...chosen], name)}
-              options={[{ value: '', title: 'like all others' }, ...models.map(({ name }) => ({ value: name, title: name }))]} />
+              options={[{ value: '', title: 'like all others' }, ...models.filter(({ share }) => !share).map((one) => ({ value: one.name, title: one.name, disabled: obstacle(one) !== null }))]} />
           </div>
         )}
       </footer>

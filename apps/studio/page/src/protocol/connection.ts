@@ -4,7 +4,7 @@
 import { decode, type Beams, type Solution } from './binary';
 import type { Answer, ServerEvent } from './messages';
 
-export type LineState = 'connecting' | 'open' | 'lost';
+export type LineState = 'connecting' | 'open' | 'lost' | 'refused';
 
 export interface Listener {
   state(state: LineState): void;
@@ -12,6 +12,8 @@ export interface Listener {
   binary(message: Beams | Solution): void;
   /** Called after every (re)connection, before anything else is asked. */
   opened(): void;
+  /** Whether a server answers that does not take this page: then it is not tried again. */
+  isRefused(): Promise<boolean>;
 }
 
 interface Waiting {
@@ -43,7 +45,7 @@ export class Connection {
       this.listener.opened();
     };
     socket.onmessage = (message: MessageEvent<string | ArrayBuffer>) => this.receive(message.data);
-    socket.onclose = () => this.lost();
+    socket.onclose = () => void this.lost();
     this.socket = socket;
   }
 
@@ -78,10 +80,11 @@ export class Connection {
     else waiting?.reject(new Error(answer.error));
   }
 
-  private lost(): void {
+  private async lost(): Promise<void> {
     this.listener.state('lost');
     for (const waiting of this.waiting.values()) waiting.reject(new Error('The connection to the studio was cut.'));
     this.waiting.clear();
+    if (await this.listener.isRefused()) return this.listener.state('refused');
     setTimeout(() => this.open(), this.pause);
     this.pause = Math.min(2 * this.pause, LONGEST_PAUSE_MS);
   }

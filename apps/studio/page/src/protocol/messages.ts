@@ -76,6 +76,10 @@ export interface TileModel {
   name: string;
   summary: string;
   large_displacements: boolean;
+  /** What is fitted to the responses of a pattern: without a library of these the model cannot be used. */
+  parameters?: { name: string; unit: string }[];
+  /** Its name is followed by `:` and the share of tiles that have all of their bars, 0 to 1. */
+  share?: boolean;
 }
 export interface Example {
   name: string;
@@ -88,9 +92,20 @@ export interface Hello {
   examples: Example[];
   layouts: string[];
   has_library: boolean;
-  can_recover?: boolean;
+  recoverable?: Recoverable[];
   /** Endings of files that it exports, such as ".svg". */
   exports?: string[];
+}
+
+/** A document with changes that were not saved. */
+export interface Recoverable {
+  key: string;
+  name: string;
+  /** Of its file; null: it has none. */
+  path: string | null;
+  /** Seconds since 1970. */
+  time: number;
+  tiles: number;
 }
 
 export interface Stiffness {

@@ -3,9 +3,10 @@
 
 import { signal } from '@preact/signals';
 import { FileUp } from 'lucide-preact';
-import { shown } from '../document/units';
+import { inShownUnits, shown } from '../document/units';
 import { Button, Choice } from '../widgets/widgets';
 import { NumberField } from '../widgets/number';
+import { setReadable, sizeAdvice, unreadable } from './tile_size';
 import { height, measured, outline, outlineTrouble, setWidth, tilesAbout, tileSize, width, type Measured } from './outline';
 
 export const painting = signal<'random' | 'bare'>('random');
@@ -22,7 +23,8 @@ interface Props {
 
 export function NewFromOutline({ busy, choose, take, make }: Props) {
   const file = outline.value;
-  const wrong = outlineTrouble.value !== null;
+  const advice = sizeAdvice.value;
+  const wrong = outlineTrouble.value !== null || unreadable.value.size > 0 || advice?.isPossible === false;
   return (
     <div class={`drop${over.value ? ' over' : ''}${file ? ' taken' : ''}`}
       onDragOver={(event) => { event.preventDefault(); over.value = true; }} onDragLeave={() => (over.value = false)}
@@ -39,9 +41,10 @@ export function NewFromOutline({ busy, choose, take, make }: Props) {
       </button>
       <div class="drop-options">
         {file && measured.value && (
-          <label class="field"><span>Width of the surface</span><NumberField id="outline-width" label="Width of the surface" least={LEAST_LENGTH} value={width.value} quantity="length" onChange={setWidth} /></label>
+          <label class="field"><span>Width of the surface</span><NumberField id="outline-width" label="Width of the surface" least={LEAST_LENGTH} value={width.value} quantity="length" onChange={setWidth} onReadable={(is) => setReadable('width', is)} /></label>
         )}
-        <label class="field"><span>Side of the tiles</span><NumberField id="tile-size" label="Side of the tiles" least={LEAST_LENGTH} value={tileSize.value} quantity="length" onChange={(value) => (tileSize.value = value)} /></label>
+        <label class="field"><span>Side of the tiles</span><NumberField id="tile-size" label="Side of the tiles" least={LEAST_LENGTH} value={tileSize.value} quantity="length" onChange={(value) => (tileSize.value = value)} onReadable={(is) => setReadable('tiles', is)} /></label>
+        {advice && <p class={advice.isPossible ? 'hint' : 'drop-trouble'} role="status" id="size-advice">{advice.words}</p>}
         <div class="field"><span>Patterns</span>
           <Choice label="Patterns to begin with" value={painting.value} onPick={(value) => (painting.value = value)}
             options={[{ value: 'random', title: 'a mix to begin with' }, { value: 'bare', title: 'none, I paint' }]} />
@@ -54,11 +57,12 @@ export function NewFromOutline({ busy, choose, take, make }: Props) {
 
 function Told({ name }: { name: string }) {
   const now = measured.value;
-  if (outlineTrouble.value) return <span><b>{name}</b><br /><span class="drop-trouble" role="alert" id="outline-trouble">{outlineTrouble.value}</span></span>;
+  if (outlineTrouble.value) return <span><b>{name}</b><br /><span class="drop-trouble" role="alert" id="outline-trouble">{inShownUnits(outlineTrouble.value)}</span></span>;
   return (
     <span>
       <b>{name}</b><br />
       {now && <>{shown(width.value, 'length')} × {shown(height.value, 'length')}{width.value !== now.size[0] && <>, drawn {shown(now.size[0], 'length')} wide</>}<br /></>}
+      {now?.remarks?.map((remark) => <span key={remark} class="remark">{inShownUnits(remark)}<br /></span>)}
       another one …
     </span>
   );

@@ -12,6 +12,8 @@ export interface Measured {
   /** Width and height as drawn, in metres. */
   size: Point;
   loops: Point[][];
+  /** What was done to the drawing. */
+  remarks?: string[];
 }
 export const outline = signal<File | null>(null);
 export const measured = signal<Measured | null>(null);

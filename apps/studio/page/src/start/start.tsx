@@ -2,10 +2,13 @@
 // Where work begins: an example, an outline of one's own, or a project that is there.
 
 import { signal } from '@preact/signals';
-import { FolderOpen, History, X } from 'lucide-preact';
+import { FolderOpen, X } from 'lucide-preact';
 import { openUpload } from '../document/files';
 import { documentNow, hello, line } from '../document/store';
 import { ask } from '../document/studio';
+import { tell } from '../document/tell';
+import { inShownUnits } from '../document/units';
+import { leave } from '../manners/unsaved';
 import { mode, selectedNodes, selectedTiles, startOpen } from '../document/ui';
 import { Button } from '../widgets/widgets';
 import { Mark } from '../panels/top_bar';
@@ -14,6 +17,7 @@ import type { PatternTable } from '../protocol/messages';
 import { ExampleDrawing } from './example_drawing';
 import { NewFromOutline, painting } from './new_from_outline';
 import { outline, outlineRequest, takeOutline, tileSize } from './outline';
+import { RecoverList } from './recover_list';
 import './start.css';
 
 const busy = signal<string | null>(null);
@@ -22,10 +26,13 @@ const PALETTE_SIZE = 24;
 const OUTLINES = '.svg,.dxf,.obj,.ply,.off,.json';
 
 async function begin(words: string, what: string, more: object): Promise<void> {
+  const left = await leave();
+  if (!left) return;
   busy.value = words;
   trouble.value = null;
   try {
-    await ask(what, more);
+    const { remarks } = await ask<{ remarks?: string[] }>(what, { ...more, ...left });
+    if (remarks?.length) tell(`${outline.peek()?.name ?? 'The outline'}: ${remarks.join('; ')}.`, 'warning');
     selectedNodes.value = new Set();
     selectedTiles.value = new Set();
     mode.value = 'paint';
@@ -58,7 +65,10 @@ export async function takeFile(file: File): Promise<void> {
   startOpen.value = true;
   const isProject = file.name.endsWith('.json') && (await file.slice(0, 4000).text()).includes('fretwork/project');
   if (!isProject) await takeOutline(file);
-  else if (await openUpload(file)) startOpen.value = false;
+  else {
+    const left = await leave();
+    if (left && (await openUpload(file, left))) startOpen.value = false;
+  }
 }
 
 function choose(accept: string, take: (file: File) => void): void {
@@ -81,7 +91,8 @@ export function Start() {
           </div>
           {documentNow.value && <Button kind="bare" title="Back" shortcut="Esc" icon={X} onPress={close} />}
         </header>
-        {trouble.value && <p class="trouble" role="alert" id="start-trouble">{trouble.value}</p>}
+        {trouble.value && <p class="trouble" role="alert" id="start-trouble">{inShownUnits(trouble.value)}</p>}
+        <RecoverList busy={busy.value !== null} open={(key) => void begin('Opening …', 'recover', { key })} />
         <h2>Start from an example</h2>
         <div class="examples">
           {(info?.examples ?? []).map((example) => (
@@ -97,9 +108,6 @@ export function Start() {
         <NewFromOutline busy={busy.value !== null} choose={() => choose(OUTLINES, (one) => void takeFile(one))} take={(file) => void takeFile(file)} make={() => void fromOutline()} />
         <div class="start-foot">
           <Button kind="bare" title="A project file of this machine" icon={FolderOpen} label="Open a project …" onPress={() => choose('.json', (file) => void takeFile(file))} />
-          {info?.can_recover && !documentNow.value && (
-            <Button kind="bare" title="What was open when the studio ended" icon={History} label="Continue where you stopped" onPress={() => void begin('Opening …', 'recover', {})} />
-          )}
           {busy.value && <span class="busy" role="status"><i class="pulse" />{busy.value}</span>}
         </div>
       </div>

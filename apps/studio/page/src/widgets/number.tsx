@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-import { useState } from 'preact/hooks';
-import { digits, typed, unitOf, type Quantity } from '../document/units';
+import { useEffect, useState } from 'preact/hooks';
+import { digits, shown, typed, unitOf, type Quantity } from '../document/units';
 
 interface NumberProps {
   label: string;
@@ -10,20 +10,26 @@ interface NumberProps {
   onChange: (value: number) => void;
   narrow?: boolean;
   least?: number;
+  most?: number;
+  /** Told whether what stands in the field can be taken. */
+  onReadable?: (isReadable: boolean) => void;
   id?: string;
 }
 
-/** A number with its unit. Enter or leaving the field takes it, Escape puts the old one back, arrow keys change it by a tenth. */
-export function NumberField({ label, value, quantity, onChange, narrow, least, id }: NumberProps) {
+/** A number with its unit. Enter or leaving the field takes it; what cannot be taken stays, and is told. Escape puts the old one back, arrow keys change it by a tenth. */
+export function NumberField({ label, value, quantity, onChange, narrow, least, most, onReadable, id }: NumberProps) {
   const [draft, setDraft] = useState<string | null>(null);
   const unit = unitOf(quantity);
   const text = draft ?? digits(value * unit.per, 4).replace(/(\.\d*?)0+$/, '$1').replace(/\.$/, '');
   const read = draft === null ? value : typed(draft, quantity);
-  const wrong = read === null || (least !== undefined && read < least);
+  const wrong = read === null || (least !== undefined && read < least) || (most !== undefined && read > most);
+  useEffect(() => onReadable?.(!wrong), [wrong]);
   const commit = () => {
-    if (draft !== null && !wrong && read !== value) onChange(read as number);
+    if (wrong) return;
+    if (draft !== null && read !== value) onChange(read as number);
     setDraft(null);
   };
+  const advice = read === null ? `This is no number${unit.name ? ` in ${unit.name}` : ''}.` : most !== undefined && read > most ? `${shown(most, quantity)} or less, please.` : `${shown(least, quantity)} or more, please.`;
   const keys = (event: KeyboardEvent) => {
     if (event.key === 'Enter') commit();
     if (event.key === 'Escape') setDraft(null);
@@ -31,7 +37,7 @@ export function NumberField({ label, value, quantity, onChange, narrow, least, i
       event.preventDefault();
       const step = 10 ** Math.floor(Math.log10(Math.abs((read as number) * unit.per) || 1)) / 10 / unit.per;
       setDraft(null);
-      onChange(Math.max((read as number) + (event.key === 'ArrowUp' ? step : -step), least ?? -Infinity));
+      onChange(Math.min(Math.max((read as number) + (event.key === 'ArrowUp' ? step : -step), least ?? -Infinity), most ?? Infinity));
     }
     event.stopPropagation();
   };
@@ -40,6 +46,7 @@ export function NumberField({ label, value, quantity, onChange, narrow, least, i
       <input id={id} inputMode="decimal" aria-label={`${label}${unit.name ? `, in ${unit.name}` : ''}`} class={wrong ? 'wrong' : ''} aria-invalid={wrong} value={text} style={{ width: `${(narrow ? 52 : 66) + 8 * unit.name.length + 12}px`, paddingRight: `${17 + 8 * unit.name.length}px` }}
         onFocus={(event) => event.currentTarget.select()} onInput={(event) => setDraft(event.currentTarget.value)} onBlur={commit} onKeyDown={keys} />
       <i>{unit.name}</i>
+      {wrong && <b class="number-advice" role="alert">{advice} Escape puts {digits(value * unit.per, 4)} back.</b>}
     </span>
   );
 }

@@ -84,7 +84,7 @@ export function Check({ label, value, onChange, tip }: CheckProps) {
 interface ChoiceProps<T extends string> {
   label: string;
   value: T;
-  options: { value: T; title: string }[];
+  options: { value: T; title: string; disabled?: boolean }[];
   onPick: (value: T) => void;
   id?: string;
 }
@@ -92,7 +92,7 @@ export function Choice<T extends string>({ label, value, options, onPick, id }: 
   return (
     <select id={id} class="choice" aria-label={label} value={value} onChange={(event) => onPick(event.currentTarget.value as T)}>
       {options.map((option) => (
-        <option key={option.value} value={option.value}>{option.title}</option>
+        <option key={option.value} value={option.value} disabled={option.disabled}>{option.title}</option>
       ))}
     </select>
   );

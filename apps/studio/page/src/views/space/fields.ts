@@ -30,6 +30,8 @@ export const FIELDS: FieldRow[] = [
   { name: 'utilization', title: 'Utilization', quantity: 'share', map: 'sizes', on: 'bars' },
   { name: 'error', title: 'Error against the full model', quantity: 'length', map: 'sizes', on: 'nodes' },
 ];
+/** How far nodes of a mode move, against the one that moves most: a mode has no size. */
+export const MODE_ROW: FieldRow = { name: 'displacement', title: 'Shape of the mode, without a size', quantity: 'plain', map: 'sizes', on: 'nodes' };
 export const fieldRow = (name: FieldName): FieldRow => FIELDS.find((row) => row.name === name) as FieldRow;
 
 /** Whether there is something to show: what bars bear comes when it is asked for. */

@@ -12,7 +12,7 @@ import { activeEntry, mode, selectedNodes } from '../../document/ui';
 import { theme, themeColour } from '../../manners/theme';
 import type { Beams } from '../../protocol/binary';
 import { Bars } from './bars';
-import { FieldValues, fieldRow, available } from './fields';
+import { FieldValues, fieldRow, available, MODE_ROW } from './fields';
 import { GapFiller } from './fill_gaps';
 import { arrowScale, MarksView, type ArrowScale } from './marks_view';
 import { handles } from './handles';
@@ -103,12 +103,19 @@ export class SceneView {
   }
 
   private colour(name: FieldName, now: NonNullable<typeof shown.value>): void {
+    if (shapes.value && shapes.value.kind !== 'path') return this.colourMode(name, now);
     const row = fieldRow(name);
     const error = compared.value?.solution?.nodeFields[0] ?? null;
     const usable = available(row, error !== null);
     const values = usable ? this.values.take(row, now.solution, now.fields, { error, strength: strength.value }) : null;
     this.main.setColours(values, row.map);
     legend.value = values && { row, low: values.low, high: values.high };
+  }
+
+  private colourMode(name: FieldName, now: NonNullable<typeof shown.value>): void {
+    const values = name === 'plain' ? null : this.values.take(MODE_ROW, now.solution, [], { error: null, strength: 1 });
+    this.main.setColours(values, MODE_ROW.map);
+    legend.value = values && { row: MODE_ROW, low: 0, high: 1 };
   }
 
   private gaps(bars: Beams): GapFiller | null {

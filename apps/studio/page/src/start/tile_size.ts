@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Whether tiles of the wanted size suit the outline, before anything is made.
+
+import { computed, signal } from '@preact/signals';
+import { digits, shown } from '../document/units';
+import { areaWithin, HEXAGON } from './fitting_side';
+import { measured, tilesAbout, tileSize, width } from './outline';
+
+/** The program takes no more. */
+const MOST_TILES = 100_000;
+/** The studio follows edits of these without waiting. */
+const QUICK_TILES = 3000;
+const FEWEST_TILES = 3;
+
+/** Fields whose text is no length, by name. */
+export const unreadable = signal<ReadonlySet<string>>(new Set());
+export function setReadable(name: string, isReadable: boolean): void {
+  if (unreadable.peek().has(name) !== isReadable) return;
+  const next = new Set(unreadable.peek());
+  if (isReadable) next.delete(name);
+  else next.add(name);
+  unreadable.value = next;
+}
+
+export interface SizeAdvice {
+  words: string;
+  isPossible: boolean;
+}
+
+function sideFor(tiles: number): number {
+  const now = measured.peek();
+  if (!now) return 0;
+  const scale = width.value / now.size[0];
+  return Number(Math.sqrt((areaWithin(now.loops) * scale * scale) / (HEXAGON * tiles)).toPrecision(2));
+}
+
+export const sizeAdvice = computed<SizeAdvice | null>(() => {
+  const tiles = tilesAbout.value;
+  if (tiles === null) return null;
+  if (tiles > MOST_TILES) {
+    return { words: `That would be ${digits(tiles)} tiles, and ${MOST_TILES} are the most: choose a side of ${shown(sideFor(MOST_TILES), 'length')} or more.`, isPossible: false };
+  }
+  if (tiles < FEWEST_TILES) {
+    return { words: `A side of ${shown(tileSize.value, 'length')} is too large for this surface: choose ${shown(sideFor(10 * FEWEST_TILES), 'length')} or less.`, isPossible: false };
+  }
+  if (tiles > QUICK_TILES) return { words: `So many tiles take seconds for each edit. With a side of ${shown(sideFor(QUICK_TILES / 3), 'length')} it stays quick.`, isPossible: true };
+  return null;
+});

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Documents that were not saved when a studio ended, or when another document took their place.
+#include "document_json.hpp"
+#include "studio_impl.hpp"
+
+#include <fretwork/base/error.hpp>
+#include <fretwork/simulation/project_library.hpp>
+
+#include <algorithm>
+
+namespace fretwork::studio {
+
+namespace fs = std::filesystem;
+using base::Json;
+
+namespace {
+
+/// Whether a file was written after an autosave of it: then the autosave is not what people want to see
+/// first.
+bool is_newer(const fs::path& file, const Recoverable& autosave) {
+    std::error_code unknown;
+    return std::chrono::file_clock::to_sys(fs::last_write_time(file, unknown)) > autosave.time;
+}
+
+}  // namespace
+
+Studio::Impl::Opened Studio::Impl::read_document(const fs::path& path) {
+    const fs::path file = fs::absolute(path).lexically_normal();
+    const auto project = simulation::read_checked_project(file.string());
+    Opened saved{Document(make_state(project, folder_of(file)), file, next_revision())};
+    const auto all = find_recoverable(options_.state_folder);
+    const auto found =
+        std::ranges::find_if(all, [&](const Recoverable& one) { return one.label.document == file; });
+    if (found == all.end() || is_newer(file, *found)) return saved;
+    auto place = AutosavePlace::take_over(found->file);
+    if (!place) return saved;
+    try {
+        State changed = read_autosave(found->file);
+        return {Document::recovered(std::move(saved.document), std::move(changed)), std::move(place)};
+    } catch (const base::Error& error) {  // what lies in the file can be opened all the same
+        broadcast(Json{{"event", "warning"}, {"text", error.what()}});
+        return saved;
+    }
+}
+
+Json Studio::Impl::recoverable_json() const {
+    Json list = Json::array();
+    for (const Recoverable& one : find_recoverable(options_.state_folder)) {
+        const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(one.time.time_since_epoch());
+        list.push_back({{"key", one.key},
+                        {"name", one.label.name},
+                        {"path", one.label.document ? Json(one.label.document->string()) : Json()},
+                        {"time", seconds.count()},
+                        {"tiles", one.tiles}});
+    }
+    return list;
+}
+
+Recoverable Studio::Impl::find(const base::JsonReader& key) const {
+    for (Recoverable& one : find_recoverable(options_.state_folder)) {
+        if (one.key == key.string()) return std::move(one);
+    }
+    throw base::InputError("this is not there any more, or another studio shows it");
+}
+
+/// Where its file is there, to undo the changes is to have what lies in it.
+Studio::Impl::Opened Studio::Impl::recovered(const Recoverable& found) {
+    auto place = AutosavePlace::take_over(found.file);
+    if (!place) throw base::InputError("another studio shows it now");
+    State changed = read_autosave(found.file);
+    const auto& file = found.label.document;
+    if (file && fs::exists(*file)) {
+        const auto project = simulation::read_checked_project(file->string());
+        Document saved(make_state(project, folder_of(file)), file, next_revision());
+        return {Document::recovered(std::move(saved), std::move(changed)), std::move(place)};
+    }
+    return {Document(std::move(changed), {}, next_revision()).named(found.label.name), std::move(place)};
+}
+
+void Studio::Impl::recover(const Request& request) {
+    request.json.allow_only({"id", "do", "key", "discard"});
+    Opened next = recovered(find(request.json.at("key")));
+    answer(request);
+    replace(request, std::move(next));
+}
+
+void Studio::Impl::recoverable(const Request& request) {
+    request.json.allow_only({"id", "do"});
+    answer(request, {{"recoverable", recoverable_json()}});
+}
+
+void Studio::Impl::forget(const Request& request) {
+    request.json.allow_only({"id", "do", "key"});
+    const Recoverable found = find(request.json.at("key"));
+    if (const auto place = AutosavePlace::take_over(found.file)) autosave_.forget(found.file);
+    answer(request, {{"recoverable", recoverable_json()}});
+}
+
+}  // namespace fretwork::studio
