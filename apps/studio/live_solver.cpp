@@ -157,7 +157,9 @@ void LiveSolver::solve(const Attempt& attempt) {
     update_beams(input);
     auto solved = std::make_shared<SolvedSurface>();
     solved->result = result_of(attempt);
-    if (is_unchecked(solved->result) && attempt.check == mechanics::StabilityCheck::Left) unchecked_ = input;
+    if (is_unchecked(solved->result) && solved->result.solution.converged() &&
+        attempt.check == mechanics::StabilityCheck::Left)
+        unchecked_ = input;
     solved->model = *input.situation.state->model;
     solved->revision = input.revision;
     solved->beams_revision = beams_revision_;

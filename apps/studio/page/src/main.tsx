@@ -4,7 +4,7 @@ import { render } from 'preact';
 import { App } from './app';
 import { takeLatencies } from './document/latency';
 import * as store from './document/store';
-import { cut, start } from './document/studio';
+import { ask, cut, start } from './document/studio';
 import { surface } from './document/surface';
 import { watchKeys } from './manners/shortcuts';
 import { watchClosing } from './manners/unsaved';
@@ -27,6 +27,7 @@ const forTests = {
   store,
   scene: currentScene,
   cut,
+  ask,
   /** The surface in space is not drawn but now, where a test has paused it. */
   drawFine: (samples: number) => currentScene.value?.stage.drawFine(samples),
   planePlace: (tile: number): Point => toScreen(viewport.value, surface.value?.centers[tile] ?? [0, 0]),

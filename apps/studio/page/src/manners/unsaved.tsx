@@ -24,7 +24,9 @@ export async function leave(): Promise<{ discard?: true } | null> {
 /** The browser asks in its own words before the tab is closed. */
 export function watchClosing(): void {
   window.addEventListener('beforeunload', (event) => {
-    if (isUnsaved()) event.preventDefault();
+    if (!isUnsaved()) return;
+    event.preventDefault();
+    event.returnValue = true; // what browsers before 2023 look at
   });
 }
 

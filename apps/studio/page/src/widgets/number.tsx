@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 import { useEffect, useState } from 'preact/hooks';
-import { digits, shown, typed, unitOf, type Quantity } from '../document/units';
+import { digits, typed, unitOf, type Quantity } from '../document/units';
+
+const MOST_DIGITS = 4;
+const short = (value: number): string => digits(value, MOST_DIGITS).replace(/(\.\d*?)0+$/, '$1').replace(/\.$/, '');
 
 interface NumberProps {
   label: string;
@@ -20,7 +23,7 @@ interface NumberProps {
 export function NumberField({ label, value, quantity, onChange, narrow, least, most, onReadable, id }: NumberProps) {
   const [draft, setDraft] = useState<string | null>(null);
   const unit = unitOf(quantity);
-  const text = draft ?? digits(value * unit.per, 4).replace(/(\.\d*?)0+$/, '$1').replace(/\.$/, '');
+  const text = draft ?? short(value * unit.per);
   const read = draft === null ? value : typed(draft, quantity);
   const wrong = read === null || (least !== undefined && read < least) || (most !== undefined && read > most);
   useEffect(() => onReadable?.(!wrong), [wrong]);
@@ -29,7 +32,8 @@ export function NumberField({ label, value, quantity, onChange, narrow, least, m
     if (draft !== null && read !== value) onChange(read as number);
     setDraft(null);
   };
-  const advice = read === null ? `This is no number${unit.name ? ` in ${unit.name}` : ''}.` : most !== undefined && read > most ? `${shown(most, quantity)} or less, please.` : `${shown(least, quantity)} or more, please.`;
+  const bound = (limit: number) => `${short(limit * unit.per)} ${unit.name}`;
+  const advice = read === null ? `This is no number${unit.name ? ` in ${unit.name}` : ''}.` : most !== undefined && read > most ? `${bound(most)} or less, please.` : `${bound(least ?? 0)} or more, please.`;
   const keys = (event: KeyboardEvent) => {
     if (event.key === 'Enter') commit();
     if (event.key === 'Escape') setDraft(null);
@@ -46,7 +50,7 @@ export function NumberField({ label, value, quantity, onChange, narrow, least, m
       <input id={id} inputMode="decimal" aria-label={`${label}${unit.name ? `, in ${unit.name}` : ''}`} class={wrong ? 'wrong' : ''} aria-invalid={wrong} value={text} style={{ width: `${(narrow ? 52 : 66) + 8 * unit.name.length + 12}px`, paddingRight: `${17 + 8 * unit.name.length}px` }}
         onFocus={(event) => event.currentTarget.select()} onInput={(event) => setDraft(event.currentTarget.value)} onBlur={commit} onKeyDown={keys} />
       <i>{unit.name}</i>
-      {wrong && <b class="number-advice" role="alert">{advice} Escape puts {digits(value * unit.per, 4)} back.</b>}
+      {wrong && <b class="number-advice" role="alert">{advice} Escape puts {short(value * unit.per)} back.</b>}
     </span>
   );
 }

@@ -58,6 +58,7 @@ test('outlines of each kind are dropped and become tiles', async (t) => {
     await page.waitForSelector(`text=${name}`);
     const before = await page.evaluate(() => window.fretwork.store.revision.value);
     await page.click('#make');
+    if (before > 0) await page.click('#unsaved-discard');
     await page.waitForFunction((old) => window.fretwork.store.revision.value > old, before);
     assert.ok((await read(page, 'tiles')).length > 20, `${name} is covered with tiles`);
   }

@@ -23,24 +23,35 @@ mkdirSync(pictures, { recursive: true });
 export const fretwork = (...words) => execFileSync(program, words, { encoding: 'utf8' });
 export const folder = () => mkdtempSync(join(tmpdir(), 'fretwork-page-'));
 
-/** Starts `fretwork studio`, and ends it when the test ends. */
+/** Starts `fretwork studio`, and ends it when the test ends. What it keeps lies in a folder of the test's own. */
 export async function startStudio(test, ...words) {
   const place = folder();
-  const process = spawn(program, ['studio', '--no-browser', '--page', page, ...words], { cwd: place, stdio: ['ignore', 'pipe', 'inherit'] });
-  test.after(() => {
-    process.kill();
-    rmSync(place, { recursive: true, force: true });
+  test.after(() => rmSync(place, { recursive: true, force: true }));
+  return startStudioIn(test, place, ...words);
+}
+
+/** The same where a studio has been before. */
+export async function startStudioIn(test, place, ...words) {
+  const studio = spawn(program, ['studio', '--no-browser', '--page', page, ...words], {
+    cwd: place, stdio: ['ignore', 'pipe', 'inherit'], env: { ...process.env, XDG_STATE_HOME: join(place, 'state') },
   });
+  const ended = new Promise((done) => studio.on('exit', done));
+  /** As a crash ends it. */
+  const kill = () => {
+    studio.kill('SIGKILL');
+    return ended;
+  };
+  test.after(kill);
   const address = await new Promise((done, fail) => {
     let text = '';
-    process.stdout.on('data', (data) => {
+    studio.stdout.on('data', (data) => {
       text += data;
       const found = /http\S+/.exec(text);
       if (found) done(found[0]);
     });
-    process.on('exit', (code) => fail(new Error(`fretwork studio ended with ${code}: ${text}`)));
+    studio.on('exit', (code) => fail(new Error(`fretwork studio ended with ${code}: ${text}`)));
   });
-  return { address, place };
+  return { address, place, kill };
 }
 
 /** A page. Without a graphics card drawing takes seconds, so the surface in space is drawn for pictures alone. */

@@ -33,7 +33,7 @@ export class SceneView {
   arrows: ArrowScale = { force: 1, moment: 1 };
   /** While an arrow is dragged, its scale stays. */
   dragging = false;
-  private readonly main = new Bars({ colour: '#777', opacity: 1 });
+  readonly main = new Bars({ colour: '#777', opacity: 1 });
   private readonly full = new Bars({ colour: GREY, opacity: 1 });
   private readonly rest = new Bars({ colour: GREY, opacity: 0.25 });
   private readonly all = [this.main, this.full, this.rest];

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Nothing is lost, and nothing is shown that is not so.
+
+import assert from 'node:assert/strict';
+import { join } from 'node:path';
+import { test } from 'node:test';
+import { drop, edit, makeProject, openPage, picture, read, solved, startStudio, startStudioIn } from './studio.mjs';
+
+const SQUARE = '<svg xmlns="http://www.w3.org/2000/svg" width="200mm" height="200mm" viewBox="0 0 200 200"><path d="M0 0H200V200H0Z"/></svg>';
+/** Written within half a second of an edit. */
+const KEPT_MS = 900;
+
+async function makeSquare(page, name = 'square.svg') {
+  await drop(page, name, SQUARE);
+  await page.waitForSelector('.outline-preview');
+  await page.click('#make');
+}
+const undoLabel = async (page) => (await read(page, 'history')).undo;
+const hasDocument = (page, name) => page.waitForFunction((wanted) => window.fretwork.store.documentNow.value?.name === wanted, name);
+const paintFirst = (page, pattern = '0-5+5-6') => edit(page, () => page.evaluate((id) => window.fretwork.ask('paint', { tiles: [0], pattern: id }), pattern));
+
+test('after a crash every surface that was not saved is offered, opened, or dropped', async (t) => {
+  const project = makeProject('40mm');
+  const first = await startStudio(t, project);
+  const page = await openPage(t, first.address);
+  await solved(page);
+  await paintFirst(page);
+  await page.waitForTimeout(KEPT_MS);
+  await makeSquare(page);
+  assert.match(await page.textContent('[role=alertdialog]'), /surface/);
+  await page.click('#unsaved-stay');
+  assert.equal(await read(page, 'name'), 'surface');
+  // Another page does not ask: what it replaces stays recoverable.
+  await page.evaluate((text) => window.fretwork.ask('new', { outline: { name: 'square.svg', text_base64: btoa(text) }, tile_size: 0.026 }), SQUARE);
+  await hasDocument(page, 'square');
+  await page.waitForTimeout(KEPT_MS);
+  await first.kill();
+
+  const { address } = await startStudioIn(t, first.place);
+  const again = await openPage(t, address);
+  await again.waitForSelector('.recover');
+  assert.deepEqual((await again.$$eval('.recover b', (names) => names.map((name) => name.textContent))).sort(), ['square', 'surface']);
+  assert.match(await again.textContent('.recoverable'), /tiles, today/);
+  await picture(again, '17-recover', 0);
+  await again.click('[data-tip="Drop square for good"], [aria-label="Drop square for good"]');
+  await again.waitForFunction(() => document.querySelectorAll('.recover').length === 1);
+  await again.click('.recover');
+  await hasDocument(again, 'surface');
+  await solved(again);
+  assert.equal(await undoLabel(again), 'changes that were not saved');
+  await edit(again, () => again.click('#undo'));
+  assert.equal(await read(again, 'saved'), true);
+});
+
+test('before an unsaved surface is replaced, it is asked about', async (t) => {
+  const { address, place } = await startStudio(t);
+  const page = await openPage(t, address);
+  await page.click('[data-example=bridge]');
+  await solved(page);
+  await page.click('.document-name');
+  await page.click('[data-example=leaf]');
+  await page.waitForFunction(() => window.fretwork.store.documentNow.value?.name.includes('eaf'));
+  await solved(page);
+  await paintFirst(page);
+  const name = await read(page, 'name');
+
+  await page.click('.document-name');
+  await page.click('[data-example=dome]');
+  await page.waitForSelector('#unsaved-save:focus');
+  await picture(page, '18-unsaved', 0);
+  await page.keyboard.press('Escape');
+  await page.waitForSelector('[role=alertdialog]', { state: 'detached' });
+  assert.equal(await read(page, 'name'), name);
+
+  const path = join(place, 'kept.json');
+  page.once('dialog', (dialog) => dialog.accept(path));
+  await page.click('[data-example=dome]');
+  await page.click('#unsaved-save');
+  await page.waitForFunction((old) => window.fretwork.store.documentNow.value.name !== old && window.fretwork.store.documentNow.value.name !== 'kept', name);
+  await page.evaluate((file) => window.fretwork.ask('open', { path: file }), path);
+  await hasDocument(page, 'kept');
+
+  await solved(page);
+  await paintFirst(page, '0-1+1-3+1-6');
+  const asked = page.waitForEvent('dialog');
+  void page.close({ runBeforeUnload: true });
+  const dialog = await asked;
+  assert.equal(dialog.type(), 'beforeunload');
+  await dialog.dismiss();
+});
+
+test('an address of an earlier run says so, and is not tried again', async (t) => {
+  const project = makeProject('40mm');
+  const first = await startStudio(t, project);
+  const page = await openPage(t, first.address);
+  await solved(page);
+  const port = new URL(first.address).port;
+  await first.kill();
+  await page.waitForSelector('.lost');
+  const [bar, notice] = await Promise.all(['.top-bar', '.lost'].map((one) => page.locator(one).boundingBox()));
+  assert.ok(notice.y + notice.height <= bar.y + 1, 'the notice stands above the bar and covers nothing');
+  await startStudioIn(t, first.place, '--port', port, project);
+  await page.waitForSelector('text=earlier run');
+  let tries = 0;
+  page.on('websocket', () => ++tries);
+  await page.waitForTimeout(5000);
+  assert.equal(tries, 0);
+});
+
+/** The load case with other supports or loads, sent as it is. */
+const change = (page, part) =>
+  edit(page, () => page.evaluate((more) => {
+    const now = window.fretwork.store.documentNow.value;
+    return window.fretwork.ask('set_load_case', { index: 0, load_case: { ...now.load_cases[0], ...more } });
+  }, part));
+
+test('what is not the answer is not drawn as if it was', async (t) => {
+  const { address } = await startStudio(t, makeProject('40mm'));
+  const page = await openPage(t, address);
+  await solved(page);
+  await page.waitForSelector('.legend-title');
+  const supports = (await read(page, 'load_cases'))[0].supports;
+  const isAtRest = () => page.evaluate(() => window.fretwork.scene.value.main.factor === 0);
+  assert.equal(await isAtRest(), false);
+
+  await change(page, { supports: [{ side: 'left', fixed: ['uz'] }] });
+  await page.waitForSelector('.next-step.trouble');
+  assert.match(await page.textContent('.next-step'), /not held firmly/);
+  assert.equal(await page.locator('.legend-title').count(), 0);
+  assert.equal(await isAtRest(), true);
+  await picture(page, '19-not-held');
+
+  await change(page, { supports, loads: [{ box: [0.3, -10, 0.42, 10], force: [0, 0, -1e6], amount: 'total' }] });
+  await page.waitForSelector('text=What is drawn is not the answer');
+  assert.equal(await page.locator('.legend-title').count(), 0);
+  assert.equal(await isAtRest(), true);
+
+  await edit(page, () => page.click('#undo'));
+  await edit(page, () => page.click('#undo'));
+  await page.waitForSelector('.legend-title');
+  await page.waitForSelector('.next-step', { state: 'detached' });
+  assert.equal(await isAtRest(), false);
+});
+
+test('a mode has a legend without a size', async (t) => {
+  const { address } = await startStudio(t, makeProject('40mm'));
+  const page = await openPage(t, address);
+  await solved(page);
+  await page.click('[data-value=look]');
+  await page.click('text=Modes');
+  await page.waitForSelector('.play-bar');
+  await page.waitForSelector('text=Shape of the mode');
+  assert.doesNotMatch(await page.textContent('.legend-ends'), /mm/);
+  await picture(page, '20-mode', 1);
+});
+
+test('models that cannot be used say why, and the share of a mixed one is chosen', async (t) => {
+  const { address } = await startStudio(t, makeProject('40mm'));
+  const page = await openPage(t, address);
+  await solved(page);
+  await page.click('[data-value=look]');
+  for (const model of ['paper6', 'ring10']) {
+    assert.ok(await page.isDisabled(`[data-model=${model}]`), model);
+    assert.match(await page.textContent(`[data-model=${model}]`), /measured patterns/);
+  }
+  const chosen = await read(page, 'model');
+  await page.click(`[data-model=${chosen}]`);
+  await page.click('[data-model=mixed]');
+  await page.waitForFunction(() => window.fretwork.store.live.value?.info.model === 'mixed:0.1');
+  assert.equal((await read(page, 'history')).undo, 'model mixed:0.1');
+  await page.fill('#mixed-share', '25');
+  await page.press('#mixed-share', 'Enter');
+  await page.waitForFunction(() => window.fretwork.store.live.value?.info.model === 'mixed:0.25');
+  await edit(page, () => page.click('#undo'));
+  await edit(page, () => page.click('#undo'));
+  assert.equal(await undoLabel(page), null, 'to choose the model that is chosen is no step');
+});
+
+test('sizes that make no sense are told in the units of the page, and kept', async (t) => {
+  const { address } = await startStudio(t);
+  const page = await openPage(t, address);
+  await drop(page, 'square.svg', SQUARE);
+  await page.waitForSelector('.outline-preview');
+  for (const [text, words] of [['0.2', /1\smm or more/], ['wide', /no number in mm/]]) {
+    await page.fill('#tile-size', text);
+    await page.press('#tile-size', 'Tab');
+    assert.match(await page.textContent('.number-advice'), words);
+    assert.equal(await page.inputValue('#tile-size'), text);
+    assert.ok(await page.isDisabled('#make'));
+  }
+  await page.fill('#tile-size', '900');
+  await page.press('#tile-size', 'Enter');
+  assert.match(await page.textContent('#size-advice'), /too large.*mm/);
+  assert.ok(await page.isDisabled('#make'));
+  await page.fill('#tile-size', '30');
+  await page.press('#tile-size', 'Enter');
+  await page.click('#make');
+  await hasDocument(page, 'square');
+});
+
+test('what is done to a drawing is told', async (t) => {
+  const { address } = await startStudio(t);
+  const page = await openPage(t, address);
+  await drop(page, 'bow.svg', '<svg xmlns="http://www.w3.org/2000/svg" width="300mm" height="200mm" viewBox="0 0 300 200"><path d="M10 10L290 190L290 10L10 190Z"/></svg>');
+  await page.waitForSelector('.remark');
+  assert.match(await page.textContent('.remark'), /part 1 of 2/);
+  await page.click('#make');
+  await page.waitForSelector('.note.warning');
+  assert.match(await page.textContent('.note.warning'), /part 1 of 2/);
+});
