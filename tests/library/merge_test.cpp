@@ -83,6 +83,7 @@ TEST_F(Merge, RowsThatDifferAreRefusedByName) {
     const std::string complaint = complaint_of([&] { merge(path("ab.db"), Paths{a, b}); });
     EXPECT_THAT(complaint, HasSubstr("b.db"));
     EXPECT_THAT(complaint, HasSubstr("pattern_id 0-1+1-6"));
+    EXPECT_THAT(complaint, HasSubstr("'arithmetic' in the table provenance"));
     EXPECT_FALSE(std::filesystem::exists(path("ab.db")));
     EXPECT_EQ(folder_content(folder_.path()).size(), 2U) << "nothing is left beside the inputs";
 }

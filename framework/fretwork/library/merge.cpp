@@ -47,8 +47,10 @@ void check_agreement(const Database& output, const Table& table, const std::file
     for (int column = 0; column < rows.column_count(); ++column)
         place.push_back(std::string(table.keys[static_cast<std::size_t>(column)]) + " " +
                         std::string(rows.text(column)));
-    throw base::InputError(input.string(), name + " (" + base::join(place, ", ") + ")",
-                           "differs from the same row of another input");
+    throw base::InputError(
+        input.string(), name + " (" + base::join(place, ", ") + ")",
+        "differs from the same row of another input (two runs agree to the bit on processors and "
+        "C libraries of one kind: see 'arithmetic' in the table provenance)");
 }
 
 void copy_rows(Database& output, const Table& table) {

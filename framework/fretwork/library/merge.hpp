@@ -8,10 +8,10 @@
 
 namespace fretwork::library {
 
-/// Merge libraries of one layout and one setting into a new file. Rows that are in several must be equal. The
-/// order of the inputs does not matter. Throws InputError (an output that exists, settings that differ, a row
-/// that differs, by name), IoError, or Stopped; then there is no
-/// output.
+/// Merge libraries of one layout and one setting into a new file. Rows that are in several must be equal, bit
+/// by bit: what rounding does to a path beside a bifurcation, or to a search, has no tolerance. The order of
+/// the inputs does not matter. Throws InputError (an output that exists, settings that differ, a row that
+/// differs, by name), IoError, or Stopped; then there is no output.
 void merge(const std::filesystem::path& output, std::span<const std::filesystem::path> inputs,
            const base::Control& control = {});
 

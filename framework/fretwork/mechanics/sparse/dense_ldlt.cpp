@@ -9,9 +9,14 @@
 #include <cstring>
 
 // The build is for any machine of its architecture; where the compiler can, these loops come in several
-// versions and the machine picks one when the program starts. (The sanitizers do not run that early.)
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__)
-#define FRETWORK_CLONES __attribute__((target_clones("avx512f", "fma", "default")))
+// versions and the machine picks one when the program starts. (The sanitizers do not run that early.) The
+// first two give the same bits (tests/mechanics/instruction_sets_test.cpp): each fuses all products with the
+// sums that they go into, so no sum may be of two products. With avx512f alone, short strips would not be
+// fused.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && __GNUC__ >= 12 && \
+    !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) &&                   \
+    !defined(FRETWORK_ONE_INSTRUCTION_SET)
+#define FRETWORK_CLONES __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
 #else
 #define FRETWORK_CLONES
 #endif
@@ -226,9 +231,14 @@ FRETWORK_INLINE void add_products(const double* matrix, Index stride, Index rows
     int j = 0;
     for (; j + 4 <= count; j += 4) {
         const double* __restrict a = matrix + j * stride;
-        for (Index i = 0; i < rows; ++i)
-            y[i] += (a[i] * x[j] + a[i + stride] * x[j + 1]) +
-                    (a[i + 2 * stride] * x[j + 2] + a[i + 3 * stride] * x[j + 3]);
+        for (Index i = 0; i < rows; ++i) {
+            double sum = y[i];
+            sum += a[i] * x[j];
+            sum += a[i + stride] * x[j + 1];
+            sum += a[i + 2 * stride] * x[j + 2];
+            sum += a[i + 3 * stride] * x[j + 3];
+            y[i] = sum;
+        }
     }
     for (; j < count; ++j) {
         const double* __restrict a = matrix + j * stride;
