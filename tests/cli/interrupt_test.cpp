@@ -177,6 +177,40 @@ TEST(Interrupt, ThatComesWhileTheInputIsReadStopsBeforeAnythingIsWritten) {
     EXPECT_EQ(files_in(folder.path()).size(), before);
 }
 
+TEST(Interrupt, StopsATilingAndLeavesNoFile) {
+    const TemporaryFolder folder;
+    const std::string outline = FRETWORK_SOURCE_DIR "/experiments/outlines/specimen.svg";
+    // Tiles of 1 mm: 18,000 of them, which takes minutes.
+    Running program(folder.path(), {"tile", outline, "--edge-length", "1mm", "--out", "p.json"});
+    ASSERT_TRUE(comes_true([&] { return program.catches(SIGINT); }));
+    program.signal(SIGINT);
+    const int status = program.wait();
+    ASSERT_TRUE(WIFEXITED(status));
+    EXPECT_EQ(WEXITSTATUS(status), 1);
+    EXPECT_EQ(program.messages(), "fretwork: stopped before it was done; nothing is half-written\n");
+    EXPECT_THAT(files_in(folder.path()), testing::IsEmpty());
+}
+
+TEST(Interrupt, OfACalibrationLeavesAWholeLibraryWithWhatIsDone) {
+    const TemporaryFolder folder;
+    const auto run = [&](const std::string& command) { return test::run_command(command, folder.path()); };
+    ASSERT_EQ(run("fretwork enumerate --library lib.db").exit_code, 0);
+    const auto library = folder.path() / "lib.db";
+    const auto before = std::filesystem::last_write_time(library);
+    // 1,824 patterns with 64 starts take minutes; what is done is stored every second.
+    Running program(folder.path(), {"calibrate", "--library", "lib.db", "--starts", "64", "--json"});
+    ASSERT_TRUE(comes_true([&] { return std::filesystem::last_write_time(library) != before; }));
+    ASSERT_TRUE(program.is_at_work()) << program.messages();
+    program.signal(SIGINT);
+    const int status = program.wait();
+    ASSERT_TRUE(WIFEXITED(status));
+    EXPECT_EQ(WEXITSTATUS(status), 1);
+    EXPECT_THAT(base::read_text_file(folder.path() / ".out"), testing::HasSubstr("\"interrupted\": true"));
+    EXPECT_EQ(program.messages(), "fretwork: interrupted; what is done is stored, run again to go on\n");
+    EXPECT_EQ(run("sqlite3 lib.db 'PRAGMA integrity_check'").out, "ok\n");
+    EXPECT_NE(run("sqlite3 lib.db 'SELECT count(*) FROM calibration'").out, "0\n");
+}
+
 TEST(Interrupt, StoresTheRunsOfAStudyThatAreDone) {
     const TemporaryFolder folder;
     (void)folder.file("known.csv", "problem,best_value,scale,found_by\nanalytic/levy,0,1,construction\n");

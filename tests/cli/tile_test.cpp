@@ -132,18 +132,6 @@ TEST(TileCommand, RefusesAPaletteThatNothingChoosesFrom) {
     }
 }
 
-TEST(TileCommand, AnInterruptStopsItAndLeavesNoFile) {
-    const TemporaryFolder folder;
-    // Tiles of 1 mm: 18,000 of them, which takes minutes.
-    const Outcome outcome = run_command(
-        "timeout --signal=INT 1 fretwork tile experiments/outlines/specimen.svg --edge-length 1mm --out "
-        "p.json",
-        folder.path());
-    EXPECT_EQ(outcome.exit_code, 124) << "timeout's own: the program was interrupted";
-    EXPECT_THAT(outcome.err, HasSubstr("stopped"));
-    EXPECT_FALSE(std::filesystem::exists(folder.path() / "p.json"));
-}
-
 /// Two squares of 200 and 150 mm with their tops on one line, and a word.
 constexpr const char* kTwoParts = R"(<svg width="400mm" height="200mm" viewBox="0 0 400 200"><text>A</text>
  <path d="M0 0H200V200H0Z M250 0H400V150H250Z"/></svg>)";

@@ -50,14 +50,15 @@ class WhenDone final : public base::Progress {
     std::function<void()> action_;
 };
 
-/// Begin to fill a library in a process of its own, which is killed somewhere after its first patterns,
-/// wherever it then is.
+/// Begin to fill a library in a process of its own, which is killed as soon as its first pattern is done; in
+/// later runs somewhere after its first patterns, wherever it then is.
 void fill_until_killed(const std::filesystem::path& path, int run) {
     status_of([&] {
         Library library = Library::open(path, Access::ReadWrite);
         const std::size_t last = 1 + static_cast<std::size_t>(run % 3);
-        const auto delay = static_cast<useconds_t>(7919 * (run + 1) % 20'000);
+        const auto delay = static_cast<useconds_t>(7919 * run % 20'000);
         WhenDone kill_soon(last, [delay] {
+            if (delay == 0) ::kill(::getpid(), SIGKILL);
             std::thread([delay] {
                 ::usleep(delay);
                 ::kill(::getpid(), SIGKILL);

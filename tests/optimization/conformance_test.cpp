@@ -136,19 +136,29 @@ TEST_P(OptimizerConformance, RecordsABestSoFarThatOnlyImproves) {
 
 constexpr long kPlenty = 40000;
 
-/// How near to the optimum of a smooth function a method of each class comes. The plans and draws of global
-/// and random methods leave the last digits to descents.
+/// The targets of experiments/optimizer_comparison: what counts as success on functions whose optimum is
+/// known, what does on calibrations, and the coarsest two. A method that misses them here is broken.
+constexpr double kExact = 1e-6;
+constexpr double kSuccess = 1e-3;
+constexpr double kFair = 1e-2;
+constexpr double kCoarse = 1e-1;
+
+/// How near to the optimum of a smooth function, whose value there is 0, a method of each class must come.
 double accuracy(const OptimizerRow& row) {
-    if (row.name == "random-search") return 0.1;
+    // Of 40,000 uniform points in a box of side 5 one is nearer to the center than sqrt(0.1), but for a
+    // probability of (1 - 4 pi 0.1^1.5 / 3 / 125)^40000 = 4e-19.
+    if (row.name == "random-search") return kCoarse;
     switch (row.kind) {
+        // Descents end at steps of 1e-8 of the box: the value, which grows with their square, is off by 1e-16
+        // times the box's side squared and the curvature, of up to 25 and some 1,000.
         case OptimizerClass::Local:
             return 1e-12;
         case OptimizerClass::Global:
-            return 1e-6;
+            return kExact;
         case OptimizerClass::Random:
             break;
     }
-    return 1e-3;
+    return kSuccess;
 }
 
 TEST_P(OptimizerConformance, SolvesTheSphere) {
@@ -163,20 +173,20 @@ TEST_P(OptimizerConformance, SolvesRosenbrock) {
     EXPECT_LT(report.value, 10.0 * accuracy(row()));
 }
 
-/// The same for an optimum on a bound, where ways to keep bounds have known weaknesses: the slope of a sine
-/// vanishes there, and Ceres cuts a dogleg's step off and creeps. In the subspace it does so more than on the
-/// path: four starts end 1.8e-4 above this optimum under each of six seeds.
+/// The same for an optimum on a bound, as a share of its value. Two ways to keep bounds are in the catalogue
+/// to show that they fall behind there, and need not be exact: Ceres cuts a dogleg's step off at the bound
+/// and creeps, and the slope of a sine vanishes on it, so that Gauss-Newton steps do not see the way.
 double accuracy_at_bound(const OptimizerRow& row) {
-    if (row.name.ends_with("sine")) return 1e-2;
-    if (row.name.ends_with("subspace-dogleg")) return 3e-4;
-    if (row.name.ends_with("dogleg")) return 1e-5;
-    return std::max(10.0 * accuracy(row), 1e-6);
+    if (row.name.ends_with("sine")) return kFair;
+    if (row.name.ends_with("dogleg")) return kSuccess;
+    return row.kind == OptimizerClass::Random ? kCoarse : kExact;  // random points do not lie on a bound
 }
 
 TEST_P(OptimizerConformance, FindsAnOptimumAtABound) {
+    constexpr double kBest = 0.25;
     const auto problem = rosenbrock(tight_box());
     const auto report = minimize(problem, row(), {.starts = 4}, {.cost = kPlenty});
-    EXPECT_NEAR(report.value, 0.25, accuracy_at_bound(row()));
+    EXPECT_NEAR(report.value, kBest, accuracy_at_bound(row()) * kBest);
 }
 
 /// Rastrigin's function as a sum of squares, with 49 minima in the box; the others are worse by at least
