@@ -16,7 +16,7 @@ test:       ## install what is missing, build, and pass the tests
 
 check:      ## the slow rest: everything with assertions and under the sanitizers, and clang-tidy
 	@scripts/install-dependencies.sh check
-	@scripts/test.sh check dev tidy
+	@scripts/test.sh check dev threads tidy
 
 reproduce:  ## regenerate what the paper prints: paper | ours | verdict
 	@scripts/install-dependencies.sh demo

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Run the parts of the test suite one after the other, say how long each took, and end with "N passed, N failed".
-# Usage: scripts/test.sh PART..       parts: release sanitizers format tidy dev check
+# Usage: scripts/test.sh PART..       parts: release sanitizers format tidy dev check threads
 set -uo pipefail
 cd "$(dirname "$0")/.."
 
@@ -65,11 +65,11 @@ check_tidy() {
 
 run_part() {
   case "$1" in
-    release | check | dev) build_and_ctest "$1" ;;
+    release | check | dev | threads) build_and_ctest "$1" ;;
     sanitizers) build_and_ctest sanitize-light ;;
     format) count_once format check_format ;;
     tidy) count_once tidy check_tidy ;;
-    *) echo "test.sh: unknown part '$1'; there is: release, sanitizers, format, tidy, dev, check" >&2; exit 2 ;;
+    *) echo "test.sh: unknown part '$1'; there is: release, sanitizers, format, tidy, dev, check, threads" >&2; exit 2 ;;
   esac
 }
 
