@@ -36,9 +36,7 @@ std::vector<std::size_t> first_at_place(const std::vector<Point2>& points) {
             const Point2& b = points[order[j]];
             if (b.x - a.x > kSamePlace) break;
             if (std::abs(b.y - a.y) > kSamePlace) continue;
-            const auto [low, high] = std::minmax(first[order[i]], first[order[j]]);
-            first[order[i]] = first[order[j]] = low;
-            first[high] = low;
+            first[std::max(order[i], order[j])] = std::min(first[order[i]], first[order[j]]);
         }
     }
     return first;

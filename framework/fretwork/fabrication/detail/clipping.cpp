@@ -117,8 +117,10 @@ Paths execute(const Operands& operands, ClipperLib::ClipType type) {
 
 std::vector<Polygon> combined(std::span<const Polygon> left, std::span<const Polygon> right,
                               ClipperLib::ClipType type) {
-    if (left.empty()) return {};
-    const Grid grid(box_of_all(right, box_of_all(left, box_of(left.front()))));
+    const std::span<const Polygon> any = left.empty() ? right : left;
+    if (any.empty()) return {};
+    const Grid grid(
+        box_of_all(right, box_of_all(left, fabrication::box_of(std::span<const Point2>(any.front())))));
     return polygons_of(execute({as_they_are(left, grid), as_they_are(right, grid)}, type), grid);
 }
 
@@ -252,6 +254,10 @@ std::vector<Polygon> united(std::span<const Polygon> polygons) {
 
 std::vector<Polygon> intersection(std::span<const Polygon> left, std::span<const Polygon> right) {
     return combined(left, right, ClipperLib::ctIntersection);
+}
+
+std::vector<Polygon> merged(std::span<const Polygon> left, std::span<const Polygon> right) {
+    return combined(left, right, ClipperLib::ctUnion);
 }
 
 std::vector<Polygon> without(std::span<const Polygon> whole, std::span<const Polygon> parts) {

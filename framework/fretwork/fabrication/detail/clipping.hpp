@@ -24,6 +24,10 @@ std::vector<pattern::Polygon> united(std::span<const pattern::Polygon> polygons)
 std::vector<pattern::Polygon> intersection(std::span<const pattern::Polygon> left,
                                            std::span<const pattern::Polygon> right);
 
+/// The union of polygons with openings.
+std::vector<pattern::Polygon> merged(std::span<const pattern::Polygon> left,
+                                     std::span<const pattern::Polygon> right);
+
 /// Polygons with openings less others.
 std::vector<pattern::Polygon> without(std::span<const pattern::Polygon> whole,
                                       std::span<const pattern::Polygon> parts);

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/fabrication/cut_sheet.hpp>
+
+namespace fretwork::fabrication {
+
+std::vector<Label> tile_labels(const tiling::Tessellation& tessellation) {
+    constexpr double kHeight = 0.12;  // of a tile's side
+    std::vector<Label> labels;
+    for (std::size_t t = 0; t < tessellation.tiles.size(); ++t) {
+        const pattern::Polygon polygon = tiling::tile_polygon(tessellation, TileIndex(t));
+        labels.push_back(
+            {pattern::centroid(polygon), std::to_string(t), kHeight * pattern::mean_side(polygon)});
+    }
+    return labels;
+}
+
+CutSheet whole_sheet(const simulation::Surface& surface, const ShapeOptions& options) {
+    CutSheet sheet{.title = "Surface of " + std::to_string(surface.tessellation.tiles.size()) + " tiles",
+                   .pieces = make_shape(surface, options).pieces,
+                   .engraved = {},
+                   .labels = tile_labels(surface.tessellation)};
+    return sheet;
+}
+
+Box box_of(const CutSheet& sheet) {
+    Box box = box_of(sheet.pieces.front().outer);
+    for (const Piece& piece : sheet.pieces) box = united(box, box_of(piece.outer));
+    for (const Contour& guide : sheet.guides) box = united(box, box_of(guide));
+    return box;
+}
+
+}  // namespace fretwork::fabrication

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/fabrication/shape.hpp>
+#include <fretwork/simulation/surface.hpp>
+
+#include <string>
+#include <vector>
+
+namespace fretwork::fabrication {
+
+/// One line of text, in the middle of a place.
+struct Label {
+    pattern::Point2 place;  ///< m
+    std::string text;
+    double height = 0.0;  ///< m
+};
+
+/// What a cutter is given: one sheet of material.
+struct CutSheet {
+    std::string title;
+    std::vector<Piece> pieces;      ///< cut, by contours
+    std::vector<Label> engraved;    ///< marks on the material
+    std::vector<Label> labels;      ///< for people; not for the machine
+    std::vector<Contour> guides{};  ///< for people: the edge of the material
+};
+
+/// The whole surface in one sheet, with the numbers of its tiles as labels.
+CutSheet whole_sheet(const simulation::Surface& surface, const ShapeOptions& options);
+
+/// The numbers of tiles, in their middles.
+std::vector<Label> tile_labels(const tiling::Tessellation& tessellation);
+
+Box box_of(const CutSheet& sheet);
+
+}  // namespace fretwork::fabrication

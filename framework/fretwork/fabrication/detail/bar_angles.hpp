@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/fabrication/bar_plan.hpp>
+
+#include <vector>
+
+namespace fretwork::fabrication::detail {
+
+/// Two neighbouring bars of a node.
+struct BarAngle {
+    double angle = 0.0;  ///< rad
+    TessellationNodeIndex node;
+    TileIndex tile;  ///< of one of the bars
+};
+
+/// Of every node with several bars the smallest angle between them; the smallest first.
+std::vector<BarAngle> bar_angles(const BarPlan& plan);
+
+}  // namespace fretwork::fabrication::detail

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/fabrication/detail/joints.hpp>
+#include <fretwork/fabrication/detail/plane.hpp>
+
+namespace fretwork::fabrication::detail {
+namespace {
+
+/// The part of a disc that lies further than `offset` along a normal from its center.
+pattern::Polygon disc_beyond(const Disc& disc, const Point2& normal, double offset) {
+    const double half = std::acos(std::clamp(offset / disc.radius, -1.0, 1.0));
+    const double middle = std::atan2(normal.y, normal.x);
+    const int chords = static_cast<int>(std::ceil(2.0 * half / kChordAngle));
+    pattern::Polygon polygon;
+    for (int i = 0; i <= chords; ++i)
+        polygon.push_back(disc.center + disc.radius * direction(middle - half + 2.0 * half * i / chords));
+    return polygon;
+}
+
+/// The neck from behind the seam to the middle of the knob.
+pattern::Polygon neck(const Joint& joint, const JointMaking& making, double growth) {
+    const Point2 aside = (making.size.neck + growth) * left_of(joint.normal);
+    const Point2 from = joint.place - making.size.neck * joint.normal;
+    const Point2 to = joint.place + making.size.reach * joint.normal;
+    return {from - aside, to - aside, to + aside, from + aside};
+}
+
+}  // namespace
+
+void add_side(JointCut& cut, const Joint& joint, JointSide side, const JointMaking& making) {
+    const JointSize& size = making.size;
+    const Disc plate{joint.place, size.plate + making.growth};
+    const Point2 knob_center = joint.place + size.reach * joint.normal;
+    const Point2 back = -1.0 * joint.normal;
+    cut.discs.push_back(plate);
+    if (side == JointSide::Knob) {
+        const double seam = making.growth;
+        const Disc knob{knob_center, size.knob + making.growth};
+        cut.beyond.push_back(disc_beyond(plate, joint.normal, seam));
+        cut.added.push_back(disc_beyond(plate, back, -seam));
+        cut.added.push_back(disc_patch(knob).polygon);
+        cut.added.push_back(neck(joint, making, making.growth));
+        cut.discs.push_back(knob);
+    } else {
+        const double seam = making.fit - making.growth;
+        const Disc socket{knob_center, size.knob + seam};
+        cut.beyond.push_back(disc_beyond(plate, back, -seam));
+        cut.added.push_back(disc_beyond(plate, joint.normal, seam));
+        cut.sockets.push_back(disc_patch(socket).polygon);
+        cut.sockets.push_back(neck(joint, making, seam));
+        cut.discs.push_back(socket);
+    }
+}
+
+Point2 name_place(const Joint& joint, JointSide side, const JointSize& size) {
+    const double along = side == JointSide::Knob ? -0.35 : 0.35;
+    return joint.place + along * size.plate * joint.normal + 0.62 * size.plate * left_of(joint.normal);
+}
+
+}  // namespace fretwork::fabrication::detail

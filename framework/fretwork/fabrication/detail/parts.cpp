@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/base/text.hpp>
+#include <fretwork/fabrication/detail/parts.hpp>
+#include <fretwork/fabrication/detail/plane.hpp>
+
+#include <map>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+namespace fretwork::fabrication::detail {
+namespace {
+
+constexpr double kRounding = 1e-9;  // m
+
+bool fits(double width, double height, const Bed& bed) {
+    const double across = bed.width - 2.0 * bed.margin + kRounding;
+    const double up = bed.height - 2.0 * bed.margin + kRounding;
+    return (width <= across && height <= up) || (height <= across && width <= up);
+}
+
+std::vector<Box> tile_boxes(const tiling::Tessellation& tessellation) {
+    std::vector<Box> boxes;
+    for (std::size_t t = 0; t < tessellation.tiles.size(); ++t) {
+        const pattern::Polygon polygon = tiling::tile_polygon(tessellation, TileIndex(t));
+        boxes.push_back(box_of(std::span<const Point2>(polygon)));
+    }
+    return boxes;
+}
+
+struct Cells {
+    std::size_t columns = 1;
+    std::size_t rows = 1;
+};
+
+std::vector<std::size_t> cells_of_tiles(const std::vector<Box>& boxes, const Box& whole, const Cells& cells) {
+    std::vector<std::size_t> found;
+    const auto index = [](double share, std::size_t count) {
+        return std::min(count - 1, static_cast<std::size_t>(share * static_cast<double>(count)));
+    };
+    for (const Box& box : boxes) {
+        const double x = (0.5 * (box.xmin + box.xmax) - whole.xmin) / whole.width();
+        const double y = (0.5 * (box.ymin + box.ymax) - whole.ymin) / whole.height();
+        found.push_back(index(y, cells.rows) * cells.columns + index(x, cells.columns));
+    }
+    return found;
+}
+
+/// The first cell whose tiles do not fit, by its box.
+std::optional<Box> too_large(const std::vector<Box>& boxes, const std::vector<std::size_t>& cells,
+                             const Bed& bed, double reach) {
+    std::map<std::size_t, Box> of_cell;
+    for (std::size_t t = 0; t < boxes.size(); ++t) {
+        const auto [entry, is_new] = of_cell.emplace(cells[t], boxes[t]);
+        if (!is_new) entry->second = united(entry->second, boxes[t]);
+    }
+    for (const auto& [cell, box] : of_cell) {
+        const Box around = grown(box, reach);
+        if (!fits(around.width(), around.height(), bed)) return around;
+    }
+    return std::nullopt;
+}
+
+/// Split cells into groups of tiles that have sides in common; number the groups by their first tile.
+std::vector<std::size_t> connected_groups(const tiling::Tessellation& tessellation,
+                                          const std::vector<std::size_t>& cells) {
+    std::vector<std::size_t> parent(cells.size());
+    std::iota(parent.begin(), parent.end(), std::size_t{0});
+    const auto root = [&](std::size_t t) {
+        while (parent[t] != t) t = parent[t] = parent[parent[t]];
+        return t;
+    };
+    std::map<std::pair<int, int>, std::size_t> tile_of_side;
+    for (std::size_t t = 0; t < cells.size(); ++t) {
+        const auto& vertices = tessellation.tiles[t].vertices;
+        for (std::size_t s = 0; s < vertices.size(); ++s) {
+            const int from = vertices[s];
+            const int to = vertices[(s + 1) % vertices.size()];
+            const auto neighbor = tile_of_side.find({to, from});
+            if (neighbor == tile_of_side.end()) {
+                tile_of_side[{from, to}] = t;
+            } else if (cells[neighbor->second] == cells[t]) {
+                const std::pair<std::size_t, std::size_t> roots = std::minmax({root(neighbor->second), root(t)});
+                parent[roots.second] = roots.first;
+            }
+        }
+    }
+    std::map<std::size_t, std::size_t> number;
+    std::vector<std::size_t> parts;
+    for (std::size_t t = 0; t < cells.size(); ++t)
+        parts.push_back(number.emplace(root(t), number.size()).first->second);
+    return parts;
+}
+
+void require_tiles_fit(const std::vector<Box>& boxes, const Bed& bed, double reach) {
+    for (std::size_t t = 0; t < boxes.size(); ++t) {
+        const Box around = grown(boxes[t], reach);
+        if (fits(around.width(), around.height(), bed)) continue;
+        const auto mm = [](double metres) { return base::format_number(std::ceil(metres * 1e4) / 10.0); };
+        throw base::InputError("tile " + std::to_string(t) + " needs " +
+                               mm(around.width() + 2.0 * bed.margin) + " x " +
+                               mm(around.height() + 2.0 * bed.margin) +
+                               " mm with its joints and margins, and does not fit the bed");
+    }
+}
+
+}  // namespace
+
+std::vector<std::size_t> parts_of_tiles(const tiling::Tessellation& tessellation, const Bed& bed,
+                                        double reach) {
+    const std::vector<Box> boxes = tile_boxes(tessellation);
+    require_tiles_fit(boxes, bed, reach);
+    Box whole = boxes.front();
+    for (const Box& box : boxes) whole = united(whole, box);
+    std::optional<std::vector<std::size_t>> best;
+    for (std::size_t rows = 1; rows <= boxes.size(); ++rows) {
+        if (best && rows > 1 + *std::ranges::max_element(*best)) break;
+        for (std::size_t columns = 1; columns <= boxes.size(); ++columns) {
+            const auto cells = cells_of_tiles(boxes, whole, {columns, rows});
+            if (too_large(boxes, cells, bed, reach)) continue;
+            const bool fewer = !best || rows * columns < 1 + *std::ranges::max_element(*best);
+            if (fewer) best = cells;
+            break;
+        }
+    }
+    return connected_groups(tessellation, *best);
+}
+
+std::vector<Nest> nested(const std::vector<Box>& boxes, const Bed& bed) {
+    std::vector<Nest> nests(boxes.size());
+    std::vector<std::size_t> order(boxes.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    const double across = bed.width - 2.0 * bed.margin + kRounding;
+    const double up = bed.height - 2.0 * bed.margin + kRounding;
+    for (std::size_t i = 0; i < boxes.size(); ++i)
+        nests[i].turned = boxes[i].width() > across || boxes[i].height() > up;
+    const auto width = [&](std::size_t i) { return nests[i].turned ? boxes[i].height() : boxes[i].width(); };
+    const auto height = [&](std::size_t i) { return nests[i].turned ? boxes[i].width() : boxes[i].height(); };
+    std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return height(a) > height(b); });
+    struct Row {
+        std::size_t sheet;
+        double y;
+        double height;
+        double x;  ///< where the next box goes
+    };
+    std::vector<Row> rows;
+    std::vector<double> tops;  // of each sheet
+    for (const std::size_t i : order) {
+        const auto fitting = std::ranges::find_if(rows, [&](const Row& row) {
+            return row.x + width(i) <= across && height(i) <= row.height + kRounding;
+        });
+        auto row = fitting;
+        if (row == rows.end()) {
+            std::size_t sheet = 0;
+            while (sheet < tops.size() && tops[sheet] + height(i) > up) ++sheet;
+            if (sheet == tops.size()) tops.push_back(0.0);
+            row = rows.insert(rows.end(), {sheet, tops[sheet], height(i), 0.0});
+            tops[sheet] += height(i) + bed.spacing;
+        }
+        nests[i].sheet = row->sheet;
+        nests[i].corner = {bed.margin + row->x, bed.margin + row->y};
+        row->x += width(i) + bed.spacing;
+    }
+    return nests;
+}
+
+}  // namespace fretwork::fabrication::detail

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/base/text.hpp>
+#include <fretwork/fabrication/detail/bar_angles.hpp>
+#include <fretwork/fabrication/detail/plane.hpp>
+#include <fretwork/fabrication/facts.hpp>
+#include <fretwork/simulation/result_subject.hpp>
+#include <fretwork/simulation/simulate.hpp>
+#include <fretwork/simulation/surface_beams.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace fretwork::fabrication {
+namespace {
+
+using namespace detail;
+using simulation::LoadCase;
+using simulation::Surface;
+
+constexpr double kGravity = 9.80665;  // m/s2
+/// So many warnings of one kind are told one by one.
+constexpr std::size_t kMostOfOneKind = 30;
+const std::string kEstimateModel = "condensed";
+
+void require_positive(double value, const char* what) {
+    if (std::isfinite(value) && value > 0.0) return;
+    throw base::InputError(std::string(what) + " is " + base::format_number(value) +
+                           ", where a number above zero is needed");
+}
+
+std::string rounded(double value, double step) {
+    return base::format_number(std::round(value / step) * step);
+}
+std::string millimetres(double metres) {
+    return base::format_number(std::round(metres * 1e5) / 100.0) + " mm";
+}
+
+std::string where(TileIndex tile, TessellationNodeIndex node, const pattern::Point2& place) {
+    return "tile " + std::to_string(tile) + ", node " + std::to_string(node) + " at " + place_text(place) +
+           ": ";
+}
+
+/// Inner corners of the material, which lies on the left: where a contour turns right.
+double smallest_inner_radius(const Shape& shape) {
+    double smallest = 0.0;
+    bool any = false;
+    const auto take = [&](double radius) {
+        smallest = any ? std::min(smallest, radius) : radius;
+        any = true;
+    };
+    const auto look_at = [&](const Contour& contour) {
+        for (std::size_t i = 0; i < contour.size(); ++i) {
+            const ContourPoint& before = contour[(i + contour.size() - 1) % contour.size()];
+            const Point2& after = contour[(i + 1) % contour.size()].place;
+            if (contour[i].bulge < 0.0) take(arc_between(contour[i], after).radius);
+            constexpr double kLeastTurn = 0.01;  // rad
+            if (contour[i].bulge != 0.0 || before.bulge != 0.0) continue;
+            const Point2 in = contour[i].place - before.place;
+            const Point2 out = after - contour[i].place;
+            if (std::atan2(cross(in, out), dot(in, out)) < -kLeastTurn) take(0.0);
+        }
+    };
+    for (const Piece& piece : shape.pieces) {
+        look_at(piece.outer);
+        for (const Contour& opening : piece.openings) look_at(opening);
+    }
+    return smallest;
+}
+
+/// The surface's supports and its weight, and nothing else.
+LoadCase own_weight(const LoadCase& load_case) {
+    LoadCase weight;
+    weight.name = load_case.name;
+    weight.supports = load_case.supports;
+    weight.gravity = {0.0, 0.0, -kGravity};
+    return weight;
+}
+
+mechanics::Result estimate(const Surface& surface, const LoadCase& load_case, const base::Control& control) {
+    const simulation::SimulationOptions options{.model = kEstimateModel};
+    mechanics::Result result = simulation::simulate(surface, load_case, options, control.silent());
+    result.subject = simulation::result_subject(surface, load_case, options);
+    return result;
+}
+
+class FactFinder {
+  public:
+    FactFinder(const Surface& surface, const ShapeOptions& shape, const FactsOptions& options)
+        : surface_(surface), options_(options), plan_(bar_plan(surface, shape.frame_width)) {
+        ShapeOptions nominal = shape;
+        nominal.kerf = 0.0;  // what is left, and not where the cutter runs
+        shape_ = make_shape(plan_, nominal);
+    }
+
+    Facts run(const FactsLoads& loads) {
+        measure();
+        judge_places();
+        judge_angles();
+        judge_pieces();
+        options_.control.check();
+        if (loads.load_case != nullptr) estimate_sag(*loads.load_case);
+        judge_stress(loads);
+        return std::move(facts_);
+    }
+
+  private:
+    void measure() {
+        facts_.tiles = surface_.tessellation.tiles.size();
+        facts_.bars = plan_.bars.size();
+        facts_.pieces = shape_.pieces.size();
+        for (const Piece& piece : shape_.pieces) facts_.openings += piece.openings.size();
+        facts_.box = box_of(shape_);
+        facts_.height = shape_.height;
+        facts_.area = area(shape_);
+        facts_.volume = facts_.area * shape_.height;
+        facts_.mass = facts_.volume * surface_.setting.material.density;
+        for (const double mass : simulation::tile_masses(surface_)) facts_.beam_mass += mass;
+        facts_.cut_length = cut_length(shape_);
+        facts_.pierces = facts_.pieces + facts_.openings;
+        facts_.layers = static_cast<std::size_t>(std::ceil(shape_.height / options_.layer_height - 1e-9));
+        facts_.wall_length = facts_.cut_length * static_cast<double>(facts_.layers);
+        facts_.smallest_radius = smallest_inner_radius(shape_);
+        facts_.strength = options_.strength;
+    }
+
+    void warn(std::string message, const Point2& place) {
+        facts_.warnings.push_back({std::move(message), place});
+    }
+    void warn_of_more(std::size_t count, const std::string& what) {
+        if (count > kMostOfOneKind)
+            warn("and " + std::to_string(count - kMostOfOneKind) + " more " + what, {});
+    }
+
+    void judge_places() {
+        const auto places = narrow_places(shape_, plan_, std::max(options_.clearance, 2.0 * plan_.width));
+        if (!places.empty()) facts_.narrowest = places.front();
+        std::size_t count = 0;
+        for (const NarrowPlace& narrow : places) {
+            if (narrow.width >= options_.clearance) break;
+            if (++count > kMostOfOneKind) continue;
+            const bool gap = narrow.kind == NarrowPlace::Kind::Gap;
+            warn(where(narrow.tile, narrow.node, narrow.place) + (gap ? "a gap of " : "an opening of ") +
+                     millimetres(narrow.width) + (gap ? "" : " at most") + ", below the clearance of " +
+                     millimetres(options_.clearance),
+                 narrow.place);
+        }
+        warn_of_more(count, "narrow places");
+    }
+
+    void judge_angles() {
+        const auto angles = bar_angles(plan_);
+        facts_.sharpest_angle = angles.empty() ? 2.0 * std::numbers::pi : angles.front().angle;
+        std::size_t count = 0;
+        for (const BarAngle& one : angles) {
+            if (one.angle >= options_.sharp_angle) break;
+            if (++count > kMostOfOneKind) continue;
+            const Point2& place = plan_.nodes[static_cast<std::size_t>(one.node)];
+            warn(where(one.tile, one.node, place) + "two beams meet at " +
+                     rounded(one.angle * 180.0 / std::numbers::pi, 0.1) + " degrees",
+                 place);
+        }
+        warn_of_more(count, "sharp angles");
+    }
+
+    void judge_pieces() {
+        for (std::size_t p = 1; p < shape_.pieces.size() && p <= kMostOfOneKind; ++p) {
+            const Point2& place = shape_.pieces[p].outer.front().place;
+            warn("a piece of its own at " + place_text(place) + " hangs together with nothing", place);
+        }
+        std::vector<bool> used(plan_.nodes.size());
+        for (const Bar& bar : plan_.bars)
+            for (const TessellationNodeIndex node : bar.nodes) used[static_cast<std::size_t>(node)] = true;
+        const auto corners = std::ranges::count_if(plan_.coincidences, [&](const BarPlan::Coincidence& one) {
+            return used[static_cast<std::size_t>(one.taken)];
+        });
+        if (corners > 0)
+            warn(
+                std::to_string(corners) +
+                    " nodes of neighbouring tiles, or of the frame, lie in one place: what is made is joined "
+                    "there, and the model is not",
+                {});
+    }
+
+    void estimate_sag(const LoadCase& load_case) {
+        if (load_case.supports.empty() || surface_.setting.material.density <= 0.0) return;
+        const mechanics::Result result = estimate(surface_, own_weight(load_case), options_.control);
+        Facts::Sag sag{load_case.name, 0.0, {}};
+        for (std::size_t n = 0; n < surface_.tessellation.interface_nodes.size(); ++n) {
+            const double down = std::abs(result.solution.displacements(static_cast<Eigen::Index>(n), 2));
+            if (down <= sag.deflection) continue;
+            sag.deflection = down;
+            sag.place = surface_.tessellation.interface_nodes[n];
+        }
+        if (sag.deflection > 0.1 * std::max(facts_.box.width(), facts_.box.height()))
+            warn("the sag under its own weight is large: " + millimetres(sag.deflection) +
+                     " for small displacements; simulate it with large ones",
+                 sag.place);
+        facts_.sag = sag;
+    }
+
+    void judge_stress(const FactsLoads& loads) {
+        if (loads.result != nullptr)
+            take_stress(*loads.result, "the result");
+        else if (loads.load_case != nullptr)
+            take_stress(estimate(surface_, *loads.load_case, options_.control),
+                        "load case " + loads.load_case->name);
+        if (!facts_.stress || !options_.strength || facts_.stress->value <= *options_.strength) return;
+        const Point2& place = plan_.nodes[static_cast<std::size_t>(facts_.stress->node)];
+        warn(where(facts_.stress->tile, facts_.stress->node, place) + "a stress of " +
+                 rounded(facts_.stress->value * 1e-6, 0.01) + " MPa, above the strength of " +
+                 rounded(*options_.strength * 1e-6, 0.01) + " MPa",
+             place);
+    }
+
+    void take_stress(const mechanics::Result& result, const std::string& source) {
+        const simulation::SurfaceBeams beams = simulation::surface_beams(surface_);
+        const auto sections = simulation::beam_sections(beams, surface_.setting);
+        const simulation::BeamState state = simulation::beam_state(surface_, result, beams, sections);
+        constexpr Eigen::Index kStress = 6;
+        for (Eigen::Index row = 0; row < state.forces.rows(); ++row) {
+            const double value = state.forces(row, kStress);
+            if (!(value > (facts_.stress ? facts_.stress->value : -1.0))) continue;
+            const auto beam = static_cast<std::size_t>(row / 2);
+            const int node = beams.ends[beam][static_cast<std::size_t>(row % 2)];
+            facts_.stress = Facts::Stress{source, value, beams.tiles[beam], TessellationNodeIndex(node)};
+        }
+    }
+
+    const Surface& surface_;
+    const FactsOptions& options_;
+    BarPlan plan_;
+    Shape shape_;
+    Facts facts_;
+};
+
+}  // namespace
+
+void FactsOptions::validate() const {
+    require_positive(clearance, "the clearance, m,");
+    require_positive(layer_height, "the height of layers, m,");
+    require_positive(sharp_angle, "the angle below which beams are told, rad,");
+    if (strength) require_positive(*strength, "the strength, Pa,");
+}
+
+Facts facts(const Surface& surface, const ShapeOptions& shape, const FactsLoads& loads,
+            const FactsOptions& options) {
+    options.validate();
+    shape.validate();
+    return FactFinder(surface, shape, options).run(loads);
+}
+
+}  // namespace fretwork::fabrication

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/base/control.hpp>
+#include <fretwork/fabrication/narrow_places.hpp>
+#include <fretwork/fabrication/shape.hpp>
+#include <fretwork/mechanics/result_file.hpp>
+#include <fretwork/simulation/load_case.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace fretwork::fabrication {
+
+/// What a machine and a material can do.
+struct FactsOptions {
+    double clearance = 5e-4;           ///< m: narrower gaps and openings are told
+    double layer_height = 2e-4;        ///< m, of a print
+    double sharp_angle = 0.35;         ///< rad: bars that meet at less are told
+    std::optional<double> strength{};  ///< Pa: stresses above are told
+    base::Control control{};
+    /// Throws InputError that names the option.
+    void validate() const;
+};
+
+/// What a maker is warned of, and where.
+struct Warning {
+    std::string message;  ///< one line, with tile, node and place
+    pattern::Point2 place;
+};
+
+/// Whatever a maker asks of a surface before making it. SI.
+struct Facts {
+    std::size_t tiles = 0, bars = 0, pieces = 0, openings = 0;
+    Box box{};
+    double height = 0.0;
+    double area = 0.0;                       ///< m2, of the true outline
+    double volume = 0.0;                     ///< m3
+    double mass = 0.0;                       ///< kg; 0 where the material has no density
+    double beam_mass = 0.0;                  ///< kg, of the model's beams: joints count more than once
+    double cut_length = 0.0;                 ///< m
+    std::size_t pierces = 0;                 ///< contours, each of which a cutter begins anew
+    std::size_t layers = 0;                  ///< of a print
+    double wall_length = 0.0;                ///< m, contours of all layers
+    double sharpest_angle = 0.0;             ///< rad, between bars of a node
+    std::optional<NarrowPlace> narrowest{};  ///< of all gaps and openings up to twice a bar's width
+    double smallest_radius = 0.0;            ///< m, of inner corners; 0: sharp
+    /// Under its own weight on the supports of a load case, by condensed tiles and small displacements.
+    struct Sag {
+        std::string load_case;
+        double deflection = 0.0;  ///< m, the largest
+        pattern::Point2 place;
+    };
+    std::optional<Sag> sag{};
+    /// The largest normal stress of a beam.
+    struct Stress {
+        std::string source;  ///< the load case, or the result
+        double value = 0.0;  ///< Pa
+        TileIndex tile;
+        TessellationNodeIndex node;
+    };
+    std::optional<Stress> stress{};
+    std::optional<double> strength{};  ///< Pa, as given
+    std::vector<Warning> warnings;
+};
+
+/// A load case, or a result, to judge stresses by.
+struct FactsLoads {
+    const simulation::LoadCase* load_case = nullptr;
+    const mechanics::Result* result = nullptr;  ///< of the surface; else the load case is solved for small
+                                                ///< displacements of condensed tiles
+};
+
+/// Throws as make_shape(), and as simulation::simulate().
+Facts facts(const simulation::Surface& surface, const ShapeOptions& shape, const FactsLoads& loads,
+            const FactsOptions& options = {});
+
+}  // namespace fretwork::fabrication

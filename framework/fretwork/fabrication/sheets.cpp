@@ -1,0 +1,338 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/base/text.hpp>
+#include <fretwork/fabrication/detail/assembling.hpp>
+#include <fretwork/fabrication/detail/clipping.hpp>
+#include <fretwork/fabrication/detail/fillets.hpp>
+#include <fretwork/fabrication/detail/joints.hpp>
+#include <fretwork/fabrication/detail/parts.hpp>
+#include <fretwork/fabrication/detail/plane.hpp>
+#include <fretwork/fabrication/sheets.hpp>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+
+namespace fretwork::fabrication {
+namespace {
+
+using namespace detail;
+using pattern::Polygon;
+
+/// A part in its place in the surface.
+struct Part {
+    std::vector<Piece> pieces;
+    std::vector<Label> engraved;
+    std::vector<Label> labels;
+};
+
+std::string part_name(std::size_t part) {
+    return "P" + std::to_string(part + 1);
+}
+
+/// Turned by a quarter or not, then moved.
+struct Motion {
+    bool turned = false;
+    Point2 shift;
+    [[nodiscard]] Point2 operator()(const Point2& point) const {
+        return (turned ? left_of(point) : point) + shift;
+    }
+};
+
+Contour moved(Contour contour, const Motion& motion) {
+    for (ContourPoint& point : contour) point.place = motion(point.place);
+    return contour;
+}
+Piece moved(const Piece& piece, const Motion& motion) {
+    Piece other{moved(piece.outer, motion), {}};
+    for (const Contour& opening : piece.openings) other.openings.push_back(moved(opening, motion));
+    return other;
+}
+void append_moved(CutSheet& sheet, const CutSheet& other, const Motion& motion) {
+    for (const Piece& piece : other.pieces) sheet.pieces.push_back(moved(piece, motion));
+    for (const Contour& guide : other.guides) sheet.guides.push_back(moved(guide, motion));
+    for (const auto& [from, to] :
+         {std::pair{&other.engraved, &sheet.engraved}, {&other.labels, &sheet.labels}})
+        for (const Label& label : *from) to->push_back({motion(label.place), label.text, label.height});
+}
+
+class SheetCutter {
+  public:
+    SheetCutter(const simulation::Surface& surface, const ShapeOptions& options, const Bed& bed)
+        : surface_(surface),
+          options_(options),
+          bed_(bed),
+          plan_(bar_plan(surface, options.frame_width)),
+          size_(plan_.width),
+          part_of_tile_(parts_of_tiles(surface.tessellation, bed, size_.plate)) {}
+
+    SheetSet run() {
+        find_joints();
+        const std::size_t count = 1 + *std::ranges::max_element(part_of_tile_);
+        std::vector<Part> parts;
+        for (std::size_t p = 0; p < count; ++p) {
+            options_.control.check();
+            parts.push_back(make_part(p));
+        }
+        SheetSet set{nest(parts), assembly(parts), parts.size(), joints_.size()};
+        return set;
+    }
+
+  private:
+    /// The sides that two parts share.
+    void find_joints() {
+        struct Side {
+            std::size_t tile;
+            std::size_t side;
+        };
+        const auto& tiles = surface_.tessellation.tiles;
+        std::map<std::pair<int, int>, Side> sides;
+        for (std::size_t t = 0; t < tiles.size(); ++t) {
+            const auto& vertices = tiles[t].vertices;
+            for (std::size_t s = 0; s < vertices.size(); ++s) {
+                const int from = vertices[s];
+                const int to = vertices[(s + 1) % vertices.size()];
+                const auto other = sides.find({to, from});
+                if (other == sides.end())
+                    sides[{from, to}] = {t, s};
+                else if (part_of_tile_[other->second.tile] != part_of_tile_[t])
+                    add_joints(other->second.tile, other->second.side, t);
+            }
+        }
+    }
+
+    void add_joints(std::size_t first, std::size_t side, std::size_t second) {
+        const tiling::Tile& tile = surface_.tessellation.tiles[first];
+        const std::size_t per_side = tile.interface_nodes.size() / tile.vertices.size();
+        const Polygon polygon = tiling::tile_polygon(surface_.tessellation, TileIndex(first));
+        const Point2& from = polygon[side];
+        const Point2& to = polygon[(side + 1) % polygon.size()];
+        const Point2 outward = -1.0 * left_of(unit(to - from));
+        const bool knob_first = part_of_tile_[first] < part_of_tile_[second];
+        for (std::size_t i = 0; i < per_side; ++i) {
+            const auto node = tile.interface_nodes[side * per_side + i];
+            const Point2 place = surface_.tessellation.interface_nodes[static_cast<std::size_t>(node)];
+            require_room(place, {from, to}, node);
+            joints_.push_back({joints_.size() + 1, place, knob_first ? outward : -1.0 * outward,
+                               part_of_tile_[knob_first ? first : second],
+                               part_of_tile_[knob_first ? second : first]});
+        }
+    }
+
+    /// A joint's plate must end before the ends of its side, and before the next joint's.
+    void require_room(const Point2& place, const std::array<Point2, 2>& ends, int node) const {
+        double room = std::min(distance(place, ends[0]), distance(place, ends[1]));
+        for (const Joint& joint : joints_) room = std::min(room, 0.5 * distance(place, joint.place));
+        if (room > size_.plate + bed_.fit) return;
+        throw base::InputError("the joint at node " + std::to_string(node) + ", " + place_text(place) +
+                               ", has no room: its plate takes " + base::format_number(1e3 * size_.plate) +
+                               " mm around it; narrower beams or larger tiles are needed, or a larger bed");
+    }
+
+    [[nodiscard]] BarPlan part_plan(std::size_t part) const {
+        BarPlan plan = plan_;
+        std::erase_if(plan.bars, [&](const Bar& bar) {
+            return part_of_tile_[static_cast<std::size_t>(bar.tile)] != part;
+        });
+        return plan;
+    }
+
+    [[nodiscard]] Part make_part(std::size_t number) const {
+        const BarPlan plan = part_plan(number);
+        std::set<int> nodes;
+        for (const Bar& bar : plan.bars) nodes.insert({bar.nodes[0], bar.nodes[1]});
+        ShapeOptions options = options_;
+        options.fillet = 0.0;  // joints come first
+        std::erase_if(options.bolts, [&](TessellationNodeIndex node) { return !nodes.contains(node); });
+        const Shape shape = make_shape(plan, options);
+        Part part{joined_pieces(shape, number, plan), {}, {}};
+        for (const Joint& joint : joints_) {
+            for (const JointSide side : {JointSide::Knob, JointSide::Socket}) {
+                if (part_of_side(joint, side) != number) continue;
+                part.engraved.push_back(
+                    {name_place(joint, side, size_), std::to_string(joint.number), 0.9 * plan_.width});
+            }
+        }
+        const auto tiles = tile_labels(surface_.tessellation);
+        for (std::size_t t = 0; t < tiles.size(); ++t)
+            if (part_of_tile_[t] == number) part.labels.push_back(tiles[t]);
+        const Box box = box_of(part.pieces.front().outer);
+        part.labels.push_back({{box.xmin + 0.02, box.ymin + 0.006}, part_name(number), 0.008});
+        return part;
+    }
+
+    static std::size_t part_of_side(const Joint& joint, JointSide side) {
+        return side == JointSide::Knob ? joint.knob_part : joint.socket_part;
+    }
+
+    /// Cut the joints of a part into its contours; those away from joints stay as they are.
+    [[nodiscard]] std::vector<Piece> joined_pieces(const Shape& shape, std::size_t number,
+                                                   const BarPlan& plan) const {
+        JointCut cut;
+        std::vector<Box> plates;
+        for (const Joint& joint : joints_) {
+            for (const JointSide side : {JointSide::Knob, JointSide::Socket}) {
+                if (part_of_side(joint, side) != number) continue;
+                add_side(cut, joint, side, {size_, bed_.fit, 0.5 * options_.kerf});
+                plates.push_back(
+                    grown({joint.place.x, joint.place.y, joint.place.x, joint.place.y}, 1.5 * size_.plate));
+            }
+        }
+        std::vector<Contour> contours;
+        std::vector<Polygon> touched;
+        const auto sort_in = [&](const Contour& contour) {
+            const Box box = fabrication::box_of(contour);
+            const bool near = signed_area(contour) > 0.0 ||
+                              std::ranges::any_of(plates, [&](const Box& plate) { return plate.meets(box); });
+            if (near && !plates.empty())
+                touched.push_back(flattened(contour, kChordShare * plan.width));
+            else
+                contours.push_back(with_fillets(contour, fillet()));
+        };
+        for (const Piece& piece : shape.pieces) {
+            sort_in(piece.outer);
+            for (const Contour& opening : piece.openings) sort_in(opening);
+        }
+        for (const Patch& patch : bar_patches(plan, options_.kerf))
+            if (patch.disc) cut.discs.push_back(*patch.disc);
+        add_bolts(cut);
+        for (const Polygon& polygon : with_joints(touched, cut))
+            contours.push_back(fillets_away_from_joints(with_arcs(polygon, near_discs(polygon, cut.discs))));
+        return assembled(contours);
+    }
+
+    /// Eyes and holes are circles to be found again.
+    void add_bolts(JointCut& cut) const {
+        if (options_.bolt_diameter == 0.0) return;
+        const double eye = options_.eye_diameter > 0.0 ? options_.eye_diameter : 2.0 * options_.bolt_diameter;
+        for (const TessellationNodeIndex node : options_.bolts) {
+            const Point2& place = plan_.nodes[static_cast<std::size_t>(node)];
+            cut.discs.push_back({place, 0.5 * (eye + options_.kerf)});
+            cut.discs.push_back({place, 0.5 * (options_.bolt_diameter - options_.kerf)});
+        }
+    }
+
+    static std::vector<Disc> near_discs(const Polygon& polygon, const std::vector<Disc>& discs) {
+        std::vector<Disc> near;
+        const Box box = fabrication::box_of(std::span<const Point2>(polygon));
+        for (const Disc& disc : discs) {
+            const Point2& c = disc.center;
+            if (grown({c.x, c.y, c.x, c.y}, disc.radius).meets(box)) near.push_back(disc);
+        }
+        return near;
+    }
+
+    static std::vector<Polygon> with_joints(const std::vector<Polygon>& touched, const JointCut& cut) {
+        if (cut.added.empty()) return touched;
+        std::vector<Polygon> all = without(touched, united(cut.beyond));
+        const std::vector<Polygon> added = united(cut.added);
+        all = merged(all, added);
+        return cut.sockets.empty() ? all : without(all, united(cut.sockets));
+    }
+
+    [[nodiscard]] double fillet() const { return std::max(0.0, options_.fillet - 0.5 * options_.kerf); }
+
+    /// Corners of knobs and sockets must stay as they fit; so contours with a joint keep their corners.
+    [[nodiscard]] Contour fillets_away_from_joints(const Contour& contour) const {
+        for (const ContourPoint& point : contour) {
+            for (const Joint& joint : joints_)
+                if (distance(point.place, joint.place) < size_.plate + bed_.fit) return contour;
+        }
+        return with_fillets(contour, fillet());
+    }
+
+    [[nodiscard]] std::vector<CutSheet> nest(const std::vector<Part>& parts) const {
+        std::vector<Box> boxes;
+        for (const Part& part : parts) {
+            Box box = box_of(part.pieces.front().outer);
+            for (const Piece& piece : part.pieces) box = fabrication::united(box, box_of(piece.outer));
+            boxes.push_back(box);
+        }
+        const std::vector<Nest> nests = nested(boxes, bed_);
+        std::vector<CutSheet> sheets;
+        for (std::size_t p = 0; p < parts.size(); ++p) {
+            while (sheets.size() <= nests[p].sheet)
+                sheets.push_back({.title = "Sheet " + std::to_string(sheets.size() + 1),
+                                  .pieces = {},
+                                  .engraved = {},
+                                  .labels = {}});
+            Motion motion{nests[p].turned, {}};
+            const Point2 corner =
+                motion.turned ? Point2{-boxes[p].ymax, boxes[p].xmin} : Point2{boxes[p].xmin, boxes[p].ymin};
+            motion.shift = nests[p].corner - corner;
+            append_moved(sheets[nests[p].sheet], {"", parts[p].pieces, parts[p].engraved, parts[p].labels},
+                         motion);
+        }
+        return sheets;
+    }
+
+    [[nodiscard]] CutSheet assembly(const std::vector<Part>& parts) const {
+        CutSheet drawing{.title = "Assembly", .pieces = {}, .engraved = {}, .labels = {}};
+        for (const Part& part : parts) {
+            drawing.labels.insert(drawing.labels.end(), part.labels.begin(), part.labels.end());
+            drawing.labels.insert(drawing.labels.end(), part.engraved.begin(), part.engraved.end());
+            for (const Piece& piece : part.pieces) {
+                drawing.guides.push_back(piece.outer);
+                drawing.guides.insert(drawing.guides.end(), piece.openings.begin(), piece.openings.end());
+            }
+        }
+        return drawing;
+    }
+
+    static constexpr double kChordShare = 5e-4;  // of a bar's width: chords as short as those of discs
+    const simulation::Surface& surface_;
+    const ShapeOptions& options_;
+    const Bed& bed_;
+    BarPlan plan_;
+    JointSize size_;
+    std::vector<std::size_t> part_of_tile_;
+    std::vector<Joint> joints_;
+};
+
+}  // namespace
+
+void Bed::validate() const {
+    const auto require = [](double value, double least, const char* what) {
+        if (std::isfinite(value) && value >= least) return;
+        throw base::InputError(std::string(what) + " is " + base::format_number(value) +
+                               " m, which is too small");
+    };
+    require(width, 1e-3, "the width of the bed");
+    require(height, 1e-3, "the height of the bed");
+    require(margin, 0.0, "the margin of the bed");
+    require(spacing, 0.0, "the spacing of parts");
+    require(fit, 0.0, "the fit of joints");
+}
+
+SheetSet cut_into_sheets(const simulation::Surface& surface, const ShapeOptions& options, const Bed& bed) {
+    options.validate();
+    bed.validate();
+    return SheetCutter(surface, options, bed).run();
+}
+
+CutSheet side_by_side(const SheetSet& set, const Bed& bed) {
+    constexpr double kApart = 0.02;   // m
+    constexpr double kTitle = 0.008;  // m
+    CutSheet drawing{.title = std::to_string(set.parts) + " parts on " + std::to_string(set.sheets.size()) +
+                              " sheets, " + std::to_string(set.joints) + " joints",
+                     .pieces = {},
+                     .engraved = {},
+                     .labels = {}};
+    for (std::size_t s = 0; s < set.sheets.size(); ++s) {
+        const Motion motion{false, {static_cast<double>(s) * (bed.width + kApart), 0.0}};
+        append_moved(drawing, set.sheets[s], motion);
+        const Polygon edge = {{0.0, 0.0}, {bed.width, 0.0}, {bed.width, bed.height}, {0.0, bed.height}};
+        drawing.guides.push_back(moved(straight(edge), motion));
+        drawing.labels.push_back({motion({0.5 * bed.width, -kTitle}), set.sheets[s].title, kTitle});
+    }
+    Box box = box_of(set.assembly.guides.front());
+    for (const Contour& guide : set.assembly.guides) box = united(box, box_of(guide));
+    const Motion motion{false, {-box.xmin, bed.height + 2.0 * kApart - box.ymin}};
+    append_moved(drawing, set.assembly, motion);
+    drawing.labels.push_back(
+        {motion({0.5 * (box.xmin + box.xmax), box.ymax + kTitle}), set.assembly.title, kTitle});
+    return drawing;
+}
+
+}  // namespace fretwork::fabrication

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sample.hpp"
+
+#include <fretwork/fabrication/facts.hpp>
+
+namespace fretwork::fabrication {
+namespace {
+
+using namespace test;
+using testing::AllOf;
+using testing::Contains;
+using testing::Field;
+using testing::HasSubstr;
+
+/// Held on the left, with a force down at each rim node on the right.
+simulation::LoadCase cantilever() {
+    simulation::LoadCase load_case;
+    load_case.name = "hanging";
+    load_case.supports.push_back({simulation::NodesAtSide{simulation::Side::Left}, mechanics::DofSet::all()});
+    load_case.loads.push_back({simulation::NodesAtSide{simulation::Side::Right}, {0.0, 0.0, -0.1}});
+    return load_case;
+}
+
+simulation::Surface sample() {
+    simulation::Surface surface = honeycomb(4, 3, {"1-6+3-6", "0-1+1-6"});
+    surface.setting.material.density = 1240.0;
+    return surface;
+}
+
+TEST(Facts, MassIsThatOfTheOutlineAndLessThanThatOfTheBeams) {
+    const simulation::Surface surface = sample();
+    const Facts known = facts(surface, {}, {});
+    const Shape shape = make_shape(surface);
+    EXPECT_NEAR(known.mass, area(shape) * shape.height * 1240.0, 1e-12);
+    EXPECT_LT(known.mass, known.beam_mass * 1.1);  // round ends at the rim are not in the model
+    EXPECT_NEAR(known.cut_length, cut_length(shape), 1e-9);
+    EXPECT_EQ(known.pierces, known.pieces + known.openings);
+    EXPECT_EQ(known.layers, 10U);  // 2 mm in layers of 0.2 mm
+}
+
+TEST(Facts, KerfDoesNotChangeWhatIsLeft) {
+    EXPECT_DOUBLE_EQ(facts(sample(), {.kerf = 2e-4}, {}).area, facts(sample(), {}, {}).area);
+}
+
+TEST(Facts, SmallestRadiusIsTheFilletOrZero) {
+    EXPECT_DOUBLE_EQ(facts(sample(), {}, {}).smallest_radius, 0.0);
+    EXPECT_NEAR(facts(sample(), {.fillet = 3e-4}, {}).smallest_radius, 3e-4, 1e-4);
+}
+
+TEST(Facts, SagAndStressAreProportionalToWeightAndLoad) {
+    const simulation::LoadCase load_case = cantilever();
+    simulation::Surface surface = sample();
+    const Facts once = facts(surface, {}, {&load_case, nullptr});
+    ASSERT_TRUE(once.sag && once.stress);
+    EXPECT_GT(once.sag->deflection, 0.0);
+    surface.setting.material.density *= 2.0;
+    simulation::LoadCase twice = load_case;
+    twice.loads[0].force *= 3.0;
+    const Facts more = facts(surface, {}, {&twice, nullptr});
+    EXPECT_NEAR(more.sag->deflection, 2.0 * once.sag->deflection, 1e-9 * once.sag->deflection);
+    EXPECT_NEAR(more.stress->value, 3.0 * once.stress->value, 1e-6 * once.stress->value);
+}
+
+TEST(Facts, AStressAboveTheStrengthIsToldWithTileAndNode) {
+    const simulation::LoadCase load_case = cantilever();
+    const Facts known = facts(sample(), {}, {&load_case, nullptr}, {.strength = 1e3});
+    EXPECT_THAT(
+        known.warnings,
+        Contains(Field(&Warning::message, AllOf(HasSubstr("tile "), HasSubstr("node "), HasSubstr("MPa")))));
+}
+
+TEST(Facts, SharpAnglesAreToldWithTileAndNode) {
+    const Facts known = facts(sample(), {}, {}, {.sharp_angle = 3.0});
+    EXPECT_THAT(known.warnings,
+                Contains(Field(&Warning::message, AllOf(HasSubstr("tile "), HasSubstr("degrees")))));
+}
+
+TEST(Facts, OptionsThatMakeNoSenseAreRefused) {
+    for (const FactsOptions& wrong :
+         {FactsOptions{.clearance = 0.0}, FactsOptions{.layer_height = -1.0}, FactsOptions{.strength = 0.0}})
+        EXPECT_THROW((void)facts(sample(), {}, {}, wrong), base::InputError);
+}
+
+}  // namespace
+}  // namespace fretwork::fabrication

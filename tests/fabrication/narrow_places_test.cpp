@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sample.hpp"
+
+#include <fretwork/fabrication/narrow_places.hpp>
+
+namespace fretwork::fabrication {
+namespace {
+
+using namespace test;
+
+TEST(NarrowPlaces, TheLargestCircleInATriangleIsItsIncircle) {
+    const pattern::Polygon triangle = {{0.0, 0.0}, {4.0, 0.0}, {0.0, 3.0}};
+    const InnerCircle circle = inner_circle(triangle);
+    EXPECT_NEAR(circle.radius, 1.0, 0.011);  // the promise: a hundredth
+    EXPECT_NEAR(circle.center.x, 1.0, 0.05);
+    EXPECT_NEAR(circle.center.y, 1.0, 0.05);
+}
+
+TEST(NarrowPlaces, AThinOpeningIsFoundWithItsWidthTileAndNode) {
+    // Two parallel bars, a fifth of a millimetre apart, joined at their ends.
+    const double apart = kWidth + 2e-4;
+    const BarPlan plan =
+        plan_of({{0.0, 0.0}, {0.02, 0.0}, {0.02, apart}, {0.0, apart}}, {{0, 1}, {1, 2}, {2, 3}, {3, 0}});
+    const auto places = narrow_places(make_shape(plan, {}), plan, 5e-4);
+    ASSERT_EQ(places.size(), 1U);
+    EXPECT_EQ(places[0].kind, NarrowPlace::Kind::Opening);
+    EXPECT_NEAR(places[0].width, 2e-4, 3e-6);
+    EXPECT_EQ(places[0].tile, TileIndex(0));
+    EXPECT_TRUE(places[0].node.is_valid());
+    EXPECT_TRUE(narrow_places(make_shape(plan, {}), plan, 1e-4).empty());
+}
+
+TEST(NarrowPlaces, AGapBetweenAFreeEndAndABarIsFoundWhereItIs) {
+    // A bar ends 0.3 mm before another one.
+    const BarPlan plan =
+        plan_of({{0.0, 0.0}, {0.02, 0.0}, {0.01, kWidth + 3e-4}, {0.01, 0.02}}, {{0, 1}, {2, 3}});
+    const auto places = narrow_places(make_shape(plan, {}), plan, 5e-4);
+    ASSERT_FALSE(places.empty());
+    EXPECT_EQ(places[0].kind, NarrowPlace::Kind::Gap);
+    EXPECT_NEAR(places[0].width, 3e-4, 2e-5);  // chords of the round end
+    EXPECT_NEAR(places[0].place.x, 0.01, 5e-4);
+    EXPECT_NEAR(places[0].place.y, 0.5 * kWidth + 1.5e-4, 2e-5);
+    EXPECT_EQ(places[0].node, TessellationNodeIndex(2));
+}
+
+TEST(NarrowPlaces, CornersAreNoGaps) {
+    const BarPlan plan = plan_of({{0.0, 0.0}, {0.03, 0.0}, {0.0, 0.03}}, {{0, 1}, {1, 2}, {2, 0}});
+    EXPECT_TRUE(narrow_places(make_shape(plan, {}), plan, 3e-3).empty());
+}
+
+}  // namespace
+}  // namespace fretwork::fabrication
