@@ -7,15 +7,20 @@
 
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/internal/json_text.hpp>
+#include <fretwork/base/text.hpp>
 #include <fretwork/library/fill.hpp>
 #include <fretwork/library/statistics.hpp>
 #include <fretwork/optimization/optimizer_catalogue.hpp>
 #include <fretwork/reduction/setting_file.hpp>
 #include <fretwork/reduction/tile_model.hpp>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <functional>
 #include <memory>
+#include <ranges>
+#include <set>
 
 namespace fretwork::app {
 namespace {
@@ -45,14 +50,23 @@ struct Options {
     bool json = false;
 };
 
+/// Patterns that failed alike.
+struct FailureReason {
+    std::string reason;
+    std::string example;  ///< a pattern's id
+    std::size_t patterns = 0;
+};
+
 /// What came of it.
 struct Result {
     library::CalibrationKey key;
     std::string_view policy;
     FillReport report{};
     CalibrationStatistics statistics{};
+    std::vector<FailureReason> failures{};  ///< of this run and of earlier ones, most patterns first
     double seconds = 0.0;
     bool is_stopped = false;
+    bool is_papers_layout = false;
 };
 
 void adopt_setting(Library& library, const Options& options) {
@@ -65,15 +79,45 @@ void adopt_setting(Library& library, const Options& options) {
     library.adopt_setting(setting);
 }
 
+/// Why patterns lack this calibration, of those that were asked for.
+std::vector<FailureReason> failure_reasons(const Library& library,
+                                           std::span<const library::PatternEntry> patterns,
+                                           const library::CalibrationKey& key) {
+    std::set<std::string_view> wanted;
+    for (const library::PatternEntry& entry : patterns) wanted.insert(entry.id);
+    std::vector<FailureReason> reasons;
+    for (const library::Failure& failure : library.failures()) {
+        const bool is_stage =
+            failure.stage == library::responses_stage() || failure.stage == library::calibration_stage(key);
+        if (!is_stage || !wanted.contains(failure.pattern)) continue;
+        auto known = std::ranges::find(reasons, failure.reason, &FailureReason::reason);
+        if (known == reasons.end())
+            known = reasons.insert(known, FailureReason{failure.reason, failure.pattern, 0});
+        ++known->patterns;
+    }
+    std::ranges::stable_sort(reasons, std::greater(), &FailureReason::patterns);
+    return reasons;
+}
+
+void print_failures(const std::vector<FailureReason>& failures) {
+    constexpr std::size_t kShown = 5;
+    for (const FailureReason& failure : failures | std::views::take(kShown))
+        std::printf("failed: %zu pattern%s, such as %s: %s\n", failure.patterns,
+                    failure.patterns == 1 ? "" : "s", failure.example.c_str(),
+                    base::printable(failure.reason).c_str());
+    if (failures.size() > kShown) std::printf("failed for other reasons, too: library show tells\n");
+    if (!failures.empty()) std::printf("--retry tries them again\n");
+}
+
 void print_text(const Result& result) {
     const CalibrationStatistics& s = result.statistics;
-    std::printf("%zu of %zu open patterns done in %.1f s; %zu failed%s\n", result.report.done,
-                result.report.open, result.seconds, result.report.failed,
-                result.report.failed > 0 ? " (library show tells why)" : "");
+    std::printf("%zu of %zu open patterns done in %.1f s; %zu failed\n", result.report.done,
+                result.report.open, result.seconds, result.report.failed);
+    print_failures(result.failures);
     std::printf("%zu calibrated with model %s, optimizer %s\n", s.calibrated, result.key.model.c_str(),
                 result.key.optimizer.c_str());
     const char* published =
-        result.key.model == "paper6"
+        result.key.model == "paper6" && result.is_papers_layout
             ? " (paper: 9.7 and 9.9, with magnitudes whose number and sizes it does not print)"
             : "";
     std::printf("objective E: mean %.2f, standard deviation %.2f, median %.2f%s\n", s.mean, s.deviation,
@@ -86,6 +130,14 @@ void print_text(const Result& result) {
         result.policy == "paper" ? "these are fitted, too" : "from the first of them on, not fitted");
 }
 
+Json failures_json(const std::vector<FailureReason>& failures) {
+    Json list = Json::array();
+    for (const FailureReason& failure : failures)
+        list.push_back(
+            {{"reason", failure.reason}, {"patterns", failure.patterns}, {"example", failure.example}});
+    return list;
+}
+
 void print_json(const Result& result) {
     const CalibrationStatistics& s = result.statistics;
     const Json document = {{"model", result.key.model},
@@ -94,6 +146,7 @@ void print_json(const Result& result) {
                            {"open", result.report.open},
                            {"done", result.report.done},
                            {"failed", result.report.failed},
+                           {"failures", failures_json(result.failures)},
                            {"interrupted", result.is_stopped},
                            {"calibrated", s.calibrated},
                            {"objective_mean", s.mean},
@@ -123,16 +176,20 @@ ExitCode calibrate(Options options) {
     adopt_setting(library, options);
     const auto patterns = in_shard(wanted_patterns(library, options.patterns), options.shard);
     if (options.retry) library.forget_failures();
-    Result result{.key = options.fill.key(), .policy = sample_policy_name(library.setting().sample_policy)};
+    Result result{.key = options.fill.key(),
+                  .policy = sample_policy_name(library.setting().sample_policy),
+                  .is_papers_layout = library.layout().name() == "paper7"};
     const auto start = std::chrono::steady_clock::now();
     result.report = library::fill(library, patterns, options.fill);
     result.is_stopped = work.is_stopped();
     result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     result.statistics = library::calibration_statistics(library, patterns, result.key);
+    result.failures = failure_reasons(library, patterns, result.key);
     options.json ? print_json(result) : print_text(result);
     if (result.is_stopped)
         std::fputs("fretwork: interrupted; what is done is stored, run again to go on\n", stderr);
-    return result.report.done == result.report.open ? ExitCode::Done : ExitCode::DidNotSucceed;
+    const bool is_done = result.report.done == result.report.open && result.statistics.calibrated > 0;
+    return is_done ? ExitCode::Done : ExitCode::DidNotSucceed;
 }
 
 template <class Rows>

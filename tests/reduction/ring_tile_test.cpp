@@ -14,7 +14,8 @@ namespace {
 
 /// The tile in the setting's own polygon.
 mechanics::Frame regular_tile(const RingParts& parts, const Setting& setting) {
-    return ring_tile(parts, setting, pattern::regular_polygon(setting.sides, setting.tile_side));
+    return ring_tile(parts, paper_layout(), setting,
+                     pattern::regular_polygon(setting.sides, setting.tile_side));
 }
 
 /// The tile as any other frame, solved by the general solver, for 1 N.
@@ -204,18 +205,20 @@ TEST(RingTile, RingKeepsItsBarycentricCoordinatesInOtherPolygons) {
         return pattern::Point2{1.3 * x + 0.2 * y + 5.0, 0.9 * y - 2.0};
     };
     for (auto& point : polygon) point = stretch(point.x, point.y);
-    const auto stretched = ring_tile(parameters, setting, polygon);
+    const auto stretched = ring_tile(parameters, paper_layout(), setting, polygon);
     for (std::size_t i = 0; i < 12; ++i) {
         const auto expected = stretch(regular.nodes[i].x(), regular.nodes[i].y());
         EXPECT_NEAR(stretched.nodes[i].x(), expected.x, 1e-12);
         EXPECT_NEAR(stretched.nodes[i].y(), expected.y, 1e-12);
     }
-    EXPECT_EQ(ring_tile(parameters, setting, pattern::regular_polygon(5, 0.02)).beams.size(), 10U);
+    EXPECT_EQ(ring_tile(parameters, paper_layout(), setting, pattern::regular_polygon(5, 0.02)).beams.size(),
+              10U);
 }
 
 TEST(RingTile, RefusesAPolygonThatIsNotConvex) {
     const pattern::Polygon dart = {{0, 0}, {2, -1}, {1, 0}, {2, 1}};
-    EXPECT_THROW((void)ring_tile(Paper6Parameters{1e-6, 1e-12, 1e-12, 1e-12, 0, 0.01}, paper_setting(), dart),
+    EXPECT_THROW((void)ring_tile(Paper6Parameters{1e-6, 1e-12, 1e-12, 1e-12, 0, 0.01}, paper_layout(),
+                                 paper_setting(), dart),
                  base::GeometryError);
 }
 

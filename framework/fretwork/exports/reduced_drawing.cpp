@@ -25,7 +25,15 @@ std::vector<Point2> moved(std::vector<Point2> points, const Point2& by) {
     return points;
 }
 
-void draw_reduced(SvgCanvas& canvas, const LineSet& lines, const Setting& setting, const Point2& center) {
+/// A tile model of beams, as one drawing of the sheet.
+struct ReducedTile {
+    LineSet lines;  ///< interface nodes first
+    int interface_nodes;
+    Point2 center;
+};
+
+void draw_reduced(SvgCanvas& canvas, const ReducedTile& tile, const Setting& setting) {
+    const auto& [lines, interface_nodes, center] = tile;
     std::vector<Point2> nodes;
     for (const Eigen::Vector3d& node : lines.nodes)
         nodes.push_back({node.x() + center.x, node.y() + center.y});
@@ -36,7 +44,7 @@ void draw_reduced(SvgCanvas& canvas, const LineSet& lines, const Setting& settin
     canvas.polygon(moved(pattern::regular_polygon(setting.sides, setting.tile_side), center),
                    {"#f4f6f8", detail::kRimColour, 0.15 * width, 1.0});
     canvas.segments(beams, {"none", kReducedColour, width, 1.0});
-    for (int i = 0; i < setting.sides; ++i)
+    for (int i = 0; i < interface_nodes; ++i)
         canvas.circle(nodes[static_cast<std::size_t>(i)], 0.8 * width,
                       {kInterfaceColour, "#ffffff", 0.2 * width, 1.0});
 }
@@ -61,6 +69,7 @@ std::string reduced_sheet_svg(const pattern::NodeLayout& layout, std::span<const
     const double side = setting.tile_side;
     const PatternDrawingOptions options{side, std::sqrt(setting.section.area), setting.sides};
     const auto count = static_cast<int>(patterns.size());
+    const int interface_nodes = setting.sides * static_cast<int>(layout.interface_nodes().size());
     const int columns = std::max(1, static_cast<int>(std::ceil(std::sqrt(0.7 * count))));
     const int rows = std::max(1, (count + columns - 1) / columns);
     const double step_x = 4.5 * side;
@@ -72,8 +81,10 @@ std::string reduced_sheet_svg(const pattern::NodeLayout& layout, std::span<const
         const Point2 right{left.x + 2.1 * side, left.y};
         detail::draw_fan(canvas, layout, entry.pattern, {left, pattern_colour(i)}, options);
         if (entry.calibration)
-            draw_reduced(canvas, model_lines(layout, entry.pattern, *entry.calibration, setting), setting,
-                         right);
+            draw_reduced(
+                canvas,
+                {model_lines(layout, entry.pattern, *entry.calibration, setting), interface_nodes, right},
+                setting);
         const std::string id = pattern_id(layout, entry.pattern);
         const double height = std::min(0.13 * side, 3.2 * side / static_cast<double>(id.size() + 1));
         canvas.text({left.x, left.y - 1.12 * side}, id, height, Anchor::Middle);

@@ -95,7 +95,10 @@ Calibration calibrate(const TileModel& model, const CalibrationInput& input,
             "no sample of the responses can be used: none converged to a state to fit");
     }
     if (model.parameters.empty()) return evaluate(model, input, objective, options.control);
-    if (model.problem) return fit(model, *model.problem(objective, input.setting), objective, options);
+    if (model.problem) {
+        if (const auto problem = model.problem(objective, input.layout, input.setting))
+            return fit(model, *problem, objective, options);
+    }
     const ModelTile tile(model, input.layout, input.pattern, input.setting);
     return fit(model, DifferenceProblem(model, tile, objective, input.setting), objective, options);
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace fretwork::reduction {
 namespace {
@@ -42,6 +43,8 @@ DifferenceProblem::DifferenceProblem(const TileModel& model, const ModelTile& ti
         bounds_.lower[i] = is_logarithmic(parameter) ? std::log(bounds.lower) : bounds.lower;
         bounds_.upper[i] = is_logarithmic(parameter) ? std::log(bounds.upper) : bounds.upper;
     }
+    not_finite_ = tile.displacements(parameter_values((bounds_.lower + bounds_.upper) / 2.0));
+    for (auto& rows : not_finite_) rows.setConstant(std::numeric_limits<double>::quiet_NaN());
 }
 
 long DifferenceProblem::cost(optimization::Evaluation kind) const {
@@ -60,7 +63,11 @@ std::vector<double> DifferenceProblem::parameter_values(const Eigen::VectorXd& p
 }
 
 UnitDisplacements DifferenceProblem::displacements(const Eigen::VectorXd& point) const {
-    return tile_.displacements(parameter_values(point));
+    try {
+        return tile_.displacements(parameter_values(point));
+    } catch (const base::NumericalError&) {
+        return not_finite_;
+    }
 }
 
 /// Central differences; at a bound, one-sided ones.

@@ -11,7 +11,8 @@ namespace fretwork::reduction {
 /// logarithms where the row says so.
 class DifferenceProblem final : public CalibrationProblem {
   public:
-    /// Keeps references to all. Throws InputError if the bounds of a parameter make no sense.
+    /// Keeps references to all. Throws InputError if the bounds of a parameter make no sense; NumericalError
+    /// if a scenario lets the tile move freely in the middle of the bounds.
     DifferenceProblem(const TileModel& model, const ModelTile& tile, const Objective& objective,
                       const Setting& setting);
 
@@ -33,6 +34,7 @@ class DifferenceProblem final : public CalibrationProblem {
                                                               double smoothing) const override;
 
     [[nodiscard]] std::vector<double> parameter_values(const Eigen::VectorXd& point) const override;
+    /// Not finite where round-off leaves the stiffness indefinite, as it can near the bounds.
     [[nodiscard]] UnitDisplacements displacements(const Eigen::VectorXd& point) const override;
 
   private:
@@ -42,6 +44,7 @@ class DifferenceProblem final : public CalibrationProblem {
     const ModelTile& tile_;
     const Objective& objective_;
     optimization::Bounds bounds_;
+    UnitDisplacements not_finite_;
 };
 
 }  // namespace fretwork::reduction

@@ -34,12 +34,22 @@ Matrix3d curved(const Vector3d& x) {
                     {-x.x(), 0.0, -x.y() / 2.0}};
 }
 
+/// The displacements of all nodes, three components each, by those of the nodes of the first half of the
+/// sides: opposite nodes, which are one node of the next tile, move alike.
+MatrixXd periodic_fluctuations(int nodes, int nodes_a_side) {
+    const int half = nodes / 2;
+    MatrixXd result = MatrixXd::Zero(3 * nodes, 3 * half);
+    for (int node = 0; node < half; ++node) {
+        const int mirrored = nodes_a_side - 1 - node % nodes_a_side;
+        const int opposite = half + node - node % nodes_a_side + mirrored;
+        result.block<3, 3>(3 * node, 3 * node).setIdentity();
+        result.block<3, 3>(3 * opposite, 3 * node).setIdentity();
+    }
+    return result;
+}
+
 /// The energy per area of macroscopic modes, least over periodic fluctuations.
-Matrix3d homogenized(const MatrixXd& K, const MatrixXd& macroscopic, double area) {
-    const Eigen::Index pairs = K.rows() / 6;
-    MatrixXd periodic = MatrixXd::Zero(K.rows(), 3 * pairs);
-    periodic.topRows(3 * pairs).setIdentity();
-    periodic.bottomRows(3 * pairs).setIdentity();
+Matrix3d homogenized(const MatrixXd& K, const MatrixXd& macroscopic, const MatrixXd& periodic, double area) {
     // Translations cost nothing: the system is solvable, and any solution will do.
     const MatrixXd coupling = periodic.transpose() * K * macroscopic;
     const MatrixXd fluctuation =
@@ -107,18 +117,21 @@ EffectiveProperties effective_properties(const pattern::NodeLayout& layout, cons
                                " sides do not tile the plane by translations; four or six sides do");
     }
     const mechanics::Frame frame = pattern_frame(layout, pattern, setting);
-    const MatrixXd K = condensed_frame(frame, setting.sides);
-    MatrixXd membrane(3 * setting.sides, 3);
-    MatrixXd bending(3 * setting.sides, 3);
-    for (int node = 0; node < setting.sides; ++node) {
+    const auto nodes_a_side = static_cast<int>(layout.interface_nodes().size());
+    const int nodes = setting.sides * nodes_a_side;
+    const MatrixXd K = condensed_frame(frame, nodes);
+    MatrixXd membrane(3 * nodes, 3);
+    MatrixXd bending(3 * nodes, 3);
+    for (int node = 0; node < nodes; ++node) {
         membrane.middleRows<3>(3 * node) = strained(frame.nodes[static_cast<std::size_t>(node)]);
         bending.middleRows<3>(3 * node) = curved(frame.nodes[static_cast<std::size_t>(node)]);
     }
     const double area = pattern::signed_area(pattern::regular_polygon(setting.sides, setting.tile_side));
-    const auto membrane_dofs = dofs_of(setting.sides, kMembraneDofs);
-    const auto bending_dofs = dofs_of(setting.sides, kBendingDofs);
-    return {homogenized(K(membrane_dofs, membrane_dofs), membrane, area),
-            homogenized(K(bending_dofs, bending_dofs), bending, area),
+    const MatrixXd periodic = periodic_fluctuations(nodes, nodes_a_side);
+    const auto membrane_dofs = dofs_of(nodes, kMembraneDofs);
+    const auto bending_dofs = dofs_of(nodes, kBendingDofs);
+    return {homogenized(K(membrane_dofs, membrane_dofs), membrane, periodic, area),
+            homogenized(K(bending_dofs, bending_dofs), bending, periodic, area),
             setting.material.density * setting.section.area * beam_length(frame) / area};
 }
 

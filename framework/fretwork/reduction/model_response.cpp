@@ -33,10 +33,12 @@ std::vector<Response> ModelTile::responses(std::span<const double> parameters,
                                            const base::Control& control) const {
     std::vector<Response> responses;
     const mechanics::Assembly tile = assemble(parts(parameters));
+    const int interface_nodes = fan_.interface_node_count;
     for (const Scenario& scenario : setting_.scenarios) {
+        const Scenario spread = spread_over_sides(scenario, interface_nodes / setting_.sides);
         mechanics::Assembly loaded = tile;
-        apply_scenario(scenario, loaded);
-        responses.push_back(follow_scenario(loaded, scenario, setting_, control.silent()));
+        apply_scenario(spread, loaded);
+        responses.push_back(follow_scenario({loaded, interface_nodes}, spread, setting_, control.silent()));
     }
     return responses;
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace fretwork::reduction {
 namespace {
@@ -30,12 +31,17 @@ void check_fit(const std::vector<Response>& responses, const Setting& setting) {
         throw base::InputError("the responses lack scenario '" + setting.scenarios[i].name +
                                "' in its place");
     }
+    std::optional<Eigen::Index> nodes;
     for (const Response& response : responses) {
         for (const Response::Sample& sample : response.samples) {
-            if (sample.displacements.rows() == setting.sides) continue;
-            throw base::InputError("a response to '" + response.scenario + "' has " +
-                                   std::to_string(sample.displacements.rows()) + " interface nodes, not " +
-                                   std::to_string(setting.sides));
+            const Eigen::Index own = sample.displacements.rows();
+            if (!nodes && own > 0 && own % setting.sides == 0) nodes = own;
+            if (own == nodes) continue;
+            throw base::InputError("a response to '" + response.scenario + "' has " + std::to_string(own) +
+                                   " interface nodes, not " +
+                                   (nodes
+                                        ? std::to_string(*nodes)
+                                        : "as many on each of " + std::to_string(setting.sides) + " sides"));
         }
     }
 }

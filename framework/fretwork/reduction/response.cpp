@@ -4,31 +4,30 @@
 #include <fretwork/mechanics/discretization.hpp>
 #include <fretwork/mechanics/equilibrium.hpp>
 #include <fretwork/pattern/fan.hpp>
-#include <fretwork/reduction/detail/one_interface_node.hpp>
 #include <fretwork/reduction/detail/scenario_loads.hpp>
 #include <fretwork/reduction/response.hpp>
 
 namespace fretwork::reduction {
 namespace {
 
-Response::Sample to_sample(const mechanics::Solution& solution, const Setting& setting) {
+Response::Sample to_sample(const mechanics::Solution& solution, int interface_nodes) {
     Response::Sample sample;
     sample.converged = solution.converged();
     sample.stable = solution.converged() && solution.stable;
     sample.limit_load = solution.termination == mechanics::Termination::LimitLoad;
-    const int interface_nodes = setting.sides;
     sample.displacements = mechanics::NodeValues::Zero(interface_nodes, mechanics::kDofsPerNode);
     if (sample.converged) sample.displacements = solution.displacements.topRows(interface_nodes);
     return sample;
 }
 
+/// A solution for each of the setting's magnitudes.
 Response to_response(std::span<const mechanics::Solution> solutions, const Scenario& scenario,
-                     const Setting& setting) {
-    const std::vector<double> factors = mechanics::even_load_factors(setting.magnitudes);
+                     int interface_nodes) {
+    const std::vector<double> factors = mechanics::even_load_factors(static_cast<int>(solutions.size()));
     Response response;
     response.scenario = scenario.name;
     for (std::size_t i = 0; i < solutions.size(); ++i) {
-        Response::Sample sample = to_sample(solutions[i], setting);
+        Response::Sample sample = to_sample(solutions[i], interface_nodes);
         sample.step = static_cast<int>(i) + 1;
         sample.magnitude = factors[i] * scenario.max_magnitude;
         response.samples.push_back(std::move(sample));
@@ -36,13 +35,19 @@ Response to_response(std::span<const mechanics::Solution> solutions, const Scena
     return response;
 }
 
-Response respond(const mechanics::Frame& tile, const Scenario& scenario, const Setting& setting,
-                 const ResponseOptions& options) {
-    const mechanics::Frame frame = scenario_frame(tile, scenario);
-    const std::vector<double> factors = mechanics::even_load_factors(setting.magnitudes);
+/// A tile's frame, neither held nor loaded.
+struct FreeTile {
+    mechanics::Frame frame;
+    int interface_nodes = 0;
+    int magnitudes = 0;
+};
+
+Response respond(const FreeTile& tile, const Scenario& scenario, const ResponseOptions& options) {
+    const mechanics::Frame frame = scenario_frame(tile.frame, scenario);
+    const std::vector<double> factors = mechanics::even_load_factors(tile.magnitudes);
     const mechanics::EquilibriumOptions path_options{.control = options.control.silent()};
     const auto solutions = mechanics::follow_load_path(mechanics::assemble(frame), factors, path_options);
-    Response response = to_response(solutions, scenario, setting);
+    Response response = to_response(solutions, scenario, tile.interface_nodes);
     if (!options.estimate_error) return response;
     const auto errors = mechanics::estimate_discretization_error(frame, factors, solutions, path_options);
     for (std::size_t i = 0; i < errors.size(); ++i) {
@@ -99,23 +104,24 @@ void apply_scenario(const Scenario& scenario, mechanics::Assembly& tile) {
     }
 }
 
-Response follow_scenario(const mechanics::Assembly& tile, const Scenario& scenario, const Setting& setting,
+Response follow_scenario(const LoadedTile& tile, const Scenario& scenario, const Setting& setting,
                          const base::Control& control) {
-    const auto solutions = mechanics::follow_load_path(tile, mechanics::even_load_factors(setting.magnitudes),
-                                                       {.control = control});
-    return to_response(solutions, scenario, setting);
+    const auto solutions = mechanics::follow_load_path(
+        tile.structure, mechanics::even_load_factors(setting.magnitudes), {.control = control});
+    return to_response(solutions, scenario, tile.interface_nodes);
 }
 
 std::vector<Response> compute_responses(const pattern::NodeLayout& layout, const pattern::Pattern& pattern,
                                         const Setting& setting, const ResponseOptions& options) {
-    detail::require_one_interface_node(layout, "scenarios are");
-    const mechanics::Frame tile =
-        mechanics::refined(pattern_frame(layout, pattern, setting), setting.divisions);
-    mechanics::validate(scenario_frame(tile, setting.scenarios.front()));
+    const auto nodes_a_side = static_cast<int>(layout.interface_nodes().size());
+    const FreeTile tile{mechanics::refined(pattern_frame(layout, pattern, setting), setting.divisions),
+                        setting.sides * nodes_a_side, setting.magnitudes};
+    mechanics::validate(
+        scenario_frame(tile.frame, spread_over_sides(setting.scenarios.front(), nodes_a_side)));
     const base::Task task(options.control, "responses", setting.scenarios.size());
     std::vector<Response> responses;
     for (const Scenario& scenario : setting.scenarios) {
-        responses.push_back(respond(tile, scenario, setting, options));
+        responses.push_back(respond(tile, spread_over_sides(scenario, nodes_a_side), options));
         task.update(responses.size());
     }
     return responses;

@@ -51,15 +51,22 @@ mechanics::Frame pattern_frame(const pattern::NodeLayout& layout, const pattern:
 mechanics::Frame pattern_frame(const pattern::NodeLayout& layout, const pattern::Pattern& pattern,
                                const Setting& setting);
 
-/// A frame of one tile, held and loaded as a scenario says, at its largest magnitude.
+/// A frame of one tile, held and loaded as a scenario says, at its largest magnitude. Here and below, the
+/// scenario names interface nodes as the tile has them (spread_over_sides).
 mechanics::Frame scenario_frame(mechanics::Frame tile, const Scenario& scenario);
 
 /// The same for one that is assembled already.
 void apply_scenario(const Scenario& scenario, mechanics::Assembly& tile);
 
-/// What the interface nodes of a held and loaded tile, which are its first nodes, do at the setting's
-/// magnitudes of a scenario. Throws as mechanics::follow_load_path.
-Response follow_scenario(const mechanics::Assembly& tile, const Scenario& scenario, const Setting& setting,
+/// A tile that is held and loaded.
+struct LoadedTile {
+    const mechanics::Assembly& structure;
+    int interface_nodes = 0;  ///< its first nodes
+};
+
+/// What the interface nodes do at the setting's magnitudes of a scenario. Throws as
+/// mechanics::follow_load_path.
+Response follow_scenario(const LoadedTile& tile, const Scenario& scenario, const Setting& setting,
                          const base::Control& control = {});
 
 struct ResponseOptions {

@@ -333,6 +333,10 @@ class RingHexagon::Impl {
     std::array<std::array<Eigen::Matrix3d, kSectors>, 2> turns_;
 };
 
+bool RingHexagon::fits(const pattern::NodeLayout& layout, const Setting& setting) {
+    return layout.interface_nodes().size() == 1 && setting.sides == kSectors;
+}
+
 RingHexagon::RingHexagon(const Setting& setting) {
     setting.validate();
     if (setting.sides != kSectors) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <fretwork/pattern/node_layout.hpp>
 #include <fretwork/reduction/ring_parameters.hpp>
 #include <fretwork/reduction/unit_displacements.hpp>
 
@@ -20,6 +21,9 @@ using RingDirections = Eigen::Matrix<double, kRingParts, Eigen::Dynamic>;
 /// K dd = -dK d. Immutable and thread-safe.
 class RingHexagon {
   public:
+    /// One interface node a side, and a hexagon?
+    static bool fits(const pattern::NodeLayout& layout, const Setting& setting);
+
     /// Throws InputError unless the setting's polygon is a hexagon and each scenario holds it.
     explicit RingHexagon(const Setting& setting);
     RingHexagon(RingHexagon&&) noexcept;

@@ -9,11 +9,14 @@ namespace fretwork::reduction {
 
 /// A ring with links in a polygon (Section 5.1) as a frame without supports and loads.
 ///
-/// Of n sides: nodes 0 .. n-1 are the interface nodes in the middle of the sides, nodes n .. 2n-1 the ring;
-/// then n links (interface node i to ring node i) and n ring beams. Ring node i keeps, in sector i of the
-/// polygon, the barycentric place that (theta, R) give it in the setting's regular polygon. The material is
-/// the setting's. Throws GeometryError if the polygon is not convex.
-mechanics::Frame ring_tile(const RingParts& parts, const Setting& setting, const pattern::Polygon& polygon);
+/// With n interface nodes in all: nodes 0 .. n-1 are these, nodes n .. 2n-1 the ring; then n links (interface
+/// node i to ring node i) and n ring beams. In the setting's regular polygon the ring is the polygon of the
+/// interface nodes, turned by theta and scaled about the center so that R takes the apothem's place; in
+/// another polygon each ring node keeps the barycentric place that it has there in its sector. The paper has
+/// one interface node a side, and so a ring of as many nodes as sides. The material is the setting's. Throws
+/// GeometryError if the polygon is not convex.
+mechanics::Frame ring_tile(const RingParts& parts, const pattern::NodeLayout& layout, const Setting& setting,
+                           const pattern::Polygon& polygon);
 
 /// A row of the catalogue: a ring with links, of which a calibration fits these parameters.
 TileModel ring_tile_model(const RingParameters& parameters, std::string summary);

@@ -68,6 +68,22 @@ Json load_json(const Scenario::Load& load) {
     return {{"interface_node", load.interface_node}, {"force", load.force}, {"moment", load.moment}};
 }
 
+/// `part` once for each node of its side.
+template <class Part>
+void add_for_side(std::vector<Part>& parts, const Part& part, int nodes_a_side) {
+    for (int node = 0; node < nodes_a_side; ++node) {
+        parts.push_back(part);
+        parts.back().interface_node = part.interface_node * nodes_a_side + node;
+    }
+}
+
+Scenario::Load share_of(const Scenario::Load& load, int nodes_a_side) {
+    Scenario::Load share = load;
+    for (double& component : share.force) component /= nodes_a_side;
+    for (double& component : share.moment) component /= nodes_a_side;
+    return share;
+}
+
 }  // namespace
 
 namespace detail {
@@ -110,6 +126,16 @@ const std::vector<Scenario>& paper_scenarios() {
         return result;
     }();
     return scenarios;
+}
+
+Scenario spread_over_sides(const Scenario& scenario, int nodes_a_side) {
+    Scenario spread = scenario;
+    spread.supports.clear();
+    spread.loads.clear();
+    for (const auto& support : scenario.supports) add_for_side(spread.supports, support, nodes_a_side);
+    for (const auto& load : scenario.loads)
+        add_for_side(spread.loads, share_of(load, nodes_a_side), nodes_a_side);
+    return spread;
 }
 
 Scenario parse_scenario(std::string_view text, std::string source) {

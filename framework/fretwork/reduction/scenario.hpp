@@ -11,7 +11,7 @@
 namespace fretwork::reduction {
 
 /// A standard load case of one tile in the reference hexagon, by its interface nodes. Paper, Section 5.2 and
-/// Fig. 10.
+/// Fig. 10. It is written for one interface node a side; spread_over_sides makes it fit any layout.
 struct Scenario {
     struct Support {
         int interface_node = 0;
@@ -36,6 +36,11 @@ struct Scenario {
 /// The five scenarios of the paper in its order: axial, shear, bending, dome, saddle
 /// (experiments/scenarios/*.json).
 const std::vector<Scenario>& paper_scenarios();
+
+/// The scenario of a tile with several interface nodes a side: what is said of interface node i holds for all
+/// nodes of side i. Each is held so, and takes an equal share of force and moment. Since nodes lie
+/// symmetrically about the middle of their side, the side's resultants stay. The paper has one node a side.
+Scenario spread_over_sides(const Scenario& scenario, int nodes_a_side);
 
 /// Read a scenario from JSON text; `source` names it in messages. Throws InputError.
 Scenario parse_scenario(std::string_view text, std::string source);

@@ -55,9 +55,12 @@ struct TileModel {
     std::vector<TileParameter> parameters{};  ///< fitted to a pattern's responses; none: nothing is fitted
     /// Throws InputError or GeometryError if the tile cannot be built.
     std::function<std::shared_ptr<const TileStructure>(const TileInput&)> build{};
-    /// Its calibration as an optimization problem; empty: the model is built anew at each point, and
-    /// derivatives are differences. For models of small displacements with parameters only.
-    std::function<std::unique_ptr<CalibrationProblem>(const Objective&, const Setting&)> problem{};
+    /// Its calibration as an optimization problem of its own, for models of small displacements with
+    /// parameters. Where it is empty, or gives none for this layout and setting, the tile is built anew at
+    /// each point and derivatives are differences (DifferenceProblem).
+    std::function<std::unique_ptr<CalibrationProblem>(const Objective&, const pattern::NodeLayout&,
+                                                      const Setting&)>
+        problem{};
 };
 
 /// The built-in tile models, in the order in which they are listed.

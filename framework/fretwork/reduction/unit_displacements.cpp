@@ -22,8 +22,8 @@ std::vector<Eigen::Index> free_dofs(const Scenario& scenario, Eigen::Index count
     return result;
 }
 
-mechanics::NodeValues unit_loads(const Scenario& scenario, int sides) {
-    mechanics::NodeValues loads = mechanics::NodeValues::Zero(sides, mechanics::kDofsPerNode);
+mechanics::NodeValues unit_loads(const Scenario& scenario, Eigen::Index nodes) {
+    mechanics::NodeValues loads = mechanics::NodeValues::Zero(nodes, mechanics::kDofsPerNode);
     for (const mechanics::NodalLoad& load : detail::loads_of(scenario, 1.0)) {
         loads.row(load.node).head<3>() += load.force;
         loads.row(load.node).tail<3>() += load.moment;
@@ -31,7 +31,7 @@ mechanics::NodeValues unit_loads(const Scenario& scenario, int sides) {
     return loads;
 }
 
-mechanics::NodeValues solve_scenario(const Eigen::MatrixXd& stiffness, const Scenario& scenario, int sides) {
+mechanics::NodeValues solve_scenario(const Eigen::MatrixXd& stiffness, const Scenario& scenario) {
     /// A structure that is held has some 1e-8, one that is not has round-off.
     constexpr double kSmallestConditioning = 1e-13;
     const std::vector<Eigen::Index> free = free_dofs(scenario, stiffness.rows());
@@ -39,21 +39,23 @@ mechanics::NodeValues solve_scenario(const Eigen::MatrixXd& stiffness, const Sce
     if (!factor.isPositive() || factor.rcond() < kSmallestConditioning) {
         throw base::NumericalError("scenario '" + scenario.name + "' lets the tile move freely");
     }
-    const mechanics::NodeValues loads = unit_loads(scenario, sides);
+    const Eigen::Index nodes = stiffness.rows() / mechanics::kDofsPerNode;
+    const mechanics::NodeValues loads = unit_loads(scenario, nodes);
     const Eigen::VectorXd load = loads.reshaped<Eigen::RowMajor>();
     const Eigen::VectorXd free_load = load(free);
     const Eigen::VectorXd solution = factor.solve(free_load);
     Eigen::VectorXd displacements = Eigen::VectorXd::Zero(stiffness.rows());
     displacements(free) = solution;
-    return displacements.reshaped<Eigen::RowMajor>(sides, mechanics::kDofsPerNode);
+    return displacements.reshaped<Eigen::RowMajor>(nodes, mechanics::kDofsPerNode);
 }
 
 }  // namespace
 
 UnitDisplacements unit_displacements(const Eigen::MatrixXd& stiffness, const Setting& setting) {
+    const auto nodes_a_side = static_cast<int>(stiffness.rows()) / (mechanics::kDofsPerNode * setting.sides);
     UnitDisplacements result;
     for (const Scenario& scenario : setting.scenarios)
-        result.push_back(solve_scenario(stiffness, scenario, setting.sides));
+        result.push_back(solve_scenario(stiffness, spread_over_sides(scenario, nodes_a_side)));
     return result;
 }
 

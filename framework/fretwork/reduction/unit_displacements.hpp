@@ -20,9 +20,9 @@ struct UnitDisplacementsAndDerivatives {
     std::vector<Eigen::MatrixXd> derivatives;
 };
 
-/// The displacements of a tile with this stiffness of its interface nodes (6n x 6n) under the setting's
-/// scenarios.
-/// Throws NumericalError that names a scenario under which it can move freely.
+/// The displacements of a tile with this stiffness of its n interface nodes (6n x 6n; as many on each side of
+/// the setting's polygon) under the setting's scenarios. Throws NumericalError that names a scenario under
+/// which it can move freely.
 UnitDisplacements unit_displacements(const Eigen::MatrixXd& stiffness, const Setting& setting);
 
 }  // namespace fretwork::reduction
