@@ -128,6 +128,25 @@ TEST(Narrow, RefusedABandIsNamedWithItsWidthAndASideThatWorks) {
     EXPECT_NO_THROW(tile(band, {.edge_length = 0.011, .narrow = Narrow::Refuse}));
 }
 
+TEST(Narrow, RefusedNoTileIsMadeSmallerThanWanted) {
+    const Outline disc = make_outline(circle({0, 0}, 0.035), {});
+    const TessellationOptions refuse{.edge_length = kSide, .narrow = Narrow::Refuse};
+    ASSERT_GT(tile(disc).report.refined_share, 0.0);
+    EXPECT_THAT(complaint_of([&] { tile(disc, refuse); }), HasSubstr("too narrow"));
+}
+
+TEST(Narrow, AStarSmallerThanATileIsToldASideThatWorks) {
+    Polygon star;
+    for (int i = 0; i < 10; ++i) {
+        const double radius = i % 2 == 0 ? 0.008 : 0.003;
+        const double angle = std::numbers::pi * i / 5;
+        star.push_back({radius * std::cos(angle), radius * std::sin(angle)});
+    }
+    const std::string complaint = complaint_of([&] { tile(make_outline(star, {})); });
+    EXPECT_THAT(complaint, HasSubstr("; sides of 0.00089 m work"));
+    EXPECT_NO_THROW(tile(make_outline(star, {}), {.edge_length = 0.00089}));
+}
+
 TEST(NarrowPlaces, ABandIsNarrowAndTheCornersOfAPlateAreNot) {
     const detail::NarrowLimits limits{.width = 0.05, .least_area = 1e-5};
     EXPECT_TRUE(detail::narrow_places(make_outline(kPlate, {}), limits, {}).empty());

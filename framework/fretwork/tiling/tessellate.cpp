@@ -40,6 +40,7 @@ constexpr double kSideAtHole = 0.16;  // of its length: three tiles around it at
 constexpr double kLimbArea = 0.01;    // of the outline: what may be lost where no tile fits
 constexpr int kSidesTried = 5;        // before an outline is refused
 constexpr double kNextSide = 0.7;     // of the one tried before
+constexpr double kFewTiles = 4;       // no outline is tried with fewer: a drawing may be smaller than a tile
 constexpr double kMostTilesTried = 5000;
 constexpr double kTipArea = 1e-3;         // of the outline: a sharp tip may lose so much
 constexpr double kTipsArea = 8e-3;        // the same of all tips
@@ -155,7 +156,7 @@ Candidate best_attempt(const Outline& outline, const TessellationOptions& option
         Candidate candidate = best_candidate(task, starts, work);
         const bool is_first = attempt == 0;
         if (is_first || detail::is_better(candidate, best)) best = candidate;
-        if (best.defects.empty()) break;
+        if (best.defects.empty() || options.narrow == Narrow::Refuse) break;
         bool is_finer = false;
         for (const detail::Defect& defect : candidate.defects) {
             const double wanted = std::max(least, kFiner * field.at(defect.place));
@@ -214,7 +215,8 @@ void check_origin(const Outline& outline, const TessellationOptions& options) {
 /// A smaller side of the tiles with which the outline can be tiled, found by trying; none of those tried.
 std::optional<double> side_that_works(const Outline& outline, const TessellationOptions& options,
                                       double first, Work& work) {
-    double side = first;
+    const double side_of_few = std::sqrt(detail::area_of(outline) / (kFewTiles * kHexagonArea));
+    double side = std::min(first, side_of_few);
     for (int i = 0; i < kSidesTried; ++i, side *= kNextSide) {
         TessellationOptions smaller = options;
         smaller.edge_length = std::stod(detail::two_digits(side));
@@ -242,11 +244,10 @@ void refuse_narrow(const Outline& outline, const TessellationOptions& options) {
     const auto places = detail::narrow_places(outline, narrow_limits(outline, options), options.control);
     if (places.empty()) return;
     const detail::NarrowPlace& place = places.front();
-    TessellationOptions refining = options;
-    refining.narrow = Narrow::Refine;
-    refining.control = options.control.silent();
-    Work work(refining.control, "");
-    const auto works = side_that_works(outline, refining, kSideInBand * place.width, work);
+    TessellationOptions silent = options;
+    silent.control = options.control.silent();
+    Work work(silent.control, "");
+    const auto works = side_that_works(outline, silent, kSideInBand * place.width, work);
     throw base::GeometryError("the outline is " + metres(place.width) + " wide near " +
                               detail::place_text(place.place) + ", narrower than tiles with sides of " +
                               metres(options.edge_length) + advice(works));

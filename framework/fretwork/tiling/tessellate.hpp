@@ -18,7 +18,7 @@ inline constexpr double kNegligibleShare = 1e-6;
 enum class Narrow {
     Refine,  ///< smaller tiles, as many as it takes for one to fit
     Merge,   ///< the same, and then as few as go together: a narrow band gets long tiles
-    Refuse,  ///< GeometryError
+    Refuse,  ///< GeometryError; so is whatever else needs smaller tiles somewhere
 };
 
 struct TessellationOptions {
