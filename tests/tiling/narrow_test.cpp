@@ -143,8 +143,8 @@ TEST(Narrow, AStarSmallerThanATileIsToldASideThatWorks) {
         star.push_back({radius * std::cos(angle), radius * std::sin(angle)});
     }
     const std::string complaint = complaint_of([&] { tile(make_outline(star, {})); });
-    EXPECT_THAT(complaint, HasSubstr("; sides of 0.00089 m work"));
-    EXPECT_NO_THROW(tile(make_outline(star, {}), {.edge_length = 0.00089}));
+    EXPECT_THAT(complaint, HasSubstr("; sides of 0.0026 m work"));
+    EXPECT_NO_THROW(tile(make_outline(star, {}), {.edge_length = 0.0026}));
 }
 
 TEST(NarrowPlaces, ABandIsNarrowAndTheCornersOfAPlateAreNot) {
