@@ -176,9 +176,10 @@ ExitCode calibrate(Options options) {
     adopt_setting(library, options);
     const auto patterns = in_shard(wanted_patterns(library, options.patterns), options.shard);
     if (options.retry) library.forget_failures();
-    Result result{.key = options.fill.key(),
-                  .policy = sample_policy_name(library.setting().sample_policy),
-                  .is_papers_layout = library.layout().name() == "paper7"};
+    Result result;
+    result.key = options.fill.key();
+    result.policy = sample_policy_name(library.setting().sample_policy);
+    result.is_papers_layout = library.layout().name() == "paper7";
     const auto start = std::chrono::steady_clock::now();
     result.report = library::fill(library, patterns, options.fill);
     result.is_stopped = work.is_stopped();

@@ -13,6 +13,7 @@
 #include <fretwork/exports/library_meshes.hpp>
 #include <fretwork/exports/property_chart.hpp>
 #include <fretwork/exports/reduced_drawing.hpp>
+#include <fretwork/exports/scenario_drawing.hpp>
 #include <fretwork/library/library.hpp>
 #include <fretwork/library/merge.hpp>
 
@@ -48,6 +49,7 @@ struct Options {
     std::string csv;
     std::string meshes;
     std::string svg;
+    std::string scenarios;
     std::string chart;
     std::string patterns = "all";
     bool ply = false;
@@ -134,6 +136,10 @@ void show(const Options& options) {
         base::write_file_atomically(
             options.svg, exports::reduced_sheet_svg(library.layout(), {&drawn, 1}, library.setting()));
     }
+    if (!options.scenarios.empty())
+        base::write_file_atomically(
+            options.scenarios, exports::scenario_sheet_svg(library.layout(), reduced_pattern(library, entry),
+                                                           library.setting()));
     options.json ? print_pattern_json(library, entry) : print_pattern(library, entry);
 }
 
@@ -237,6 +243,9 @@ void add_library(CLI::App& app, ExitCode&) {
     CLI::App* showing =
         add_action(verb, options, "show", {"Show one pattern with its responses and calibrations", show});
     showing->add_option("--svg", options->svg, "Draw the pattern and its reduced model");
+    showing->add_option(
+        "--scenarios", options->scenarios,
+        "Draw how the pattern and its reduced model are held, loaded and bent in each scenario, as SVG");
     showing->add_option("pattern", options->pattern, "The pattern's id, such as 0-1+1-6")->required();
     CLI::App* merging = add_action(verb, options, "merge",
                                    {"Merge libraries of one layout and setting into a new file", merge});
@@ -256,7 +265,7 @@ void add_library(CLI::App& app, ExitCode&) {
         "Property chart as SVG: stiffness against mass, bending against in-plane stiffness");
     exporting->add_flag("--ply", options->ply, "Write meshes as PLY rather than OBJ")->needs("--meshes");
     declare_files(*verb, {input("--library")});
-    declare_files(*showing, {output("--svg", kSvgFile)});
+    declare_files(*showing, {output("--svg", kSvgFile), output("--scenarios", kSvgFile)});
     declare_files(*merging, {output("output", kLibraryFile), input("inputs")});
     declare_files(*exporting, {output_folder("--csv", kTables), output_folder("--meshes", ".obj .ply"),
                                output("--svg", kSvgFile), output("--chart", kSvgFile)});
