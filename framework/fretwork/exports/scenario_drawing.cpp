@@ -29,7 +29,7 @@ constexpr int kDrawnDivisions = 6;  ///< of a beam: it is drawn as bent as it is
 
 // Lengths as multiples of the tile's side.
 constexpr double kCellWidth = 3.6;
-constexpr double kCellHeight = 3.7;
+constexpr double kCellHeight = 3.1;
 constexpr double kReach = 0.75;  ///< of the largest arrow
 constexpr double kBall = 0.09;
 constexpr double kText = 0.14;

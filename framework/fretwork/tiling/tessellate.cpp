@@ -10,9 +10,11 @@
 #include <fretwork/tiling/tessellate.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <span>
 
 namespace fretwork::tiling {
 namespace {
@@ -32,15 +34,16 @@ constexpr double kTilesInGraded = 500;   // the same, where an attempt may be fo
 constexpr double kSketchingShare = 0.2;  // of the work that is left
 constexpr double kAttemptShare = 0.8;    // of the work that is left then
 constexpr int kAttempts = 8;
-constexpr double kFiner = 0.7;        // from one attempt to the next, where tiles had defects
-constexpr double kFinest = 0.1;       // of the wanted side
-constexpr double kBarsInSide = 1.5;   // the wanted side over the smallest allowed, at least
-constexpr double kSideInBand = 0.55;  // of a band's width: its tiles are about as long as wide
-constexpr double kSideAtHole = 0.16;  // of its length: three tiles around it at least
-constexpr double kLimbArea = 0.01;    // of the outline: what may be lost where no tile fits
-constexpr int kSidesTried = 5;        // before an outline is refused
-constexpr double kNextSide = 0.7;     // of the one tried before
-constexpr double kFewTiles = 4;       // no outline is tried with fewer: a drawing may be smaller than a tile
+constexpr std::array kTurnedBy = {0.0, 0.5, 0.25};  // of the angle between two lattices
+constexpr double kFiner = 0.7;                      // from one attempt to the next, where tiles had defects
+constexpr double kFinest = 0.1;                     // of the wanted side
+constexpr double kBarsInSide = 1.5;                 // the wanted side over the smallest allowed, at least
+constexpr double kSideInBand = 0.55;                // of a band's width: its tiles are about as long as wide
+constexpr double kSideAtHole = 0.16;                // of its length: three tiles around it at least
+constexpr double kLimbArea = 0.01;                  // of the outline: what may be lost where no tile fits
+constexpr int kSidesTried = 5;                      // before an outline is refused
+constexpr double kNextSide = 0.7;                   // of the one tried before
+constexpr double kFewTiles = 4;  // no outline is tried with fewer: a drawing may be smaller than a tile
 constexpr double kMostTilesTried = 5000;
 constexpr double kTipArea = 1e-3;         // of the outline: a sharp tip may lose so much
 constexpr double kTipsArea = 8e-3;        // the same of all tips
@@ -58,15 +61,16 @@ double estimated_tiles(const Outline& outline, const TessellationOptions& option
 }
 
 /// The starts that look best in a first sketch, best first, and as many as the number of tiles allows. A
-/// triangular lattice is the same again after 60 degrees.
-std::vector<Start> best_starts(const Task& task, Work& work) {
+/// triangular lattice is the same again after 60 degrees. The lattices are turned by a share of the angle
+/// between two of them.
+std::vector<Start> best_starts(const Task& task, double turned_by, Work& work) {
     const bool is_graded = !task.field.is_uniform();
     const auto count = static_cast<std::size_t>(is_graded ? (task.options.lattice_angles + 1) / 2
                                                           : task.options.lattice_angles);
     std::vector<std::pair<detail::Sketch, Start>> ranking(count);
     work.begin_part(count * detail::rough_steps(task.options), kSketchingShare);
     base::parallel_for(count, task.options.threads, [&](std::size_t i) {
-        Start start{std::numbers::pi / 3 * static_cast<double>(i) / static_cast<double>(count)};
+        Start start{std::numbers::pi / 3 * (static_cast<double>(i) + turned_by) / static_cast<double>(count)};
         const detail::Sketch sketch = detail::make_sketch(task, start, work);
         start.factor = sketch.factor;
         ranking[i] = {sketch, start};
@@ -134,25 +138,25 @@ detail::BluntLimits blunt_limits(const Outline& outline, const TessellationOptio
     return {std::min(kTipArea * all, 0.25 * options.edge_length * options.edge_length), kTipsArea * all};
 }
 
-/// The best tiling of several attempts: where one has defects, the tiles are wanted smaller in the next.
-Candidate best_attempt(const Outline& outline, const TessellationOptions& options, Work& work) {
-    const detail::BluntOutline blunt = detail::blunt(outline, options.edge_length / kSideInBand,
-                                                     blunt_limits(outline, options), options.control);
-    auto [field, too_narrow] = wanted_sides(blunt.outline, options);
-    Candidate best;
-    if (too_narrow) {
-        best.defects.push_back({detail::DefectKind::TooNarrow, too_narrow->place});
-        return best;
-    }
+/// An outline with blunt tips, the sides that its tiles are wanted with, and what they are judged by.
+struct Subject {
+    const detail::BluntOutline& blunt;
+    const SizeField& field;
+    detail::QualityLimits limits;
+};
+
+/// The best tiling of several attempts: where one has defects, the tiles are wanted smaller in the next. All
+/// begin with lattices turned by a share of the angle between two of them.
+Candidate best_attempt(const Subject& subject, const TessellationOptions& options, double turned_by,
+                       Work& work) {
+    SizeField field = subject.field;
     const double least = smallest_wanted(options);
-    const double share = blunt.lost_area / detail::area_of(outline);
-    const detail::QualityLimits limits{.smallest_side = options.smallest_side,
-                                       .covered_share = detail::QualityLimits{}.covered_share / (1 - share)};
+    Candidate best;
     std::vector<Start> starts;
     for (int attempt = 0; attempt < kAttempts; ++attempt) {
-        const Task task{blunt.outline, field, options, limits};
+        const Task task{subject.blunt.outline, field, options, subject.limits};
         // What was uniform before may need other starts, and more of them.
-        if (attempt < 2) starts = best_starts(task, work);
+        if (attempt < 2) starts = best_starts(task, turned_by, work);
         Candidate candidate = best_candidate(task, starts, work);
         const bool is_first = attempt == 0;
         if (is_first || detail::is_better(candidate, best)) best = candidate;
@@ -163,6 +167,30 @@ Candidate best_attempt(const Outline& outline, const TessellationOptions& option
             is_finer = field.limit(defect.place, wanted) || is_finer;
         }
         if (!is_finer) break;
+    }
+    return best;
+}
+
+/// The best tiling of all attempts. Those that end with defects begin again with lattices turned otherwise.
+Candidate best_tiling(const Outline& outline, const TessellationOptions& options,
+                      std::span<const double> turns, Work& work) {
+    const detail::BluntOutline blunt = detail::blunt(outline, options.edge_length / kSideInBand,
+                                                     blunt_limits(outline, options), options.control);
+    const auto [field, too_narrow] = wanted_sides(blunt.outline, options);
+    Candidate best;
+    if (too_narrow) {
+        best.defects.push_back({detail::DefectKind::TooNarrow, too_narrow->place});
+        return best;
+    }
+    const double share = blunt.lost_area / detail::area_of(outline);
+    const Subject subject{blunt,
+                          field,
+                          {.smallest_side = options.smallest_side,
+                           .covered_share = detail::QualityLimits{}.covered_share / (1 - share)}};
+    for (const double turned_by : turns) {
+        Candidate candidate = best_attempt(subject, options, turned_by, work);
+        if (best.dual.cells.empty() || detail::is_better(candidate, best)) best = std::move(candidate);
+        if (best.defects.empty()) break;
     }
     best.report.covered_share *= 1 - share;
     return best;
@@ -222,7 +250,8 @@ std::optional<double> side_that_works(const Outline& outline, const Tessellation
         smaller.edge_length = std::stod(detail::two_digits(side));
         smaller.smallest_side = std::min(options.smallest_side, 0.25 * smaller.edge_length);
         if (estimated_tiles(outline, smaller) > kMostTilesTried) return std::nullopt;
-        if (best_attempt(outline, smaller, work).defects.empty()) return smaller.edge_length;
+        if (best_tiling(outline, smaller, std::span(kTurnedBy).first(1), work).defects.empty())
+            return smaller.edge_length;
     }
     return std::nullopt;
 }
@@ -274,7 +303,7 @@ TessellationResult tessellate(const Outline& outline, const pattern::NodeLayout&
     detail::check_small_parts(clean.outline, options.edge_length, options.control);
     if (options.narrow == Narrow::Refuse) refuse_narrow(clean.outline, options);
     Work work(options.control, "tiling");
-    Candidate best = best_attempt(clean.outline, options, work);
+    Candidate best = best_tiling(clean.outline, options, kTurnedBy, work);
     if (!best.defects.empty()) refuse(clean.outline, options, best.defects.front(), work);
     work.complete();
     best.report.negligible_points = clean.left_out;
