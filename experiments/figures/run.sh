@@ -18,10 +18,11 @@ rm -f library.db
 for figure in 12:a:bridge 13:b:example_b 14:c:example_c; do
   IFS=: read -r number example case <<<"$figure"
   "$fretwork" tile "$here/../outlines/example_$example.svg" --library library.db --patterns random:1 --out "$example.json" >/dev/null
+  "$fretwork" case add "$example.json" "$here/../cases/$case.json" --replace >/dev/null
   for model in full paper6; do
-    "$fretwork" simulate "$example.json" --case "$here/../cases/$case.json" --model "$model" --out "${example}_$model.json" >/dev/null
+    "$fretwork" simulate "$example.json" --case "${case//_/-}" --model "$model" --out "${example}_$model.json" >/dev/null
   done
-  "$fretwork" export "$example.json" --case "$here/../cases/$case.json" --result "${example}_full.json" \
+  "$fretwork" export "$example.json" --case "${case//_/-}" --result "${example}_full.json" \
     --result "${example}_paper6.json" --to "fig$number.svg" >/dev/null
 done
 ls "$out"/fig*.svg
