@@ -57,6 +57,7 @@ std::size_t wait_for_positions(Client& client) {
     const std::int64_t revision = client.event({"changed"})["revision"];
     while (true) {
         const Json solved = client.event({"solved", "failed"});
+        if (solved.value("provisional", false)) continue;
         if (solved["event"] == "failed") throw std::runtime_error(solved["error"].get<std::string>());
         std::string positions = client.binary();
         while (test::header(positions, 1) != 2) positions = client.binary();

@@ -148,25 +148,41 @@ mechanics::Result LiveSolver::result_of(const Attempt& attempt) {
     if (is_enough) return last_solved_->result;
     last_solved_.reset();
     ToldProgress progress([&](const std::string&, double share) { listener_.told(input, share); });
-    return session_.follow(input.situation)
-        .solve({.stop = attempt.stop, .progress = &progress}, attempt.check);
+    simulation::Session& session = session_.follow(input.situation);
+    // While loads are dragged, people see where they lead before the answer is there.
+    const mechanics::FirstIterate tell_first = [&](const mechanics::Solution& solution) {
+        mechanics::Result first;
+        first.solver = "newton";
+        first.solution = solution;
+        auto ahead = shown_as(input, std::move(first));
+        ahead->stage = Stage::FirstIterate;
+        listener_.solved(std::move(ahead));
+    };
+    return session.solve(
+        {.stop = attempt.stop, .progress = &progress}, attempt.check,
+        attempt.check == mechanics::StabilityCheck::Left ? tell_first : mechanics::FirstIterate());
+}
+
+std::shared_ptr<SolvedSurface> LiveSolver::shown_as(const SolverInput& input, mechanics::Result result) {
+    auto shown = std::make_shared<SolvedSurface>();
+    shown->model = *input.situation.state->model;
+    shown->revision = input.revision;
+    shown->beams_revision = beams_revision_;
+    shown->beams = beams_;
+    shown->state = simulation::beam_state(*session_, result.solution, *beams_, wanted_sections(input));
+    shown->result = std::move(result);
+    return shown;
 }
 
 void LiveSolver::solve(const Attempt& attempt) {
     const SolverInput& input = attempt.input;
     update_beams(input);
-    auto solved = std::make_shared<SolvedSurface>();
-    solved->result = result_of(attempt);
-    if (is_unchecked(solved->result) && solved->result.solution.converged() &&
+    auto solved = shown_as(input, result_of(attempt));
+    const mechanics::Result& result = solved->result;
+    if (is_unchecked(result) && result.solution.converged() &&
         attempt.check == mechanics::StabilityCheck::Left)
         unchecked_ = input;
-    solved->model = *input.situation.state->model;
-    solved->revision = input.revision;
-    solved->beams_revision = beams_revision_;
-    solved->beams = beams_;
-    solved->state =
-        simulation::beam_state(*session_, solved->result.solution, *beams_, wanted_sections(input));
-    solved->warnings = warnings_of(solved->result);
+    solved->warnings = warnings_of(result);
     last_solved_ = solved;
     last_situation_ = input.situation;
     listener_.solved(std::move(solved));

@@ -25,8 +25,12 @@ struct SolverInput {
     BeamFields fields{};        ///< that somebody shows
 };
 
+/// What positions are: an equilibrium (or the end of the search for one), or the first step towards it.
+enum class Stage { FirstIterate, Answer };
+
 /// An equilibrium, and the beams that it moves.
 struct SolvedSurface {
+    Stage stage = Stage::Answer;
     std::string model;
     std::int64_t revision = 0;
     std::int64_t beams_revision = 0;
@@ -48,6 +52,7 @@ struct ShownBeams {
 /// Who hears of what the solver does, on the solver's thread.
 struct SolverListener {
     std::function<void(const ShownBeams&)> beams;
+    /// Of one input the first iterate may come before the answer.
     std::function<void(SolvedPtr)> solved;
     std::function<void(const SolverInput&, const std::string& error)> failed;
     std::function<void(const SolverInput&, double share)> told;
@@ -79,6 +84,7 @@ class LiveSolver {
     [[nodiscard]] bool is_to_be_stopped(Clock::time_point now) const;
     void solve(const Attempt& attempt);
     [[nodiscard]] mechanics::Result result_of(const Attempt& attempt);
+    [[nodiscard]] std::shared_ptr<SolvedSurface> shown_as(const SolverInput& input, mechanics::Result result);
     [[nodiscard]] std::span<const mechanics::BeamSection> wanted_sections(const SolverInput& input);
     void update_beams(const SolverInput& input);
 

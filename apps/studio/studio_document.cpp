@@ -48,10 +48,12 @@ Json examples_json() {
     return list;
 }
 
-std::vector<std::string> export_endings() {
-    std::vector<std::string> endings;
-    for (const exports::WriterRow& writer : exports::writer_catalogue()) endings.emplace_back(writer.ending);
-    return endings;
+/// All kinds of file that `fretwork export` writes.
+Json exports_json() {
+    Json list = Json::array();
+    for (const exports::WriterRow& writer : exports::writer_catalogue())
+        list.push_back({{"ending", writer.ending}, {"summary", writer.description}});
+    return list;
 }
 
 /// For each interface node that is held, what holds it.
@@ -89,6 +91,7 @@ Outgoing solved_message(const SolvedSurface& solved, const BeamFields& fields, c
                   {"reactions", reactions_json(solution, solved.beams->interface_nodes)},
                   {"fields", solved.state.forces.rows() > 0 ? names_of(fields) : std::vector<std::string>{}}};
     std::string positions = solution_message(solved.state, {solved.revision, solved.beams_revision}, fields);
+    if (solved.stage == Stage::FirstIterate) event["provisional"] = true;
     if (!more.is_null()) event.update(more);
     return {{text_part(event.dump()), binary_part(std::move(positions))}, more.is_null() ? "solution" : ""};
 }
@@ -106,7 +109,7 @@ void Studio::Impl::hello(const Request& request) {
                      {"layouts", pattern::layout_names()},
                      {"has_library", document_ && !document_->now()->library->path.empty()},
                      {"has_document", document_.has_value()},
-                     {"exports", export_endings()},
+                     {"exports", exports_json()},
                      {"recoverable", recoverable_json()}});
     if (!document_) return;
     server_.send(request.client,
@@ -242,7 +245,7 @@ void Studio::Impl::tell_beams(const ShownBeams& shown) {
 
 void Studio::Impl::tell_solved(const SolvedPtr& solved) {
     if (!is_shown(solved->revision)) return;
-    last_solved_ = solved;
+    if (solved->stage == Stage::Answer) last_solved_ = solved;
     std::map<unsigned long, Outgoing> messages;  // pages that show the same get the same bytes
     const bool has_forces = solved->state.forces.rows() > 0;
     for (const auto& [client, fields] : std::map(clients_)) {
@@ -251,6 +254,7 @@ void Studio::Impl::tell_solved(const SolvedPtr& solved) {
         if (message.parts.empty()) message = solved_message(*solved, fields);
         server_.send(client, message);
     }
+    if (solved->stage == Stage::FirstIterate) return;
     // It was begun when nobody showed any field: those who do wait for them.
     if (shown_fields().any() && !has_forces) solve_live();
 }

@@ -112,6 +112,17 @@ TEST(ViewPage, HoldsTheSceneAndNamesNothingOutsideOfItself) {
         EXPECT_THAT(page, Not(HasSubstr(outside)));
 }
 
+TEST(ViewPage, LoadsAreThoseOfTheConditions) {
+    const Scene scene = bent_scene();
+    Eigen::Vector3d given = Eigen::Vector3d::Zero();
+    for (const mechanics::NodalLoad& load : scene.conditions->loads) given += load.force;
+    Eigen::Vector3d shown = Eigen::Vector3d::Zero();
+    for (const BarScene::Load& load : make_bar_scene(scene).loads) shown += load.force;
+    EXPECT_GT(given.norm(), 0.0);
+    EXPECT_LT((given - shown).norm(), 1e-12 * given.norm());
+    EXPECT_EQ(data_of(view_html(scene))["loads"].size(), make_bar_scene(scene).loads.size());
+}
+
 TEST(ViewPage, FieldsComeBackWithinTheStepOfTheirSixteenBits) {
     const Scene scene = solved_scene("full");
     const BarScene bars = make_bar_scene(scene);

@@ -96,6 +96,23 @@ TEST(EquilibriumSolver, StartsFromTheLastEquilibriumWhereTheNodesAreTheSame) {
     EXPECT_EQ(solver.starting_point(), StartingPoint::Rest);
 }
 
+TEST(EquilibriumSolver, TellsItsFirstIterateWhereItGoesOnFromAnEquilibrium) {
+    Assembly assembly = bent_honeycomb();
+    EquilibriumSolver solver;
+    std::vector<Solution> told;
+    const auto tell = [&](const Solution& solution) { told.push_back(solution); };
+    const Solution before = solver.solve(assembly, {}, StabilityCheck::Left, tell);
+    EXPECT_TRUE(told.empty()) << "there is nothing to go on from";
+    assembly.loads *= 1.02;
+    const Solution after = solver.solve(assembly, {}, StabilityCheck::Left, tell);
+    ASSERT_EQ(told.size(), 1U);
+    EXPECT_FALSE(told.front().converged());
+    EXPECT_TRUE(after.converged());
+    // A tangent leaves an error that is quadratic in the move.
+    EXPECT_LT((told.front().displacements - after.displacements).norm(),
+              0.2 * (before.displacements - after.displacements).norm());
+}
+
 /// Neither the lifted end nor its turn may move before the rest of the cantilever does.
 TEST(EquilibriumSolver, FollowsPrescribedDisplacementsAndRotations) {
     Frame frame = verification::thin_cantilever(20);

@@ -22,17 +22,23 @@ using test::header;
 using test::RunningStudio;
 using testing::HasSubstr;
 
-/// The next solution: its event, and the message that follows it.
+/// Positions: their event, and the message that follows it.
 struct Solved {
     Json event;
     std::string positions;
 };
-Solved next_solution(Client& client) {
+Solved next_positions(Client& client) {
     Solved solved;
     solved.event = client.event({"solved"});
     do {
         solved.positions = client.binary();
     } while (header(solved.positions, 1) != 2);
+    return solved;
+}
+/// The next positions that are an answer.
+Solved next_solution(Client& client) {
+    Solved solved = next_positions(client);
+    while (solved.event.value("provisional", false)) solved = next_positions(client);
     return solved;
 }
 /// The solution of the newest revision.
@@ -257,6 +263,29 @@ TEST(StudioMessages, StabilityLeftOpenInADragIsToldWhenItRests) {
     const Solved rested = next_solution(client);
     EXPECT_EQ(rested.event["revision"], dragged.event["revision"]);
     EXPECT_EQ(rested.event["stable"], true);
+}
+
+TEST(StudioMessages, ADraggedLoadIsShownBeforeItsEquilibriumIsFound) {
+    const RunningStudio studio(test::studio_project());
+    Client client(studio.address());
+    client.hello();
+    const Solved before = next_solution(client);
+    ASSERT_EQ(before.event["model"], "corotational");
+    (void)client.ask("set_load_case",
+                     {{"index", 0}, {"load_case", load_case_json(-0.011)}, {"merge", "drag"}});
+    const Solved first = next_positions(client);
+    ASSERT_TRUE(first.event.value("provisional", false));
+    EXPECT_FALSE(first.event["converged"].get<bool>());
+    EXPECT_TRUE(first.event["warnings"].empty());
+    const Solved answer = next_positions(client);
+    EXPECT_FALSE(answer.event.value("provisional", false));
+    EXPECT_EQ(answer.event["revision"], first.event["revision"]);
+    EXPECT_TRUE(answer.event["converged"].get<bool>());
+    const auto moved = [](const Solved& solved) {
+        return solved.event["largest_displacement"].get<double>();
+    };
+    // The tangent leads most of the way.
+    EXPECT_LT(std::abs(moved(first) - moved(answer)), 0.2 * std::abs(moved(before) - moved(answer)));
 }
 
 TEST(StudioMessages, MixedModelsTakeTheShareOfTilesInFull) {

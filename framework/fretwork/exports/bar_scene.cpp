@@ -109,6 +109,13 @@ class Builder {
             bars_.supports.push_back(
                 {support.node.value, is_clamped ? Kind::Clamped : (is_pinned ? Kind::Pinned : Kind::Other)});
         }
+        const auto nodes = scene_.surface.tessellation.interface_nodes.size();
+        const mechanics::NodeValues rows = simulation::load_rows(*scene_.conditions, nodes);
+        for (int node = 0; node < static_cast<int>(nodes); ++node) {
+            const auto row = rows.row(node);
+            if (!row.isZero(0.0))
+                bars_.loads.push_back({node, row.head<3>().transpose(), row.tail<3>().transpose()});
+        }
     }
 
     void add_title() {

@@ -38,6 +38,13 @@ struct BarScene {
         enum class Kind { Clamped, Pinned, Other } kind = Kind::Other;
     };
     std::vector<Support> supports;
+    /// What acts on a node, all loads and the share of the weight together.
+    struct Load {
+        int node = 0;
+        Eigen::Vector3d force = Eigen::Vector3d::Zero();   ///< N
+        Eigen::Vector3d moment = Eigen::Vector3d::Zero();  ///< N m
+    };
+    std::vector<Load> loads;
     std::string title;  ///< "92 tiles, full, bridge"
 };
 

@@ -82,10 +82,15 @@ Json scene_json(const Scene& scene) {
                  {"view", {view.azimuth, view.elevation}},
                  {"colour", scene.picture.colour},
                  {"fields", Json::array()},
-                 {"supports", Json::array()}};
+                 {"supports", Json::array()},
+                 {"loads", Json::array()}};
     for (const BarScene::Field& field : bars.fields) json["fields"].push_back(field_json(field));
     for (const BarScene::Support& support : bars.supports)
         json["supports"].push_back({support.node, static_cast<int>(support.kind)});
+    for (const BarScene::Load& load : bars.loads) {
+        const auto& [node, force, moment] = load;
+        json["loads"].push_back({node, force[0], force[1], force[2], moment[0], moment[1], moment[2]});
+    }
     return json;
 }
 

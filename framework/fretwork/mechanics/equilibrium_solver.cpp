@@ -68,14 +68,15 @@ class EquilibriumSolver::Impl {
         options_.validate();
     }
 
-    Solution solve(const Assembly& assembly, const base::Control& control, StabilityCheck check) {
+    Solution solve(const Assembly& assembly, const base::Control& control, StabilityCheck check,
+                   const FirstIterate& first_iterate) {
         options_.control = control;
         options_.classify_stability = is_classifying_ && check == StabilityCheck::Made;
         const bool may_go_on = is_settled_ && assembly.nodes == equations_->assembly.nodes;
         is_settled_ = false;  // also if something throws
         if (may_go_on) {
             starting_point_ = StartingPoint::LastEquilibrium;
-            if (auto solution = go_on(assembly)) return std::move(*solution);
+            if (auto solution = go_on(assembly, first_iterate)) return std::move(*solution);
         }
         starting_point_ = StartingPoint::Rest;
         return from_rest(assembly);
@@ -130,7 +131,7 @@ class EquilibriumSolver::Impl {
         equations_->system.refresh(options_.control);
     }
 
-    std::optional<Solution> go_on(const Assembly& assembly) {
+    std::optional<Solution> go_on(const Assembly& assembly, const FirstIterate& first_iterate) {
         adopt(assembly);
         auto& [own, system, newton, mixed] = *equations_;
         if (!has_factors_ && !mixed.begin(point_.configuration, 1.0)) return {};
@@ -139,11 +140,21 @@ class EquilibriumSolver::Impl {
         const auto first = mixed.depart(next.configuration);
         if (first.step.size() == 0) return settled_again();
         if (!(system.unknowns().largest_rotation(first.step) <= kLongestStep)) return {};
+        if (first_iterate) first_iterate(iterate_at(next.configuration));
         const Termination found =
             mixed.solve(1.0, nonlinear::MixedNewton::Goal::Equilibrium, first.step, next.configuration);
         if (found != Termination::Converged || !is_near(first, next)) return {};
         point_ = std::move(next);
         return settled();
+    }
+
+    [[nodiscard]] Solution iterate_at(const Configuration& configuration) const {
+        Solution iterate = equations_->system.describe(configuration, 1.0);
+        iterate.termination = Termination::IterationsSpent;
+        iterate.stability = StabilityTest::None;
+        iterate.iterations = 1;
+        iterate.reactions.setZero();  // those of the configuration before
+        return iterate;
     }
 
     /// Where the loads have not changed since. False if it has lost its stability unseen.
@@ -187,8 +198,8 @@ EquilibriumSolver& EquilibriumSolver::operator=(EquilibriumSolver&&) noexcept = 
 EquilibriumSolver::~EquilibriumSolver() = default;
 
 Solution EquilibriumSolver::solve(const Assembly& assembly, const base::Control& control,
-                                  StabilityCheck check) {
-    return impl_->solve(assembly, control, check);
+                                  StabilityCheck check, const FirstIterate& first_iterate) {
+    return impl_->solve(assembly, control, check, first_iterate);
 }
 
 StartingPoint EquilibriumSolver::starting_point() const {

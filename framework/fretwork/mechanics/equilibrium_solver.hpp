@@ -3,6 +3,7 @@
 
 #include <fretwork/mechanics/equilibrium.hpp>
 
+#include <functional>
 #include <memory>
 
 namespace fretwork::mechanics {
@@ -20,6 +21,11 @@ enum class StabilityCheck {
     Left  ///< Solution::stability is None: for loads that are dragged. The next solution that is checked
           ///< makes it up: an equilibrium that has lost its stability meanwhile is looked for from rest
 };
+
+/// Is told the first iterate on the way to an equilibrium: where the tangent in the last equilibrium leads
+/// to. It is no equilibrium (Solution::converged is false, its reactions are not told), and near one after
+/// small edits. Not called where there is no last equilibrium to go on from.
+using FirstIterate = std::function<void(const Solution&)>;
 
 /// The nonlinear equilibrium of a structure under its full load, found again and again between edits: the
 /// large displacements' counterpart of LinearSolver.
@@ -46,8 +52,10 @@ class EquilibriumSolver {
     /// - supports: the order of elimination and the factors anew, in the last equilibrium;
     /// - other nodes, or a last solution that had not converged or was not stable: all, from rest.
     /// Throws as follow_load_path; then the next call starts from rest.
+    ///
+    /// @param first_iterate  may be empty
     Solution solve(const Assembly& assembly, const base::Control& control = {},
-                   StabilityCheck check = StabilityCheck::Made);
+                   StabilityCheck check = StabilityCheck::Made, const FirstIterate& first_iterate = {});
 
     /// Of the last solution.
     [[nodiscard]] StartingPoint starting_point() const;

@@ -123,8 +123,9 @@ std::vector<TileDeformation> Session::tile_deformations(const mechanics::Solutio
 Eigen::MatrixXd Session::solve_adjoint(const Eigen::MatrixXd& rows, const base::Control& control) {
     return answering().solve_adjoint(rows, control);
 }
-mechanics::Result Session::solve(const base::Control& control, mechanics::StabilityCheck check) {
-    return mixture_ ? mixture_->solve(*impl_, control, check) : impl_->solve(control, check);
+mechanics::Result Session::solve(const base::Control& control, mechanics::StabilityCheck check,
+                                 const mechanics::FirstIterate& first_iterate) {
+    return mixture_ ? mixture_->solve(*impl_, control, check) : impl_->solve(control, check, first_iterate);
 }
 
 }  // namespace fretwork::simulation

@@ -94,8 +94,12 @@ class Session {
     /// if the structure is not held, and base::Stopped; then all edits are kept, and the next call goes on.
     /// StabilityCheck::Left is for loads that are dragged in small steps. Linear solutions, and paths of
     /// several load steps, leave it aside.
+    ///
+    /// @param first_iterate  is told, within the call, where a nonlinear solution from the last equilibrium
+    ///     goes first; mixed models and linear solutions do not call it. May be empty.
     mechanics::Result solve(const base::Control& control = {},
-                            mechanics::StabilityCheck check = mechanics::StabilityCheck::Made);
+                            mechanics::StabilityCheck check = mechanics::StabilityCheck::Made,
+                            const mechanics::FirstIterate& first_iterate = {});
 
     /// The linear displacements under nodal loads g, one column each (6n rows: node by node of the result's n
     /// nodes), with the supports of the load case and nothing prescribed: K^-1 g, for instance the adjoint of

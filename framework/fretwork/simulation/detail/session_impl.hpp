@@ -42,7 +42,8 @@ class Session::Impl {
     void set_calibrations(std::vector<std::vector<reduction::Calibration>> calibrations);
     void set_load_case(const LoadCase& load_case);
 
-    mechanics::Result solve(const base::Control& control, mechanics::StabilityCheck check);
+    mechanics::Result solve(const base::Control& control, mechanics::StabilityCheck check,
+                            const mechanics::FirstIterate& first_iterate = {});
     [[nodiscard]] std::vector<TileDeformation> tile_deformations(const mechanics::Solution& solution) const;
     Eigen::MatrixXd solve_adjoint(const Eigen::MatrixXd& rows, const base::Control& control);
     [[nodiscard]] std::optional<reduction::BeamMotion> beam_motion(tiling::TileIndex tile,
@@ -67,7 +68,7 @@ class Session::Impl {
     [[nodiscard]] mechanics::Result make_result() const;
     void solve_path(mechanics::Result& result, const base::Control& control) const;
     void solve_equilibrium(mechanics::Result& result, const base::Control& control,
-                           mechanics::StabilityCheck check);
+                           mechanics::StabilityCheck check, const mechanics::FirstIterate& first_iterate);
 
     Surface surface_;
     LoadCase load_case_;

@@ -116,15 +116,17 @@ void Session::Impl::solve_path(mechanics::Result& result, const base::Control& c
 }
 
 void Session::Impl::solve_equilibrium(mechanics::Result& result, const base::Control& control,
-                                      mechanics::StabilityCheck check) {
+                                      mechanics::StabilityCheck check,
+                                      const mechanics::FirstIterate& first_iterate) {
     if (!equilibrium_solver_)
         equilibrium_solver_.emplace(mechanics::EquilibriumOptions{.threads = options_.threads});
-    result.solution = equilibrium_solver_->solve(assembly_, control, check);
+    result.solution = equilibrium_solver_->solve(assembly_, control, check, first_iterate);
     result.load_steps = {result.solution};
     work_.starting_point = equilibrium_solver_->starting_point();
 }
 
-mechanics::Result Session::Impl::solve(const base::Control& control, mechanics::StabilityCheck check) {
+mechanics::Result Session::Impl::solve(const base::Control& control, mechanics::StabilityCheck check,
+                                       const mechanics::FirstIterate& first_iterate) {
     options_.validate(surface_);
     // A surface that is no frame is refused before the work.
     std::optional<mechanics::Frame> frame;
@@ -136,7 +138,7 @@ mechanics::Result Session::Impl::solve(const base::Control& control, mechanics::
     solved_in_ = is_large ? reduction::Displacements::Large : reduction::Displacements::Small;
     result.solver = is_large ? "newton" : "linear";
     if (is_large && options_.load_steps == 1) {
-        solve_equilibrium(result, control, check);
+        solve_equilibrium(result, control, check, first_iterate);
     } else if (is_large) {
         solve_path(result, control);
     } else {

@@ -6,8 +6,8 @@ import { Latest } from '../protocol/latest';
 import { ask, tryAsk } from './studio';
 import { documentNow, loadCase, working } from './store';
 import { tilePatterns } from './patterns_now';
-import { timed } from './latency';
-import { settled } from './settled';
+import { timeUntil } from './latency';
+import { settled, shownAnew } from './settled';
 import { tell } from './tell';
 import { pending } from './ui';
 
@@ -99,22 +99,20 @@ export const combine = (name: string, factor: number): void =>
   });
 
 const drag = new Latest<{ change: (present: LoadCase) => Partial<LoadCase>; merge: string }>(async ({ change, merge }) => {
-  const seen = timed();
-  const done = settled();
-  if (!hasChanged(await editLoadCase(change, merge))) return;
-  await done;
-  seen();
+  const [done, shown] = [settled(), shownAnew()];
+  const changing = editLoadCase(change, merge).then(hasChanged);
+  timeUntil(changing.then((isChanged) => isChanged && shown));
+  if (await changing) await done;
 });
 /** As editLoadCase, while something is dragged: the next one is sent when the last one is seen. */
 export const dragLoadCase = (change: (present: LoadCase) => Partial<LoadCase>, merge: string): void => drag.push({ change, merge });
 
 const strokes = new Latest<{ paint: Paint; merge: string }>(async (stroke) => {
   pendingPaint.clear();
-  const seen = timed();
-  const done = settled();
-  if (!(await paint(stroke.paint, stroke.merge))) return;
-  await done;
-  seen();
+  const [done, shown] = [settled(), shownAnew()];
+  const changing = paint(stroke.paint, stroke.merge);
+  timeUntil(changing.then((isChanged) => isChanged && shown));
+  if (await changing) await done;
 });
 const pendingPaint = new Map<number, string>();
 /** Tiles of one stroke; those not sent yet go together. */

@@ -46,7 +46,8 @@ export interface ExportRow {
   title: string;
   words: string;
 }
-export const EXPORTS: ExportRow[] = [
+/** Our words for kinds of file that people know; others come with the program's. */
+const KNOWN: ExportRow[] = [
   { ending: 'html', title: 'Web page', words: 'the bent surface in one file, for anybody with a browser' },
   { ending: 'svg', title: 'SVG', words: 'a drawing' },
   { ending: 'dxf', title: 'DXF', words: 'for the laser cutter' },
@@ -58,9 +59,15 @@ export const EXPORTS: ExportRow[] = [
   { ending: 'csv', title: 'CSV', words: 'displacements as a table' },
 ];
 
-const ALWAYS = ['.svg', '.obj', '.ply', '.vtu', '.csv'];
-/** What the server writes. */
-export const offered = (): ExportRow[] => EXPORTS.filter(({ ending }) => (hello.value?.exports ?? ALWAYS).includes(`.${ending}`));
+/** What the server writes, first what people know; of pictures the menu has its own. */
+export function offered(): ExportRow[] {
+  const rows = (hello.value?.exports ?? []).map(({ ending: dotted, summary }) => {
+    const ending = dotted.replace(/^\./, '');
+    return KNOWN.find((row) => row.ending === ending) ?? { ending, title: ending.toUpperCase(), words: summary };
+  });
+  const place = (row: ExportRow): number => (KNOWN.includes(row) ? KNOWN.indexOf(row) : KNOWN.length);
+  return rows.filter(({ ending }) => ending !== 'png').sort((a, b) => place(a) - place(b));
+}
 
 /** The server writes it as the command line does. What it refuses, it refuses in words. */
 export async function exportTo(ending: string): Promise<void> {

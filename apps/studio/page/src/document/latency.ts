@@ -11,15 +11,15 @@ export function markInput(when: number): void {
   newest = when;
 }
 
-/** What the newest input asks for is sent now; call the result when its positions are here. */
-export function timed(): () => void {
+/** What the newest input asks for is sent now; `shown` resolves when its positions are here, or to false if they do not come. */
+export function timeUntil(shown: Promise<boolean>): void {
   const input = newest;
   newest = null;
-  return () => {
-    if (input === null) return;
+  void shown.then((isShown) => {
+    if (input === null || !isShown) return;
     samples.push(performance.now() - input);
     if (samples.length > KEPT) samples.shift();
-  };
+  });
 }
 
 export function takeLatencies(): number[] {

@@ -2,14 +2,19 @@
 // How results are shown.
 
 import { computed, signal } from '@preact/signals';
+import { probed } from './ui';
 
 export type FieldName =
   | 'plain' | 'displacement' | 'uz' | 'rotation' | 'N' | 'T' | 'M2' | 'M3' | 'V2' | 'V3' | 'stress' | 'utilization' | 'error';
 
 export const field = signal<FieldName>('displacement');
 const ON_BARS: Partial<Record<FieldName, string>> = { N: 'N', T: 'T', M2: 'M2', M3: 'M3', V2: 'V2', V3: 'V3', stress: 'stress', utilization: 'stress' };
-/** The fields of bars, by the server's names, that the present colours need. */
+/** What is told of a bar that somebody points at. */
+export const ALL_ON_BARS = ['N', 'V2', 'V3', 'T', 'M2', 'M3', 'stress'];
+const isBarProbed = computed(() => probed.value?.kind === 'beam');
+/** The fields of bars, by the server's names, that the present colours need, or the bar that is pointed at. */
 export const beamFields = computed<string[]>(() => {
+  if (isBarProbed.value) return ALL_ON_BARS;
   const name = ON_BARS[field.value];
   return name ? [name] : [];
 });

@@ -1,20 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-import { answered } from './store';
+import type { ReadonlySignal } from '@preact/signals';
+import { answered, positioned } from './store';
 
 const LONGEST_WAIT_MS = 1000;
 
-/** Resolves when the live model has answered something newer than it has now, be it in words; after a second in any case. */
-export function settled(): Promise<void> {
-  const before = answered.peek();
+/** Resolves when a revision grows beyond what it is now; to false after a second in which it has not. */
+function grown(revision: ReadonlySignal<number>): Promise<boolean> {
+  const before = revision.peek();
   return new Promise((resolve) => {
     let stop: (() => void) | null = null;
-    const timer = setTimeout(end, LONGEST_WAIT_MS);
-    function end(): void {
+    const timer = setTimeout(() => end(false), LONGEST_WAIT_MS);
+    function end(hasGrown: boolean): void {
       clearTimeout(timer);
       stop?.();
-      resolve();
+      resolve(hasGrown);
     }
-    stop = answered.subscribe((revision) => revision > before && end());
+    stop = revision.subscribe((now) => now > before && end(true));
   });
 }
+
+/** When the live model has answered something newer than it has now, be it in words. */
+export const settled = (): Promise<boolean> => grown(answered);
+/** When newer positions are shown, be they provisional. */
+export const shownAnew = (): Promise<boolean> => grown(positioned);

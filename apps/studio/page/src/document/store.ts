@@ -25,13 +25,15 @@ export const beams = signal<Beams | null>(null);
 export const live = signal<SolvedModel | null>(null);
 /** The newest revision of the document that the live model has answered, with a solution or in words. */
 export const answered = signal(0);
+/** The newest revision whose positions are shown, be they provisional. */
+export const positioned = signal(0);
 /** Why the live model has no newer solution, in words; null when it has. */
 export const problem = signal<string | null>(null);
 /** Why what is drawn is not the answer to what is held and loaded; null when it is. */
 export const notTheAnswer = computed<string | null>(() => {
   if (problem.value) return problem.value;
   const info = live.value?.info;
-  return info && !info.converged ? (info.warnings[0] ?? 'No equilibrium was found.') : null;
+  return info && !info.converged && !info.provisional ? (info.warnings[0] ?? 'No equilibrium was found.') : null;
 });
 /** The last solution of other models, by name: the full model on demand. */
 export const others = signal<ReadonlyMap<string, SolvedModel>>(new Map());

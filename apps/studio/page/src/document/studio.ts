@@ -141,7 +141,7 @@ function change(message: Partial<StudioDocument>): void {
 
 function failed({ error, background, revision }: { error: string; background?: boolean; revision: number }): void {
   store.working.value = null;
-  if (!background) [store.live.value, store.problem.value, store.answered.value] = [null, error, revision];
+  if (!background) [store.live.value, store.problem.value, store.answered.value, store.positioned.value] = [null, error, revision, revision];
   else if (error !== 'cancelled') tell(error, 'error');
 }
 
@@ -177,6 +177,11 @@ function solved(info: Solved, solution: Solution, beams: Beams): void {
   if (info.background) {
     store.others.value = new Map(store.others.value).set(info.model, model);
     store.working.value = null;
+    return;
+  }
+  store.positioned.value = info.revision;
+  if (info.provisional) {
+    store.live.value = { ...model, info: { ...info, reactions: store.live.peek()?.info.reactions } };
     return;
   }
   store.live.value = model;

@@ -13,7 +13,7 @@ const share = signal(FIRST_SHARE);
 /** Why a model cannot be chosen for this document, and what to do; null where it can. */
 export function obstacle({ parameters = [] }: TileModel): string | null {
   if (parameters.length === 0 || documentNow.value?.library) return null;
-  return 'Needs measured patterns, and this surface has none. Make it with “fretwork tile --library”, then open it here.';
+  return 'Needs measured patterns: open a project that was made with a library of them.';
 }
 
 const chosenShare = (model: string): number | null => (model.startsWith('mixed:') ? Number(model.slice('mixed:'.length)) : null);

@@ -45,5 +45,6 @@ export function Status() {
   const now = live.value;
   if (busy) return <span class="status" aria-live="polite"><i class="pulse" />computing {busy.background ? 'in the background' : busy.model} {busy.share > 0.02 ? `${Math.round(100 * busy.share)} %` : ''}</span>;
   if (notTheAnswer.value || !now) return <span class="status" />;
+  if (now.info.provisional) return <span class="status" aria-live="off"><i class="pulse" />on the way</span>;
   return <span class="status" data-tip="Time of the last answer of the live model"><i class="ready" />{Math.max(1, Math.round(1000 * now.info.seconds))} ms</span>;
 }

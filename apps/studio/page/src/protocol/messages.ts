@@ -93,8 +93,8 @@ export interface Hello {
   layouts: string[];
   has_library: boolean;
   recoverable?: Recoverable[];
-  /** Endings of files that it exports, such as ".svg". */
-  exports?: string[];
+  /** What it exports: endings such as ".svg", and what such a file has. */
+  exports?: { ending: string; summary: string }[];
 }
 
 /** A document with changes that were not saved. */
@@ -147,6 +147,8 @@ export interface Solved {
   fields: string[];
   reactions?: Reaction[];
   background?: boolean;
+  /** The first step towards the answer, which follows. */
+  provisional?: boolean;
   step?: number;
   steps?: number;
 }

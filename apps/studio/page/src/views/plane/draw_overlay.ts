@@ -85,7 +85,7 @@ function drawRings(context: Context, surface: Surface, place: (node: number) => 
   for (const node of hoveredNodes.value) ring(context, place(node), radius + 2, 1.5);
   if (hoveredNode.value >= 0) ring(context, place(hoveredNode.value), radius + 3, 2);
   const at = probed.value;
-  if (at && at.index < surface.nodes.length) ring(context, place(at.index), radius + 4, 2);
+  if (at?.kind === 'node' && at.index < surface.nodes.length) ring(context, place(at.index), radius + 4, 2);
 }
 
 /** While one paints or looks, marks are there but do not cover the patterns. */

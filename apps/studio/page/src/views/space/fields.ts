@@ -42,6 +42,8 @@ export interface Values {
   values: Float32Array;
   low: number;
   high: number;
+  /** Whether some values lie beyond these bounds. */
+  isCut: boolean;
 }
 
 function lengths(vectors: Float32Array, into: Float32Array): void {
@@ -62,25 +64,47 @@ export class FieldValues {
     else if (row.name === 'uz') for (let i = 0; i < room.length; ++i) room[i] = solution.displacement[3 * i + 2];
     else if (extra.error && extra.error.length === room.length) room.set(extra.error);
     else return null;
-    return range({ on: 'nodes', values: room, low: 0, high: 0 }, row.map);
+    return range('nodes', room, row.map);
   }
 
   private bars(row: FieldRow, solution: Solution, names: readonly string[], strength: number): Values | null {
     const name = row.name === 'utilization' ? 'stress' : row.name;
     const values = solution.beamFields[names.indexOf(name)];
     if (!values) return null;
-    if (row.name !== 'utilization') return range({ on: 'bars', values, low: 0, high: 0 }, row.map);
-    return range({ on: 'bars', values: values.map((value) => Math.abs(value) / strength), low: 0, high: 0 }, row.map);
+    if (row.name !== 'utilization') return withoutPeaks(range('bars', values, row.map));
+    return range('bars', values.map((value) => Math.abs(value) / strength), row.map);
   }
 }
 
-function range(values: Values, map: ColourMap): Values {
+function range(on: Values['on'], values: Float32Array, map: ColourMap): Values {
   let [low, high] = [Infinity, -Infinity];
-  for (const value of values.values) {
+  for (const value of values) {
     if (value < low) low = value;
     if (value > high) high = value;
   }
   if (low > high) [low, high] = [0, 0];
   const size = Math.max(Math.abs(low), Math.abs(high));
-  return { ...values, low: map === 'signed' ? -size : Math.min(0, low), high: map === 'signed' ? size : high };
+  return { on, values, low: map === 'signed' ? -size : Math.min(0, low), high: map === 'signed' ? size : high, isCut: false };
+}
+
+const BINS = 256;
+/** What bars bear peaks at few places, next to supports and loads: the colours tell the others apart. */
+const TOLD_APART = 0.98;
+const WORTH_IT = 1.5;
+
+function withoutPeaks(all: Values): Values {
+  const most = Math.max(-all.low, all.high);
+  if (!(most > 0)) return all;
+  const counts = new Uint32Array(BINS + 1);
+  let known = 0;
+  for (const value of all.values) {
+    if (Number.isNaN(value)) continue;
+    ++counts[Math.floor((BINS * Math.abs(value)) / most)];
+    ++known;
+  }
+  let [bin, below] = [0, counts[0]];
+  while (below < TOLD_APART * known) below += counts[++bin];
+  const reach = (most * (bin + 1)) / BINS;
+  if (reach * WORTH_IT > most) return all;
+  return { ...all, low: all.low < 0 ? -reach : all.low, high: reach, isCut: true };
 }

@@ -18,9 +18,9 @@ export function LegendCard() {
           <div class="legend-title">{now.row.title}</div>
           <div class="legend-bar" style={{ background: gradientCss(now.row.map) }} />
           <div class="legend-ends">
-            <span>{inUnits(now.low, now.row.quantity)}</span>
+            <span>{now.isCut && now.low < 0 && '≤ '}{inUnits(now.low, now.row.quantity)}</span>
             <span>{inUnits((now.low + now.high) / 2, now.row.quantity)}</span>
-            <span>{inUnits(now.high, now.row.quantity)}</span>
+            <span>{now.isCut && '≥ '}{inUnits(now.high, now.row.quantity)}</span>
           </div>
         </>
       )}

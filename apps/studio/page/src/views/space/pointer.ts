@@ -5,11 +5,12 @@ import { beams } from '../../document/store';
 import { surface } from '../../document/surface';
 import { mode, probed, selectedNodes } from '../../document/ui';
 import { handleAt, type Drag } from './handles';
-import { nearestOnScreen } from './placed';
+import { nearestBar, nearestOnScreen } from './placed';
 import type { SceneView } from './scene_view';
 
 const CLICK_PX = 4;
 const NODE_REACH_PX = 22;
+const BAR_REACH_PX = 7;
 
 export function attachPointer(canvas: HTMLCanvasElement, view: SceneView): () => void {
   let drag: Drag | null = null;
@@ -48,6 +49,11 @@ export function attachPointer(canvas: HTMLCanvasElement, view: SceneView): () =>
 
   const click = (place: [number, number], more: boolean) => {
     const all = mode.peek() === 'look';
+    const bar = all ? nearestBar(place, seen(), BAR_REACH_PX) : -1;
+    if (bar >= 0) {
+      probed.value = { kind: 'beam', index: bar };
+      return;
+    }
     const count = all ? (beams.peek()?.nodes ?? 0) : (surface.peek()?.nodes.length ?? 0);
     const node = nearestOnScreen(count, place, seen(), NODE_REACH_PX);
     if (all || mode.peek() === 'paint') probed.value = node < 0 ? null : { kind: 'node', index: node };

@@ -1,19 +1,53 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a node does: where it went, how it turned, what holds it.
+// What a node does: where it went, how it turned, what holds it. What a bar bears, at both of its ends.
 
 import { X } from 'lucide-preact';
 import { shown } from '../../document/shown';
-import { live, shapes } from '../../document/store';
+import { beams, live, shapes } from '../../document/store';
 import { heldNodes } from '../../document/marks';
 import { probed } from '../../document/ui';
 import { shown as inUnits } from '../../document/units';
+import { FIELDS } from './fields';
 
 const AXES = ['x', 'y', 'z'];
 
 export function ProbeCard() {
   const at = probed.value;
-  const now = shown.value;
   if (!at) return null;
+  return at.kind === 'beam' ? <BarCard bar={at.index} /> : <NodeCard at={at} />;
+}
+
+const Head = ({ title }: { title: string }) => (
+  <header>
+    <strong>{title}</strong>
+    <button type="button" class="button bare icon small" aria-label="Close" onClick={() => (probed.value = null)}><X aria-hidden /></button>
+  </header>
+);
+
+function BarCard({ bar }: { bar: number }) {
+  const now = shown.value;
+  const tile = beams.value?.tile[bar];
+  const rows = FIELDS.filter(({ on, name }) => on === 'bars' && name !== 'utilization').flatMap((row) => {
+    const values = now?.solution.beamFields[now.fields.indexOf(row.name)];
+    return values && 2 * bar + 1 < values.length ? [{ row, ends: [values[2 * bar], values[2 * bar + 1]] }] : [];
+  });
+  return (
+    <div class="card probe" data-bar={bar}>
+      <Head title={tile === undefined ? `Bar ${bar}` : `Bar of tile ${tile + 1}`} />
+      {rows.length === 0 && <p class="hint">{now ? 'This model does not tell what its bars bear.' : 'Nothing is computed yet.'}</p>}
+      <table>
+        <tbody>
+          {rows.map(({ row, ends }) => (
+            <tr key={row.name} class="bar-row"><th scope="row">{row.title}</th>{ends.map((value, i) => <td key={i} data-field={row.name} data-value={value}>{inUnits(value, row.quantity)}</td>)}</tr>
+          ))}
+        </tbody>
+      </table>
+    </div>
+  );
+}
+
+function NodeCard({ at }: { at: { index: number } }) {
+  const now = shown.value;
   const held = heldNodes.value.find(({ node }) => node === at.index);
   const reaction = shapes.value ? undefined : live.value?.info.reactions?.find(({ node }) => node === at.index);
   const three = (array: Float32Array | undefined) => [0, 1, 2].map((c) => array?.[3 * at.index + c] ?? NaN);
@@ -21,10 +55,7 @@ export function ProbeCard() {
   const turned = three(now?.solution.rotation);
   return (
     <div class="card probe" data-node={at.index}>
-      <header>
-        <strong>Node {at.index}</strong>
-        <button type="button" class="button bare icon small" aria-label="Close" onClick={() => (probed.value = null)}><X aria-hidden /></button>
-      </header>
+      <Head title={`Node ${at.index}`} />
       {now ? (
         <table>
           <tbody>

@@ -22,7 +22,9 @@ import { Stage, type ViewName } from './stage';
 
 /** Solutions whose gaps were filled for the drawing. */
 const filled = new WeakSet<object>();
+/** How far beyond the flat surface, in its sizes, the camera goes along with bent places: at first, and to see all. */
 const MOST_SHOWN = 0.35;
+const ALL_SHOWN = 3;
 const BLUE = '#4a8ee0';
 const GREY = '#9b9fa5';
 /** What is laid over is a little thinner: where both are at one place, the live model is seen. */
@@ -109,13 +111,13 @@ export class SceneView {
     const usable = available(row, error !== null);
     const values = usable ? this.values.take(row, now.solution, now.fields, { error, strength: strength.value }) : null;
     this.main.setColours(values, row.map);
-    legend.value = values && { row, low: values.low, high: values.high };
+    legend.value = values && { row, low: values.low, high: values.high, isCut: values.isCut };
   }
 
   private colourMode(name: FieldName, now: NonNullable<typeof shown.value>): void {
     const values = name === 'plain' ? null : this.values.take(MODE_ROW, now.solution, [], { error: null, strength: 1 });
     this.main.setColours(values, MODE_ROW.map);
-    legend.value = values && { row: MODE_ROW, low: 0, high: 1 };
+    legend.value = values && { row: MODE_ROW, low: 0, high: 1, isCut: false };
   }
 
   private gaps(bars: Beams): GapFiller | null {
@@ -153,12 +155,12 @@ export class SceneView {
   }
 
   /** Where the surface is, flat and bent. */
-  private places(): Vector3[] {
+  private places(most = MOST_SHOWN): Vector3[] {
     const nodes = surface.peek()?.nodes ?? [];
     const flat = nodes.map(([x, y]) => new Vector3(x, y, 0));
     const box = new Box3().setFromPoints(flat);
     // A linear model may send nodes absurdly far: the view stays with the surface.
-    const room = box.clone().expandByScalar(MOST_SHOWN * box.getSize(new Vector3()).length());
+    const room = box.clone().expandByScalar(most * box.getSize(new Vector3()).length());
     const bent = shown.peek() ? nodes.map((_, node) => nodePlace(node)).map((place) => room.clampPoint(place, place)) : [];
     return [...flat, ...bent, ...handles(this.arrows).map(({ place }) => room.clampPoint(place, place))];
   }
@@ -182,6 +184,6 @@ export class SceneView {
   }
 
   look(from: ViewName | null): void {
-    this.stage.look({ places: this.places(), from });
+    this.stage.look({ places: this.places(ALL_SHOWN), from });
   }
 }

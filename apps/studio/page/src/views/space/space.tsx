@@ -9,7 +9,7 @@ import { LegendCard } from './legend';
 import { ProbeCard } from './probe';
 import { SceneView } from './scene_view';
 import { attachPointer } from './pointer';
-import { nodePlace, onScreen } from './placed';
+import { onScreen, probedPlace } from './placed';
 import { currentScene } from './current';
 import { ViewBar } from './view_bar';
 import { PlayBar } from './play_bar';
@@ -58,7 +58,7 @@ export function SpaceView() {
 function placePin(pin: HTMLDivElement | null, view: SceneView, box: HTMLElement): void {
   if (!pin) return;
   const at = probed.peek();
-  const seen = at && onScreen(nodePlace(at.index), view.stage.camera, { width: box.clientWidth, height: box.clientHeight });
+  const seen = at && onScreen(probedPlace(at), view.stage.camera, { width: box.clientWidth, height: box.clientHeight });
   pin.hidden = !seen;
   if (!seen) return;
   const left = seen[0] > box.clientWidth - 250;
