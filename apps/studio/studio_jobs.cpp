@@ -105,8 +105,14 @@ void Studio::Impl::solve(const Request& request) {
     start(request, make_job(request, request.json.at("model").string()),
           [](const Job& job, const base::Control& control) -> std::vector<Outgoing> {
               OneSolve one(job.input, job.beams, options_of(*job.input.situation.state, job.model));
-              SolvedSurface solved{
-                  job.model, job.input.revision, job.beams_revision, job.beams, one.solve(control), {}, {}};
+              SolvedSurface solved{Stage::Answer,
+                                   job.model,
+                                   job.input.revision,
+                                   job.beams_revision,
+                                   job.beams,
+                                   one.solve(control),
+                                   {},
+                                   {}};
               solved.state = one.state_in(solved.result.solution);
               solved.warnings = warnings_of(solved.result);
               return {solved_message(solved, job.input.fields, Json{{"background", true}})};
@@ -121,8 +127,14 @@ void Studio::Impl::path(const Request& request) {
         auto options = options_of(*job.input.situation.state, job.model);
         options.load_steps = static_cast<int>(steps);
         OneSolve one(job.input, job.beams, options);
-        SolvedSurface solved{
-            job.model, job.input.revision, job.beams_revision, job.beams, one.solve(control), {}, {}};
+        SolvedSurface solved{Stage::Answer,
+                             job.model,
+                             job.input.revision,
+                             job.beams_revision,
+                             job.beams,
+                             one.solve(control),
+                             {},
+                             {}};
         std::vector<Outgoing> messages;
         for (const mechanics::Solution& step : std::exchange(solved.result.load_steps, {})) {
             solved.result.solution = step;

@@ -11,6 +11,7 @@ import { watchClosing } from './manners/unsaved';
 import type { Point } from './protocol/messages';
 import { toScreen, viewport } from './views/plane/viewport';
 import { currentScene } from './views/space/current';
+import { probedPlace } from './views/space/placed';
 import { watchTips } from './widgets/tooltip';
 import './styles/tokens.css';
 import './styles/widgets.css';
@@ -30,6 +31,8 @@ const forTests = {
   ask,
   /** The surface in space is not drawn but now, where a test has paused it. */
   drawFine: (samples: number) => currentScene.value?.stage.drawFine(samples),
+  /** The middle of a bar on the canvas of the surface in space. */
+  barPlace: (bar: number) => currentScene.value?.placeOnCanvas(probedPlace({ kind: 'beam', index: bar })) ?? null,
   planePlace: (tile: number): Point => toScreen(viewport.value, surface.value?.centers[tile] ?? [0, 0]),
 };
 declare global {

@@ -181,7 +181,8 @@ function solved(info: Solved, solution: Solution, beams: Beams): void {
   }
   store.positioned.value = info.revision;
   if (info.provisional) {
-    store.live.value = { ...model, info: { ...info, reactions: store.live.peek()?.info.reactions } };
+    const before = store.live.peek()?.info;
+    store.live.value = { ...model, info: { ...info, reactions: before?.reactions, seconds: before?.seconds ?? 0 } };
     return;
   }
   store.live.value = model;

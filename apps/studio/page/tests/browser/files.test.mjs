@@ -108,6 +108,22 @@ test('every kind of file is exported', async (t) => {
   }
 });
 
+test('the exported page shows supports and loads, and needs nothing else', async (t) => {
+  const { address, place } = await startStudio(t, makeProject('40mm'));
+  const page = await openPage(t, address);
+  await solved(page);
+  const file = await exported(page, 'html', place);
+  await page.goto(`file://${file}`);
+  const shown = await page.evaluate(() => {
+    const { loads, supports } = JSON.parse(document.getElementById('data').textContent);
+    return { loads: loads.length, supports: supports.length };
+  });
+  assert.ok(shown.loads > 0 && shown.supports > 0, JSON.stringify(shown));
+  await page.waitForTimeout(1500);
+  await picture(page, '21-view-page', 0);
+  assert.deepEqual(page.troubles, []);
+});
+
 test('a picture has a transparent ground and a surface on it', async (t) => {
   const { address, place } = await startStudio(t, makeProject('40mm'));
   const page = await openPage(t, address);

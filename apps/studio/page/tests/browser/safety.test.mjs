@@ -4,7 +4,7 @@
 import assert from 'node:assert/strict';
 import { join } from 'node:path';
 import { test } from 'node:test';
-import { drop, edit, makeProject, openPage, picture, read, solved, startStudio, startStudioIn } from './studio.mjs';
+import { drag, drop, edit, makeProject, openPage, picture, read, solved, startStudio, startStudioIn } from './studio.mjs';
 
 const SQUARE = '<svg xmlns="http://www.w3.org/2000/svg" width="200mm" height="200mm" viewBox="0 0 200 200"><path d="M0 0H200V200H0Z"/></svg>';
 /** Written within half a second of an edit. */
@@ -83,7 +83,7 @@ test('before an unsaved surface is replaced, it is asked about', async (t) => {
   await solved(page);
   await paintFirst(page, '0-1+1-3+1-6');
   const asked = page.waitForEvent('dialog');
-  void page.close({ runBeforeUnload: true });
+  await page.evaluate(() => void setTimeout(() => location.reload(), 50));
   const dialog = await asked;
   assert.equal(dialog.type(), 'beforeunload');
   await dialog.dismiss();
@@ -140,6 +140,44 @@ test('what is not the answer is not drawn as if it was', async (t) => {
   await page.waitForSelector('.legend-title');
   await page.waitForSelector('.next-step', { state: 'detached' });
   assert.equal(await isAtRest(), false);
+});
+
+test('while a load is dragged, its first positions come before the answer', async (t) => {
+  const { address } = await startStudio(t, makeProject('26mm'));
+  const page = await openPage(t, address);
+  await solved(page);
+  await page.click('[data-value=load]');
+  await page.evaluate(() => {
+    window.seen = [];
+    window.fretwork.store.live.subscribe((live) => live && window.seen.push([live.info.revision, live.info.provisional === true, window.fretwork.store.notTheAnswer.value]));
+  });
+  const [tip] = await page.evaluate(() => window.fretwork.scene.value.handlePlaces());
+  const box = await page.locator('.space canvas').boundingBox();
+  await drag(page, [box.x + tip[0], box.y + tip[1]], [box.x + tip[0], box.y + tip[1] + 40]);
+  await page.waitForFunction(() => window.seen.length > 2 && !window.seen.at(-1)[1]);
+  const seen = await page.evaluate(() => window.seen);
+  const first = seen.findIndex(([, isProvisional]) => isProvisional);
+  assert.ok(first >= 0, JSON.stringify(seen));
+  const [revision] = seen[first];
+  assert.ok(seen.slice(first + 1).some(([of, isProvisional]) => of >= revision && !isProvisional), 'the answer follows');
+  assert.ok(seen.every(([, , why]) => why === null), 'what is on its way is not called wrong');
+});
+
+test('a bar that is pointed at tells what it bears', async (t) => {
+  const { address } = await startStudio(t, makeProject('40mm'));
+  const page = await openPage(t, address);
+  await solved(page);
+  await page.click('[data-value=look]');
+  const box = await page.locator('.space canvas').boundingBox();
+  const places = await page.evaluate(() => [3, 40, 80, 120].map((bar) => window.fretwork.barPlace(bar)));
+  await page.mouse.click(box.x + places[1][0], box.y + places[1][1]);
+  await page.waitForSelector('[data-bar] [data-field=stress]');
+  const told = await page.$$eval('[data-bar] [data-field]', (cells) => cells.map((cell) => [cell.dataset.field, Number(cell.dataset.value)]));
+  assert.equal(told.length, 14, 'seven values at both ends');
+  assert.ok(told.every(([, value]) => Number.isFinite(value)));
+  await picture(page, '22-bar', 1);
+  await page.keyboard.press('Escape');
+  await page.waitForSelector('[data-bar]', { state: 'detached' });
 });
 
 test('a mode has a legend without a size', async (t) => {

@@ -178,9 +178,13 @@ export class SceneView {
 
   /** Where the handles are on the canvas, in pixels. */
   handlePlaces(): ([number, number] | null)[] {
+    return handles(this.arrows).map(({ place }) => this.placeOnCanvas(place));
+  }
+
+  placeOnCanvas(place: Vector3): [number, number] | null {
     const { clientWidth: width, clientHeight: height } = this.stage.renderer.domElement;
     this.stage.camera.updateMatrixWorld();
-    return handles(this.arrows).map(({ place }) => onScreen(place, this.stage.camera, { width, height }));
+    return onScreen(place, this.stage.camera, { width, height });
   }
 
   look(from: ViewName | null): void {
