@@ -1,0 +1,124 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The paper's physical test, computed: two cantilevers of PLA under their own weight, with all models.
+
+Usage: run.py PROGRAM OUT [--measured SPECIMEN=FILE.csv ..]
+Writes OUT/profiles.csv (specimen, model, along, down: millimetres), OUT/figure.svg, and prints a table. Measured points, as measure.py
+writes them, go into the figure and the table.
+"""
+import argparse
+import csv
+import json
+import math
+import pathlib
+import statistics
+import subprocess
+
+import figure
+
+HERE = pathlib.Path(__file__).resolve().parent
+SPECIMENS = {"light": "2-4+4-6", "dense": "1-2+2-3+3-5+3-6+4-6+5-6"}
+MODELS = ("full", "corotational", "condensed", "paper6")
+WIDTH = 0.18  # m, of the clamped side
+MIDDLE_BAND = 0.2  # of the width: nodes this near to the middle line make the profile
+STATIONS = 14  # along the cantilever
+
+
+class Fretwork:
+    def __init__(self, program, folder):
+        self.program, self.folder = str(program), folder
+
+    def __call__(self, *arguments):
+        done = subprocess.run([self.program, *map(str, arguments)], capture_output=True, text=True, cwd=self.folder)
+        if done.returncode != 0:
+            raise SystemExit(f"{' '.join(map(str, arguments))}: {done.stderr.strip()}")
+        return done.stdout
+
+
+def middle_line(result):
+    """Deflected nodes near the middle line: (distance from the clamp, depth below it), m, means over stations."""
+    points = []
+    for node, moved in zip(result["nodes"], result["displacements"]):
+        x, y, _ = node["rest_position"]
+        if node.get("interface") and abs(x - WIDTH / 2) <= MIDDLE_BAND * WIDTH:
+            points.append((y + moved[1], -moved[2]))
+    points.sort()
+    size = math.ceil(len(points) / STATIONS)
+    groups = [points[i:i + size] for i in range(0, len(points), size)]
+    return [tuple(statistics.fmean(axis) for axis in zip(*group)) for group in groups]
+
+
+def results_of(fretwork, name, pattern):
+    fretwork("tile", HERE.parent / "outlines" / "specimen.svg", "--edge-length", "26mm", "--library", "pla.db", "--patterns", pattern,
+             "--out", f"{name}.json")
+    fretwork("case", "add", f"{name}.json", HERE / "own_weight.json", "--replace")
+    results = {}
+    for model in MODELS:
+        path = f"{name}-{model}.json"
+        fretwork("simulate", f"{name}.json", "--case", "own-weight", "--model", model, "--out", path)
+        results[model] = json.loads((fretwork.folder / path).read_text())
+    return results
+
+
+def read_measured(options):
+    measured = {}
+    for choice in options:
+        name, _, path = choice.partition("=")
+        if name not in SPECIMENS or not path:
+            raise SystemExit(f"--measured {choice}: expected one of {', '.join(SPECIMENS)}, then = and a file")
+        with open(path) as file:
+            measured[name] = [(float(row["along_mm"]) / 1e3, float(row["down_mm"]) / 1e3) for row in csv.DictReader(file)]
+    return measured
+
+
+def depth_at(profile, along):
+    """Between two stations of a profile; beyond them none."""
+    for (a, u), (b, v) in zip(profile, profile[1:]):
+        if a <= along <= b and b > a:
+            return u + (v - u) * (along - a) / (b - a)
+    return None
+
+
+def print_table(name, profiles, measured):
+    tip = profiles["full"][-1][1]
+    for model in MODELS:
+        down = profiles[model][-1][1]
+        cells = [name, model, f"{1e3 * down:.1f}", f"{100 * (down / tip - 1):+.1f} %"]
+        if measured:
+            misses = [depth_at(profiles[model], along) for along, _ in measured]
+            known = [abs(miss - down) for miss, (_, down) in zip(misses, measured) if miss is not None]
+            cells.append(f"{1e3 * statistics.fmean(known):.1f}" if known else "no measured point lies along it")
+        print("| " + " | ".join(cells) + " |")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("program", type=pathlib.Path)
+    parser.add_argument("out", type=pathlib.Path)
+    parser.add_argument("--measured", action="append", default=[])
+    options = parser.parse_args()
+    measured = read_measured(options.measured)
+    options.out.mkdir(parents=True, exist_ok=True)
+    fretwork = Fretwork(options.program.resolve(), options.out)
+    if not (options.out / "pla.db").exists():
+        fretwork("enumerate", "--library", "pla.db")
+    fretwork("calibrate", "--library", "pla.db", "--setting", HERE.parent / "settings" / "pla.json", "--patterns",
+             ",".join(SPECIMENS.values()))
+    print("| specimen | model | tip hangs down, mm | against full |" + (" mean distance of the measured points, mm |" if measured else ""))
+    print("|---|---|---|---|" + ("---|" if measured else ""))
+    all_profiles = {}
+    for name, pattern in SPECIMENS.items():
+        profiles = {model: middle_line(result) for model, result in results_of(fretwork, name, pattern).items()}
+        print_table(name, profiles, measured.get(name))
+        all_profiles[name] = profiles
+    with (options.out / "profiles.csv").open("w", newline="") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(["specimen", "model", "along_mm", "down_mm"])
+        for name, profiles in all_profiles.items():
+            for model, profile in profiles.items():
+                writer.writerows([name, model, f"{1e3 * a:.3f}", f"{1e3 * d:.3f}"] for a, d in profile)
+    (options.out / "figure.svg").write_text(figure.profiles(all_profiles, measured))
+
+
+if __name__ == "__main__":
+    main()
