@@ -17,7 +17,9 @@ matplotlib.rcParams.update({"svg.hashsalt": "fretwork", "svg.fonttype": "none", 
 
 MOST_POINTS = 150  # of one method in a figure
 CONVERGENCE_FLOOR = 0.8e-3  # just below the last target: beyond it traces are thinned to their ends
-OURS = ("gauss-newton-multistart", "ceres-multistart")  # the default of `calibrate` first
+OURS = ("ceres-multistart", "gauss-newton-multistart")  # the default of `calibrate` first
+ANNEALING = ("simulated-annealing", "annealing-clamp", "annealing-reject", "annealing-raw", "annealing-cool",
+             "corana-annealing", "annealing-then-ceres")
 # One colour for a kind of method; its members differ by line style. The colours can be told apart by the colour blind.
 KINDS = (("this project's calibrators", "#0072b2", OURS),
          ("Ceres on the residuals", "#2a8fc4", ("ceres-residuals", "ceres-dogleg", "ceres-sine", "ceres-smoothed",
@@ -25,8 +27,7 @@ KINDS = (("this project's calibrators", "#0072b2", OURS),
                                                 "ceres-smoothed-subspace-dogleg")),
          ("NLopt, local", "#009e73", ("bobyqa", "subplex", "slsqp")),
          ("NLopt, global", "#8a7a00", ("direct-l", "mlsl", "crs2")),
-         ("annealing", "#d55e00", ("simulated-annealing", "annealing-clamp", "annealing-reject", "annealing-raw",
-                                   "annealing-cool", "corana-annealing", "annealing-then-ceres")),
+         ("annealing", "#d55e00", ANNEALING),
          ("evolution, and the floor", "#b0578d", ("cma-es", "differential-evolution", "random-search")))
 ORDER = [name for _, _, members in KINDS for name in members]
 STYLES = ("-", "--", ":", "-.", (0, (6, 2, 1, 2, 1, 2)), (0, (1, 3)), (0, (8, 3)), (0, (3, 1, 1, 1)))

@@ -45,6 +45,35 @@ TEST(Optimizers, RunTheSameOnAnyNumberOfThreadsAndGoOnWhereTheyWereStopped) {
     EXPECT_THAT(other.err, testing::HasSubstr("made with another seed"));
 }
 
+TEST(Optimizers, RunWithTheNumberOfStartsThatStandsBehindTheirName) {
+    const TemporaryFolder folder;
+    (void)folder.file("known.csv", kKnown);
+    const std::string run =
+        "fretwork optimizers run --known known.csv --problems analytic/beale --repetitions 1 ";
+    ASSERT_EQ(run_command(run + "--optimizers slsqp:3 --out o", folder.path()).exit_code, 0);
+    EXPECT_EQ(untimed_rows(folder.path() / "o/results.csv").at(1).at(5), "3");
+    for (const char* word : {"slsqp:", "slsqp:0", "slsqp:three"}) {
+        const auto refused = run_command(run + "--optimizers " + word + " --out p", folder.path());
+        EXPECT_EQ(refused.exit_code, 2) << word;
+        EXPECT_THAT(refused.err, testing::HasSubstr("starts")) << word;
+    }
+}
+
+TEST(Optimizers, SearchTheProblemsOfAListWhichMayBeOfAnyLayout) {
+    const TemporaryFolder folder;
+    (void)folder.file("ids.txt", "calibration/paper8:0-1+1-7\nanalytic/beale\n");
+    const std::string known = "fretwork optimizers known --starts 1 --out known.csv --ids ";
+    ASSERT_EQ(run_command(known + "ids.txt", folder.path()).exit_code, 0);
+    const auto rows = untimed_rows(folder.path() / "known.csv");
+    EXPECT_EQ(rows.at(1).at(0), "calibration/paper8:0-1+1-7");
+    EXPECT_GT(std::stod(rows.at(1).at(1)), 0.0);
+    EXPECT_EQ(rows.at(2).at(0), "analytic/beale");
+    (void)folder.file("bad.txt", "analytic/beale\ncalibration/paper9:0-1\n");
+    const auto refused = run_command(known + "bad.txt", folder.path());
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_THAT(refused.err, testing::AllOf(testing::HasSubstr("bad.txt"), testing::HasSubstr("line 2")));
+}
+
 TEST(Optimizers, RecoverTheParametersOfASyntheticTarget) {
     const TemporaryFolder folder;
     (void)folder.file("known.csv", kKnown);
