@@ -31,7 +31,14 @@ if(NOT FRETWORK_ONLY_LIGHT_STAGES)
   find_package(CGAL 5.5 REQUIRED)                              # pattern: exact predicates; tiling: remeshing
   find_package(pugixml 1.12 REQUIRED)                          # tiling: SVG outlines
   find_package(SQLite3 3.40 REQUIRED)                          # library
-  find_package(PNG 1.6 REQUIRED)                               # exports: pictures
+  find_package(PNG 1.6 REQUIRED)                               # tiling: images to paint by; exports: pictures
+  find_library(MUPARSER_LIBRARY muparser REQUIRED)             # tiling: expressions to paint by
+  find_path(MUPARSER_INCLUDE_DIR muParser.h REQUIRED)
+  if(NOT TARGET muparser::library)
+    add_library(muparser::library UNKNOWN IMPORTED)
+    set_target_properties(muparser::library PROPERTIES IMPORTED_LOCATION "${MUPARSER_LIBRARY}"
+                                                       INTERFACE_INCLUDE_DIRECTORIES "${MUPARSER_INCLUDE_DIR}")
+  endif()
   find_package(CLI11 2.1 REQUIRED)                             # apps: the command line
   find_library(CLIPPER_LIBRARY polyclipping REQUIRED)          # fabrication: Booleans (Debian ships no CMake package)
   find_path(CLIPPER_INCLUDE_DIR polyclipping/clipper.hpp REQUIRED)

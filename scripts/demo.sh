@@ -34,9 +34,9 @@ for model in full "${reduced[@]}"; do
 done
 
 say "5. Compare the reduced models with the full one (the columns of the paper's Table 3)"
-"$program" compare "$out/full.json" "$out/paper6.json" --name paper6 | tee "$out/comparison.csv"
+"$program" compare "$out/full.json" "$out/paper6.json" --name paper6 --csv | tee "$out/comparison.csv"
 for model in "${reduced[@]:1}"; do
-  "$program" compare "$out/full.json" "$out/${model/:/-}.json" --name "$model" | tail -n 1 | tee -a "$out/comparison.csv"
+  "$program" compare "$out/full.json" "$out/${model/:/-}.json" --name "$model" --csv | tail -n 1 | tee -a "$out/comparison.csv"
 done
 
 say "6. Draw it"

@@ -21,6 +21,7 @@
 #include <memory>
 #include <ranges>
 #include <set>
+#include <span>
 
 namespace fretwork::app {
 namespace {
@@ -168,6 +169,26 @@ void refuse_ignored_options(const CLI::App& verb, const Options& options) {
                  "is for models with parameters, and " + options.fill.model + " has none");
 }
 
+/// Searches that were cut short are told: what they found may be far from what there is.
+void warn_of_spent_budgets(const Library& library, std::span<const library::PatternEntry> patterns,
+                           const library::CalibrationKey& key) {
+    std::size_t spent = 0;
+    std::size_t all = 0;
+    for (const library::PatternEntry& entry : patterns) {
+        for (const library::CalibrationRecord& record : library.calibrations(entry.id)) {
+            if (record.key() != key) continue;
+            ++all;
+            spent += record.calibration.converged ? 0 : 1;
+        }
+    }
+    if (spent > 0)
+        std::fprintf(
+            stderr,
+            "fretwork: %zu of %zu calibrations ended before their search did, for the budget of %d "
+            "evaluations was spent: their E may be too high; raise --budget, or take fewer --starts\n",
+            spent, all, key.budget);
+}
+
 ExitCode calibrate(Options options) {
     LongWork work;
     options.fill.control = work.control();
@@ -187,6 +208,7 @@ ExitCode calibrate(Options options) {
     result.statistics = library::calibration_statistics(library, patterns, result.key);
     result.failures = failure_reasons(library, patterns, result.key);
     options.json ? print_json(result) : print_text(result);
+    warn_of_spent_budgets(library, patterns, result.key);
     if (result.is_stopped)
         std::fputs("fretwork: interrupted; what is done is stored, run again to go on\n", stderr);
     const bool is_done = result.report.done == result.report.open && result.statistics.calibrated > 0;

@@ -10,6 +10,7 @@
 #include <fretwork/simulation/combination.hpp>
 #include <fretwork/simulation/conditions.hpp>
 #include <fretwork/simulation/load_case_file.hpp>
+#include <fretwork/simulation/load_case_text.hpp>
 #include <fretwork/simulation/project.hpp>
 #include <fretwork/simulation/project_file.hpp>
 #include <fretwork/simulation/surface.hpp>
@@ -27,6 +28,8 @@ using simulation::Project;
 struct Options {
     std::string project;
     std::string file;
+    std::string name;
+    std::string new_name;
     bool replace = false;
     bool json = false;
 };
@@ -38,24 +41,83 @@ void check_on(const Project& project, const LoadCase& load_case) {
                               simulation::make_surface(project, nullptr), {});
 }
 
+LoadCase& case_of(Project& project, const Options& options) {
+    const auto found = std::ranges::find(project.load_cases, options.name, &LoadCase::name);
+    if (found != project.load_cases.end()) return *found;
+    std::vector<std::string> names;
+    for (const LoadCase& load_case : project.load_cases) names.push_back(load_case.name);
+    throw base::InputError(options.project, "", base::unknown_name_message("load case", options.name, names));
+}
+
+/// What each entry picked, for people; what looks like a slip goes to standard error.
+void tell(const LoadCase& load_case, const Project& project, const Options& options) {
+    if (!options.json) {
+        std::printf("%s\n", base::printable(load_case.name).c_str());
+        for (const std::string& line : simulation::entry_texts(load_case, project.tessellation))
+            std::printf("  %s\n", base::printable(line).c_str());
+    }
+    const auto doubts = simulation::doubts_about(load_case, simulation::make_surface(project, nullptr));
+    if (!doubts.empty())
+        std::fprintf(stderr, "fretwork: %s: is that meant? %s\n", base::printable(load_case.name).c_str(),
+                     base::printable(base::join(doubts, "; ")).c_str());
+}
+
 void add_to_project(const Options& options) {
     const base::FileLock lock(options.project);
     Project project = simulation::read_project(options.project);
-    LoadCase load_case = simulation::read_load_case(options.file);
+    const LoadCase load_case = simulation::read_load_case(options.file);
     check_on(project, load_case);
-    const auto same = std::find_if(project.load_cases.begin(), project.load_cases.end(),
-                                   [&](const LoadCase& other) { return other.name == load_case.name; });
+    const auto same = std::ranges::find(project.load_cases, load_case.name, &LoadCase::name);
     if (same != project.load_cases.end() && !options.replace) {
         throw base::InputError(
             options.file, "/name",
             "'" + load_case.name + "' is in the project already; --replace takes its place");
     }
     if (same != project.load_cases.end()) {
-        *same = std::move(load_case);
+        *same = load_case;
     } else {
-        project.load_cases.push_back(std::move(load_case));
+        project.load_cases.push_back(load_case);
     }
     simulation::write_project(project, options.project);
+    tell(load_case, project, options);
+}
+
+/// Combinations that are left must find what they combine.
+void check_combinations(const Project& project) {
+    for (const LoadCase& load_case : project.load_cases)
+        (void)simulation::combined(load_case, project.load_cases);
+}
+
+void remove_from_project(const Options& options) {
+    const base::FileLock lock(options.project);
+    Project project = simulation::read_project(options.project);
+    const LoadCase* removed = &case_of(project, options);
+    project.load_cases.erase(project.load_cases.begin() + (removed - project.load_cases.data()));
+    check_combinations(project);
+    simulation::write_project(project, options.project);
+}
+
+/// Combinations go on naming it.
+void rename_in_project(const Options& options) {
+    const base::FileLock lock(options.project);
+    Project project = simulation::read_project(options.project);
+    if (options.new_name.empty()) throw base::InputError("new_name", "", "is empty, where a name is needed");
+    const auto taken = std::ranges::find(project.load_cases, options.new_name, &LoadCase::name);
+    if (taken != project.load_cases.end() && options.new_name != options.name)
+        throw base::InputError(options.project, "", "has a load case '" + options.new_name + "' already");
+    case_of(project, options).name = options.new_name;
+    for (LoadCase& load_case : project.load_cases) {
+        for (LoadCase::Share& share : load_case.combines)
+            if (share.load_case == options.name) share.load_case = options.new_name;
+    }
+    simulation::write_project(project, options.project);
+}
+
+void show(const Options& options) {
+    Project project = simulation::read_project(options.project);
+    const LoadCase& load_case = case_of(project, options);
+    if (options.json) std::fputs(simulation::load_case_text(load_case).c_str(), stdout);
+    tell(load_case, project, options);
 }
 
 void list(const Options& options) {
@@ -73,7 +135,8 @@ void list(const Options& options) {
 }  // namespace
 
 void add_case(CLI::App& app, ExitCode&) {
-    CLI::App* verb = app.add_subcommand("case", "Add a load case to a project, or list those it has");
+    CLI::App* verb =
+        app.add_subcommand("case", "Add load cases to a project, list, show, remove and rename them");
     verb->require_subcommand(1);
     const auto options = std::make_shared<Options>();
 
@@ -85,12 +148,37 @@ void add_case(CLI::App& app, ExitCode&) {
     add->footer("Example: fretwork case add project.json experiments/cases/cantilever.json");
     add->callback([options] { add_to_project(*options); });
 
-    CLI::App* show = verb->add_subcommand("list", "List the load cases of a project");
-    show->add_option("project", options->project, "Project file")->required();
-    show->add_flag("--json", options->json, "Print JSON");
-    declare_files(*show, {input("project")});
-    show->footer("Example: fretwork case list project.json");
-    show->callback([options] { list(*options); });
+    CLI::App* listing = verb->add_subcommand("list", "List the load cases of a project");
+    listing->add_option("project", options->project, "Project file")->required();
+    listing->add_flag("--json", options->json, "Print JSON");
+    declare_files(*listing, {input("project")});
+    listing->footer("Example: fretwork case list project.json");
+    listing->callback([options] { list(*options); });
+
+    CLI::App* showing =
+        verb->add_subcommand("show", "Show a load case, and how many nodes each entry of it picks");
+    showing->add_option("project", options->project, "Project file")->required();
+    showing->add_option("name", options->name, "Load case of the project")->required();
+    showing->add_flag("--json", options->json, "Print the load case file");
+    declare_files(*showing, {input("project")});
+    showing->footer("Example: fretwork case show project.json cantilever");
+    showing->callback([options] { show(*options); });
+
+    CLI::App* removal = verb->add_subcommand("remove", "Remove a load case from a project");
+    removal->add_option("project", options->project, "Project file")->required();
+    removal->add_option("name", options->name, "Load case of the project")->required();
+    declare_files(*removal, {update("project", kProjectFile)});
+    removal->footer("Example: fretwork case remove project.json cantilever");
+    removal->callback([options] { remove_from_project(*options); });
+
+    CLI::App* renaming =
+        verb->add_subcommand("rename", "Rename a load case; combinations of it go on naming it");
+    renaming->add_option("project", options->project, "Project file")->required();
+    renaming->add_option("name", options->name, "Load case of the project")->required();
+    renaming->add_option("new_name", options->new_name, "Its new name")->required();
+    declare_files(*renaming, {update("project", kProjectFile)});
+    renaming->footer("Example: fretwork case rename project.json cantilever tip");
+    renaming->callback([options] { rename_in_project(*options); });
     verb->footer("Example: fretwork case add project.json experiments/cases/cantilever.json");
 }
 

@@ -24,6 +24,7 @@ struct Options {
     std::string reduced;
     std::string name;
     std::optional<double> tolerance;
+    bool csv = false;
     bool json = false;
 };
 
@@ -41,7 +42,8 @@ base::Json to_json(const std::string& name, const simulation::Comparison& compar
             {"sd_rotation_error", comparison.sd_rotation_error},
             {"relative_l2_error", comparison.relative_l2_error},
             {"full_model_seconds", comparison.full_seconds},
-            {"reduced_model_seconds", comparison.reduced_seconds}};
+            {"reduced_model_seconds", comparison.reduced_seconds},
+            {"full_is_unstable", comparison.full_is_unstable}};
 }
 
 /// A refusal names the files, which the stage does not know.
@@ -72,10 +74,18 @@ ExitCode run(const Options& options) {
         options.name.empty() ? std::filesystem::path(options.full).stem().string() : options.name;
     if (options.json) {
         std::fputs(base::json_text(to_json(name, comparison)).c_str(), stdout);
+    } else if (!options.csv) {
+        std::printf("%s: %s", base::printable(name).c_str(), simulation::comparison_text(comparison).c_str());
     } else {
         std::printf("%s\n%s\n", simulation::comparison_header().c_str(),
                     simulation::comparison_row(base::printable(name), comparison).c_str());
     }
+    if (comparison.full_is_unstable)
+        std::fprintf(
+            stderr,
+            "fretwork: %s is an unstable equilibrium, which no specimen keeps: errors are from there; "
+            "simulate --branch stable finds where it goes\n",
+            base::printable(options.full).c_str());
     if (options.tolerance && !(comparison.relative_l2_error <= *options.tolerance)) {
         std::fprintf(stderr, "fretwork: the relative error %.4g is above the tolerance %.4g\n",
                      comparison.relative_l2_error, *options.tolerance);
@@ -87,19 +97,23 @@ ExitCode run(const Options& options) {
 }  // namespace
 
 void add_compare(CLI::App& app, ExitCode& exit_code) {
-    CLI::App* verb = app.add_subcommand(
-        "compare", "Compare a reduced model's result with the full model's: a row of Table 3");
+    CLI::App* verb = app.add_subcommand("compare", "Compare a reduced model's result with the full model's");
     const auto options = std::make_shared<Options>();
     verb->add_option("full", options->full, "Result of the full model")->required();
     verb->add_option("reduced", options->reduced, "Result of a reduced model of the same project")
         ->required();
-    verb->add_option("--name", options->name, "First column (default: the first file's name)");
+    verb->add_option("--name", options->name,
+                     "What the comparison is called (default: the first file's name)");
     verb->add_option("--tolerance", options->tolerance,
                      "Exit with 1 if the relative L2 error of the translations is above it")
         ->check(tolerance_check());
-    verb->add_flag("--json", options->json, "Print JSON");
+    CLI::Option* csv =
+        verb->add_flag("--csv", options->csv, "Print a header and a row of Table 3, in metres");
+    verb->add_flag("--json", options->json, "Print JSON")->excludes(csv);
     declare_files(*verb, {input("full"), input("reduced")});
-    verb->footer("Example: fretwork compare full.json reduced.json");
+    verb->footer(
+        "Example: fretwork compare full.json reduced.json\n"
+        "         fretwork compare full.json reduced.json --csv");
     verb->callback([options, &exit_code] { exit_code = run(*options); });
 }
 

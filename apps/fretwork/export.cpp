@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fretwork export: a project, and what was computed of it, as a drawing or a file for other programs.
+#include "bar_checks.hpp"
 #include "file_options.hpp"
 #include "ignored_options.hpp"
 #include "interrupt.hpp"
@@ -35,6 +36,8 @@ struct Options {
     std::string view;
     std::string size;
     std::string colour;
+    std::string strength;
+    std::vector<std::string> labels;
 };
 
 /// Beyond this a drawing of any surface shows nothing.
@@ -83,10 +86,13 @@ void refuse_ignored_options(const CLI::App& verb, const Options& options) {
             options.to, [&](const std::string& path) { return (exports::find_writer(path).*is)(); });
     };
     if (!has(&exports::WriterRow::is_drawing))
-        refuse_given(verb, {"--case", "--scale", "--view"},
+        refuse_given(verb, {"--case", "--scale", "--view", "--labels"},
                      "is for drawings, and no --to names one (.svg, .png, .html)");
     if (!has(&exports::WriterRow::is_picture))
         refuse_given(verb, {"--colour"}, "is for pictures, and no --to names one (.png, .html)");
+    if (options.results.empty() && options.colour != "plain")
+        refuse_given(verb, {"--colour"},
+                     "shows what a result has, and there is no --result; plain needs none");
     const bool has_pixels = std::ranges::any_of(
         options.to, [](const std::string& path) { return exports::find_writer(path).ending == ".png"; });
     if (!has_pixels)
@@ -147,6 +153,10 @@ exports::Scene make_scene(const Options& options, const base::Control& control) 
     if (!options.view.empty()) scene.view = read_option("--view", options.view, exports::parse_view);
     if (!options.size.empty()) scene.picture.size = read_option("--size", options.size, exports::parse_size);
     if (!options.colour.empty()) scene.picture.colour = options.colour;
+    if (!options.strength.empty()) scene.strength = parse_strength(options.strength);
+    for (const std::string& what : options.labels)
+        (what == "tiles" ? scene.labels.tiles : scene.labels.interface_nodes) =
+            exports::DrawnLabels::Shown::Yes;
     return scene;
 }
 
@@ -199,6 +209,15 @@ void add_export(CLI::App& app, ExitCode&) {
                      "What the colours of .png and .html show: " +
                          base::join(exports::bar_field_names(), ", ") + ", or plain (default: displacement)")
         ->type_name("FIELD");
+    verb->add_option(
+            "--strength", options->strength,
+            "Stress that the material bears, such as 40MPa: .vtu, .png and .html then have utilization")
+        ->type_name("STRESS");
+    verb->add_option("--labels", options->labels,
+                     "Numbers in an .svg from above: tiles, nodes (the interface nodes), or tiles,nodes")
+        ->delimiter(',')
+        ->check(CLI::IsMember({"tiles", "nodes"}))
+        ->type_name("WHAT");
     declare_files(*verb,
                   {input("project"), output("--to", kExportFile), input("--result"), input("--library")});
     verb->footer(

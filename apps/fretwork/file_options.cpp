@@ -17,8 +17,9 @@ Program& program_of(CLI::App& verb) {
 
 /// How the tables begin that this program makes: those of enumerate, optimizers, export and library export.
 constexpr std::string_view kTableStarts[] = {
-    "edges,patterns,",   "id,edges,symmetry,", "problem,best_value,", "problem,optimizer,", "problem,kind,",
-    "problem,variable,", "node,x_m,",          "pattern_id,",         "id,layout,edges,",   "name,position,"};
+    "edges,patterns,",  "id,edges,symmetry,", "problem,best_value,", "problem,optimizer,",
+    "problem,kind,",    "problem,variable,",  "node,x_m,",           "pattern_id,",
+    "id,layout,edges,", "name,position,",     "beam,tile,"};
 
 }  // namespace
 

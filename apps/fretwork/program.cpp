@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "beams.hpp"
+#include "draw.hpp"
 #include "file_guard.hpp"
 #include "program.hpp"
 
@@ -8,9 +10,9 @@ namespace fretwork::app {
 namespace {
 
 /// The verbs, in the order in which data flows.
-constexpr void (*kVerbs[])(CLI::App&, ExitCode&) = {add_enumerate,  add_calibrate, add_library, add_tile,
-                                                    add_case,       add_simulate,  add_compare, add_solve,
-                                                    add_optimizers, add_export,    add_studio};
+constexpr void (*kVerbs[])(CLI::App&, ExitCode&) = {
+    add_enumerate, add_calibrate, add_library,    add_tile,   add_paint, add_case,  add_simulate,
+    add_compare,   add_solve,     add_optimizers, add_export, add_draw,  add_beams, add_studio};
 
 }  // namespace
 

@@ -10,16 +10,23 @@
 #include <fretwork/base/internal/json_text.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/exports/writer_catalogue.hpp>
+#include <fretwork/mechanics/calculix_file.hpp>
 #include <fretwork/mechanics/frame_file.hpp>
 #include <fretwork/simulation/combination.hpp>
 #include <fretwork/simulation/load_case_file.hpp>
 #include <fretwork/simulation/project_library.hpp>
 #include <fretwork/simulation/simulate.hpp>
+#include <fretwork/simulation/stable_path.hpp>
+#include <fretwork/simulation/stages.hpp>
 #include <fretwork/simulation/surface_frame.hpp>
+#include <fretwork/simulation/surface_linear_range.hpp>
+#include <fretwork/simulation/surface_modes.hpp>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 namespace fretwork::app {
 namespace {
@@ -34,6 +41,11 @@ struct Options {
     std::string library;
     std::string out;
     std::string frame_out;
+    std::string deck;
+    std::string branch = "primary";
+    std::string stages;
+    int vibration_modes = 0;
+    int buckling_modes = 0;
     std::vector<std::string> drawings;  ///< a VTU and an SVG file, where asked for
     bool linear = false;
     bool json = false;
@@ -72,11 +84,36 @@ base::Json model_error_json(const mechanics::Result& result) {
     return {{"mean", error->mean}, {"largest", error->largest}, {"relative_l2", error->relative_l2}};
 }
 
+using OptionalRange = std::optional<mechanics::LinearRange>;
+
+base::Json linear_range_json(const OptionalRange& range) {
+    if (!range) return nullptr;
+    return {{"error_estimate", range->error},
+            {"loses_stability", range->loses_stability},
+            {"is_exceeded", simulation::is_exceeded(*range)}};
+}
+
+base::Json values_of(const std::vector<mechanics::Mode>& modes) {
+    base::Json values = base::Json::array();
+    for (const mechanics::Mode& mode : modes) values.push_back(mode.value);
+    return values;
+}
+
+base::Json stability_losses_json(const mechanics::Result& result) {
+    base::Json losses = base::Json::array();
+    for (const mechanics::StabilityLoss& loss : result.solution.stability_losses)
+        losses.push_back({{"load_factor", loss.load_factor},
+                          {"node", result.nodes[static_cast<std::size_t>(loss.node.value)].id},
+                          {"component", mechanics::kDofNames[static_cast<std::size_t>(loss.dof)]},
+                          {"pushed", loss.pushed}});
+    return losses;
+}
+
 base::Json buckled_tiles_json(const mechanics::Result& result) {
     return result.buckled_tiles ? base::Json(*result.buckled_tiles) : base::Json(nullptr);
 }
 
-void print_json(const mechanics::Result& result) {
+void print_json(const mechanics::Result& result, const OptionalRange& range) {
     const auto& solution = result.solution;
     const base::Json json = {{"model", result.subject->model},
                              {"load_case", result.subject->load_case},
@@ -91,8 +128,26 @@ void print_json(const mechanics::Result& result) {
                              {"full_tiles", result.subject->full_tiles},
                              {"model_error_estimate", model_error_json(result)},
                              {"buckled_tiles", buckled_tiles_json(result)},
+                             {"linear_range", linear_range_json(range)},
+                             {"stability_losses", stability_losses_json(result)},
+                             {"frequencies", values_of(result.vibration_modes)},
+                             {"buckling_load_factors", values_of(result.buckling_modes)},
                              {"seconds", result.seconds}};
     std::fputs(base::json_text(json).c_str(), stdout);
+}
+
+/// Of a path with several solutions, each.
+void print_steps(const mechanics::Result& result) {
+    for (std::size_t i = 0; i < result.load_steps.size(); ++i) {
+        const mechanics::Solution& step = result.load_steps[i];
+        std::printf("  %zu: %s at %.3g, largest displacement %.4g mm\n", i + 1,
+                    std::string(mechanics::termination_name(step.termination)).c_str(), step.load_factor,
+                    1e3 * step.displacements.leftCols<3>().rowwise().norm().maxCoeff());
+        for (const mechanics::StabilityLoss& loss : step.stability_losses)
+            std::printf("     jumped at %.4g: node %d along %s\n", loss.load_factor,
+                        result.nodes[static_cast<std::size_t>(loss.node.value)].id,
+                        mechanics::kDofNames[static_cast<std::size_t>(loss.dof)]);
+    }
 }
 
 void print(const mechanics::Result& result) {
@@ -106,6 +161,7 @@ void print(const mechanics::Result& result) {
     std::printf("largest displacement %.4g mm, largest rotation %.4g deg, %.3g s\n",
                 1e3 * largest_displacement(result), largest_rotation(result) * kDegreesPerRadian,
                 result.seconds);
+    print_losses_and_modes(result);
     if (const auto& error = result.discretization_error)
         std::printf("%s\n", discretization_text(*error).c_str());
     if (!result.subject->full_tiles.empty())
@@ -130,17 +186,48 @@ void add_drawings(const Options& options, const Surface& surface, const mechanic
 }
 
 /// Every beam of every tile, whatever models the tiles have.
-std::string full_frame_text(Surface surface, const LoadCase& load_case) {
+mechanics::Frame full_frame(Surface surface, const LoadCase& load_case) {
     surface.tile_models.clear();
-    const auto conditions = simulation::resolve(load_case, surface);
-    return mechanics::frame_text(simulation::surface_frame(surface, {}, conditions));
+    return simulation::surface_frame(surface, {}, simulation::resolve(load_case, surface));
+}
+
+/// Of the surface with all of its beams, at rest; shapes have a row for each node of the result.
+void add_modes(const Options& options, const Surface& surface, const LoadCase& load_case,
+               mechanics::Result& result, const base::Control& control) {
+    const auto modes = [&](simulation::ModeKind kind, int count) {
+        if (count == 0) return std::vector<mechanics::Mode>{};
+        auto found = simulation::surface_modes(surface, load_case, kind, count, {.control = control});
+        for (mechanics::Mode& mode : found) {
+            // Other models have other inner nodes, which rest in the drawing.
+            const auto all = std::ssize(result.nodes);
+            const auto own =
+                mode.shape.rows() == all ? all : std::ssize(surface.tessellation.interface_nodes);
+            mechanics::NodeValues shape = mechanics::NodeValues::Zero(all, mechanics::kDofsPerNode);
+            shape.topRows(own) = mode.shape.topRows(own);
+            mode.shape = std::move(shape);
+        }
+        return found;
+    };
+    result.vibration_modes = modes(simulation::ModeKind::Vibration, options.vibration_modes);
+    result.buckling_modes = modes(simulation::ModeKind::Buckling, options.buckling_modes);
 }
 
 /// What is impossible numerically names the project.
 mechanics::Result simulate(const Options& options, const Surface& surface, const LoadCase& load_case,
-                           const base::Control& control) {
+                           const std::vector<LoadCase>& cases, const base::Control& control) {
     try {
-        return simulation::simulate(surface, load_case, options.simulation, control);
+        if (!options.stages.empty()) {
+            const auto snaps =
+                options.branch == "snapping" ? mechanics::Snaps::Cross : mechanics::Snaps::Stop;
+            return simulation::simulate_stages(surface, load_case, cases,
+                                               simulation::read_stages(options.stages), options.simulation,
+                                               snaps, control);
+        }
+        if (options.branch == "primary")
+            return simulation::simulate(surface, load_case, options.simulation, control);
+        const auto path =
+            options.branch == "stable" ? simulation::StablePath::Branches : simulation::StablePath::Snaps;
+        return simulation::simulate_stable_path(surface, load_case, options.simulation, path, control);
     } catch (const base::NumericalError& error) {
         throw base::NumericalError(options.project + ": " + error.what());
     }
@@ -159,12 +246,25 @@ ExitCode run(Options options) {
     simulation::check_calibrations(options.project, project, surface, choice);
     const LoadCase load_case = chosen_load_case(project, options.load_case);
     base::FileBatch files;
-    if (!options.frame_out.empty()) files.add(options.frame_out, full_frame_text(surface, load_case));
-    const mechanics::Result result = simulate(options, surface, load_case, work.control());
+    if (!options.frame_out.empty())
+        files.add(options.frame_out, mechanics::frame_text(full_frame(surface, load_case)));
+    if (!options.deck.empty())
+        files.add(options.deck,
+                  mechanics::calculix_text(full_frame(surface, load_case), mechanics::DeckReader::Calculix));
+    mechanics::Result result = simulate(options, surface, load_case, project.load_cases, work.control());
+    add_modes(options, surface, load_case, result, work.control());
     files.add(options.out, mechanics::result_text(result));
     add_drawings(options, surface, result, files);
     files.commit();
-    options.json ? print_json(result) : print(result);
+    OptionalRange range;
+    if (result.solver == "linear" && result.solution.converged())
+        range =
+            simulation::surface_linear_range(surface, load_case, options.simulation.threads, work.control());
+    options.json ? print_json(result, range) : print(result);
+    if (!options.json && !options.stages.empty()) print_steps(result);
+    if (range && simulation::is_exceeded(*range))
+        std::fprintf(stderr, "fretwork: %s; --model full, without --linear, or corotational tell\n",
+                     simulation::linear_range_text(*range).c_str());
     const bool misses_error = options.simulation.estimate_model_error && !result.model_error;
     if (misses_error)
         std::fprintf(stderr, "fretwork: the error of the model is not known: no better solution was found\n");
@@ -189,6 +289,23 @@ void add_simulate(CLI::App& app, ExitCode& exit_code) {
     verb->add_option("--case", options->load_case, "Name of a load case of the project, or a load case file");
     verb->add_option("--model", options->simulation.model, models_help())->capture_default_str();
     verb->add_flag("--linear", options->linear, "Small displacements, whatever the model");
+    verb->add_option(
+            "--branch", options->branch,
+            "Where the path becomes unstable: primary goes on along it, stable is pushed off it along "
+            "the critical mode, snapping also goes on beyond limit loads, to the stable equilibrium "
+            "downhill")
+        ->check(CLI::IsMember({"primary", "stable", "snapping"}))
+        ->capture_default_str();
+    verb->add_option(
+        "--stages", options->stages,
+        "File of stages: loads, displacements, what is kept and let go, one after the other; supports "
+        "are those of --case");
+    verb->add_option("--modes", options->vibration_modes,
+                     "So many natural frequencies of the surface at rest, with all of its beams")
+        ->check(CLI::Range(0, 1000));
+    verb->add_option("--buckling", options->buckling_modes,
+                     "So many critical load factors by linearized buckling, with all of its beams")
+        ->check(CLI::Range(0, 1000));
     verb->add_option("--steps", options->simulation.load_steps, "Results at so many equal shares of the load")
         ->capture_default_str();
     verb->add_flag("--estimate-error", options->simulation.estimate_error,
@@ -204,15 +321,17 @@ void add_simulate(CLI::App& app, ExitCode& exit_code) {
                      "Library with the setting and the calibrations (default: the project's)");
     verb->add_option("--out", options->out, "Result file")->required();
     verb->add_option("--frame-out", options->frame_out, "Write the full model as a frame file, too");
+    verb->add_option("--deck", options->deck,
+                     "Write the full model as an input deck for CalculiX, too: ccx -i NAME runs it");
     for (const std::string ending : {"vtu", "svg"}) {
         verb->add_option_function<std::string>(
             "--" + ending, [options](const std::string& path) { options->drawings.push_back(path); },
             "Write the displaced beams as ." + ending + ", too");
     }
     verb->add_flag("--json", options->json, "Print JSON");
-    declare_files(*verb,
-                  {input("project"), input("--case"), input("--library"), output("--out", kResultFile),
-                   output("--frame-out", kFrameFile), output("--vtu", kVtuFile), output("--svg", kSvgFile)});
+    declare_files(*verb, {input("project"), input("--case"), input("--stages"), input("--library"),
+                          output("--out", kResultFile), output("--frame-out", kFrameFile),
+                          output("--deck", kDeckFile), output("--vtu", kVtuFile), output("--svg", kSvgFile)});
     verb->footer(
         "Example: fretwork simulate project.json --case cantilever --model condensed --out reduced.json");
     verb->callback([options, &exit_code] { exit_code = run(*options); });

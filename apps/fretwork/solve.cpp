@@ -8,6 +8,7 @@
 #include <fretwork/base/file.hpp>
 #include <fretwork/exports/line_files.hpp>
 #include <fretwork/mechanics/calculix_file.hpp>
+#include <fretwork/mechanics/snapping.hpp>
 #include <fretwork/mechanics/solve.hpp>
 
 #include <algorithm>
@@ -28,12 +29,15 @@ Examples:
   fretwork solve frame.json --solver linear --buckling 3 --out result.json
   fretwork solve frame.json --solver linear --modes 6 --out result.json --vtu result.vtu)";
 
+constexpr const char* kSnapping = "snapping";
+
 struct Options {
     std::string frame;
     std::string solver = "newton";
     std::string out;
     std::string vtu;
     std::string deck;
+    std::string deck_for = "abaqus";
     std::optional<std::string> branch;
     std::optional<std::string> masses;
     mechanics::SolveOptions solve;
@@ -43,7 +47,7 @@ struct Options {
 mechanics::SolveOptions solve_options(const Options& options) {
     mechanics::SolveOptions solve = options.solve;
     solve.solver = mechanics::find_solver(options.solver);
-    if (options.branch)
+    if (options.branch && *options.branch != kSnapping)
         solve.branch = *options.branch == "stable" ? mechanics::Branch::Stable : mechanics::Branch::Primary;
     if (options.masses)
         solve.rotational_mass = *options.masses == "published" ? mechanics::RotationalMass::Published
@@ -69,10 +73,15 @@ ExitCode run(const Options& options) {
     solve.control = work.control();
     solve.validate();
     const mechanics::LabelledFrame input = mechanics::read_structure(options.frame);
-    const mechanics::Result result = mechanics::solve(input, solve);
+    const mechanics::Result result = options.branch && *options.branch == kSnapping
+                                         ? mechanics::solve_snapping(input, solve)
+                                         : mechanics::solve(input, solve);
     base::FileBatch files;
     files.add(options.out, mechanics::result_text(result));
-    if (!options.deck.empty()) files.add(options.deck, mechanics::calculix_text(input.frame));
+    if (!options.deck.empty())
+        files.add(options.deck, mechanics::calculix_text(input.frame, options.deck_for == "calculix"
+                                                                          ? mechanics::DeckReader::Calculix
+                                                                          : mechanics::DeckReader::Abaqus));
     if (!options.vtu.empty())
         files.add(options.vtu,
                   exports::vtu_text(exports::solution_lines(mechanics::assemble(input.frame), result)));
@@ -98,8 +107,8 @@ void add_method(CLI::App& verb, Options& options) {
     verb.add_option(
             "--branch", options.branch,
             "where the path becomes unstable: primary goes on along it, stable is pushed off it along the "
-            "critical mode (newton only; primary if not given)")
-        ->check(CLI::IsMember({"primary", "stable"}));
+            "critical mode, snapping also goes on beyond limit loads (newton only; primary if not given)")
+        ->check(CLI::IsMember({"primary", "stable", kSnapping}));
     verb.add_option(
             "--masses", options.masses,
             "rotational masses of dynamic-relaxation: natural, or those of published programs, which are "
@@ -138,7 +147,11 @@ void add_solve(CLI::App& app, ExitCode& exit_code) {
     add_method(*verb, *options);
     add_questions(*verb, *options);
     verb->add_option("--vtu", options->vtu, "the displaced beams, and modes, for ParaView");
-    verb->add_option("--deck", options->deck, "write the frame as an input deck for Abaqus (.inp)");
+    verb->add_option("--deck", options->deck, "write the frame as an input deck (.inp)");
+    verb->add_option("--deck-for", options->deck_for,
+                     "program that is to read --deck: abaqus (beams), or calculix (ccx makes solids of them)")
+        ->check(CLI::IsMember({"abaqus", "calculix"}))
+        ->capture_default_str();
     verb->add_option("--out", options->out, "result file")->required();
     verb->add_flag("--json", options->json, "print a summary for programs");
     declare_files(*verb, {input("frame"), output("--out", kResultFile), output("--vtu", kVtuFile),

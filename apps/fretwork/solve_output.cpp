@@ -81,6 +81,21 @@ void print_solution_json(const mechanics::Result& result) {
     std::fputs(base::json_text(summary_of(result)).c_str(), stdout);
 }
 
+void print_losses_and_modes(const mechanics::Result& result) {
+    const mechanics::Solution& solution = result.solution;
+    for (const mechanics::StabilityLoss& loss : solution.stability_losses)
+        std::printf("%s from %.6g of the load on%s: node %d along %s\n",
+                    solution.stability == mechanics::StabilityTest::SymmetricPart ? "stability undecided"
+                                                                                  : "unstable",
+                    loss.load_factor, loss.pushed ? "; pushed onto a stable branch" : "",
+                    result.nodes[static_cast<std::size_t>(loss.node.value)].id,
+                    mechanics::kDofNames[static_cast<std::size_t>(loss.dof)]);
+    for (std::size_t i = 0; i < result.buckling_modes.size(); ++i)
+        std::printf("buckling load %zu: %.6g times the load\n", i + 1, result.buckling_modes[i].value);
+    for (std::size_t i = 0; i < result.vibration_modes.size(); ++i)
+        std::printf("mode %zu: %.6g Hz\n", i + 1, result.vibration_modes[i].value);
+}
+
 void print_solution(const mechanics::Result& result) {
     const auto summary = summary_of(result);
     const mechanics::Solution& solution = result.solution;
@@ -93,17 +108,7 @@ void print_solution(const mechanics::Result& result) {
                 summary["largest_rotation"].get<double>() * kDegreesPerRadian);
     if (const auto& error = result.discretization_error)
         std::printf("%s\n", discretization_text(*error).c_str());
-    for (const mechanics::StabilityLoss& loss : solution.stability_losses)
-        std::printf("%s from %.6g of the load on%s: node %d along %s\n",
-                    solution.stability == mechanics::StabilityTest::SymmetricPart ? "stability undecided"
-                                                                                  : "unstable",
-                    loss.load_factor, loss.pushed ? "; pushed onto a stable branch" : "",
-                    result.nodes[static_cast<std::size_t>(loss.node.value)].id,
-                    mechanics::kDofNames[static_cast<std::size_t>(loss.dof)]);
-    for (std::size_t i = 0; i < result.buckling_modes.size(); ++i)
-        std::printf("buckling load %zu: %.6g times the load\n", i + 1, result.buckling_modes[i].value);
-    for (std::size_t i = 0; i < result.vibration_modes.size(); ++i)
-        std::printf("mode %zu: %.6g Hz\n", i + 1, result.vibration_modes[i].value);
+    print_losses_and_modes(result);
     std::printf("relative residual %.1e, %d iterations, %.3g s\n", solution.residual, solution.iterations,
                 result.seconds);
 }

@@ -16,6 +16,9 @@ void print_solution_json(const mechanics::Result& result);
 
 inline constexpr double kDegreesPerRadian = 180.0 / std::numbers::pi;
 
+/// One line for each loss of stability, critical load and frequency.
+void print_losses_and_modes(const mechanics::Result& result);
+
 /// The share, or null if there is none.
 base::Json discretization_json(const mechanics::Result& result);
 /// A line about how far a solution is from that of endlessly fine divisions.

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fretwork tile: an outline becomes a project, tiled and painted.
+#include "bar_checks.hpp"
 #include "file_options.hpp"
 #include "interrupt.hpp"
+#include "painting_options.hpp"
 #include "verbs.hpp"
 
 #include <fretwork/base/error.hpp>
@@ -32,15 +34,38 @@ using simulation::Project;
 struct Options {
     std::string outline;
     std::string part = "largest";
-    std::string edge_length;
+    std::optional<std::string> edge_length;
     simulation::PaintingChoice painting;
     std::string library;
     std::string layout;
     std::string out;
     std::string narrow = "refine";
+    std::string clearance;
     bool keep_mesh = false;
     bool json = false;
 };
+
+std::string millimetres_as_metres(double number) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.6g", 1e-3 * number);
+    return text;
+}
+
+/// A bare number is in metres, and people mean millimetres by a large one.
+double parse_edge_length(const std::string& text) {
+    constexpr double kLargestBare = 1.0;
+    const auto bare = base::read_number<double>(text);
+    if (bare && *bare >= kLargestBare)
+        throw base::InputError("--edge-length", "",
+                               text + " would be " + text + " m; did you mean " +
+                                   millimetres_as_metres(*bare) + " (" + text + "mm)? Metres are written " +
+                                   text + "m");
+    try {
+        return base::parse_length(text);
+    } catch (const base::InputError& error) {
+        throw base::InputError("--edge-length", "", error.what());
+    }
+}
 
 /// The library that is named; else that of the project which is tiled anew, if it has one.
 std::optional<Library> open_library(const Options& options) {
@@ -171,8 +196,10 @@ void print_json(const tiling::TessellationReport& report, const Project& project
 }
 
 void print(const tiling::TessellationReport& report, const Project& project, const Options& options) {
-    std::printf("%d tiles, %zu interface nodes, %zu patterns in use\n", report.tiles,
-                project.tessellation.interface_nodes.size(), project.tessellation.patterns.size());
+    std::printf("%d %s, %zu interface nodes, %zu %s in use\n", report.tiles,
+                report.tiles == 1 ? "tile" : "tiles", project.tessellation.interface_nodes.size(),
+                project.tessellation.patterns.size(),
+                project.tessellation.patterns.size() == 1 ? "pattern" : "patterns");
     std::printf("hexagons %.0f %% (away from the rim %.0f %%), mean side %.2f mm (+- %.2f, smallest %.2f)\n",
                 100 * report.hexagon_share, 100 * report.inner_hexagon_share, 1e3 * report.mean_side,
                 1e3 * report.sd_side, 1e3 * report.smallest_side);
@@ -197,13 +224,14 @@ void run(const Options& options) {
     tell(file, options);
     simulation::NewProjectOptions wanted{
         .outline_name = options.outline, .layout = options.layout, .painting = options.painting};
-    if (!options.edge_length.empty()) wanted.edge_length = base::parse_length(options.edge_length);
+    if (options.edge_length) wanted.edge_length = parse_edge_length(*options.edge_length);
     wanted.narrow = kNarrow.at(options.narrow);
     if (options.keep_mesh) wanted.tiles = simulation::TilesFrom::Mesh;
     wanted.control = work.control();
     simulation::NewProject made = simulation::make_project(file.parts, wanted, library);
     warn(made);
     const Project project = write(std::move(made.project), options, library);
+    warn_of_close_bars(project, options.clearance);
     if (options.json) return print_json(made.report, project, file);
     std::printf("outline of %s%s\n", tiling::size_text(file.parts).c_str(),
                 file.parts.size() > 1 ? (", " + std::to_string(file.parts.size()) + " parts").c_str() : "");
@@ -233,12 +261,8 @@ void add_tile(CLI::App& app, ExitCode&) {
     verb->add_flag("--keep-mesh", options->keep_mesh,
                    "Take the faces of a flat OBJ, PLY or OFF as the tiles, as they are")
         ->excludes(edge_length);
-    verb->add_option("--patterns", options->painting.patterns,
-                     "random:SEED, one pattern id for all tiles, or a painting file (default: not painted)");
-    verb->add_option("--palette", options->painting.palette,
-                     "With random:SEED, patterns to choose from: ids with commas between, or a painting file "
-                     "(default: those "
-                     "that the library has calibrated)");
+    add_painting_options(*verb, options->painting);
+    add_clearance_option(*verb, options->clearance);
     verb->add_option("--library", options->library,
                      "Pattern library that the project is to use (default: that of the project at --out)");
     verb->add_option("--layout", options->layout,

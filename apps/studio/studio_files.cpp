@@ -131,7 +131,10 @@ NewRequest read_new(const base::JsonReader& json) {
     };
     wanted.options.outline_name = wanted.outline.name;
     wanted.options.layout = text_of("layout");
-    wanted.options.painting = {text_of("patterns"), text_of("palette"), {"patterns", "palette", "a library"}};
+    wanted.options.painting = {
+        .patterns = text_of("patterns"),
+        .palette = text_of("palette"),
+        .names = {.patterns = "patterns", .palette = "palette", .library = "a library"}};
     if (const auto size = json.find("tile_size")) wanted.options.edge_length = size->positive_number();
     return wanted;
 }

@@ -23,15 +23,16 @@ using testing::HasSubstr;
 /// Options whose value is a text and no file. One that is in neither list is a mistake: declare it with
 /// `declare_files` if it names a file.
 const std::set<std::string> kOtherTexts = {
-    "--edges",   "--min-angle", "--max-valence", "--filter", "--tile-side", "--beam-width",
-    "--require", "--forbid",    "--edge-length", "--shard",  "--model",     "--optimizer",
-    "--name",    "--problems",  "--optimizers",  "--policy", "--solver",    "--branch",
-    "--masses",  "pattern",     "--address",     "--part",   "--narrow",    "--scale"};
+    "--edges",   "--min-angle",   "--max-valence", "--filter",     "--tile-side", "--beam-width", "--require",
+    "--forbid",  "--edge-length", "--shard",       "--model",      "--optimizer", "--tiles",      "--box",
+    "--polygon", "--property",    "--range",       "--clearance",  "--strength",  "--deck-for",   "name",
+    "new_name",  "--name",        "--problems",    "--optimizers", "--policy",    "--solver",     "--branch",
+    "--masses",  "pattern",       "--address",     "--part",       "--narrow",    "--scale"};
 
 /// --patterns lists ids; that of `tile` may be a file.
 bool is_other_text(const CLI::App& verb, const CLI::Option& option) {
     return kOtherTexts.contains(option.get_name()) ||
-           (verb.get_name() != "tile" && option.get_name() == "--patterns") ||
+           (verb.get_name() != "tile" && verb.get_name() != "paint" && option.get_name() == "--patterns") ||
            (verb.get_name() == "known" && option.get_name() == "--patterns") ||
            (verb.get_name() == "export" && option.get_name() == "--case");
 }

@@ -6,6 +6,7 @@
 #include "support.hpp"
 
 #include <fretwork/base/file.hpp>
+#include <fretwork/mechanics/calculix_file.hpp>
 #include <fretwork/mechanics/equilibrium.hpp>
 
 #include <gtest/gtest.h>
@@ -111,6 +112,29 @@ TEST(CalculixComparison, BentZigzagMatchesCalculix) {
     EXPECT_GT(ours.norm(), 0.003);  // a quarter of a beam's length and more
     // What remains are CalculiX's elements and its residual of half a percent of the mean force.
     EXPECT_LT((theirs - ours).norm(), 5e-4 * ours.norm()) << theirs.transpose() << " | " << ours.transpose();
+}
+
+/// The zigzag as a frame of ours has it: without shear, with Saint-Venant's torsion.
+TEST(CalculixComparison, RunsTheDeckThatIsWrittenForIt) {
+    if (std::system("command -v ccx > /dev/null 2>&1") != 0)
+        GTEST_SKIP() << "CalculiX (ccx) is not installed";
+    Frame frame = zigzag();
+    for (Beam& beam : frame.beams) {
+        beam.section = rectangle_section(kSide, kSide);
+        beam.divisions = 1;
+    }
+    const test::TemporaryFolder folder;
+    std::ofstream(folder.path() / "ours.inp") << calculix_text(frame, DeckReader::Calculix);
+    const std::string run =
+        "cd '" + folder.path().string() + "' && OMP_NUM_THREADS=1 ccx -i ours > ours.log 2>&1";
+    ASSERT_EQ(std::system(run.c_str()), 0) << base::read_text_file(folder.path() / "ours.log");
+    const Eigen::Vector3d theirs = last_displacement(base::read_text_file(folder.path() / "ours.dat"));
+    const Eigen::Vector3d ours =
+        follow_load_path(assemble(frame), std::vector{1.0}).back().displacements.row(kLoaded).head<3>();
+    // One of their quadratic elements a beam, and their torsion constant, a sixth larger.
+    EXPECT_LT((theirs - ours).norm(), 0.05 * ours.norm()) << theirs.transpose() << " | " << ours.transpose();
+    EXPECT_EQ(parse_calculix(calculix_text(frame, DeckReader::Calculix), "again").frame.beams.size(),
+              2 * frame.beams.size());
 }
 
 }  // namespace

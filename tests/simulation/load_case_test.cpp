@@ -5,6 +5,7 @@
 #include <fretwork/simulation/combination.hpp>
 #include <fretwork/simulation/conditions.hpp>
 #include <fretwork/simulation/load_case_file.hpp>
+#include <fretwork/simulation/load_case_text.hpp>
 
 namespace fretwork::simulation {
 namespace {
@@ -237,6 +238,92 @@ TEST(AreaLoad, OnATileThatThereIsNotIsRefusedWithItsPlace) {
                 AllOf(HasSubstr("/loads/1/tiles"), HasSubstr("no tile 12")));
     load_case.area_loads = {{Selection(NodesInBox{{9, 9, 10, 10}}), {0, 0, -1}}};
     EXPECT_THAT(complaint_of([&] { (void)resolve(load_case, surface); }), HasSubstr("/loads/1"));
+}
+
+// ---- line loads ----
+
+LoadCase::Load line_load(const Selection& where, const Eigen::Vector3d& per_length) {
+    return {where, per_length, Eigen::Vector3d::Zero(), LoadCase::Amount::PerLength};
+}
+
+TEST(LineLoad, IsForcePerLengthTimesTheLengthOfItsPartOfTheRim) {
+    const Surface surface = make_surface(test::honeycomb(4, 3, {"0-1+1-6"}), nullptr);
+    const Eigen::Vector3d per_length(0.5, 0.0, -2.0);
+    LoadCase load_case;
+    load_case.name = "rail";
+    load_case.loads = {line_load(NodesAtSide{Side::Left}, per_length)};
+    const auto picked = select_nodes(NodesAtSide{Side::Left}, surface.tessellation);
+    const double side = tiling::mean_tile_side(surface.tessellation);  // all are equal, with one node each
+    const Conditions conditions = resolve(load_case, surface);
+    EXPECT_LT((total_force(conditions) - static_cast<double>(picked.size()) * side * per_length).norm(),
+              1e-12);
+    EXPECT_EQ(conditions.loads.size(), picked.size());
+}
+
+TEST(LineLoad, BetweenTwoPointsRunsTheShorterWayAlongTheRim) {
+    const Surface surface = make_surface(test::honeycomb(4, 3, {"0-1+1-6"}), nullptr);
+    const auto& vertices = surface.tessellation.vertices;
+    const tiling::Tile& corner = surface.tessellation.tiles.front();  // its first side faces down
+    const pattern::Point2 a = vertices[static_cast<std::size_t>(corner.vertices[0])];
+    const pattern::Point2 b = vertices[static_cast<std::size_t>(corner.vertices[1])];
+    const pattern::Point2 middle{(a.x + b.x) / 2, (a.y + b.y) / 2 - 0.01};
+    LoadCase load_case;
+    load_case.name = "rail";
+    for (const auto& ends : {std::array{a, b}, std::array{b, a}}) {
+        load_case.loads = {line_load(NodesNearest{{ends[0], ends[1]}}, {0, 0, -3})};
+        const Conditions conditions = resolve(load_case, surface);
+        ASSERT_EQ(conditions.loads.size(), 1U);
+        EXPECT_EQ(conditions.loads.front().node.value, corner.interface_nodes[0].value);
+        EXPECT_NEAR(total_force(conditions).z(), -3 * (b.x - a.x), 1e-12);
+    }
+    load_case.loads = {line_load(NodesNearest{{a, middle}}, {0, 0, -3})};
+    EXPECT_NEAR(total_force(resolve(load_case, surface)).z(), -1.5 * (b.x - a.x), 1e-12) << "half of a side";
+    load_case.loads = {line_load(NodesNearest{{a, a}}, {0, 0, -3})};
+    EXPECT_THAT(complaint_of([&] { (void)resolve(load_case, surface); }),
+                AllOf(HasSubstr("/loads/0"), HasSubstr("one place")));
+}
+
+TEST(LineLoad, IsKeptByFilesOfTheThirdFormat) {
+    const std::string text = R"({"format": "fretwork/load-case/3", "name": "rail",
+        "loads": [{"side": "top", "per_length": [0, 0, -1]}, {"between": [[0, 0], [1, 0]], "per_length": [0, 2, 0]}]})";
+    const LoadCase load_case = parse_load_case(text, "rail.json");
+    ASSERT_EQ(load_case.loads.size(), 2U);
+    EXPECT_EQ(load_case_text(parse_load_case(load_case_text(load_case), "again")), load_case_text(load_case));
+    std::string second = text;
+    second.replace(second.find("case/3"), 6, "case/2");
+    EXPECT_THAT(complaint_of([&] { (void)parse_load_case(second, "rail.json"); }), HasSubstr("per_length"));
+    std::string both = text;
+    both.replace(both.find("\"side\""), 0, "\"between\": [[0, 0], [1, 0]], ");
+    EXPECT_THAT(complaint_of([&] { (void)parse_load_case(both, "rail.json"); }),
+                HasSubstr("one of side, between"));
+}
+
+// ---- what is told ----
+
+TEST(LoadCaseText, TellsHowManyNodesEachEntryPicked) {
+    const Surface surface = make_surface(test::honeycomb(4, 3, {"0-1+1-6"}), nullptr);
+    const auto count = select_nodes(NodesAtSide{Side::Left}, surface.tessellation).size();
+    const auto lines = entry_texts(test::cantilever({0, 0, 1}), surface.tessellation);
+    ASSERT_EQ(lines.size(), 2U);
+    EXPECT_THAT(lines[0], AllOf(HasSubstr("left: " + std::to_string(count) + " nodes"), HasSubstr("uz")));
+    EXPECT_THAT(lines[1], HasSubstr("right: "));
+}
+
+TEST(LoadCaseText, DoubtsWhatIsAThousandTimesOff) {
+    const Surface surface = make_surface(test::honeycomb(4, 3, {"0-1+1-6"}), nullptr);
+    LoadCase load_case = test::cantilever({0, 0, 0.1});
+    EXPECT_TRUE(doubts_about(load_case, surface).empty());
+    load_case.loads.push_back({NodesNearest{{{280, 190}}}, {0, 0, 0.1}});
+    load_case.prescribed = {{NodesById{{4}}, mechanics::Dof::uz, 2.0},
+                            {NodesById{{5}}, mechanics::Dof::rx, 15.0}};
+    load_case.gravity = {0, 0, -9810};
+    const auto doubts = doubts_about(load_case, surface);
+    ASSERT_EQ(doubts.size(), 4U);
+    EXPECT_THAT(doubts[0], HasSubstr("(280, 190)"));
+    EXPECT_THAT(doubts[1], HasSubstr("metres"));
+    EXPECT_THAT(doubts[2], HasSubstr("radians"));
+    EXPECT_THAT(doubts[3], HasSubstr("gravity"));
+    EXPECT_THAT(doubts_about(test::cantilever({0, 0, 1000}), surface).front(), HasSubstr("newtons"));
 }
 
 // ---- combinations ----

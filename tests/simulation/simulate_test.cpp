@@ -141,7 +141,7 @@ TEST(Simulate, AnUnknownModelAndZeroStepsAreRefused) {
     EXPECT_THAT(complaint_of([&] {
                     simulate(surface, cantilever({0, 0, 1}), {.model = "full", .load_steps = 0});
                 }),
-                HasSubstr("load_steps is 0"));
+                HasSubstr("the number of steps is 0"));
 }
 
 TEST(Simulate, OnlyTheNonlinearFullModelHasStepsAndADiscretizationError) {

@@ -98,6 +98,14 @@ class Builder {
             }
             bars_.fields.push_back(std::move(field));
         }
+        if (!scene_.strength) return;
+        BarScene::Field field = bars_.fields[1];  // the stress
+        field.name = kUtilization;
+        field.title = "Share of the strength";
+        field.unit = "%";
+        field.factor = 100.0;
+        for (double& value : field.values) value /= *scene_.strength;
+        bars_.fields.push_back(std::move(field));
     }
 
     void add_conditions() {
@@ -119,7 +127,8 @@ class Builder {
     }
 
     void add_title() {
-        bars_.title = std::to_string(scene_.surface.tessellation.tiles.size()) + " tiles";
+        const std::size_t tiles = scene_.surface.tessellation.tiles.size();
+        bars_.title = std::to_string(tiles) + (tiles == 1 ? " tile" : " tiles");
         if (scene_.results.empty()) return;
         const auto& result = scene_.results.front();
         const auto& subject = result.result.subject;
@@ -144,6 +153,7 @@ BarScene make_bar_scene(const Scene& scene) {
 std::vector<std::string> bar_field_names() {
     std::vector<std::string> names = {kDisplacement};
     for (const FieldRow& row : kForceFields) names.emplace_back(row.name);
+    names.emplace_back(kUtilization);
     return names;
 }
 

@@ -2,7 +2,9 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/exports/line_set.hpp>
 #include <fretwork/reduction/model_response.hpp>
+#include <fretwork/simulation/surface_beams.hpp>
 
+#include <cmath>
 #include <cstdio>
 
 namespace fretwork::exports {
@@ -55,6 +57,60 @@ struct DrawnNodes {
     std::vector<int> place;  ///< of each of the assembly's nodes in `nodes`, or -1
 };
 
+constexpr double kPi = 3.141592653589793;
+
+mechanics::Result at_step(const mechanics::Result& result, std::size_t step) {
+    mechanics::Result there = result;
+    there.solution = result.load_steps[step];
+    return there;
+}
+
+/// At the end where it is larger.
+std::vector<double> largest_of_ends(const simulation::BeamState& state, Eigen::Index column) {
+    std::vector<double> values;
+    for (Eigen::Index b = 0; 2 * b < state.forces.rows(); ++b) {
+        const double from = state.forces(2 * b, column);
+        const double to = state.forces(2 * b + 1, column);
+        values.push_back(std::abs(from) >= std::abs(to) ? from : to);
+    }
+    return values;
+}
+
+void add_modes(const mechanics::Result& result, LineSet& set) {
+    const auto add = [&](const char* kind, const std::vector<mechanics::Mode>& modes, const char* unit) {
+        for (std::size_t i = 0; i < modes.size(); ++i) {
+            if (modes[i].shape.rows() != std::ssize(set.nodes)) continue;
+            char name[64];
+            std::snprintf(name, sizeof name, "%s %zu, %.6g %s", kind, i + 1, modes[i].value, unit);
+            set.fields.push_back({name, modes[i].shape.leftCols<3>()});
+        }
+    };
+    add("vibration", result.vibration_modes, "Hz");
+    add("buckling", result.buckling_modes, "times the load");
+}
+
+/// Puts all beams with what they bear in place of the lines, if all are known.
+void add_beam_fields(const Surface& surface, const mechanics::Result& result, std::optional<double> strength,
+                     LineSet& set) {
+    const simulation::SurfaceBeams beams = simulation::surface_beams(surface);
+    const auto sections = simulation::beam_sections(beams, surface.setting);
+    const simulation::BeamState state = simulation::beam_state(surface, result, beams, sections);
+    if (state.nodes.hasNaN()) return;
+    set = surface_lines(surface);
+    set.displacements = state.nodes;
+    for (std::size_t column = 0; column < simulation::kBeamFields.size(); ++column)
+        set.line_fields.push_back(
+            {simulation::kBeamFields[column], largest_of_ends(state, static_cast<Eigen::Index>(column))});
+    if (strength) {
+        set.line_fields.push_back({"utilization", set.line_fields.back().values});
+        for (double& share : set.line_fields.back().values) share /= *strength;
+    }
+    for (std::size_t step = 0; step < result.load_steps.size(); ++step)
+        set.steps.push_back({result.load_steps[step].load_factor,
+                             simulation::beam_state(surface, at_step(result, step), beams, {}).nodes});
+    add_modes(result, set);
+}
+
 }  // namespace
 
 void require_same_surface(const Surface& surface, const mechanics::Result& result) {
@@ -74,12 +130,13 @@ void require_same_surface(const Surface& surface, const mechanics::Result& resul
 
 LineSet surface_lines(const Surface& surface) {
     LineSet set;
-    const tiling::TessellationFan fan = simulation::surface_fan(surface);
-    for (const pattern::Point2& node : fan.nodes) set.nodes.emplace_back(node.x, node.y, 0.0);
-    for (const tiling::TessellationFan::Edge& edge : fan.edges) {
-        set.lines.push_back({edge.nodes[0].value, edge.nodes[1].value});
-        set.tiles.push_back(edge.tile.value);
-        set.patterns.push_back(surface.tessellation.tiles[static_cast<std::size_t>(edge.tile)].pattern);
+    const simulation::SurfaceBeams beams = simulation::surface_beams(surface);
+    set.nodes = beams.nodes;
+    for (std::size_t b = 0; b < beams.ends.size(); ++b) {
+        const auto tile = static_cast<std::size_t>(beams.tiles[b]);
+        set.lines.push_back({beams.ends[b][0].value, beams.ends[b][1].value});
+        set.tiles.push_back(static_cast<int>(tile));
+        set.patterns.push_back(surface.tessellation.tiles[tile].pattern);
     }
     return set;
 }
@@ -90,6 +147,15 @@ LineSet result_lines(const Surface& surface, const mechanics::Result& result) {
     const bool has_every_beam = result.nodes.size() == set.nodes.size();
     if (!has_every_beam) set = tile_loops(surface);
     set.displacements = result.solution.displacements.topRows(static_cast<Eigen::Index>(set.nodes.size()));
+    return set;
+}
+
+LineSet beam_lines(const Surface& surface, const mechanics::Result* result, std::optional<double> strength) {
+    LineSet set = result == nullptr ? surface_lines(surface) : result_lines(surface, *result);
+    if (result != nullptr) add_beam_fields(surface, *result, strength, set);
+    set.pattern_names = surface.tessellation.patterns;
+    set.line_fields.push_back(
+        {"radius", std::vector<double>(set.lines.size(), std::sqrt(surface.setting.section.area / kPi))});
     return set;
 }
 

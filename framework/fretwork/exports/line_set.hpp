@@ -20,6 +20,12 @@ struct NodeField {
     Eigen::MatrixX3d vectors;
 };
 
+/// A number for each line, under a name for programs that show it.
+struct LineField {
+    std::string name;
+    std::vector<double> values;
+};
+
 /// Lines in space with what is known at their nodes and of themselves: what every writer of 3D files takes.
 struct LineSet {
     std::vector<Eigen::Vector3d> nodes;     ///< rest positions, metres
@@ -28,9 +34,17 @@ struct LineSet {
     std::vector<int> patterns;              ///< for each line the index of its pattern; empty: unknown
     std::optional<mechanics::NodeValues> displacements{};  ///< one row for each node
     std::vector<NodeField> fields{};                       ///< more to show beside them
+    std::vector<LineField> line_fields{};                  ///< of each line
+    std::vector<std::string> pattern_names{};              ///< ids, by index
+    /// Displacements on the way, where there are several load steps: the last are those above.
+    struct Step {
+        double load_factor = 0.0;
+        mechanics::NodeValues displacements;
+    };
+    std::vector<Step> steps{};
 };
 
-/// All beams of a surface, undeformed.
+/// All beams of a surface, undeformed; tiles that are not painted have none.
 LineSet surface_lines(const simulation::Surface& surface);
 
 /// Throws InputError unless the first nodes of the result are the surface's interface nodes.
@@ -40,6 +54,13 @@ void require_same_surface(const simulation::Surface& surface, const mechanics::R
 /// else, for each tile, the closed line through its interface nodes (any reduced model). Throws InputError if
 /// the result is not one of the surface.
 LineSet result_lines(const simulation::Surface& surface, const mechanics::Result& result);
+
+/// The same for programs that show fields: the beams also of condensed tiles, with radius (of a round bar of
+/// the section's area), section forces (at the end where each is larger), stress and, with a strength,
+/// (Pa) utilization; modes; and each load step. Where a tile's model does not tell how its beams move, the
+/// lines of result_lines, without forces. Throws as result_lines.
+LineSet beam_lines(const simulation::Surface& surface, const mechanics::Result* result,
+                   std::optional<double> strength = {});
 
 /// The beams of any frame, straight and undeformed.
 LineSet frame_lines(const mechanics::Frame& frame);

@@ -3,6 +3,7 @@
 #include <fretwork/base/parallel.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/exports/colours.hpp>
+#include <fretwork/exports/detail/picture_legend.hpp>
 #include <fretwork/exports/detail/png_text.hpp>
 #include <fretwork/exports/detail/raster.hpp>
 #include <fretwork/exports/detail/start_view.hpp>
@@ -50,11 +51,17 @@ detail::EndColours end_colours(const BarScene& scene, const std::string& name) {
     if (name == kPlain || scene.fields.empty())
         return detail::EndColours(2 * scene.bars.size(), linear_colour("#d9cdb8"));
     const auto field = std::ranges::find(scene.fields, name, &BarScene::Field::name);
+    if (field == scene.fields.end() && name == kUtilization)
+        throw base::InputError("utilization is a share of a strength, and none is given: --strength 40MPa");
     if (field == scene.fields.end()) {
         std::vector<std::string> names = bar_field_names();
         names.push_back(kPlain);
         throw base::InputError(base::unknown_name_message("field", name, names));
     }
+    if (std::ranges::all_of(field->values, [](double value) { return std::isnan(value); }))
+        throw base::InputError(name +
+                               " is not known with the result's model: beams are recovered from full and "
+                               "condensed tiles");
     const ValueRange range = value_range(field->values);
     detail::EndColours colours;
     for (const double value : field->values) colours.push_back(linear_colour(value_colour(value, range)));
@@ -169,6 +176,7 @@ class Picture {
   public:
     Picture(const Scene& scene, const BarScene& bars)
         : size_(scene.picture.size),
+          colour_(scene.picture.colour),
           mesh_(make_mesh(bars, scene)),
           places_(places_of(mesh_)),
           ground_(ground_height()),
@@ -178,10 +186,12 @@ class Picture {
           ground_grid_(grid_width_ * (static_cast<std::size_t>(size_.height) / 2 + 2)),
           pixels_(static_cast<std::size_t>(size_.width) * static_cast<std::size_t>(size_.height)) {}
 
-    std::string text() && {
+    std::string text(const BarScene& bars) && {
         draw_bars();
         draw_ground();
-        return detail::png_text(size_, bytes());
+        const auto field = std::ranges::find(bars.fields, colour_, &BarScene::Field::name);
+        return detail::png_text(
+            size_, field == bars.fields.end() ? bytes() : detail::with_legend(bytes(), size_, *field));
     }
 
   private:
@@ -300,6 +310,7 @@ class Picture {
     }
 
     PixelSize size_;
+    std::string colour_;  ///< the field that is shown
     Mesh mesh_;
     std::vector<Vector3d> places_;
     float ground_;
@@ -315,7 +326,7 @@ class Picture {
 std::string picture_png(const Scene& scene) {
     const BarScene bars = make_bar_scene(scene);
     if (bars.bars.empty()) throw base::InputError("there is nothing to draw: no tile is painted");
-    return Picture(scene, bars).text();
+    return Picture(scene, bars).text(bars);
 }
 
 }  // namespace fretwork::exports

@@ -33,12 +33,12 @@ ViewOptions parse_view(const std::string& text) {
     if (named != kViews.end()) return {named->azimuth * kDegree, named->elevation * kDegree};
     const auto parts = base::split(text, ',');
     const auto angle = [&](std::size_t part) { return base::read_number<double>(parts[part]); };
-    if (parts.size() != 2 || !angle(0) || !angle(1) || !std::isfinite(*angle(0)) ||
+    if (parts.size() != 2 || !angle(0) || !angle(1) || !(std::abs(*angle(0)) <= 360.0) ||
         !(std::abs(*angle(1)) <= 90.0))
         throw base::InputError(
             "'" + text +
             "' is neither iso, front, right, back, left, top nor AZIMUTH,ELEVATION in degrees, "
-            "the elevation from -90 to 90");
+            "the azimuth from -360 to 360, the elevation from -90 to 90");
     return {*angle(0) * kDegree, *angle(1) * kDegree};
 }
 

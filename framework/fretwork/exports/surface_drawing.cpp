@@ -14,8 +14,11 @@ using simulation::Conditions;
 using simulation::Surface;
 
 std::string surface_title(const Surface& surface) {
-    return "Tessellation with " + std::to_string(surface.tessellation.tiles.size()) + " tiles and " +
-           std::to_string(surface.tessellation.patterns.size()) + " patterns";
+    const auto counted = [](std::size_t count, const std::string& noun) {
+        return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+    };
+    return "Tessellation with " + counted(surface.tessellation.tiles.size(), "tile") + " and " +
+           counted(surface.tessellation.patterns.size(), "pattern");
 }
 
 struct NamedPanel {
@@ -60,8 +63,8 @@ LineSet rim_lines(const Surface& surface) {
     return rim;
 }
 
-std::string surface_svg(const Surface& surface, const Conditions* conditions) {
-    return detail::surface_panel(surface, conditions).document(surface_title(surface));
+std::string surface_svg(const Surface& surface, const Conditions* conditions, const DrawnLabels& labels) {
+    return detail::surface_panel(surface, conditions, labels).document(surface_title(surface));
 }
 
 std::string deformed_svg(std::span<const DeformedLayer> layers, const DeformedViewOptions& options) {
@@ -76,7 +79,7 @@ std::string displacement_svg(const DeformedLayer& layer, const DeformedViewOptio
 
 std::string figure_svg(const Surface& surface, const Conditions& conditions,
                        std::span<const DeformedLayer> layers, const DeformedViewOptions& options) {
-    std::vector<NamedPanel> panels = {{"surface", detail::surface_panel(surface, nullptr)},
+    std::vector<NamedPanel> panels = {{"surface", detail::surface_panel(surface, nullptr, options.labels)},
                                       {"setup", detail::setup_panel(surface, conditions, options.view)}};
     if (layers.size() == 1)
         panels.push_back({"deformed", detail::displacement_panel(layers.front(), options)});

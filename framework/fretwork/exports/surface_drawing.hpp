@@ -16,12 +16,19 @@ struct ViewOptions {
     double elevation = 0.6;  ///< rad above the plane
 };
 
+/// Numbers on a drawing.
+struct DrawnLabels {
+    enum class Shown { No, Yes };
+    Shown tiles = Shown::No;
+    Shown interface_nodes = Shown::No;
+};
+
 /// A surface seen from above at true scale: tiles coloured by pattern, beams of true width, and, where
 /// `conditions` are given, supports (red: all dofs, green: translations only, orange: others) and loads
-/// (arrows; forces out of the plane as rings). With a legend and a scale bar. As in the paper's Figs. 12
-/// to 14.
+/// (arrows; forces out of the plane as rings). With a legend and a scale bar. Tiles without a pattern are
+/// empty. As in the paper's Figs. 12 to 14.
 std::string surface_svg(const simulation::Surface& surface,
-                        const simulation::Conditions* conditions = nullptr);
+                        const simulation::Conditions* conditions = nullptr, const DrawnLabels& labels = {});
 
 /// One of the deformed states that are drawn over each other.
 struct DeformedLayer {
@@ -33,7 +40,8 @@ struct DeformedLayer {
 struct DeformedViewOptions {
     double scale = 1.0;  ///< of the displacements; the drawing says it
     ViewOptions view{};
-    LineSet rest{};  ///< drawn dashed below everything, such as rim_lines()
+    LineSet rest{};        ///< drawn dashed below everything, such as rim_lines()
+    DrawnLabels labels{};  ///< on the surface from above
 };
 
 /// The rim of a surface at rest.

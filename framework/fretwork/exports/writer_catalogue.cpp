@@ -28,14 +28,16 @@ std::string svg_text(const Scene& scene) {
     options.scale = scene.displacement_scale;
     if (scene.view) options.view = *scene.view;
     options.rest = rim_lines(scene.surface);
+    options.labels = scene.labels;
     std::vector<DeformedLayer> layers;
     for (const Scene::LabelledResult& entry : scene.results) {
         layers.push_back(
             {entry.label, layer_colour(layers.size()), result_lines(scene.surface, entry.result)});
     }
-    if (scene.conditions && layers.empty()) return surface_svg(scene.surface, &*scene.conditions);
+    if (scene.conditions && layers.empty())
+        return surface_svg(scene.surface, &*scene.conditions, scene.labels);
     if (scene.conditions) return figure_svg(scene.surface, *scene.conditions, layers, options);
-    if (layers.empty()) return surface_svg(scene.surface);
+    if (layers.empty()) return surface_svg(scene.surface, nullptr, scene.labels);
     return layers.size() == 1 ? displacement_svg(layers.front(), options) : deformed_svg(layers, options);
 }
 
@@ -52,8 +54,13 @@ constexpr std::array<WriterRow, 7> kWriters = {{
     {".html",
      "one page for any browser, without anything else: the same to turn, zoom, and see at rest or deformed",
      view_html, WriterRow::Kind::Picture},
-    {".vtu", "lines for ParaView, with displacements and rotations of the first result",
-     [](const Scene& scene) { return vtu_text(main_lines(scene)); }},
+    {".vtu",
+     "lines for ParaView, with displacements, rotations, section forces and stress of the first result, and "
+     "its load steps as a series in time",
+     [](const Scene& scene) {
+         return vtu_text(beam_lines(
+             scene.surface, scene.results.empty() ? nullptr : &scene.results.front().result, scene.strength));
+     }},
     {".obj", "line elements, displaced by the first result",
      [](const Scene& scene) { return obj_text(main_lines(scene)); }},
     {".ply", "vertices and edges, displaced by the first result",

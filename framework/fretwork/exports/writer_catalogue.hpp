@@ -39,6 +39,8 @@ struct Scene {
     double displacement_scale = 1.0;        ///< in drawings of deformed states
     std::optional<ViewOptions> view{};      ///< from where these are seen; none: from where most is seen
     PictureOptions picture{};
+    std::optional<double> strength{};  ///< Pa, that utilizations are told of; none: they are not
+    DrawnLabels labels{};              ///< of drawings from above
 };
 
 /// A kind of file.

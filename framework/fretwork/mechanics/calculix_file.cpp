@@ -10,8 +10,8 @@ LabelledFrame parse_calculix(std::string_view text, const std::string& source) {
     return decks::frame_of(decks::InputDeck(text, source));
 }
 
-std::string calculix_text(const Frame& frame) {
-    return decks::deck_text(frame);
+std::string calculix_text(const Frame& frame, DeckReader reader) {
+    return decks::deck_text(frame, reader);
 }
 
 LabelledFrame read_calculix(const std::filesystem::path& path) {

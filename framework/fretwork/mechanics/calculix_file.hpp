@@ -26,11 +26,20 @@ namespace fretwork::mechanics {
 /// InputError with source and line, or with source and node or element; the frame is valid.
 LabelledFrame parse_calculix(std::string_view text, const std::string& source);
 
-/// The text of such a deck for a frame, nodes labelled from 1: one B31 for each beam, *BEAM GENERAL SECTION,
-/// which Abaqus reads, and parse_calculix; numbers are rounded to the twenty characters of a deck's fields,
+/// Which program is to read a deck.
+enum class DeckReader {
+    Abaqus,   ///< one B31 for each beam, *BEAM GENERAL SECTION
+    Calculix  ///< one B32R for each beam, whose middle node comes behind the frame's, and *BEAM SECTION. ccx
+              ///< makes solids of them: it takes shear and thick joints into account, and torsion by the
+              ///< polar second moment
+};
+
+/// The text of such a deck for a frame, nodes labelled from 1, which that program reads, and parse_calculix;
+/// numbers are rounded to the twenty characters of a deck's fields,
 /// 14 digits or more. What a deck has no words for is refused: releases, divisions, shear areas, a given
-/// shear modulus. Throws InputError that names it.
-std::string calculix_text(const Frame& frame);
+/// shear modulus; for CalculiX also sections that are neither rectangles nor circles. Throws InputError that
+/// names it.
+std::string calculix_text(const Frame& frame, DeckReader reader = DeckReader::Abaqus);
 
 /// Throws as parse_calculix.
 LabelledFrame read_calculix(const std::filesystem::path& path);

@@ -7,6 +7,7 @@
 #include <fretwork/mechanics/nonlinear/newton.hpp>
 #include <fretwork/mechanics/nonlinear/path_predictor.hpp>
 #include <fretwork/mechanics/nonlinear/stride.hpp>
+#include <fretwork/mechanics/snapping.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -51,17 +52,22 @@ constexpr double kStride = 0.3;
 /// rad: a step turns no node by more than this if it is prescribed how far.
 constexpr double kPrescribedTurn = 0.7;
 
+/// Above the last load of a path by this share of the load that is aimed at, no equilibrium is left nearby.
+constexpr double kBeyondLimit = 1e-3;
+
 /// Critical loads are found to this share of them, by at most so many equilibria.
 constexpr double kCriticalWidth = 1e-6;
 constexpr int kCriticalSteps = 30;
 
-/// Steps of the task that is told.
-constexpr std::size_t kThousand = 1000;
+constexpr std::size_t kThousand = 1000;  // steps of the task that is told
+
+enum class LimitLoads { Kept, Crossed };
 
 class LoadPath {
   public:
-    LoadPath(const Assembly& assembly, const EquilibriumOptions& options)
+    LoadPath(const Assembly& assembly, const EquilibriumOptions& options, LimitLoads limit_loads)
         : options_(options),
+          limit_loads_(limit_loads),
           system_(assembly, options.threads, options.control),
           newton_(system_, options),
           mixed_(system_, newton_, options),
@@ -95,6 +101,10 @@ class LoadPath {
             if (termination != Termination::Converged && step > 1.5 * shortest_step_) {
                 step *= 0.5;
                 termination = Termination::Converged;
+            } else if (limit_loads_ == LimitLoads::Crossed && is_limit(termination)) {
+                step = std::max(step, kBeyondLimit * target);
+                termination = snap_to(std::min(point_.load_factor + step, target));
+                step = target - point_.load_factor;
             }
         }
         return solution(termination);
@@ -121,6 +131,41 @@ class LoadPath {
         is_at_rest_ = false;
         predictor_.add(point_.load_factor, point_.configuration, point_.rate);
         return found;
+    }
+
+    /// Whether a path that ends so ends in a limit load.
+    [[nodiscard]] bool is_limit(Termination termination) const {
+        if (termination == Termination::Converged) return false;
+        return termination == Termination::LimitLoad ||
+               unknowns_.largest_component(point_.rate) > kLimitLoadGrowth * rest_rate_;
+    }
+
+    /// Where the path ends in a limit load: on to the stable equilibrium downhill, at this load.
+    Termination snap_to(double factor) {
+        Configuration snapped = point_.configuration;
+        unknowns_.prescribe(factor, snapped);
+        newton_.set_neutral({}, 0.0);
+        const Termination found = nonlinear::descend(factor, system_, newton_, snapped);
+        if (found != Termination::Converged) return Termination::LimitLoad;
+        unknowns_.unwind(point_.configuration, snapped);
+        nonlinear::LowestMode jump{0.0, unknowns_.step_between(point_.configuration, snapped)};
+        StabilityLoss loss = nonlinear::describe_loss(system_, jump);
+        loss.load_factor = point_.load_factor;
+        loss.pushed = true;
+        losses_.push_back(loss);
+        continue_from(std::move(snapped), factor);
+        return Termination::Converged;
+    }
+
+    /// A stable equilibrium that no short step has led to.
+    void continue_from(Configuration configuration, double factor) {
+        point_.configuration = std::move(configuration);
+        point_.load_factor = factor;
+        point_.outcome = {};
+        point_.turn_bound = std::numbers::pi;  // unknown
+        mixed_is_here_ = is_at_rest_ = false;
+        system_.evaluate(point_.configuration, factor);
+        predict_anew();
     }
 
     /// What was taken to be neutral may only be soft.
@@ -276,8 +321,7 @@ class LoadPath {
 
     [[nodiscard]] Solution solution(Termination termination) {
         if (termination != Termination::Converged) {
-            if (unknowns_.largest_component(point_.rate) > kLimitLoadGrowth * rest_rate_)
-                termination = Termination::LimitLoad;
+            if (is_limit(termination)) termination = Termination::LimitLoad;
             system_.evaluate(point_.configuration, point_.load_factor);
         }
         Solution solution = system_.describe(point_.configuration, point_.load_factor);
@@ -292,6 +336,7 @@ class LoadPath {
     }
 
     const EquilibriumOptions& options_;
+    LimitLoads limit_loads_;
     nonlinear::NonlinearSystem system_;
     const nonlinear::Unknowns& unknowns_ = system_.unknowns();
     nonlinear::Newton newton_;
@@ -307,47 +352,23 @@ class LoadPath {
     std::vector<StabilityLoss> losses_;
 };
 
-void require(bool good, const std::string& message) {
-    if (!good) throw base::InputError(message);
-}
-
 void check_factors(std::span<const double> factors) {
     double last = 0.0;
     for (const double factor : factors) {
-        require(std::isfinite(factor) && factor > last, "load factor " + base::format_number(factor) +
-                                                            " does not lie above the one before it, " +
-                                                            base::format_number(last));
+        if (!std::isfinite(factor) || !(factor > last))
+            throw base::InputError("load factor " + base::format_number(factor) +
+                                   " does not lie above the one before it, " + base::format_number(last));
         last = factor;
     }
 }
 
-}  // namespace
-
-void EquilibriumOptions::validate() const {
-    require(relative_residual > 0.0 && relative_residual < 1.0, "relative_residual is " +
-                                                                    base::format_number(relative_residual) +
-                                                                    ", where a number in (0, 1) is needed");
-    require(largest_rotation_step > 0.0 && largest_rotation_step < 3.0,
-            "largest_rotation_step is " + base::format_number(largest_rotation_step) +
-                ", where a number in (0, 3) is needed");
-    require(threads >= 0, "threads is " + std::to_string(threads) + ", and must not be negative");
-    require(iterations_per_step > 0, "iterations_per_step must be above zero");
-    require(largest_cut_back >= 0 && largest_cut_back <= 30, "largest_cut_back must be from 0 to 30");
-}
-
-std::vector<double> even_load_factors(int steps) {
-    std::vector<double> factors;
-    for (int k = 1; k <= steps; ++k) factors.push_back(static_cast<double>(k) / steps);
-    return factors;
-}
-
-std::vector<Solution> follow_load_path(const Assembly& assembly, std::span<const double> load_factors,
-                                       const EquilibriumOptions& options) {
+std::vector<Solution> follow(const Assembly& assembly, std::span<const double> load_factors,
+                             const EquilibriumOptions& options, LimitLoads limit_loads) {
     options.validate();
     check_factors(load_factors);
     std::vector<Solution> solutions;
     if (load_factors.empty()) return solutions;
-    LoadPath path(assembly, options);
+    LoadPath path(assembly, options, limit_loads);
     const base::Task task(options.control, "load path (thousandths of the load)", kThousand);
     for (const double factor : load_factors) {
         if (solutions.empty() || solutions.back().converged()) {
@@ -359,6 +380,20 @@ std::vector<Solution> follow_load_path(const Assembly& assembly, std::span<const
         }
     }
     return solutions;
+}
+
+}  // namespace
+
+std::vector<Solution> follow_load_path(const Assembly& assembly, std::span<const double> load_factors,
+                                       const EquilibriumOptions& options) {
+    return follow(assembly, load_factors, options, LimitLoads::Kept);
+}
+
+std::vector<Solution> follow_snapping_path(const Assembly& assembly, std::span<const double> load_factors,
+                                           const EquilibriumOptions& options) {
+    EquilibriumOptions stable = options;
+    stable.branch = Branch::Stable;
+    return follow(assembly, load_factors, stable, LimitLoads::Crossed);
 }
 
 }  // namespace fretwork::mechanics

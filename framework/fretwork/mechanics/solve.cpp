@@ -4,6 +4,7 @@
 #include <fretwork/mechanics/calculix_file.hpp>
 #include <fretwork/mechanics/frame_file.hpp>
 #include <fretwork/mechanics/linear_solver.hpp>
+#include <fretwork/mechanics/snapping.hpp>
 #include <fretwork/mechanics/solve.hpp>
 
 #include <chrono>
@@ -179,6 +180,23 @@ Result solve(const LabelledFrame& frame, const SolveOptions& options) {
         if (frame.source.empty()) throw;
         throw base::NumericalError(frame.source + ": " + error.what());
     }
+}
+
+Result solve_snapping(const LabelledFrame& input, const SolveOptions& options) {
+    require(options.solver == Solver::Newton && !options.branch && !options.estimate_error,
+            "a path that snaps works with the solver newton, without a branch and an estimate of its error");
+    options.validate();
+    const Clock::time_point start = Clock::now();
+    const Assembly assembly =
+        assemble(input.frame, {options.lumped_gravity, input.labels, options.control.silent()});
+    Result result;
+    result.solver = solver_name(Solver::Newton);
+    result.nodes = reported_nodes(assembly);
+    result.load_steps = follow_snapping_path(assembly, load_factors(options), path_options(options));
+    result.solution = end_of_path(result.load_steps);
+    result.seconds = seconds_since(start);
+    finish(assembly, options, result);
+    return result;
 }
 
 }  // namespace fretwork::mechanics

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <map>
 #include <numeric>
 #include <vector>
@@ -143,16 +144,40 @@ Comparison compare(const Result& full, const Result& reduced) {
     if (!std::isfinite(comparison.relative_l2_error) || !std::isfinite(comparison.max_translation_error) ||
         !std::isfinite(comparison.max_rotation_error))
         throw base::InputError("the results hold displacements that are too large to be compared");
+    comparison.full_is_unstable = !full.solution.stable;
     comparison.full_seconds = full.seconds;
     comparison.reduced_seconds = reduced.seconds;
     return comparison;
+}
+
+std::string comparison_text(const Comparison& comparison) {
+    constexpr double kDegrees = 57.29577951308232;
+    const double largest = comparison.max_displacement;
+    const auto share = [&](double error) { return largest > 0 ? 100.0 * error / largest : 0.0; };
+    char text[1200];
+    std::snprintf(text, sizeof text,
+                  "surface %.4g x %.4g mm, largest displacement %.4g mm, largest rotation %.4g deg\n"
+                  "                        largest         mean           sd\n"
+                  "translation error  %9.4g mm %9.4g mm %9.4g mm\n"
+                  "   of the largest  %9.3g %%  %9.3g %%  %9.3g %%\n"
+                  "rotation error     %8.4g deg %8.4g deg %8.4g deg\n"
+                  "relative L2 error of the translations: %.3g %%\n"
+                  "time: full %.3g s, reduced %.3g s\n",
+                  1e3 * comparison.width, 1e3 * comparison.height, 1e3 * largest,
+                  kDegrees * comparison.max_rotation, 1e3 * comparison.max_translation_error,
+                  1e3 * comparison.mean_translation_error, 1e3 * comparison.sd_translation_error,
+                  share(comparison.max_translation_error), share(comparison.mean_translation_error),
+                  share(comparison.sd_translation_error), kDegrees * comparison.max_rotation_error,
+                  kDegrees * comparison.mean_rotation_error, kDegrees * comparison.sd_rotation_error,
+                  100.0 * comparison.relative_l2_error, comparison.full_seconds, comparison.reduced_seconds);
+    return text;
 }
 
 std::string comparison_header() {
     return "example,width_m,height_m,max_displacement_m,max_translation_error_m,mean_translation_error_m,"
            "sd_translation_error,max_rotation_rad,max_rotation_error_rad,mean_rotation_error_rad,sd_rotation_"
            "error,"
-           "full_model_minutes,reduced_model_milliseconds";
+           "full_model_minutes,reduced_model_milliseconds,relative_l2_error";
 }
 
 std::string comparison_row(const std::string& example, const Comparison& comparison) {
@@ -167,7 +192,8 @@ std::string comparison_row(const std::string& example, const Comparison& compari
                              comparison.mean_rotation_error,
                              comparison.sd_rotation_error,
                              comparison.full_seconds / 60.0,
-                             comparison.reduced_seconds * 1e3};
+                             comparison.reduced_seconds * 1e3,
+                             comparison.relative_l2_error};
     std::string row = base::csv_field(example);
     for (const double value : values) row += "," + base::format_number(value);
     return row;

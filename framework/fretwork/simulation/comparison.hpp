@@ -26,6 +26,8 @@ struct Comparison {
     double relative_l2_error = 0.0;       ///< of all translations: |full - reduced| / |full|
     double full_seconds = 0.0;
     double reduced_seconds = 0.0;
+    bool full_is_unstable =
+        false;  ///< a specimen would go elsewhere: the errors are from a state that none has
 };
 
 /// Compare two results of one surface; nodes are matched by id. Throws InputError if the results say that
@@ -34,6 +36,8 @@ struct Comparison {
 /// not converge. Results without a subject (files of the first format) are not checked for that.
 Comparison compare(const mechanics::Result& full, const mechanics::Result& reduced);
 
+/// The comparison in a few lines for people.
+std::string comparison_text(const Comparison& comparison);
 /// The header of the table, and a row of it.
 std::string comparison_header();
 std::string comparison_row(const std::string& example, const Comparison& comparison);

@@ -2,6 +2,7 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/simulation/conditions.hpp>
+#include <fretwork/simulation/detail/line_bearers.hpp>
 
 #include <algorithm>
 #include <map>
@@ -68,6 +69,17 @@ class AreaBearers {
     std::vector<bool> nodes_;
 };
 
+/// Complaints name the entry.
+std::vector<detail::LineBearer> bearers_of(const LoadCase& load_case, std::size_t entry,
+                                           const tiling::Tessellation& tessellation) {
+    try {
+        return detail::line_bearers(load_case.loads[entry].where, tessellation);
+    } catch (const base::InputError& error) {
+        throw base::InputError("load case '" + load_case.name + "'", "/loads/" + std::to_string(entry),
+                               error.what());
+    }
+}
+
 class Resolver {
   public:
     Resolver(const LoadCase& load_case, const Surface& surface, std::span<const double> masses)
@@ -118,12 +130,19 @@ class Resolver {
 
     void add_load(std::size_t i) {
         const LoadCase::Load& load = load_case_.loads[i];
+        if (load.amount == LoadCase::Amount::PerLength) return add_line_load(i);
         const auto nodes = picked_(load.where, "loads", i);
         const double share =
             load.amount == LoadCase::Amount::Total ? 1.0 / static_cast<double>(nodes.size()) : 1.0;
         for (const auto node : nodes) {
             conditions_.loads.push_back({NodeIndex(node.value), share * load.force, share * load.moment});
         }
+    }
+
+    void add_line_load(std::size_t i) {
+        for (const auto& [node, length] : bearers_of(load_case_, i, surface_.tessellation))
+            conditions_.loads.push_back(
+                {NodeIndex(node.value), length * load_case_.loads[i].force, Eigen::Vector3d::Zero()});
     }
 
     void add_area_load(std::size_t i) {
@@ -172,8 +191,11 @@ void check_selections(const LoadCase& load_case, const tiling::Tessellation& tes
         (void)picked(load_case.supports[i].where, "supports", i);
     for (std::size_t i = 0; i < load_case.prescribed.size(); ++i)
         (void)picked(load_case.prescribed[i].where, "prescribed", i);
-    for (std::size_t i = 0; i < load_case.loads.size(); ++i)
+    for (std::size_t i = 0; i < load_case.loads.size(); ++i) {
         (void)picked(load_case.loads[i].where, "loads", i);
+        if (load_case.loads[i].amount == LoadCase::Amount::PerLength)
+            (void)bearers_of(load_case, i, tessellation);
+    }
     for (std::size_t i = 0; i < load_case.area_loads.size(); ++i)
         (void)AreaBearers(load_case, i, tessellation);
 }

@@ -19,8 +19,10 @@ struct LoadCase {
         Selection where;
         mechanics::DofSet fixed;
     };
-    /// Whether each picked node gets the load, or all of them together.
-    enum class Amount { Each, Total };
+    /// Whether each picked node gets the load, or all of them together. Or it is a line load along the rim,
+    /// N/m: along a side of the box (NodesAtSide), or the shorter way between the places nearest to two
+    /// points (NodesNearest); each node stands for an equal part of its side, as long as it is at rest.
+    enum class Amount { Each, Total, PerLength };
     struct Load {
         Selection where;
         Eigen::Vector3d force = Eigen::Vector3d::Zero();   ///< N

@@ -14,6 +14,7 @@ using base::JsonReader;
 using mechanics::Dof;
 using mechanics::kDofNames;
 
+constexpr base::Limits kPerLengthLimits{1e-21, 1e15, "N/m"};
 constexpr base::Limits kPerAreaLimits{1e-24, 1e18, "N/m2"};
 constexpr std::array<const char*, 4> kSideNames = {"left", "right", "bottom", "top"};
 
@@ -126,8 +127,32 @@ LoadCase::Load read_load(const JsonReader& json) {
     return load;
 }
 
+LoadCase::Load read_line_load(const JsonReader& json) {
+    json.allow_only({"side", "between", "per_length"});
+    const auto side = json.find("side");
+    const auto between = json.find("between");
+    if (side.has_value() == between.has_value())
+        json.fail("runs along a side or between two points of the rim: one of side, between is needed");
+    LoadCase::Load load{NodesAtSide{}, read_vector(json.at("per_length"), kPerLengthLimits),
+                        Eigen::Vector3d::Zero(), LoadCase::Amount::PerLength};
+    if (side) {
+        load.where = read_side(*side);
+    } else {
+        (void)between->elements(2);
+        load.where = read_points(*between);
+    }
+    return load;
+}
+
 Json load_json(const LoadCase::Load& load) {
     Json json;
+    if (load.amount == LoadCase::Amount::PerLength) {
+        write_selection(load.where, json);
+        if (json.contains("nearest")) json["between"] = std::move(json["nearest"]);
+        json.erase("nearest");
+        json["per_length"] = vector_json(load.force);
+        return json;
+    }
     write_selection(load.where, json);
     if (!load.force.isZero(0)) json["force"] = vector_json(load.force);
     if (!load.moment.isZero(0)) json["moment"] = vector_json(load.moment);
@@ -197,6 +222,12 @@ std::vector<JsonReader> elements_of(const JsonReader& json, std::string_view key
     return list ? list->elements() : std::vector<JsonReader>{};
 }
 
+bool needs_third_format(const LoadCase& load_case) {
+    return std::ranges::any_of(load_case.loads, [](const LoadCase::Load& load) {
+        return load.amount == LoadCase::Amount::PerLength;
+    });
+}
+
 bool needs_second_format(const LoadCase& load_case) {
     return !load_case.area_loads.empty() || !load_case.combines.empty();
 }
@@ -206,7 +237,7 @@ bool needs_second_format(const LoadCase& load_case) {
 namespace detail {
 
 LoadCase load_case_from_json(const JsonReader& json) {
-    json.expect_format("load-case", 2);
+    json.expect_format("load-case", 3);
     json.allow_only(
         {"format", "name", "description", "supports", "loads", "prescribed", "gravity", "combines"});
     LoadCase load_case;
@@ -216,7 +247,9 @@ LoadCase load_case_from_json(const JsonReader& json) {
     for (const JsonReader& support : elements_of(json, "supports"))
         load_case.supports.push_back(read_support(support));
     for (const JsonReader& load : elements_of(json, "loads")) {
-        if (load.find("per_area"))
+        if (load.find("per_length"))
+            load_case.loads.push_back(read_line_load(load));
+        else if (load.find("per_area"))
             load_case.area_loads.push_back(read_area_load(load));
         else
             load_case.loads.push_back(read_load(load));
@@ -229,13 +262,18 @@ LoadCase load_case_from_json(const JsonReader& json) {
     if (json.at("format").string() == "fretwork/load-case/1" && needs_second_format(load_case))
         json.fail(
             "is of fretwork/load-case/1, which has neither per_area nor combines; fretwork/load-case/2 has");
+    if (json.at("format").string() != "fretwork/load-case/3" && needs_third_format(load_case))
+        json.fail("is of " + json.at("format").string() +
+                  ", which has no per_length; fretwork/load-case/3 has");
     return load_case;
 }
 
 Json load_case_to_json(const LoadCase& load_case) {
     Json json;
     // What the first format can say is written so: other programs read it.
-    json["format"] = needs_second_format(load_case) ? "fretwork/load-case/2" : "fretwork/load-case/1";
+    json["format"] = needs_third_format(load_case)    ? "fretwork/load-case/3"
+                     : needs_second_format(load_case) ? "fretwork/load-case/2"
+                                                      : "fretwork/load-case/1";
     json["name"] = load_case.name;
     json["description"] = load_case.description;
     json["supports"] = list_json(load_case.supports, support_json);

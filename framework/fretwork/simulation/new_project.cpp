@@ -70,7 +70,7 @@ NewProject make_project(const std::vector<tiling::Outline>& parts, const NewProj
     made.edge_length = is_mesh ? result.report.mean_side : options.edge_length.value_or(setting.tile_side);
     made.report = result.report;
     made.project.tessellation = std::move(result.tessellation);
-    paint(made.project.tessellation, options.painting, made.project.layout, library);
+    paint(made.project.tessellation, options.painting, {made.project.layout, setting, library});
     return made;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/quantity.hpp>
+#include <fretwork/base/text.hpp>
 #include <fretwork/simulation/simulation_options.hpp>
 
 #include <algorithm>
@@ -47,6 +48,14 @@ std::optional<double> mixed_share(const std::string& model) {
 }
 
 ModelChoice model_choice(const SimulationOptions& options) {
+    if (!mixed_share(options.model) &&
+        std::ranges::find(options.models, options.model, &reduction::TileModel::name) ==
+            options.models.end()) {
+        std::vector<std::string> names;
+        for (const reduction::TileModel& model : options.models) names.push_back(model.name);
+        names.emplace_back("mixed:SHARE");
+        throw base::InputError(base::unknown_name_message("tile model", options.model, names));
+    }
     return {mixed_share(options.model) ? kMixedTiles : options.model, options.models};
 }
 
@@ -82,11 +91,11 @@ void SimulationOptions::validate(const Surface& surface) const {
         throw base::InputError(
             "the discretization error is estimated for nonlinear models made of beams only");
     if (load_steps > 1 && !nonlinear)
-        throw base::InputError("load_steps is " + std::to_string(load_steps) +
+        throw base::InputError("the number of steps is " + std::to_string(load_steps) +
                                ", where a linear solution has no path to divide");
     constexpr int kMostSteps = 10000;
     if (load_steps < 1 || load_steps > kMostSteps) {
-        throw base::InputError("load_steps is " + std::to_string(load_steps) + ", where 1 to " +
+        throw base::InputError("the number of steps is " + std::to_string(load_steps) + ", where 1 to " +
                                std::to_string(kMostSteps) + " are possible");
     }
 }

@@ -5,37 +5,16 @@
 #include <fretwork/base/json_reader.hpp>
 #include <fretwork/pattern/judge.hpp>
 #include <fretwork/pattern/pattern.hpp>
+#include <fretwork/tiling/detail/split_mix.hpp>
 #include <fretwork/tiling/painting.hpp>
 
-#include <limits>
+#include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <set>
 
 namespace fretwork::tiling {
 namespace {
-
-/// SplitMix64 (Steele, Lea and Flood 2014): the same numbers on every machine.
-class SplitMix64 {
-  public:
-    explicit SplitMix64(std::uint64_t seed) : state_(seed) {}
-    std::uint64_t next() {
-        state_ += 0x9e3779b97f4a7c15U;
-        std::uint64_t mixed = state_;
-        mixed = (mixed ^ (mixed >> 30U)) * 0xbf58476d1ce4e5b9U;
-        mixed = (mixed ^ (mixed >> 27U)) * 0x94d049bb133111ebU;
-        return mixed ^ (mixed >> 31U);
-    }
-    /// Each number below `count` with the same chance: what would favour small numbers is drawn again.
-    std::uint64_t below(std::uint64_t count) {
-        const std::uint64_t most = std::numeric_limits<std::uint64_t>::max();
-        const std::uint64_t limit = most - most % count;
-        std::uint64_t drawn = next();
-        while (drawn >= limit) drawn = next();
-        return drawn % count;
-    }
-
-  private:
-    std::uint64_t state_;
-};
 
 /// What makes a graph a pattern in every tile. The paper's other two filters have numbers, and so are a
 /// matter of what a person wants.
@@ -98,7 +77,7 @@ std::vector<std::string> make_palette(const pattern::NodeLayout& layout, std::sp
 void paint_randomly(Tessellation& tessellation, std::span<const std::string> patterns, std::uint64_t seed) {
     if (patterns.empty()) throw base::InputError("there is no pattern to paint with");
     tessellation.patterns.assign(patterns.begin(), patterns.end());
-    SplitMix64 random(seed);
+    detail::SplitMix64 random(seed);
     for (Tile& tile : tessellation.tiles) tile.pattern = static_cast<int>(random.below(patterns.size()));
 }
 
@@ -153,6 +132,55 @@ void paint(Tessellation& tessellation, const Painting& painting) {
     }
     tessellation.patterns = painting.patterns;
     for (std::size_t t = 0; t < painting.tiles.size(); ++t) tessellation.tiles[t].pattern = painting.tiles[t];
+}
+
+Painting random_painting(std::size_t tiles, std::span<const WeightedPattern> patterns, std::uint64_t seed) {
+    if (patterns.empty()) throw base::InputError("there is no pattern to paint with");
+    Painting painting;
+    std::vector<double> shares;  // up to and with each pattern
+    for (const WeightedPattern& choice : patterns) {
+        if (!(choice.weight > 0.0) || !std::isfinite(choice.weight))
+            throw base::InputError("the weight of " + choice.pattern + " is not above zero");
+        painting.patterns.push_back(choice.pattern);
+        shares.push_back((shares.empty() ? 0.0 : shares.back()) + choice.weight);
+    }
+    const bool is_even = std::ranges::all_of(
+        patterns, [&](const WeightedPattern& choice) { return choice.weight == patterns.front().weight; });
+    detail::SplitMix64 random(seed);
+    for (std::size_t t = 0; t < tiles; ++t) {
+        // Even chances are drawn as paint_randomly draws them: the same seed paints the same.
+        const auto place =
+            is_even ? static_cast<std::ptrdiff_t>(random.below(patterns.size()))
+                    : std::ranges::upper_bound(shares, random.share() * shares.back()) - shares.begin();
+        painting.tiles.push_back(static_cast<int>(std::min(place, std::ssize(patterns) - 1)));
+    }
+    return painting;
+}
+
+void paint_tiles(Tessellation& tessellation, std::span<const TileIndex> tiles, const Painting& painting) {
+    if (painting.tiles.size() != tiles.size())
+        throw base::InputError("the painting is for " + std::to_string(painting.tiles.size()) +
+                               " tiles, and " + std::to_string(tiles.size()) + " are to be painted");
+    const std::size_t before = tessellation.patterns.size();
+    std::vector<std::string> all = tessellation.patterns;
+    std::ranges::copy(painting.patterns, std::back_inserter(all));
+    for (std::size_t i = 0; i < tiles.size(); ++i)
+        tessellation.tiles[static_cast<std::size_t>(tiles[i])].pattern =
+            static_cast<int>(before) + painting.tiles[i];
+    // Each pattern once, in the order of the palettes, and only those that a tile has.
+    std::vector<int> place(all.size(), -1);
+    std::set<int> used;
+    for (const Tile& tile : tessellation.tiles) used.insert(tile.pattern);
+    std::vector<std::string> kept;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (!used.contains(static_cast<int>(i))) continue;
+        const auto known = std::ranges::find(kept, all[i]);
+        place[i] = static_cast<int>(known - kept.begin());
+        if (known == kept.end()) kept.push_back(all[i]);
+    }
+    for (Tile& tile : tessellation.tiles)
+        if (tile.pattern >= 0) tile.pattern = place[static_cast<std::size_t>(tile.pattern)];
+    tessellation.patterns = std::move(kept);
 }
 
 }  // namespace fretwork::tiling

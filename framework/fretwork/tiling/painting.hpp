@@ -53,4 +53,18 @@ void write_painting(const Painting& painting, const pattern::NodeLayout& layout,
 /// Paint every tile as the painting says. Throws InputError if it is for another number of tiles.
 void paint(Tessellation& tessellation, const Painting& painting);
 
+/// A pattern and its chance beside that of the others.
+struct WeightedPattern {
+    std::string pattern;  ///< id
+    double weight = 1.0;
+};
+
+/// So many tiles painted by chance; the same seed paints the same on every machine. Throws InputError unless
+/// there is a pattern, and all weights are above zero.
+Painting random_painting(std::size_t tiles, std::span<const WeightedPattern> patterns, std::uint64_t seed);
+
+/// Paint some tiles, in their order, as the painting says; the others keep theirs. What no tile has any more
+/// leaves the palette. Throws InputError if the painting is for another number of tiles.
+void paint_tiles(Tessellation& tessellation, std::span<const TileIndex> tiles, const Painting& painting);
+
 }  // namespace fretwork::tiling

@@ -7,7 +7,8 @@
 
 namespace fretwork::exports::detail {
 
-SvgCanvas surface_panel(const simulation::Surface& surface, const simulation::Conditions* conditions);
+SvgCanvas surface_panel(const simulation::Surface& surface, const simulation::Conditions* conditions,
+                        const DrawnLabels& labels);
 SvgCanvas setup_panel(const simulation::Surface& surface, const simulation::Conditions& conditions,
                       const ViewOptions& view);
 SvgCanvas deformed_panel(std::span<const DeformedLayer> layers, const DeformedViewOptions& options);

@@ -181,7 +181,7 @@ void draw_subject(SvgCanvas& canvas, const Surface& surface, const Subject& subj
 
 }  // namespace
 
-SvgCanvas surface_panel(const Surface& surface, const Conditions* conditions) {
+SvgCanvas surface_panel(const Surface& surface, const Conditions* conditions, const DrawnLabels& labels) {
     const Subject subject =
         make_subject(surface, conditions, Projection::from_above(), 1.6 * mean_side(surface));
     const double text = text_height(subject.box.width());
@@ -192,6 +192,7 @@ SvgCanvas surface_panel(const Surface& surface, const Conditions* conditions) {
     box.ymin = foot - (conditions != nullptr ? 3.0 : 1.0) * text;
     SvgCanvas canvas(box, 1.0);
     draw_subject(canvas, surface, subject);
+    draw_labels(canvas, surface, labels);
     legend.draw(canvas, {box.xmin + text, legend_top});
     if (conditions != nullptr)
         ConditionLegend(subject.supports, *conditions).draw(canvas, {box.xmin + text, foot - 2.0 * text});

@@ -2,6 +2,8 @@
 #include <fretwork/exports/colours.hpp>
 #include <fretwork/exports/detail/furniture.hpp>
 #include <fretwork/exports/detail/surface_parts.hpp>
+#include <fretwork/simulation/surface_beams.hpp>
+#include <fretwork/tiling/tile_choice.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -64,21 +66,50 @@ double beam_width(const Surface& surface) {
 
 void draw_tiles(SvgCanvas& canvas, const Surface& surface, const Projection& projection) {
     canvas.layer("tiles");
-    for (std::size_t t = 0; t < surface.tessellation.tiles.size(); ++t) {
-        const auto polygon = projection.all(tiling::tile_polygon(surface.tessellation, tiling::TileIndex(t)));
-        canvas.polygon(polygon, {pattern_colour(surface.tessellation.tiles[t].pattern), "#ffffff",
-                                 0.2 * beam_width(surface), 1.0});
+    const tiling::Tessellation& tessellation = surface.tessellation;
+    for (std::size_t t = 0; t < tessellation.tiles.size(); ++t) {
+        const auto polygon = projection.all(tiling::tile_polygon(tessellation, tiling::TileIndex(t)));
+        const int pattern = tessellation.tiles[t].pattern;
+        const std::string number = std::to_string(t);
+        const std::string id =
+            pattern < 0 ? "not painted" : tessellation.patterns[static_cast<std::size_t>(pattern)];
+        const Style style = pattern < 0
+                                ? Style{"#f4f6f8", "#8fa3b5", 0.2 * beam_width(surface), 1.0}
+                                : Style{pattern_colour(pattern), "#ffffff", 0.2 * beam_width(surface), 1.0};
+        canvas.named_polygon(polygon, style, "tile" + number, "tile " + number + ": " + id);
+    }
+}
+
+void draw_labels(SvgCanvas& canvas, const Surface& surface, const DrawnLabels& labels) {
+    using Shown = DrawnLabels::Shown;
+    const double height = 0.3 * mean_side(surface);
+    if (labels.interface_nodes == Shown::Yes) {
+        canvas.layer("numbers of interface nodes");
+        const auto& nodes = surface.tessellation.interface_nodes;
+        for (std::size_t i = 0; i < nodes.size(); ++i) {
+            canvas.circle(nodes[i], 0.12 * height, {"#1b9e77", "none", 0.0, 1.0});
+            canvas.text({nodes[i].x + 0.2 * height, nodes[i].y + 0.1 * height}, std::to_string(i),
+                        0.6 * height);
+        }
+    }
+    if (labels.tiles == Shown::No) return;
+    canvas.layer("numbers of tiles");
+    const auto centers = tiling::tile_centers(surface.tessellation);
+    for (std::size_t t = 0; t < centers.size(); ++t) {
+        canvas.circle(centers[t], 0.75 * height, {"#ffffff", "none", 0.0, 0.8});
+        canvas.text({centers[t].x, centers[t].y - 0.35 * height}, std::to_string(t), height, Anchor::Middle);
     }
 }
 
 void draw_beams(SvgCanvas& canvas, const Surface& surface, const Projection& projection) {
     canvas.layer("beams");
-    const tiling::TessellationFan fan = simulation::surface_fan(surface);
-    const std::vector<Point2> nodes = projection.all(fan.nodes);
+    const simulation::SurfaceBeams drawn = simulation::surface_beams(surface);
+    std::vector<Point2> places;
+    for (const Eigen::Vector3d& node : drawn.nodes) places.push_back({node.x(), node.y()});
+    const std::vector<Point2> nodes = projection.all(places);
     std::vector<std::array<Point2, 2>> beams;
-    for (const auto& edge : fan.edges)
-        beams.push_back(
-            {nodes[static_cast<std::size_t>(edge.nodes[0])], nodes[static_cast<std::size_t>(edge.nodes[1])]});
+    for (const auto& ends : drawn.ends)
+        beams.push_back({nodes[static_cast<std::size_t>(ends[0])], nodes[static_cast<std::size_t>(ends[1])]});
     canvas.segments(beams, {"none", kBeamColour, beam_width(surface), 1.0});
 }
 

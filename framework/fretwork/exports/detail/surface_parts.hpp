@@ -4,6 +4,7 @@
 
 #include <fretwork/exports/detail/projection.hpp>
 #include <fretwork/exports/detail/svg_canvas.hpp>
+#include <fretwork/exports/surface_drawing.hpp>
 
 #include <string>
 #include <vector>
@@ -16,6 +17,8 @@ double mean_side(const simulation::Surface& surface);
 double beam_width(const simulation::Surface& surface);
 
 void draw_tiles(SvgCanvas& canvas, const simulation::Surface& surface, const Projection& projection);
+/// Numbers of tiles in their middles, of interface nodes beside them, from above.
+void draw_labels(SvgCanvas& canvas, const simulation::Surface& surface, const DrawnLabels& labels);
 void draw_beams(SvgCanvas& canvas, const simulation::Surface& surface, const Projection& projection);
 
 /// A support as it is drawn, and as a legend calls it.

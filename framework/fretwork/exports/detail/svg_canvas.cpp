@@ -96,6 +96,13 @@ void SvgCanvas::polygon(std::span<const Point2> points, const Style& style) {
     body_ += "\"" + attributes(style) + "/>\n";
 }
 
+void SvgCanvas::named_polygon(std::span<const Point2> points, const Style& style, std::string_view id,
+                              std::string_view name) {
+    body_ += "<polygon id=\"" + escaped(id) + "\" points=\"";
+    for (const Point2& point : points) body_ += (&point == points.data() ? "" : " ") + place(point);
+    body_ += "\"" + attributes(style) + "><title>" + escaped(name) + "</title></polygon>\n";
+}
+
 void SvgCanvas::segments(std::span<const std::array<Point2, 2>> lines, const Style& style) {
     if (lines.empty()) return;
     body_ += "<path d=\"";

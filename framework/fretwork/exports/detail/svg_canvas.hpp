@@ -47,6 +47,9 @@ class SvgCanvas {
     void embed(const SvgCanvas& drawing, const pattern::Point2& top_left, std::string_view name);
 
     void polygon(std::span<const pattern::Point2> points, const Style& style);
+    /// The same with a name that shows where a pointer rests on it, and an id for programs.
+    void named_polygon(std::span<const pattern::Point2> points, const Style& style, std::string_view id,
+                       std::string_view name);
     /// Several open lines as one path, with round ends.
     void segments(std::span<const std::array<pattern::Point2, 2>> lines, const Style& style);
     void circle(const pattern::Point2& center, double radius, const Style& style);

@@ -5,7 +5,9 @@
 #include <fretwork/mechanics/structure/frame_check.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
+#include <numbers>
 
 namespace fretwork::mechanics::decks {
 namespace {
@@ -38,25 +40,54 @@ void check_writable(const Frame& frame) {
     }
 }
 
+/// Of the rectangle with the section's area and second moments, or of a circle, as *BEAM SECTION writes it.
+/// Torsion is the other program's own.
+std::string solid_section(const Section& section, std::size_t beam) {
+    constexpr double kSame = 1e-6;
+    const double height = std::sqrt(12.0 * section.I2 / section.area);
+    const double width = std::sqrt(12.0 * section.I3 / section.area);
+    if (std::abs(width * height - section.area) <= kSame * section.area)
+        return "RECT\n" + field(height) + "," + field(width);
+    const double diameter = std::sqrt(4.0 * section.area / std::numbers::pi);
+    const double second_moment = section.area * diameter * diameter / 16.0;
+    if (std::abs(section.I2 - second_moment) <= kSame * second_moment &&
+        std::abs(section.I3 - second_moment) <= kSame * second_moment)
+        return "CIRC\n" + field(diameter) + "," + field(diameter);
+    throw base::InputError("/beams/" + std::to_string(beam) +
+                           " has a section that is neither a rectangle nor a circle, which CalculiX needs");
+}
+
 class Writer {
   public:
-    explicit Writer(const Frame& frame) : frame_(frame) {}
+    Writer(const Frame& frame, DeckReader reader) : frame_(frame), reader_(reader) {}
 
     std::string run() {
         text_ = "*HEADING\n" + std::string(base::kMadeBy) + "\n*NODE, NSET=NALL\n";
         for (std::size_t i = 0; i < frame_.nodes.size(); ++i)
             text_ += std::to_string(i + 1) + "," + vector_text(frame_.nodes[i]) + "\n";
+        if (reader_ == DeckReader::Calculix) write_middle_nodes();
         for (std::size_t i = 0; i < frame_.beams.size(); ++i) group_of(frame_.beams[i]).push_back(i);
         for (std::size_t g = 0; g < groups_.size(); ++g) write_group(g);
         text_ += "*ELSET, ELSET=EALL\n";
         for (std::size_t g = 0; g < groups_.size(); ++g) text_ += "BEAMS" + std::to_string(g + 1) + "\n";
         write_supports();
-        text_ += "*STEP, NLGEOM\n*STATIC\n";
+        const bool is_calculix = reader_ == DeckReader::Calculix;
+        text_ += is_calculix ? "*STEP, NLGEOM, INC=1000\n*STATIC\n0.1,1.\n" : "*STEP, NLGEOM\n*STATIC\n";
         write_actions();
+        if (is_calculix) text_ += "*NODE PRINT, NSET=NALL\nU\n*NODE FILE\nU\n";
         return text_ + "*END STEP\n";
     }
 
   private:
+    void write_middle_nodes() {
+        for (std::size_t i = 0; i < frame_.beams.size(); ++i) {
+            const auto& [a, b] = frame_.beams[i].nodes;
+            const Eigen::Vector3d middle =
+                0.5 * (frame_.nodes[static_cast<std::size_t>(a)] + frame_.nodes[static_cast<std::size_t>(b)]);
+            text_ += std::to_string(frame_.nodes.size() + i + 1) + "," + vector_text(middle) + "\n";
+        }
+    }
+
     /// Beams of one section, material and normal.
     struct Group {
         const Beam* like;
@@ -79,14 +110,23 @@ class Writer {
     void write_group(std::size_t g) {
         const auto& [like, beams] = groups_[g];
         const std::string name = std::to_string(g + 1);
-        text_ += "*ELEMENT, TYPE=B31, ELSET=BEAMS" + name + "\n";
+        const bool is_calculix = reader_ == DeckReader::Calculix;
+        text_ +=
+            std::string("*ELEMENT, TYPE=") + (is_calculix ? "B32R" : "B31") + ", ELSET=BEAMS" + name + "\n";
         for (const std::size_t i : beams)
             text_ += std::to_string(i + 1) + "," + std::to_string(frame_.beams[i].nodes[0].value + 1) + "," +
+                     (is_calculix ? std::to_string(frame_.nodes.size() + i + 1) + "," : "") +
                      std::to_string(frame_.beams[i].nodes[1].value + 1) + "\n";
         const Material& material = like->material;
         text_ += "*MATERIAL, NAME=MATERIAL" + name + "\n*ELASTIC\n" + field(material.young_modulus) + "," +
                  field(material.poisson_ratio) + "\n*DENSITY\n" + field(material.density) + "\n";
         const Section& section = like->section;
+        if (is_calculix) {
+            text_ += "*BEAM SECTION, ELSET=BEAMS" + name + ", MATERIAL=MATERIAL" + name +
+                     ", SECTION=" + solid_section(section, beams.front()) + "\n" +
+                     vector_text(normal_of(*like)) + "\n";
+            return;
+        }
         text_ += "*BEAM GENERAL SECTION, SECTION=GENERAL, ELSET=BEAMS" + name + ", MATERIAL=MATERIAL" + name +
                  "\n";
         for (const double value : {section.area, section.I3, 0.0, section.I2}) text_ += field(value) + ",";
@@ -127,16 +167,17 @@ class Writer {
     }
 
     const Frame& frame_;
+    DeckReader reader_;
     std::string text_;
     std::vector<Group> groups_;
 };
 
 }  // namespace
 
-std::string deck_text(const Frame& frame) {
+std::string deck_text(const Frame& frame, DeckReader reader) {
     validate(frame);
     check_writable(frame);
-    return Writer(frame).run();
+    return Writer(frame, reader).run();
 }
 
 }  // namespace fretwork::mechanics::decks

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a browser would fill of an SVG drawing (SVG 2, chapters 5 to 14).
 #include <fretwork/base/file.hpp>
+#include <fretwork/tiling/detail/coloured_picture.hpp>
 #include <fretwork/tiling/detail/map_parts.hpp>
 #include <fretwork/tiling/detail/message_text.hpp>
 #include <fretwork/tiling/detail/outline_readers.hpp>
@@ -51,13 +52,7 @@ class SvgReader {
         : source_(path.string()), document_(source_, base::read_text_file(path)) {}
 
     OutlineFile run() {
-        const pugi::xml_node root = document_.root();
-        page_ = page_of(root, document_, remarks_);
-        how_.tolerance = flattening_tolerance(std::max(page_.width, page_.height));
-        Surroundings all{.map = page_.to_metres, .measure = page_.measure};
-        const SvgProperties properties(root, document_.rules());
-        all.style = style_in({}, properties, document_);
-        if (!is_switched_off(properties)) read_children(root, all);
+        read();
         Region region = filled_region(picture_, how_.tolerance);
         if (region.parts.empty()) throw base::GeometryError(nothing_filled());
         remarks_.tell(region, how_.tolerance);
@@ -68,9 +63,25 @@ class SvgReader {
         return {std::move(region.parts), remarks_.list()};
     }
 
+    ColouredPicture run_for_colours() {
+        read();
+        if (picture_.shapes.empty()) throw base::GeometryError(nothing_filled());
+        return {std::move(picture_), std::move(colours_)};
+    }
+
   private:
     /// Shapes in a clip count whether they are painted or not; the box of a clipped element, too.
     enum class Purpose { Paint, Clip, Box };
+
+    void read() {
+        const pugi::xml_node root = document_.root();
+        page_ = page_of(root, document_, remarks_);
+        how_.tolerance = flattening_tolerance(std::max(page_.width, page_.height));
+        Surroundings all{.map = page_.to_metres, .measure = page_.measure};
+        const SvgProperties properties(root, document_.rules());
+        all.style = style_in({}, properties, document_);
+        if (!is_switched_off(properties)) read_children(root, all);
+    }
 
     [[nodiscard]] std::string nothing_filled() const {
         std::string message = "nothing in it is filled";
@@ -215,7 +226,9 @@ class SvgReader {
         if (shape.loops.empty()) return;
         check_loops(shape.loops, element.node());
         shapes_->push_back(std::move(shape));
-        if (purpose_ == Purpose::Paint) places_.push_back(element.node());
+        if (purpose_ != Purpose::Paint) return;
+        places_.push_back(element.node());
+        colours_.push_back(around.style.fill_colour);
     }
 
     [[nodiscard]] std::vector<Polygon> loops_of(const std::vector<Subpath>& subpaths,
@@ -320,6 +333,7 @@ class SvgReader {
     Picture picture_;
     std::vector<FilledShape>* shapes_ = &picture_.shapes;
     std::vector<pugi::xml_node> places_;   // of the picture's shapes
+    std::vector<std::string> colours_;     // of the same
     std::vector<pugi::xml_node> copying_;  // what is being copied or clips
     Purpose purpose_ = Purpose::Paint;
     Remarks remarks_;
@@ -332,6 +346,10 @@ class SvgReader {
 
 OutlineFile read_svg_outlines(const std::filesystem::path& path) {
     return SvgReader(path).run();
+}
+
+ColouredPicture read_svg_colours(const std::filesystem::path& path) {
+    return SvgReader(path).run_for_colours();
 }
 
 }  // namespace fretwork::tiling::detail

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/text.hpp>
+#include <fretwork/tiling/detail/css_colour.hpp>
 #include <fretwork/tiling/detail/svg_style.hpp>
 #include <fretwork/tiling/detail/svg_text.hpp>
 
@@ -79,6 +80,14 @@ SvgStyle::Paint paint_of(std::string_view text, SvgStyle::Paint outer, const Svg
     return value.substr(fallback) == "none" ? Paint::None : Paint::Some;
 }
 
+/// The colour that a property asks for; that of the surroundings where it asks for none.
+std::string colour_of(std::string_view text, const std::string& outer, const std::string& current) {
+    const std::string value = in_small_letters(text);
+    if (value.empty() || value == "inherit" || value == "unset") return outer;
+    if (value == "currentcolor") return current;
+    return css_colour(value).value_or("");
+}
+
 FillRule rule_of(std::string_view text, FillRule outer) {
     if (text == "evenodd") return FillRule::Evenodd;
     return text == "nonzero" ? FillRule::Nonzero : outer;
@@ -117,6 +126,8 @@ SvgStyle style_in(const SvgStyle& outer, const SvgProperties& properties, const 
     SvgStyle style = outer;
     style.fill = paint_of(properties.find("fill"), outer.fill, document);
     style.stroke = paint_of(properties.find("stroke"), outer.stroke, document);
+    style.current_colour = colour_of(properties.find("color"), outer.current_colour, outer.current_colour);
+    style.fill_colour = colour_of(properties.find("fill"), outer.fill_colour, style.current_colour);
     style.fill_opacity = share_of(properties.find("fill-opacity")).value_or(outer.fill_opacity);
     style.fill_rule = rule_of(properties.find("fill-rule"), outer.fill_rule);
     style.clip_rule = rule_of(properties.find("clip-rule"), outer.clip_rule);

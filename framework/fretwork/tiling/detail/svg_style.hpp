@@ -4,6 +4,8 @@
 #include <fretwork/tiling/detail/filled_region.hpp>
 #include <fretwork/tiling/detail/svg_document.hpp>
 
+#include <string>
+
 namespace fretwork::tiling::detail {
 
 /// What elements hand on to those in them, as far as it decides what is filled.
@@ -15,7 +17,9 @@ struct SvgStyle {
     FillRule fill_rule = FillRule::Nonzero;
     FillRule clip_rule = FillRule::Nonzero;
     enum class Visibility { Visible, Hidden } visibility = Visibility::Visible;
-    double font_size = 16.0;  ///< pixels
+    double font_size = 16.0;                 ///< pixels
+    std::string fill_colour = "#000000";     ///< "#rrggbb"; empty: a gradient, or another kind of colour
+    std::string current_colour = "#000000";  ///< of the property `color`
 
     [[nodiscard]] bool is_filled() const {
         return fill == Paint::Some && fill_opacity > 0 && visibility == Visibility::Visible;

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bar_checks.hpp"
+
+#include <fretwork/base/error.hpp>
+#include <fretwork/base/quantity.hpp>
+#include <fretwork/simulation/bar_clearance.hpp>
+#include <fretwork/simulation/surface.hpp>
+
+#include <cstdio>
+#include <string_view>
+#include <utility>
+
+namespace fretwork::app {
+namespace {
+
+/// Metres. It is read before anything is written.
+CLI::Validator clearance_check() {
+    const auto check = [](const std::string& text) -> std::string {
+        try {
+            if (base::parse_length(text) >= 0) return "";
+        } catch (const base::InputError&) {
+        }
+        return "'" + text + "' is no length, such as 0.5mm";
+    };
+    return {check, "LENGTH", "length"};
+}
+
+}  // namespace
+
+void add_clearance_option(CLI::App& verb, std::string& clearance) {
+    verb.add_option("--clearance", clearance,
+                    "Tell where bars come nearer to each other than this, such as 0.5mm (default: where they "
+                    "overlap)")
+        ->check(clearance_check());
+}
+
+void warn_of_close_bars(const simulation::Project& project, const std::string& clearance) {
+    const auto close = simulation::close_bars(simulation::make_surface(project, nullptr),
+                                              clearance.empty() ? 0.0 : base::parse_length(clearance));
+    if (!close.empty()) std::fprintf(stderr, "fretwork: %s\n", simulation::close_bars_text(close).c_str());
+}
+
+double parse_strength(const std::string& text) {
+    constexpr std::pair<std::string_view, double> kUnits[] = {
+        {"GPa", 1e9}, {"MPa", 1e6}, {"kPa", 1e3}, {"Pa", 1.0}, {"", 1.0}};
+    for (const auto& [unit, factor] : kUnits) {
+        if (!text.ends_with(unit)) continue;
+        const auto number = base::read_number<double>(text.substr(0, text.size() - unit.size()));
+        if (number && *number > 0 && *number < 1e15) return factor * *number;
+        break;
+    }
+    throw base::InputError("--strength", "", "'" + text + "' is no strength, such as 40MPa");
+}
+
+}  // namespace fretwork::app

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "program.hpp"
+
+namespace fretwork::app {
+
+/// Adds the verb `beams`.
+void add_beams(CLI::App& app, ExitCode& exit_code);
+
+}  // namespace fretwork::app

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// fretwork paint: patterns into the tiles of a project.
+#include "bar_checks.hpp"
+#include "file_options.hpp"
+#include "painting_options.hpp"
+#include "verbs.hpp"
+
+#include <fretwork/base/error.hpp>
+#include <fretwork/base/file_lock.hpp>
+#include <fretwork/base/internal/json_text.hpp>
+#include <fretwork/base/quantity.hpp>
+#include <fretwork/base/text.hpp>
+#include <fretwork/simulation/painting_choice.hpp>
+#include <fretwork/simulation/project_file.hpp>
+#include <fretwork/simulation/project_library.hpp>
+#include <fretwork/tiling/tile_choice.hpp>
+
+#include <cstdio>
+#include <map>
+#include <memory>
+#include <set>
+
+namespace fretwork::app {
+namespace {
+
+using simulation::Project;
+using tiling::TileIndex;
+
+struct Options {
+    std::string project;
+    std::string out;
+    std::string library;
+    std::vector<std::string> tiles;
+    std::vector<std::string> boxes;
+    std::vector<std::string> polygons;
+    simulation::PaintingChoice painting;
+    int turn = 0;
+    std::string clearance;
+    bool mirror = false;
+    bool json = false;
+};
+
+/// Lengths with commas or blanks between, as points.
+std::vector<pattern::Point2> parse_points(const std::string& text) {
+    std::vector<double> numbers;
+    std::string words = text;
+    for (char& c : words) c = c == ' ' ? ',' : c;
+    for (const std::string& word : base::split(words, ','))
+        if (!word.empty()) numbers.push_back(base::parse_length(word));
+    if (numbers.size() % 2 != 0)
+        throw base::InputError("'" + text + "' has a coordinate too many: write x,y x,y");
+    std::vector<pattern::Point2> points;
+    for (std::size_t i = 0; i < numbers.size(); i += 2) points.push_back({numbers[i], numbers[i + 1]});
+    return points;
+}
+
+tiling::PlaneBox parse_box(const std::string& text) {
+    const auto corners = parse_points(text);
+    if (corners.size() != 2 || corners[1].x < corners[0].x || corners[1].y < corners[0].y)
+        throw base::InputError("'" + text + "' is no box: XMIN,YMIN,XMAX,YMAX is, as 0,0,100mm,50mm");
+    return {corners[0], corners[1]};
+}
+
+pattern::Polygon parse_polygon(const std::string& text) {
+    auto corners = parse_points(text);
+    if (corners.size() < 3)
+        throw base::InputError("'" + text + "' is no polygon: it needs three corners or more");
+    return corners;
+}
+
+/// What `pick` makes of each value of an option; complaints name the option.
+template <class Pick>
+void add_tiles(std::set<TileIndex>& chosen, const char* option, const std::vector<std::string>& values,
+               const Pick& pick) {
+    for (const std::string& value : values) {
+        try {
+            for (const TileIndex tile : pick(value)) chosen.insert(tile);
+        } catch (const base::InputError& error) {
+            throw base::InputError(option, "", error.what());
+        }
+    }
+}
+
+/// All tiles where none are named.
+std::vector<TileIndex> chosen_tiles(const Options& options, const tiling::Tessellation& tessellation) {
+    std::set<TileIndex> chosen;
+    const auto& surface = tessellation;
+    add_tiles(chosen, "--tiles", options.tiles,
+              [&](const std::string& text) { return tiling::parse_tiles(text, surface); });
+    add_tiles(chosen, "--box", options.boxes,
+              [&](const std::string& text) { return tiling::tiles_in(parse_box(text), surface); });
+    add_tiles(chosen, "--polygon", options.polygons,
+              [&](const std::string& text) { return tiling::tiles_in(parse_polygon(text), surface); });
+    if (options.tiles.empty() && options.boxes.empty() && options.polygons.empty()) {
+        for (std::size_t t = 0; t < surface.tiles.size(); ++t) chosen.insert(TileIndex(t));
+    }
+    return {chosen.begin(), chosen.end()};
+}
+
+/// The colours of a drawing choose among the tiles.
+std::vector<TileIndex> paint_project(Project& project, std::vector<TileIndex> tiles, const Options& options) {
+    tiling::Tessellation& tessellation = project.tessellation;
+    if (!options.painting.patterns.empty()) {
+        const auto library = simulation::open_project_library(options.project, project, options.library);
+        const reduction::Setting setting = project.setting ? *project.setting
+                                           : library       ? library->setting()
+                                                           : reduction::paper_setting();
+        tiles = simulation::paint(tessellation, tiles, options.painting,
+                                  {project.layout, setting, library ? &*library : nullptr});
+    }
+    if (options.mirror) simulation::mirror(tessellation, tiles, project.layout);
+    for (const TileIndex tile : tiles)
+        tiling::turn(tessellation.tiles[static_cast<std::size_t>(tile)], options.turn);
+    return tiles;
+}
+
+/// How many of these tiles have each pattern.
+std::map<std::string, int> pattern_counts(const tiling::Tessellation& tessellation,
+                                          const std::vector<TileIndex>& tiles) {
+    std::map<std::string, int> counts;
+    for (const TileIndex tile : tiles) {
+        const int pattern = tessellation.tiles[static_cast<std::size_t>(tile)].pattern;
+        if (pattern >= 0) ++counts[tessellation.patterns[static_cast<std::size_t>(pattern)]];
+    }
+    return counts;
+}
+
+std::size_t unpainted_count(const tiling::Tessellation& tessellation) {
+    std::size_t count = 0;
+    for (const tiling::Tile& tile : tessellation.tiles) count += tile.pattern < 0 ? 1 : 0;
+    return count;
+}
+
+void print(const Project& project, const std::vector<TileIndex>& tiles, const Options& options) {
+    const auto counts = pattern_counts(project.tessellation, tiles);
+    const std::size_t unpainted = unpainted_count(project.tessellation);
+    if (options.json) {
+        std::vector<int> numbers;
+        for (const TileIndex tile : tiles) numbers.push_back(tile.value);
+        const base::Json json = {{"tiles", numbers}, {"patterns", counts}, {"unpainted_tiles", unpainted}};
+        std::fputs(base::json_text(json).c_str(), stdout);
+        return;
+    }
+    std::printf("%zu of %zu tiles:\n", tiles.size(), project.tessellation.tiles.size());
+    for (const auto& [pattern, count] : counts) std::printf("%6d  %s\n", count, pattern.c_str());
+    if (unpainted > 0) std::printf("not painted yet: %zu\n", unpainted);
+    if (!project.load_cases.empty())
+        std::printf("load cases kept: %zu; results of before are of another painting\n",
+                    project.load_cases.size());
+}
+
+ExitCode run(const Options& options) {
+    simulation::check(options.painting);
+    const base::FileLock lock(options.out.empty() ? options.project : options.out);
+    Project project = simulation::read_checked_project(options.project);
+    const auto tiles = paint_project(project, chosen_tiles(options, project.tessellation), options);
+    if (tiles.empty()) {
+        std::fputs("fretwork: no tile lies there; nothing is painted\n", stderr);
+        return ExitCode::DidNotSucceed;
+    }
+    simulation::write_project(project, options.out.empty() ? options.project : options.out);
+    print(project, tiles, options);
+    warn_of_close_bars(project, options.clearance);
+    return ExitCode::Done;
+}
+
+}  // namespace
+
+void add_paint(CLI::App& app, ExitCode& exit_code) {
+    CLI::App* verb = app.add_subcommand("paint", "Paint tiles of a project with patterns; all else is kept");
+    const auto options = std::make_shared<Options>();
+    verb->add_option("project", options->project, "Project file")->required();
+    verb->add_option("--tiles", options->tiles,
+                     "Numbers of tiles, and ranges: 3,7-11 (export --labels tiles draws them)");
+    verb->add_option("--box", options->boxes,
+                     "Tiles whose middle lies in a box, such as 0,0,100mm,50mm (repeatable)")
+        ->type_name("XMIN,YMIN,XMAX,YMAX")
+        ->allow_extra_args(false);
+    verb->add_option("--polygon", options->polygons,
+                     "Tiles whose middle lies in a polygon, such as '0,0 0.1,0 0.1,0.2' (repeatable)")
+        ->type_name("X,Y X,Y ..")
+        ->allow_extra_args(false);
+    add_painting_options(*verb, options->painting);
+    verb->add_flag("--mirror", options->mirror, "Put the mirror image of its pattern into each of the tiles");
+    verb->add_option(
+            "--turn", options->turn,
+            "Number the sides of each of the tiles from that many vertices on (a pattern has a turn in "
+            "every sector of its tile, so it looks the same)")
+        ->check(CLI::Range(-1000, 1000));
+    add_clearance_option(*verb, options->clearance);
+    verb->add_option("--library", options->library,
+                     "Library with patterns and properties (default: the project's)");
+    verb->add_option("--out", options->out, "Project file to write (default: the same)");
+    verb->add_flag("--json", options->json,
+                   "Print JSON: tiles, patterns with their numbers, unpainted_tiles");
+    declare_files(*verb, {update("project", kProjectFile), input("--patterns"), input("--palette"),
+                          input("--library"), output("--out", kProjectFile)});
+    verb->footer(
+        "Example: fretwork paint project.json --box 0,0,100mm,1 --patterns 0-1+1-6\n"
+        "         fretwork paint project.json --patterns colours:regions.svg --palette "
+        "red=0-1+1-6,#00f=0-5+5-6\n"
+        "         fretwork paint project.json --patterns field:u --palette 0-1+1-6,0-5+5-6 --property "
+        "bending_stiffness --dither");
+    verb->callback([options, verb, &exit_code] {
+        const bool has_work =
+            !options->painting.patterns.empty() || options->mirror || verb->count("--turn") > 0;
+        if (!has_work)
+            throw base::InputError("paint", "",
+                                   "needs --patterns, --mirror or --turn: what is to be painted?");
+        exit_code = run(*options);
+    });
+}
+
+}  // namespace fretwork::app

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/simulation/detail/line_bearers.hpp>
+#include <fretwork/tiling/rim_loops.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <set>
+
+namespace fretwork::simulation::detail {
+namespace {
+
+using pattern::Point2;
+using tiling::InterfaceIndex;
+using tiling::Tessellation;
+
+/// A side that only one tile has.
+struct RimSide {
+    std::array<Point2, 2> ends;
+    std::vector<InterfaceIndex> nodes;
+    [[nodiscard]] double length() const { return std::hypot(ends[1].x - ends[0].x, ends[1].y - ends[0].y); }
+};
+
+/// The closed lines of the rim, side after side.
+std::vector<std::vector<RimSide>> rim_of(const Tessellation& tessellation) {
+    std::map<int, std::array<Point2, 2>> ends_of;  // of the side that a rim node lies on
+    std::map<int, std::size_t> nodes_a_side;
+    for (const tiling::Tile& tile : tessellation.tiles) {
+        const std::size_t count = tile.vertices.size();
+        const std::size_t own = tile.interface_nodes.size() / count;
+        for (std::size_t i = 0; i < tile.interface_nodes.size(); ++i) {
+            const auto at = [&](std::size_t vertex) {
+                return tessellation.vertices[static_cast<std::size_t>(tile.vertices[vertex % count])];
+            };
+            ends_of[tile.interface_nodes[i].value] = {at(i / own), at(i / own + 1)};
+            nodes_a_side[tile.interface_nodes[i].value] = own;
+        }
+    }
+    std::vector<std::vector<RimSide>> rim;
+    for (const auto& loop : tiling::rim_loops(tessellation)) {
+        rim.emplace_back();
+        for (std::size_t i = 0; i < loop.size(); i += nodes_a_side.at(loop[i].value)) {
+            const auto first = loop.begin() + static_cast<std::ptrdiff_t>(i);
+            rim.back().push_back(
+                {ends_of.at(loop[i].value),
+                 {first, first + static_cast<std::ptrdiff_t>(nodes_a_side.at(loop[i].value))}});
+        }
+    }
+    return rim;
+}
+
+void add(const RimSide& side, double length, std::vector<LineBearer>& bearers) {
+    for (const InterfaceIndex node : side.nodes)
+        bearers.push_back({node, length / static_cast<double>(side.nodes.size())});
+}
+
+/// The sides all of whose nodes lie along one side of the bounding box.
+std::vector<LineBearer> along_side(Side side, const Tessellation& tessellation) {
+    const auto picked = select_nodes(NodesAtSide{side}, tessellation);
+    std::vector<LineBearer> bearers;
+    for (const auto& loop : rim_of(tessellation)) {
+        for (const RimSide& own : loop) {
+            const bool is_along = std::ranges::all_of(
+                own.nodes, [&](InterfaceIndex node) { return std::ranges::binary_search(picked, node); });
+            if (is_along) add(own, own.length(), bearers);
+        }
+    }
+    return bearers;
+}
+
+/// A place on the rim.
+struct RimPlace {
+    std::size_t loop = 0;
+    double way = 0.0;  ///< m, from where the closed line begins
+    double distance = std::numeric_limits<double>::infinity();
+};
+
+RimPlace nearest_place(const std::vector<std::vector<RimSide>>& rim, const Point2& point) {
+    RimPlace nearest;
+    for (std::size_t loop = 0; loop < rim.size(); ++loop) {
+        double way = 0.0;
+        for (const RimSide& side : rim[loop]) {
+            const Point2 along{side.ends[1].x - side.ends[0].x, side.ends[1].y - side.ends[0].y};
+            const Point2 arm{point.x - side.ends[0].x, point.y - side.ends[0].y};
+            const double share = std::clamp(
+                (along.x * arm.x + along.y * arm.y) / (along.x * along.x + along.y * along.y), 0.0, 1.0);
+            const double distance = std::hypot(arm.x - share * along.x, arm.y - share * along.y);
+            if (distance < nearest.distance) nearest = {loop, way + share * side.length(), distance};
+            way += side.length();
+        }
+    }
+    return nearest;
+}
+
+double length_of(const std::vector<RimSide>& loop) {
+    double sum = 0.0;
+    for (const RimSide& side : loop) sum += side.length();
+    return sum;
+}
+
+std::vector<LineBearer> between(const std::array<Point2, 2>& ends, const Tessellation& tessellation) {
+    const auto rim = rim_of(tessellation);
+    RimPlace from = nearest_place(rim, ends[0]);
+    RimPlace to = nearest_place(rim, ends[1]);
+    if (from.loop != to.loop)
+        throw base::InputError("the two points lie on different lines of the rim, such as a hole's");
+    const auto& loop = rim[from.loop];
+    const double whole = length_of(loop);
+    const auto way_on = [whole](double a, double b) { return b >= a ? b - a : b - a + whole; };
+    if (way_on(from.way, to.way) > way_on(to.way, from.way)) std::swap(from, to);
+    const double span = way_on(from.way, to.way);
+    if (!(span > 0.0)) throw base::InputError("both points lie nearest to one place of the rim");
+    std::vector<LineBearer> bearers;
+    double start = 0.0;
+    for (const RimSide& side : loop) {
+        // What of the side lies on the way, which may run past the beginning of the line.
+        double length = 0.0;
+        for (const double turn : {0.0, whole}) {
+            const double low = std::max(start + turn, from.way);
+            const double high = std::min(start + side.length() + turn, from.way + span);
+            length += std::max(0.0, high - low);
+        }
+        if (length > 0.0) add(side, length, bearers);
+        start += side.length();
+    }
+    return bearers;
+}
+
+}  // namespace
+
+std::vector<LineBearer> line_bearers(const Selection& where, const Tessellation& tessellation) {
+    if (const auto* at = std::get_if<NodesAtSide>(&where)) return along_side(at->side, tessellation);
+    const auto* ends = std::get_if<NodesNearest>(&where);
+    if (ends == nullptr || ends->points.size() != 2)
+        throw base::InputError("a line load runs along a side, or between two points of the rim");
+    return between({ends->points[0], ends->points[1]}, tessellation);
+}
+
+}  // namespace fretwork::simulation::detail

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/simulation/load_case.hpp>
+
+#include <vector>
+
+namespace fretwork::simulation::detail {
+
+/// An interface node, and the length of the rim that it stands for, m.
+struct LineBearer {
+    tiling::InterfaceIndex node;
+    double length = 0.0;
+};
+
+/// Which nodes bear a line load (Amount::PerLength) at a place. Throws InputError if that is neither a side
+/// nor two points, if both points lie nearest to one place of the rim, or on different closed lines of it.
+std::vector<LineBearer> line_bearers(const Selection& where, const tiling::Tessellation& tessellation);
+
+}  // namespace fretwork::simulation::detail

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/base/file.hpp>
+#include <fretwork/base/internal/json_text.hpp>
+#include <fretwork/base/json_reader.hpp>
+#include <fretwork/simulation/combination.hpp>
+#include <fretwork/simulation/conditions.hpp>
+#include <fretwork/simulation/detail/joined_tiles.hpp>
+#include <fretwork/simulation/load_case_file.hpp>
+#include <fretwork/simulation/result_subject.hpp>
+#include <fretwork/simulation/stages.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <map>
+
+namespace fretwork::simulation {
+namespace {
+
+using base::Json;
+using base::JsonReader;
+
+/// The lists of an entry as those of a load case, whose reader knows how places are picked.
+LoadCase lists_of(const JsonReader& stage, const char* supports) {
+    Json json = {{"format", "fretwork/load-case/1"}, {"name", "stage"}};
+    if (const auto list = stage.find(supports)) json["supports"] = Json::parse(list->text());
+    if (const auto list = stage.find("prescribed")) json["prescribed"] = Json::parse(list->text());
+    try {
+        return parse_load_case(base::json_text(json), "");
+    } catch (const base::InputError& error) {
+        stage.fail(error.what());
+    }
+}
+
+Stage read_stage(const JsonReader& json) {
+    json.allow_only({"name", "loads", "prescribed", "keep", "free"});
+    Stage stage;
+    stage.name = json.at("name").string();
+    if (const auto loads = json.find("loads")) {
+        for (const JsonReader& share : loads->elements()) {
+            share.allow_only({"load_case", "factor"});
+            stage.loads.push_back({share.at("load_case").string(), share.at("factor").number()});
+        }
+    }
+    const LoadCase kept = lists_of(json, "keep");
+    stage.keep = kept.supports;
+    stage.prescribed = kept.prescribed;
+    stage.free = lists_of(json, "free").supports;
+    if (stage.loads.empty() && stage.keep.empty() && stage.prescribed.empty() && stage.free.empty())
+        json.fail("changes nothing: it needs one of loads, prescribed, keep, free");
+    return stage;
+}
+
+using Place = std::pair<int, int>;  // node and dof
+
+/// The state between stages: which components are held beside the supports, and how much of each load case
+/// acts.
+class Stages {
+  public:
+    Stages(const Surface& surface, const LoadCase& load_case, std::span<const LoadCase> cases,
+           std::size_t nodes)
+        : surface_(surface), load_case_(load_case), cases_(cases), nodes_(nodes) {
+        LoadCase supports;
+        supports.name = load_case.name;
+        supports.supports = load_case.supports;
+        supports_ = resolve(supports, surface).supports;
+    }
+
+    mechanics::StageTarget target(const Stage& stage, const mechanics::NodeValues& displacements) {
+        for (const LoadCase::Share& share : stage.loads) factors_[share.load_case] = share.factor;
+        for (const Place& place : places_of(stage.free)) held_.erase(place);
+        for (const Place& place : places_of(stage.keep))
+            held_[place] = displacements(place.first, place.second);
+        LoadCase prescribed;
+        prescribed.name = stage.name;
+        prescribed.prescribed = stage.prescribed;
+        for (const auto& given : resolve(prescribed, surface_).prescribed)
+            held_[{given.node.value, static_cast<int>(given.dof)}] = given.value;
+        mechanics::StageTarget target{supports_, {}, loads()};
+        for (const auto& [place, value] : held_)
+            target.prescribed.push_back(
+                {mechanics::NodeIndex(place.first), static_cast<mechanics::Dof>(place.second), value});
+        return target;
+    }
+
+  private:
+    [[nodiscard]] std::vector<Place> places_of(const std::vector<LoadCase::Support>& entries) const {
+        LoadCase picked;
+        picked.name = "stage";
+        picked.supports = entries;
+        std::vector<Place> places;
+        for (const mechanics::Support& support : resolve(picked, surface_).supports) {
+            for (int d = 0; d < mechanics::kDofsPerNode; ++d)
+                if (support.fixed.contains[static_cast<std::size_t>(d)])
+                    places.emplace_back(support.node.value, d);
+        }
+        return places;
+    }
+
+    [[nodiscard]] mechanics::NodeValues loads() const {
+        mechanics::NodeValues sum =
+            mechanics::NodeValues::Zero(static_cast<Eigen::Index>(nodes_), mechanics::kDofsPerNode);
+        for (const auto& [name, factor] : factors_) {
+            LoadCase part = case_of(name);
+            part.supports.clear();
+            part.prescribed.clear();
+            sum += factor * load_rows(resolve(part, surface_), nodes_);
+        }
+        return sum;
+    }
+
+    [[nodiscard]] LoadCase case_of(const std::string& name) const {
+        if (name == load_case_.name) return load_case_;
+        LoadCase wanted;
+        wanted.name = "stage";
+        wanted.combines = {{name, 1.0}};
+        return combined(wanted, cases_);
+    }
+
+    const Surface& surface_;
+    const LoadCase& load_case_;
+    std::span<const LoadCase> cases_;
+    std::size_t nodes_;
+    std::vector<mechanics::Support> supports_;
+    std::map<Place, double> held_;
+    std::map<std::string, double> factors_;
+};
+
+mechanics::Assembly assembly_of(const Surface& surface, const SimulationOptions& options,
+                                const base::Control& control) {
+    const auto tiles = detail::TileBuilder().build_all(surface, model_choice(options),
+                                                       {.threads = options.threads, .control = control});
+    return reduction::assemble(detail::join_tiles(surface, tiles, control).parts, control);
+}
+
+}  // namespace
+
+std::vector<Stage> parse_stages(std::string_view text, const std::string& source) {
+    const JsonReader json = JsonReader::from_text(text, source);
+    json.expect_format("stages");
+    json.allow_only({"format", "stages"});
+    std::vector<Stage> stages;
+    for (const JsonReader& stage : json.at("stages").elements()) stages.push_back(read_stage(stage));
+    if (stages.empty()) json.at("stages").fail("is empty, where at least one stage is needed");
+    return stages;
+}
+
+std::vector<Stage> read_stages(const std::filesystem::path& path) {
+    return parse_stages(base::read_text_file(path), path.string());
+}
+
+mechanics::Result simulate_stages(const Surface& surface, const LoadCase& load_case,
+                                  std::span<const LoadCase> cases, std::span<const Stage> stages,
+                                  const SimulationOptions& options, mechanics::Snaps snaps,
+                                  const base::Control& control) {
+    options.validate(surface);
+    if (!is_nonlinear(surface, options) || mixed_share(options.model) || options.load_steps > 1 ||
+        options.estimate_error || options.estimate_model_error)
+        throw base::InputError(
+            "stages are followed by full and corotational tiles, without load steps and estimates of errors");
+    const auto started = std::chrono::steady_clock::now();
+    const mechanics::Assembly assembly = assembly_of(surface, options, control);
+    const auto interface_count = static_cast<int>(surface.tessellation.interface_nodes.size());
+    mechanics::Result result;
+    for (int i = 0; i < assembly.reported_nodes; ++i)
+        result.nodes.push_back({i, assembly.nodes[static_cast<std::size_t>(i)], i < interface_count});
+    Stages state(surface, load_case, cases, assembly.nodes.size());
+    mechanics::StagedPath path(assembly, snaps, {.threads = options.threads, .control = control});
+    mechanics::NodeValues displacements =
+        mechanics::NodeValues::Zero(assembly.reported_nodes, mechanics::kDofsPerNode);
+    for (const Stage& stage : stages) {
+        result.load_steps.push_back(path.advance(state.target(stage, displacements)));
+        if (!result.load_steps.back().converged()) break;
+        displacements = result.load_steps.back().displacements;
+    }
+    result.solution = result.load_steps.back();
+    result.solver = "newton";
+    result.subject = result_subject(surface, load_case, options);
+    result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+    return result;
+}
+
+}  // namespace fretwork::simulation

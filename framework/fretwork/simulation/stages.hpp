@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/base/control.hpp>
+#include <fretwork/mechanics/result_file.hpp>
+#include <fretwork/mechanics/staged_path.hpp>
+#include <fretwork/simulation/load_case.hpp>
+#include <fretwork/simulation/simulation_options.hpp>
+#include <fretwork/simulation/surface.hpp>
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fretwork::simulation {
+
+/// What changes in one stage. All else stays as the stage before has left it.
+struct Stage {
+    std::string name;
+    std::vector<LoadCase::Share> loads{};  ///< load cases whose loads come to this factor; 0 takes them off
+    std::vector<LoadCase::PrescribedDisplacement> prescribed{};  ///< these components come to these values
+    std::vector<LoadCase::Support> keep{};                       ///< these stay where they are
+    std::vector<LoadCase::Support> free{};  ///< these are let go, if they were prescribed or kept
+};
+
+/// Parse stages:
+///
+///     { "format": "fretwork/stages/1", "stages": [
+///         { "name": "press",  "loads": [{ "load_case": "tip", "factor": 2 }] },
+///         { "name": "clip",   "keep": [{ "side": "right", "fixed": ["uz"] }] },
+///         { "name": "unload", "loads": [{ "load_case": "tip", "factor": 0 }] },
+///         { "name": "push",   "prescribed": [{ "nearest": [[0.1, 0.2]], "uz": -0.01 }] },
+///         { "name": "let go", "free": [{ "side": "right", "fixed": ["uz"] }] } ] }
+///
+/// Places are picked as in load cases. Throws InputError with source and place.
+std::vector<Stage> parse_stages(std::string_view text, const std::string& source);
+/// Throws as parse_stages.
+std::vector<Stage> read_stages(const std::filesystem::path& path);
+
+/// Simulate stage after stage, each from the equilibrium that the one before has led to
+/// (mechanics::StagedPath), with a model for large displacements. The supports are those of the load case;
+/// its loads act where a stage names it. `cases` are those that stages may name. Result::load_steps has one
+/// solution for each stage that was begun. Throws InputError for other models, for a place that no node lies
+/// at, and for a load case that is not there.
+mechanics::Result simulate_stages(const Surface& surface, const LoadCase& load_case,
+                                  std::span<const LoadCase> cases, std::span<const Stage> stages,
+                                  const SimulationOptions& options, mechanics::Snaps snaps,
+                                  const base::Control& control = {});
+
+}  // namespace fretwork::simulation

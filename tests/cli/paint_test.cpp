@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// fretwork paint, as a person runs it.
+#include "cli/command.hpp"
+#include "support.hpp"
+
+#include <fretwork/simulation/project_file.hpp>
+#include <fretwork/tiling/tile_choice.hpp>
+
+#include <map>
+
+namespace fretwork::app {
+namespace {
+
+using test::Outcome;
+using test::run_command;
+using test::TemporaryFolder;
+using testing::AllOf;
+using testing::HasSubstr;
+
+class PaintCommand : public testing::Test {
+  protected:
+    void SetUp() override {
+        ASSERT_EQ(
+            run("fretwork tile experiments/outlines/specimen.svg --edge-length 40mm --out p.json").exit_code,
+            0);
+        ASSERT_EQ(run("fretwork paint p.json --patterns 0-1+1-6").exit_code, 0);
+    }
+    [[nodiscard]] Outcome run(const std::string& command) const {
+        return run_command(command, folder_.path());
+    }
+    [[nodiscard]] simulation::Project project() const {
+        return simulation::read_project(folder_.path() / "p.json");
+    }
+    /// The pattern of each tile by its id.
+    [[nodiscard]] std::vector<std::string> patterns() const {
+        const simulation::Project now = project();
+        std::vector<std::string> list;
+        for (const tiling::Tile& tile : now.tessellation.tiles)
+            list.push_back(now.tessellation.patterns.at(static_cast<std::size_t>(tile.pattern)));
+        return list;
+    }
+    TemporaryFolder folder_;
+};
+
+TEST_F(PaintCommand, KeepsLoadCasesAndPaintsOnlyTheTilesThatAreNamed) {
+    ASSERT_EQ(run("fretwork case add p.json experiments/cases/cantilever.json").exit_code, 0);
+    const Outcome painted = run("fretwork paint p.json --tiles 2,4-5 --patterns 0-5+5-6");
+    ASSERT_EQ(painted.exit_code, 0) << painted.err;
+    EXPECT_THAT(painted.out, HasSubstr("load cases kept: 1"));
+    const auto now = patterns();
+    for (std::size_t t = 0; t < now.size(); ++t)
+        EXPECT_EQ(now[t], t == 2 || t == 4 || t == 5 ? "0-5+5-6" : "0-1+1-6") << t;
+    EXPECT_EQ(project().load_cases.size(), 1U);
+}
+
+TEST_F(PaintCommand, RegionsOfADrawingTakeThePatternOfTheirColour) {
+    folder_.file(
+        "r.svg",
+        R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 2000 2000" width="2000mm" height="2000mm">
+<rect x="0" width="100" height="2000" fill="#00f"/></svg>)");
+    const Outcome painted = run("fretwork paint p.json --patterns colours:r.svg --palette blue=0-5+5-6");
+    ASSERT_EQ(painted.exit_code, 0) << painted.err;
+    const auto centers = tiling::tile_centers(project().tessellation);
+    const auto now = patterns();
+    for (std::size_t t = 0; t < now.size(); ++t)
+        EXPECT_EQ(now[t], centers[t].x < 0.1 ? "0-5+5-6" : "0-1+1-6") << t;
+    const Outcome refused = run("fretwork paint p.json --patterns colours:r.svg --palette red=0-5+5-6");
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_THAT(refused.err,
+                AllOf(HasSubstr("nothing in r.svg is filled with #ff0000"), HasSubstr("#0000ff")));
+}
+
+TEST_F(PaintCommand, AFieldGoesFromTheSoftestToTheStiffestPattern) {
+    const Outcome painted =
+        run("fretwork paint p.json --patterns field:u --palette 0-1+1-6,2-4+4-6,0-5+5-6 --property "
+            "bending_stiffness");
+    ASSERT_EQ(painted.exit_code, 0) << painted.err;
+    const auto now = patterns();
+    const auto centers = tiling::tile_centers(project().tessellation);
+    // Whichever pattern is the softest, each takes one interval of x.
+    std::map<std::string, std::pair<double, double>> reach;
+    for (std::size_t t = 0; t < now.size(); ++t) {
+        const auto [entry, is_new] = reach.try_emplace(now[t], centers[t].x, centers[t].x);
+        entry->second = {std::min(entry->second.first, centers[t].x),
+                         std::max(entry->second.second, centers[t].x)};
+    }
+    ASSERT_GE(reach.size(), 2U);
+    for (const auto& [a, of_a] : reach)
+        for (const auto& [b, of_b] : reach)
+            EXPECT_TRUE(a == b || of_a.second <= of_b.first || of_b.second <= of_a.first) << a << " " << b;
+}
+
+TEST_F(PaintCommand, MirroringTwiceChangesNothing) {
+    const auto before = patterns();
+    ASSERT_EQ(run("fretwork paint p.json --mirror --tiles 1-3").exit_code, 0);
+    EXPECT_EQ(patterns()[0], before[0]);
+    EXPECT_NE(patterns()[1], before[1]);
+    ASSERT_EQ(run("fretwork paint p.json --mirror --tiles 1-3").exit_code, 0);
+    EXPECT_EQ(patterns(), before);
+}
+
+TEST_F(PaintCommand, NoTileThereIsExitOneAndChangesNothing) {
+    const auto before = patterns();
+    const Outcome none = run("fretwork paint p.json --box 9,9,10,10 --patterns 0-5+5-6");
+    EXPECT_EQ(none.exit_code, 1);
+    EXPECT_EQ(patterns(), before);
+}
+
+TEST_F(PaintCommand, OptionsThatThePatternsDoNotGoWithAreRefused) {
+    for (const std::string bad :
+         {"", "--patterns 0-1+1-6 --dither", "--patterns 0-1+1-6 --palette 0-5+5-6",
+          "--patterns field:u --palette 0-1+1-6,0-5+5-6 --property stiffness",
+          "--patterns random:1 --palette 0-1+1-6=0", "--patterns colours:r.svg",
+          "--patterns field:u --palette 0-1+1-6 --range 0,1", "--patterns image:none.png --palette 0-1+1-6",
+          "--patterns 0-1+1-6 --box 0,0,1", "--patterns 0-1+1-6 --polygon 0,0,1,1"}) {
+        const Outcome refused = run("fretwork paint p.json " + bad);
+        EXPECT_EQ(refused.exit_code, 2) << bad << ": " << refused.out;
+        EXPECT_THAT(refused.err, testing::StartsWith("fretwork: ")) << bad;
+    }
+}
+
+TEST_F(PaintCommand, TellsOfBarsThatOverlap) {
+    EXPECT_EQ(run("fretwork paint p.json --patterns 0-1+1-6").err, "");
+    EXPECT_THAT(run("fretwork paint p.json --patterns 0-1+1-6 --clearance 30mm").err,
+                AllOf(HasSubstr("pairs of bars"), HasSubstr("in tiles 0, 1")));
+}
+
+TEST_F(PaintCommand, DrawingsShowNumbersOfTilesAndNodesWhereAskedFor) {
+    ASSERT_EQ(
+        run("fretwork tile experiments/outlines/specimen.svg --edge-length 40mm --out q.json").exit_code, 0);
+    ASSERT_EQ(run("fretwork export q.json --labels tiles,nodes --to q.svg").exit_code, 0)
+        << "a project that is not painted can be drawn";
+    const std::string text = base::read_text_file(folder_.path() / "q.svg");
+    EXPECT_THAT(text, AllOf(HasSubstr("numbers-of-tiles"), HasSubstr("numbers-of-interface-nodes"),
+                            HasSubstr("tile 3: not painted")));
+    ASSERT_EQ(run("fretwork draw 0-1+1-6 2-4+4-6 --out d.svg").exit_code, 0);
+    EXPECT_THAT(base::read_text_file(folder_.path() / "d.svg"),
+                AllOf(HasSubstr("2-4+4-6"), HasSubstr("0-1+1-6")));
+}
+
+}  // namespace
+}  // namespace fretwork::app

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is told of results: beams, comparisons, the range of linear ones, stable paths, modes.
+#include "cli/command.hpp"
+#include "support.hpp"
+
+#include <fretwork/base/text.hpp>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace fretwork::app {
+namespace {
+
+using nlohmann::json;
+using test::Outcome;
+using test::run_command;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+class ResultTools : public testing::Test {
+  protected:
+    ResultTools() {
+        EXPECT_EQ(run("fretwork tile experiments/outlines/specimen.svg --edge-length 60mm --patterns 0-1+1-6 "
+                      "--out p.json && fretwork case add p.json experiments/cases/cantilever.json && "
+                      "fretwork simulate p.json --out full.json && "
+                      "fretwork simulate p.json --model condensed --out condensed.json")
+                      .exit_code,
+                  0);
+    }
+    [[nodiscard]] Outcome run(const std::string& command) const {
+        return run_command(command, folder_.path());
+    }
+    test::TemporaryFolder folder_;
+};
+
+TEST_F(ResultTools, BeamsListTheMostStressedFirst) {
+    const Outcome told = run("fretwork beams p.json full.json --top 3 --strength 40MPa --json --out b.csv");
+    ASSERT_EQ(told.exit_code, 0) << told.err;
+    const json beams = json::parse(told.out).at("beams");
+    ASSERT_EQ(beams.size(), 3U);
+    const double worst = beams[0].at("largest_stress");
+    EXPECT_GE(worst, beams[1].at("largest_stress").get<double>());
+    EXPECT_NEAR(beams[0].at("utilization").get<double>(), worst / 40e6, 1e-12 * worst / 40e6);
+    // Of all beams in the table, none is worse.
+    const auto lines = base::split(base::read_text_file(folder_.path() / "b.csv"), '\n');
+    double largest = 0.0;
+    for (std::size_t i = 1; i + 1 < lines.size(); ++i)
+        largest = std::max(largest, std::stod(*(base::split(lines[i], ',').end() - 2)));
+    EXPECT_EQ(largest, worst);
+    EXPECT_EQ(run("fretwork beams p.json full.json --out b.csv").exit_code, 0) << "its own table is replaced";
+    EXPECT_EQ(run("fretwork beams p.json condensed.json").exit_code, 0) << "inner nodes are recovered";
+    EXPECT_EQ(run("fretwork beams p.json full.json --strength much").exit_code, 2);
+    ASSERT_EQ(run("fretwork paint p.json --patterns 0-5+5-6").exit_code, 0);
+    EXPECT_THAT(run("fretwork beams p.json full.json").err, HasSubstr("is no result of this project"));
+}
+
+TEST_F(ResultTools, ComparisonsAreATableForPeopleAndCsvIfAsked) {
+    const Outcome table = run("fretwork compare full.json condensed.json");
+    EXPECT_THAT(table.out, AllOf(HasSubstr("translation error"), HasSubstr(" mm"), HasSubstr("relative L2")));
+    const Outcome csv = run("fretwork compare full.json condensed.json --csv");
+    EXPECT_EQ(std::count(csv.out.begin(), csv.out.end(), '\n'), 2);
+    EXPECT_THAT(csv.out, StartsWith("example,width_m,height_m,max_displacement_m,"));
+    EXPECT_THAT(csv.out, HasSubstr(",relative_l2_error\n"));
+    EXPECT_FALSE(
+        json::parse(run("fretwork compare full.json condensed.json --json").out).at("full_is_unstable"));
+}
+
+TEST_F(ResultTools, LinearResultsSayWhenTheyAreOutOfTheirRange) {
+    folder_.file("far.json", R"({"format": "fretwork/load-case/1", "name": "far",
+        "supports": [{"side": "left", "fixed": ["ux", "uy", "uz", "rx", "ry", "rz"]}],
+        "loads": [{"side": "right", "force": [0, 0, -50], "amount": "total"}]})");
+    const Outcome far =
+        run("fretwork simulate p.json --case ./far.json --model condensed --json --out far_r.json");
+    EXPECT_EQ(far.exit_code, 0);
+    EXPECT_THAT(far.err, HasSubstr("too large for a linear solution"));
+    EXPECT_TRUE(json::parse(far.out).at("linear_range").at("is_exceeded"));
+    const Outcome near = run("fretwork simulate p.json --model condensed --json --out near.json");
+    EXPECT_EQ(near.err, "");
+    EXPECT_FALSE(json::parse(near.out).at("linear_range").at("is_exceeded"));
+    EXPECT_TRUE(
+        json::parse(run("fretwork simulate p.json --json --out x.json").out).at("linear_range").is_null());
+}
+
+TEST_F(ResultTools, StablePathsAndModesAreThereOnRequest) {
+    const Outcome stable = run(
+        "fretwork simulate p.json --branch stable --modes 2 --buckling 1 --json --out s.json --vtu s.vtu");
+    ASSERT_EQ(stable.exit_code, 0) << stable.err;
+    const json told = json::parse(stable.out);
+    ASSERT_EQ(told.at("frequencies").size(), 2U);
+    EXPECT_GT(told.at("frequencies")[0].get<double>(), 0.0);
+    EXPECT_LE(told.at("buckling_load_factors").size(), 1U);
+    EXPECT_THAT(base::read_text_file(folder_.path() / "s.vtu"),
+                AllOf(HasSubstr("Name=\"stress\""), HasSubstr("Name=\"radius\""), HasSubstr("pattern_names"),
+                      HasSubstr("vibration 2")));
+    EXPECT_EQ(run("fretwork simulate p.json --branch stable --model condensed --out x.json").exit_code, 2);
+    ASSERT_EQ(run("fretwork simulate p.json --steps 4 --out st.json --vtu st.vtu").exit_code, 0);
+    EXPECT_THAT(base::read_text_file(folder_.path() / "st.vtu"),
+                AllOf(HasSubstr("TimeValues=\"0.25 0.5 0.75 1\""), HasSubstr("TimeStep=\"3\"")));
+}
+
+TEST_F(ResultTools, SlipsOfUnitsAndNamesAreRefusedWithWhatIsMeant) {
+    const std::string tile = "fretwork tile experiments/outlines/specimen.svg --out q.json --edge-length ";
+    EXPECT_THAT(run(tile + "26").err, HasSubstr("did you mean 0.026"));
+    EXPECT_EQ(run(tile + "''").exit_code, 2);
+    EXPECT_THAT(run("fretwork simulate p.json --model foo --out x.json").err, HasSubstr("mixed:SHARE"));
+    EXPECT_THAT(run("fretwork simulate p.json --steps 0 --out x.json").err, HasSubstr("number of steps"));
+    EXPECT_THAT(run("fretwork export p.json --to x.png --colour stress").err, HasSubstr("--result"));
+    EXPECT_EQ(run("fretwork export p.json --result full.json --to x.png --view 1e300,0").exit_code, 2);
+    EXPECT_THAT(run("fretwork export p.json --result full.json --to x.png --colour utilization").err,
+                HasSubstr("--strength"));
+}
+
+}  // namespace
+}  // namespace fretwork::app

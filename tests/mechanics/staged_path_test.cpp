@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sample.hpp"
+
+#include <fretwork/mechanics/staged_path.hpp>
+
+#include <gtest/gtest.h>
+
+namespace fretwork::mechanics {
+namespace {
+
+constexpr double kRise = 0.02;
+
+/// Two strips, pinned 0.4 m apart, that meet 20 mm above: it has two stable states without load.
+Frame bistable_arch() {
+    Frame frame;
+    frame.nodes = {{0, 0, 0}, {0.2, 0, kRise}, {0.4, 0, 0}};
+    for (int i = 0; i < 2; ++i) {
+        frame.beams.push_back(sample::beam_between(i, i + 1));
+        frame.beams.back().section = rectangle_section(0.02, 0.002);  // strips do not buckle sideways
+        frame.beams.back().divisions = 6;
+    }
+    return frame;
+}
+
+std::vector<Support> pins() {
+    // The feet turn about y only, and the middle stays upright.
+    return {{NodeIndex(0), {{true, true, true, true, false, true}}},
+            {NodeIndex(2), {{true, true, true, true, false, true}}},
+            {NodeIndex(1), {{true, true, false, true, true, true}}}};
+}
+
+NodeValues no_loads(const Assembly& assembly) {
+    return NodeValues::Zero(std::ssize(assembly.nodes), kDofsPerNode);
+}
+
+TEST(StagedPath, AnArchThatIsPushedThroughAndFreedStaysThere) {
+    const Assembly assembly = assemble(bistable_arch());
+    StagedPath path(assembly, Snaps::Stop);
+    const Solution pushed =
+        path.advance({pins(), {{NodeIndex(1), Dof::uz, -1.9 * kRise}}, no_loads(assembly)});
+    ASSERT_TRUE(pushed.converged());
+    EXPECT_NEAR(pushed.displacements(1, 2), -1.9 * kRise, 1e-12);
+    const Solution freed = path.advance({pins(), {}, no_loads(assembly)});
+    ASSERT_TRUE(freed.converged());
+    EXPECT_TRUE(freed.stable);
+    EXPECT_LT(freed.displacements(1, 2), -1.4 * kRise) << "it does not come back";
+    EXPECT_LT(freed.reactions.leftCols<3>().row(1).norm(), 1e-9);
+}
+
+TEST(StagedPath, WhatIsKeptBearsTheLoadThatPressedIt) {
+    const Assembly assembly = assemble(bistable_arch());
+    StagedPath path(assembly, Snaps::Stop);
+    NodeValues loads = no_loads(assembly);
+    loads(1, 2) = -0.2;
+    const Solution pressed = path.advance({pins(), {}, loads});
+    ASSERT_TRUE(pressed.converged());
+    const double there = pressed.displacements(1, 2);
+    const Solution kept = path.advance({pins(), {{NodeIndex(1), Dof::uz, there}}, no_loads(assembly)});
+    ASSERT_TRUE(kept.converged());
+    EXPECT_EQ(kept.displacements(1, 2), there);
+    EXPECT_NEAR(kept.reactions(1, 2), -0.2, 1e-6);
+    const Solution freed = path.advance({pins(), {}, no_loads(assembly)});
+    ASSERT_TRUE(freed.converged());
+    EXPECT_LT(freed.displacements.norm(), 1e-7) << "within the elastic range it comes back to rest";
+}
+
+TEST(StagedPath, OneStageIsTheLoadPath) {
+    const Frame star = sample::star();
+    const Assembly assembly = assemble(star);
+    StagedPath path(assembly, Snaps::Stop);
+    const Solution staged = path.advance({star.supports, {}, assembly.loads});
+    const Solution whole = follow_load_path(assembly, std::vector{1.0}).back();
+    ASSERT_TRUE(staged.converged());
+    EXPECT_LT((staged.displacements - whole.displacements).norm(), 1e-8 * whole.displacements.norm());
+}
+
+TEST(StagedPath, SnapsAreCrossedOnRequestAndTold) {
+    Frame shallow = bistable_arch();
+    shallow.nodes[1].z() = 0.006;
+    const Assembly assembly = assemble(shallow);
+    const std::vector<Support> clamps = {{NodeIndex(0), DofSet::all()},
+                                         {NodeIndex(2), DofSet::all()},
+                                         {NodeIndex(1), {{true, true, false, true, true, true}}}};
+    NodeValues loads = no_loads(assembly);
+    loads(1, 2) = -3.0;
+    StagedPath stopping(assembly, Snaps::Stop);
+    const Solution stopped = stopping.advance({clamps, {}, loads});
+    EXPECT_EQ(stopped.termination, Termination::LimitLoad);
+    StagedPath crossing(assembly, Snaps::Cross);
+    const Solution snapped = crossing.advance({clamps, {}, loads});
+    ASSERT_TRUE(snapped.converged());
+    EXPECT_TRUE(snapped.stable);
+    EXPECT_LT(snapped.displacements(1, 2), -0.012);
+    ASSERT_EQ(snapped.stability_losses.size(), 1U);
+    EXPECT_EQ(snapped.stability_losses[0].node, NodeIndex(1));
+    EXPECT_NEAR(snapped.stability_losses[0].load_factor, stopped.load_factor, 5e-3);
+}
+
+}  // namespace
+}  // namespace fretwork::mechanics

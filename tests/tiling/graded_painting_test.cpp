@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Painting by fields, and by the colours of a drawing.
+#include "support.hpp"
+
+#include <fretwork/tiling/coloured_drawing.hpp>
+#include <fretwork/tiling/field.hpp>
+#include <fretwork/tiling/graded_painting.hpp>
+#include <fretwork/tiling/tile_choice.hpp>
+
+#include <numeric>
+
+namespace fretwork::tiling {
+namespace {
+
+using test::complaint_of;
+using test::TemporaryFolder;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+/// A row of unit squares: tile i from x = i to i + 1; neighbours share an interface node.
+Tessellation row_of_squares(int count) {
+    Tessellation row;
+    row.layout = "paper7";
+    for (int i = 0; i <= count; ++i) {
+        row.vertices.push_back({static_cast<double>(i), 0.0});
+        row.vertices.push_back({static_cast<double>(i), 1.0});
+        row.interface_nodes.push_back({static_cast<double>(i), 0.5});
+    }
+    for (int i = 0; i < count; ++i) {
+        Tile tile;
+        for (const int vertex : {2 * i, 2 * i + 2, 2 * i + 3, 2 * i + 1}) tile.vertices.emplace_back(vertex);
+        tile.interface_nodes = {InterfaceIndex(i), InterfaceIndex(i + 1)};
+        row.tiles.push_back(tile);
+    }
+    return row;
+}
+
+std::vector<TileIndex> all(const Tessellation& tessellation) {
+    std::vector<TileIndex> tiles;
+    for (std::size_t t = 0; t < tessellation.tiles.size(); ++t) tiles.emplace_back(t);
+    return tiles;
+}
+
+const std::vector<GradedPattern> kSoftAndStiff = {{"soft", 1.0}, {"stiff", 3.0}};
+
+TEST(GradedPainting, TakesThePatternWhoseValueIsNearest) {
+    const Tessellation row = row_of_squares(4);
+    const std::vector<double> wanted = {0.0, 1.9, 2.1, 9.0};
+    const Painting painting = graded_painting(row, all(row), kSoftAndStiff, wanted, Dithering::None);
+    EXPECT_THAT(painting.tiles, ElementsAre(0, 0, 1, 1));
+}
+
+TEST(GradedPainting, DitheringKeepsTheMeanOfTheWantedValues) {
+    constexpr int kTiles = 400;
+    const Tessellation row = row_of_squares(kTiles);
+    for (const double wanted : {1.0, 1.25, 1.7, 2.0, 2.9, 3.0}) {
+        const Painting painting = graded_painting(
+            row, all(row), kSoftAndStiff, std::vector<double>(kTiles, wanted), Dithering::ErrorDiffusion);
+        const double stiff = std::accumulate(painting.tiles.begin(), painting.tiles.end(), 0.0);
+        // What is handed on never exceeds half of the distance between two patterns, and the last tile keeps
+        // it.
+        EXPECT_NEAR(1.0 + 2.0 * stiff / kTiles, wanted, 1.0 / kTiles) << wanted;
+    }
+}
+
+TEST(GradedPainting, DitheringHandsNothingOnBeyondTheReachOfThePatterns) {
+    const Tessellation row = row_of_squares(8);
+    const std::vector<double> wanted = {100, 100, 100, 100, 1, 1, 1, 1};
+    const Painting painting =
+        graded_painting(row, all(row), kSoftAndStiff, wanted, Dithering::ErrorDiffusion);
+    EXPECT_THAT(painting.tiles, ElementsAre(1, 1, 1, 1, 0, 0, 0, 0));
+}
+
+TEST(Field, ExpressionsKnowPlacesInMetresAndInShares) {
+    const PlaneBox box{{10, 20}, {12, 24}};
+    const std::vector<pattern::Point2> points = {{10, 20}, {11, 24}};
+    EXPECT_THAT(expression_values("x + 100*y", box, points), ElementsAre(2010, 2411));
+    EXPECT_THAT(expression_values("u + 100*v", box, points), ElementsAre(0, 100.5));
+    EXPECT_THAT(expression_values("x > 10.5 ? 1 : 0", box, points), ElementsAre(0, 1));
+}
+
+TEST(Field, RefusesWhatHasNoFiniteValue) {
+    const std::vector<pattern::Point2> points = {{0, 0}};
+    const auto complaint = [&](const std::string& expression) {
+        return complaint_of([&] { (void)expression_values(expression, {{0, 0}, {1, 1}}, points); });
+    };
+    EXPECT_THAT(complaint("1/x"), HasSubstr("no finite value at x = 0"));
+    EXPECT_THAT(complaint("sin("), HasSubstr("Variables: x, y"));
+    EXPECT_THAT(complaint("z"), HasSubstr("z"));
+    EXPECT_THAT(complaint(""), HasSubstr("Variables"));
+}
+
+TEST(Field, ImagesThatAreNoneAreRefused) {
+    const TemporaryFolder folder;
+    const auto file = folder.file("grey.png", "no image");
+    EXPECT_THAT(complaint_of([&] { (void)image_values(file, {}, {}); }), HasSubstr("grey.png"));
+}
+
+TEST(TileChoice, NumbersAndRangesAreTilesOnce) {
+    const Tessellation row = row_of_squares(6);
+    EXPECT_THAT(parse_tiles("4,0-2,1", row), ElementsAre(0, 1, 2, 4));
+    for (const char* bad : {"6", "", "2-1", "-1", "1-2-3", "a"})
+        EXPECT_NE(complaint_of([&] { (void)parse_tiles(bad, row); }), "") << bad;
+}
+
+TEST(TileChoice, ATileLiesWhereItsMiddleDoes) {
+    const Tessellation row = row_of_squares(4);
+    EXPECT_THAT(tiles_in(PlaneBox{{0.6, 0}, {2.5, 1}}, row), ElementsAre(1, 2));
+    EXPECT_THAT(tiles_in(pattern::Polygon{{0, 0}, {2, 0}, {2, 1}, {0, 1}}, row), ElementsAre(0, 1));
+    EXPECT_THAT(tiles_in(pattern::Polygon{{0, 1}, {2, 1}, {2, 0}, {0, 0}}, row), ElementsAre(0, 1))
+        << "clockwise means the same";
+}
+
+TEST(Painting, SomeTilesArePaintedAndTheOthersKeepTheirs) {
+    Tessellation row = row_of_squares(4);
+    paint_uniformly(row, "a");
+    paint_tiles(row, std::vector{TileIndex(1), TileIndex(2)}, {{"b", "c"}, {1, 0}});
+    EXPECT_THAT(row.patterns, ElementsAre("a", "b", "c"));
+    paint_tiles(row, std::vector{TileIndex(0), TileIndex(3)}, {{"b"}, {0, 0}});
+    EXPECT_THAT(row.patterns, ElementsAre("b", "c")) << "no tile has a any more";
+    EXPECT_EQ(row.tiles[1].pattern, 1);
+    EXPECT_EQ(row.tiles[3].pattern, 0);
+}
+
+TEST(Painting, WeightsAreChances) {
+    const Painting painting =
+        random_painting(20'000, std::vector<WeightedPattern>{{"a", 3.0}, {"b", 1.0}}, 5);
+    const double share = std::accumulate(painting.tiles.begin(), painting.tiles.end(), 0.0) / 20'000;
+    // Five standard deviations of a share of 1/4 among 20,000.
+    EXPECT_NEAR(share, 0.25, 5 * 0.0031);
+}
+
+constexpr const char* kDrawing =
+    R"svg(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 300 100" width="300mm" height="100mm">
+<style>.blue { fill: rgb(0, 0, 255) }</style>
+<clipPath id="low"><rect y="50" width="300" height="50"/></clipPath>
+<rect width="300" height="100" fill="red"/>
+<g color="lime"><rect x="100" width="100" height="100" fill="currentColor" clip-path="url(#low)"/></g>
+<path class="blue" d="M200 0h100v100h-100z M220 20h60v60h-60z" fill-rule="evenodd"/></svg>)svg";
+
+TEST(ColouredDrawing, ShowsTheColourThatIsPaintedLast) {
+    const TemporaryFolder folder;
+    const ColouredDrawing drawing(folder.file("regions.svg", kDrawing));
+    EXPECT_THAT(drawing.colours(), ElementsAre("#ff0000", "#00ff00", "#0000ff"));
+    EXPECT_EQ(drawing.colour_at({0.05, 0.05}), "#ff0000");
+    EXPECT_EQ(drawing.colour_at({0.15, 0.02}), "#00ff00") << "y runs upwards";
+    EXPECT_EQ(drawing.colour_at({0.15, 0.08}), "#ff0000") << "clipped away";
+    EXPECT_EQ(drawing.colour_at({0.21, 0.05}), "#0000ff");
+    EXPECT_EQ(drawing.colour_at({0.25, 0.05}), "#ff0000") << "seen through the hole";
+    EXPECT_EQ(drawing.colour_at({0.5, 0.05}), std::nullopt);
+}
+
+TEST(ColouredDrawing, ColoursAreThoseOfCss) {
+    for (const char* red :
+         {"red", "RED", "#f00", "#ff0000", "rgb(255, 0, 0)", "rgb(100% 0% 0% / 50%)", "#f00f"})
+        EXPECT_EQ(parse_colour(red), "#ff0000") << red;
+    EXPECT_EQ(parse_colour("rebeccapurple"), "#663399");
+    EXPECT_NE(complaint_of([] { (void)parse_colour("reddish"); }), "");
+}
+
+}  // namespace
+}  // namespace fretwork::tiling
