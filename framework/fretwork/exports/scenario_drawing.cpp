@@ -105,7 +105,10 @@ Cell make_cell(const pattern::NodeLayout& layout, const ReducedPattern& pattern,
 class CellPen {
   public:
     CellPen(SvgCanvas& canvas, const Surface& surface)
-        : canvas_(canvas), surface_(surface), side_(surface.setting.tile_side), bar_(detail::beam_width(surface)) {}
+        : canvas_(canvas),
+          surface_(surface),
+          side_(surface.setting.tile_side),
+          bar_(detail::beam_width(surface)) {}
 
     void draw(const Cell& cell, const Point2& middle) {
         canvas_.layer(cell.scenario->name);
@@ -118,7 +121,8 @@ class CellPen {
             mark.place = moved(mark.place, middle);
             draw_support(canvas_, mark, kBall * side_);
         }
-        for (detail::LoadMark mark : detail::load_marks(surface_, cell.conditions, projection_, kReach * side_)) {
+        for (detail::LoadMark mark :
+             detail::load_marks(surface_, cell.conditions, projection_, kReach * side_)) {
             mark.from = moved(mark.from, middle);
             mark.to = moved(mark.to, middle);
             draw_load(canvas_, mark);

@@ -81,7 +81,8 @@ std::vector<std::size_t> connected_groups(const tiling::Tessellation& tessellati
             if (neighbor == tile_of_side.end()) {
                 tile_of_side[{from, to}] = t;
             } else if (cells[neighbor->second] == cells[t]) {
-                const std::pair<std::size_t, std::size_t> roots = std::minmax({root(neighbor->second), root(t)});
+                const std::pair<std::size_t, std::size_t> roots =
+                    std::minmax({root(neighbor->second), root(t)});
                 parent[roots.second] = roots.first;
             }
         }
