@@ -14,9 +14,14 @@ using nonlinear::Configuration;
 /// Shares of a stage.
 constexpr double kFirstStep = 0.1;
 constexpr double kShortestStep = 1.0 / 2048.0;
-/// A step may move no node by more than this (rad, or element lengths), or it is halved: Newton's method
-/// could have found an equilibrium far away.
-constexpr double kLargestMove = 1.0;
+/// A stage begins, and goes on after a jump, with a short step: only then is it known how fast things move.
+constexpr double kProbingStep = 1.0 / 256.0;
+/// Newton's method may find an equilibrium far away, to which the structure would snap. A step that moves so
+/// many times as fast as the one before is halved, and so is a first one that moves farther than the second
+/// of these (rad, or element lengths); moves as small as the third are no jumps.
+constexpr double kLargestGrowth = 3.0;
+constexpr double kLargestProbe = 0.1;
+constexpr double kSmallMove = 1e-3;
 /// How far an unstable equilibrium is pushed along its lowest mode, in the same unit.
 constexpr double kPush = 0.02;
 
@@ -59,18 +64,21 @@ class StagedPath::Impl {
         system.evaluate(state_, 1.0);
         if (is_at_rest_) newton.factorize_at_rest();
         double reached = 0.0;
-        double step = kFirstStep;
+        double step = kProbingStep;
+        speed_ = 0.0;
         Termination termination = Termination::Converged;
         while (reached < 1.0 && termination == Termination::Converged) {
             options_.control.check();
             const double next = reached + step > 1.0 - 0.5 * kShortestStep ? 1.0 : reached + step;
-            if (try_step(next, system, newton)) {
+            if (try_step(next, next - reached, system, newton)) {
                 reached = next;
                 step = std::min(2.0 * step, kFirstStep);
             } else if (step > kShortestStep) {
                 step *= 0.5;
             } else if (snaps_ == Snaps::Cross && snap_to(next, system, newton)) {
                 reached = next;
+                step = kProbingStep;
+                speed_ = 0.0;
             } else {
                 termination = Termination::LimitLoad;
             }
@@ -114,14 +122,22 @@ class StagedPath::Impl {
         return trial;
     }
 
-    bool try_step(double share, nonlinear::NonlinearSystem& system, nonlinear::Newton& newton) {
+    /// Whether a step has moved farther than the path can have gone.
+    [[nodiscard]] bool is_jump(double moved, double step) const {
+        if (moved <= kSmallMove) return false;
+        return speed_ > 0.0 ? moved > kLargestGrowth * speed_ * step : moved > kLargestProbe;
+    }
+
+    bool try_step(double share, double step, nonlinear::NonlinearSystem& system, nonlinear::Newton& newton) {
         Configuration trial = held_at(share, system);
         if (newton.solve(1.0, trial) != Termination::Converged) return false;
         system.unknowns().unwind(state_, trial);
-        if (system.unknowns().largest_component(system.unknowns().step_between(state_, trial)) > kLargestMove)
-            return false;
+        const double moved =
+            system.unknowns().largest_component(system.unknowns().step_between(state_, trial));
+        if (is_jump(moved, step)) return false;
         if (!newton.factorize().positive_definite()) return leave(share, trial, system, newton);
         state_ = std::move(trial);
+        speed_ = std::max(moved, kSmallMove) / step;
         return true;
     }
 
@@ -175,9 +191,10 @@ class StagedPath::Impl {
     EquilibriumOptions options_;
     Configuration state_;  ///< the last equilibrium
     bool is_at_rest_ = true;
-    HeldValues held_;   ///< at the end of the stage
-    HeldValues from_;   ///< the same components at its beginning
-    NodeValues loads_;  ///< at the last equilibrium
+    double speed_ = 0.0;  ///< of the last step, in rad or element lengths a stage; 0: not known
+    HeldValues held_;     ///< at the end of the stage
+    HeldValues from_;     ///< the same components at its beginning
+    NodeValues loads_;    ///< at the last equilibrium
     NodeValues reactions_;
     NodeValues from_loads_;
     NodeValues to_loads_;
