@@ -55,12 +55,15 @@ export function SpaceView() {
   );
 }
 
+/** How much room what is told of it needs beside it. */
+const CARD_PX = { node: 250, beam: 430 };
+
 function placePin(pin: HTMLDivElement | null, view: SceneView, box: HTMLElement): void {
   if (!pin) return;
   const at = probed.peek();
   const seen = at && onScreen(probedPlace(at), view.stage.camera, { width: box.clientWidth, height: box.clientHeight });
   pin.hidden = !seen;
   if (!seen) return;
-  const left = seen[0] > box.clientWidth - 250;
+  const left = seen[0] > box.clientWidth - CARD_PX[at.kind];
   pin.style.transform = `translate(${seen[0]}px, ${seen[1]}px) translate(${left ? 'calc(-100% - 16px)' : '16px'}, -50%)`;
 }
