@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What it takes to make things of a surface: squares of about so many tiles of the paper's size, painted with
 // 80 patterns by chance, some 38 beams a tile.
+#include <fretwork/fabrication/narrow_places.hpp>
 #include <fretwork/fabrication/shape.hpp>
+#include <fretwork/fabrication/sheets.hpp>
+#include <fretwork/fabrication/solid.hpp>
 #include <fretwork/pattern/enumerate.hpp>
 #include <fretwork/simulation/project.hpp>
 #include <fretwork/tiling/painting.hpp>
@@ -49,6 +52,31 @@ void outline(benchmark::State& state) {
     state.counters["openings"] = static_cast<double>(openings);
 }
 BENCHMARK(outline)->Arg(500)->Arg(2000)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+void solid(benchmark::State& state) {
+    const Shape shape = make_shape(surface_of(static_cast<int>(state.range(0))));
+    std::size_t triangles = 0;
+    for (auto _ : state) triangles = make_solid(shape).triangles.size();
+    state.counters["triangles"] = static_cast<double>(triangles);
+}
+BENCHMARK(solid)->Arg(500)->Arg(2000)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+void narrow(benchmark::State& state) {
+    const BarPlan plan = bar_plan(surface_of(static_cast<int>(state.range(0))));
+    const Shape shape = make_shape(plan, {});
+    std::size_t places = 0;
+    for (auto _ : state) places = narrow_places(shape, plan, 5e-4).size();
+    state.counters["places"] = static_cast<double>(places);
+}
+BENCHMARK(narrow)->Arg(500)->Arg(2000)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+void sheets(benchmark::State& state) {
+    const simulation::Surface& surface = surface_of(static_cast<int>(state.range(0)));
+    std::size_t parts = 0;
+    for (auto _ : state) parts = cut_into_sheets(surface, {}, {.width = 0.6, .height = 0.4}).parts;
+    state.counters["parts"] = static_cast<double>(parts);
+}
+BENCHMARK(sheets)->Arg(500)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 }  // namespace
 }  // namespace fretwork::fabrication

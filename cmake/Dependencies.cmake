@@ -39,6 +39,12 @@ if(NOT FRETWORK_ONLY_LIGHT_STAGES)
     set_target_properties(muparser::library PROPERTIES IMPORTED_LOCATION "${MUPARSER_LIBRARY}"
                                                        INTERFACE_INCLUDE_DIRECTORIES "${MUPARSER_INCLUDE_DIR}")
   endif()
+  # exports: 3MF. Debian's CMake package of it asks for its programs, too.
+  find_library(ZIP_LIBRARY zip REQUIRED)
+  find_path(ZIP_INCLUDE_DIR zip.h REQUIRED)
+  add_library(libzip::zip UNKNOWN IMPORTED)
+  set_target_properties(libzip::zip PROPERTIES IMPORTED_LOCATION "${ZIP_LIBRARY}"
+                                               INTERFACE_INCLUDE_DIRECTORIES "${ZIP_INCLUDE_DIR}")
   find_package(CLI11 2.1 REQUIRED)                             # apps: the command line
   find_library(CLIPPER_LIBRARY polyclipping REQUIRED)          # fabrication: Booleans (Debian ships no CMake package)
   find_path(CLIPPER_INCLUDE_DIR polyclipping/clipper.hpp REQUIRED)

@@ -4,11 +4,13 @@
 #include "file_options.hpp"
 #include "ignored_options.hpp"
 #include "interrupt.hpp"
+#include "making_options.hpp"
 #include "surface_result.hpp"
 #include "verbs.hpp"
 
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/file.hpp>
+#include <fretwork/base/internal/json_text.hpp>
 #include <fretwork/base/quantity.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/exports/bar_scene.hpp>
@@ -20,6 +22,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
 #include <memory>
 
@@ -38,6 +41,9 @@ struct Options {
     std::string colour;
     std::string strength;
     std::vector<std::string> labels;
+    std::string content;
+    MakingTexts making;
+    bool json = false;
 };
 
 /// Beyond this a drawing of any surface shows nothing.
@@ -79,22 +85,35 @@ void check_own_result(const mechanics::Result& result, const std::string& file, 
     }
 }
 
-/// Options that only drawings look at.
+const exports::WriterRow& writer_of(const Options& options, const std::string& path) {
+    const auto content =
+        options.content.empty() ? std::nullopt : std::optional(exports::parse_content(options.content));
+    return exports::find_writer(path, content);
+}
+
+/// Options that only some kinds of files look at.
 void refuse_ignored_options(const CLI::App& verb, const Options& options) {
+    std::vector<const exports::WriterRow*> writers;
+    for (const std::string& path : options.to) writers.push_back(&writer_of(options, path));
+    refuse_ignored_making(verb, writers);
     const auto has = [&](bool (exports::WriterRow::*is)() const) {
-        return std::ranges::any_of(
-            options.to, [&](const std::string& path) { return (exports::find_writer(path).*is)(); });
+        return std::ranges::any_of(writers, [&](const auto* writer) { return (writer->*is)(); });
     };
-    if (!has(&exports::WriterRow::is_drawing))
-        refuse_given(verb, {"--case", "--scale", "--view", "--labels"},
+    const bool has_facts = std::ranges::any_of(
+        writers, [](const auto* writer) { return writer->content == exports::Content::Facts; });
+    if (!has(&exports::WriterRow::is_drawing)) {
+        refuse_given(verb, {"--scale", "--view", "--labels"},
                      "is for drawings, and no --to names one (.svg, .png, .html)");
+        if (options.making.bolts.empty() && !has_facts)
+            refuse_given(verb, {"--case"}, "is for drawings, facts and --bolts, and there is none of them");
+    }
     if (!has(&exports::WriterRow::is_picture))
         refuse_given(verb, {"--colour"}, "is for pictures, and no --to names one (.png, .html)");
     if (options.results.empty() && options.colour != "plain")
         refuse_given(verb, {"--colour"},
                      "shows what a result has, and there is no --result; plain needs none");
     const bool has_pixels = std::ranges::any_of(
-        options.to, [](const std::string& path) { return exports::find_writer(path).ending == ".png"; });
+        options.to, [&](const std::string& path) { return writer_of(options, path).ending == ".png"; });
     if (!has_pixels)
         refuse_given(verb, {"--size"}, "is for pictures made of pixels, and no --to names one (.png)");
 }
@@ -148,6 +167,7 @@ exports::Scene make_scene(const Options& options, const base::Control& control) 
         const simulation::LoadCase load_case = simulation::find_load_case(project, options.load_case);
         check_load_case(load_case, options, scene);
         scene.conditions = simulation::resolve(load_case, scene.surface);
+        scene.load_case = load_case;
     }
     scene.displacement_scale = read_scale(options.scale);
     if (!options.view.empty()) scene.view = read_option("--view", options.view, exports::parse_view);
@@ -157,28 +177,46 @@ exports::Scene make_scene(const Options& options, const base::Control& control) 
     for (const std::string& what : options.labels)
         (what == "tiles" ? scene.labels.tiles : scene.labels.interface_nodes) =
             exports::DrawnLabels::Shown::Yes;
+    scene.making = read_making(options.making, scene.conditions ? &*scene.conditions : nullptr);
+    scene.making.facts.strength = scene.strength;
+    scene.control = control;
     return scene;
 }
 
 void run(const Options& options) {
-    for (const std::string& path : options.to) (void)exports::find_writer(path);
+    for (const std::string& path : options.to) (void)writer_of(options, path);
     (void)read_scale(options.scale);
     LongWork work;
     const base::Control control = work.control();
     const exports::Scene scene = make_scene(options, control);
     base::FileBatch files;
+    base::Json report = {{"files", base::Json::array()}};
     for (const std::string& path : options.to) {
         control.check();
-        files.add(path, exports::find_writer(path).text(scene));
+        const exports::WriterRow& writer = writer_of(options, path);
+        const std::string text = writer.text(scene);
+        files.add(path, text);
+        report["files"].push_back({{"path", path},
+                                   {"content", exports::content_name(writer.content)},
+                                   {"unit", exports::unit_of(writer)},
+                                   {"bytes", text.size()}});
     }
     control.check();
     files.commit();
+    if (options.json) std::fputs(base::json_text(report).c_str(), stdout);
+}
+
+/// What an ending means without --content.
+bool is_default(const exports::WriterRow& writer) {
+    return &exports::find_writer("file" + std::string(writer.ending)) == &writer;
 }
 
 std::string kinds_help() {
     std::string text = "File to write; its ending says what kind (repeatable):";
     for (const exports::WriterRow& writer : exports::writer_catalogue()) {
-        text += "\n  " + std::string(writer.ending) + ": " + std::string(writer.description);
+        text += "\n  " + std::string(writer.ending) +
+                (is_default(writer) ? "" : " --content " + std::string(content_name(writer.content))) + ": " +
+                std::string(writer.description);
     }
     return text;
 }
@@ -191,7 +229,12 @@ void add_export(CLI::App& app, ExitCode&) {
     const auto options = std::make_shared<Options>();
     verb->add_option("project", options->project, "Project file")->required();
     verb->add_option("--to", options->to, kinds_help())->required()->allow_extra_args(false);
-    verb->add_option("--case", options->load_case, "Load case whose supports and loads are drawn");
+    verb->add_option("--content", options->content,
+                     "What to write, where an ending has several: drawing, centrelines, cut, solid or facts");
+    verb->add_option(
+        "--case", options->load_case,
+        "Load case whose supports and loads are drawn; facts are told for it, and --bolts are at its "
+        "supports");
     verb->add_option("--result", options->results,
                      "Result file of this project (repeatable: drawn over each other)")
         ->allow_extra_args(false);
@@ -218,12 +261,18 @@ void add_export(CLI::App& app, ExitCode&) {
         ->delimiter(',')
         ->check(CLI::IsMember({"tiles", "nodes"}))
         ->type_name("WHAT");
+    add_making_options(*verb, options->making);
+    verb->add_flag("--json", options->json, "Print what was written as JSON");
     declare_files(*verb,
                   {input("project"), output("--to", kExportFile), input("--result"), input("--library")});
     verb->footer(
         "Example: fretwork export project.json --result full.json --result condensed.json --to deformed.svg\n"
         "         fretwork export project.json --result full.json --to view.html --to picture.png --view "
-        "-35,25");
+        "-35,25\n"
+        "         fretwork export project.json --to cut.dxf --kerf 0.15mm --fillet 0.5mm --bed 600x400\n"
+        "         fretwork export project.json --to solid.stl --to solid.3mf --frame 4mm\n"
+        "         fretwork export project.json --content facts --case hanging --strength 50MPa --to "
+        "facts.html");
     verb->callback([options, verb] {
         refuse_ignored_options(*verb, *options);
         run(*options);

@@ -34,8 +34,8 @@ inline constexpr FileKind kListFile{"a list", ".txt .csv", "", is_list_of_patter
 inline constexpr FileKind kSvgFile{"a drawing", ".svg", "", says_who_made_it};
 inline constexpr FileKind kVtuFile{"a file for ParaView", ".vtu", "", says_who_made_it};
 inline constexpr FileKind kDeckFile{"an input deck", ".inp", "", says_who_made_it};
-/// Drawings, meshes, and tables of nodes.
-inline constexpr FileKind kExportFile{"a drawing or a mesh", "", "", [](std::string_view start) {
+/// Drawings, meshes, tables of nodes, and facts of what is made.
+inline constexpr FileKind kExportFile{"a drawing or a mesh", "", "facts", [](std::string_view start) {
                                           return says_who_made_it(start) || is_our_table(start);
                                       }};
 

@@ -149,15 +149,22 @@ void read_drawing(const Target& target, exports::Scene& scene) {
     if (const std::string colour = target.value("colour"); !colour.empty()) scene.picture.colour = colour;
 }
 
+const exports::WriterRow& find_target_writer(const Target& target) {
+    const std::string content = target.value("content");
+    const auto wanted = content.empty() ? std::nullopt : std::optional(exports::parse_content(content));
+    return exports::find_writer(target.value("to"), wanted);
+}
+
 /// A file as `fretwork export` writes it. `solved` may be null.
 std::string exported(const Target& target, const Situation& situation, const SolvedPtr& solved) {
-    const exports::WriterRow& writer = exports::find_writer(target.value("to"));
+    const exports::WriterRow& writer = find_target_writer(target);
     const State& state = *situation.state;
     exports::Scene scene{open_surface(state).surface};
     read_drawing(target, scene);
     if (!state.load_cases->empty()) {
         const simulation::LoadCase load_case = load_case_of(situation);
         scene.conditions = simulation::resolve(load_case, scene.surface);
+        scene.load_case = load_case;
         if (solved) {
             scene.results.push_back({solved->model, solved->result});
             scene.results.front().result.subject = simulation::result_subject(

@@ -56,6 +56,7 @@ const std::map<std::string, std::set<std::string>> kFences = {
     {"png.h", {"tiling", "exports"}},
     {"muParser", {"tiling"}},
     {"polyclipping/", {"fabrication"}},
+    {"zip.h", {"exports"}},
     {"simdjson", {"base"}},
     {"nlohmann/",
      {"base", "pattern", "mechanics", "optimization", "reduction", "library", "tiling", "simulation",

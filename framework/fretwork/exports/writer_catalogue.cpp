@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/text.hpp>
+#include <fretwork/exports/cut_files.hpp>
+#include <fretwork/exports/facts_report.hpp>
 #include <fretwork/exports/line_files.hpp>
 #include <fretwork/exports/picture.hpp>
+#include <fretwork/exports/solid_files.hpp>
 #include <fretwork/exports/surface_drawing.hpp>
 #include <fretwork/exports/view_page.hpp>
 #include <fretwork/exports/writer_catalogue.hpp>
 
+#include <algorithm>
 #include <array>
 
 namespace fretwork::exports {
@@ -41,33 +45,107 @@ std::string svg_text(const Scene& scene) {
     return layers.size() == 1 ? displacement_svg(layers.front(), options) : deformed_svg(layers, options);
 }
 
-constexpr std::array<WriterRow, 7> kWriters = {{
-    {".svg",
+/// What is made does not depend on results, but those that are given must be the surface's.
+fabrication::ShapeOptions making(const Scene& scene) {
+    for (const Scene::LabelledResult& entry : scene.results)
+        require_same_surface(scene.surface, entry.result);
+    fabrication::ShapeOptions options = scene.making.shape;
+    options.control = scene.control;
+    return options;
+}
+
+fabrication::CutSheet cut_sheet(const Scene& scene) {
+    const fabrication::ShapeOptions options = making(scene);
+    if (!scene.making.bed) return fabrication::whole_sheet(scene.surface, options);
+    return side_by_side(cut_into_sheets(scene.surface, options, *scene.making.bed), *scene.making.bed);
+}
+
+FactsOfScene scene_facts(const Scene& scene) {
+    fabrication::FactsOptions options = scene.making.facts;
+    options.control = scene.control;
+    const fabrication::FactsLoads loads{scene.load_case ? &*scene.load_case : nullptr,
+                                        scene.results.empty() ? nullptr : &scene.results.front().result};
+    const fabrication::ShapeOptions shape = making(scene);
+    return {facts(scene.surface, shape, loads, options), fabrication::whole_sheet(scene.surface, shape)};
+}
+
+/// Chords of a print may be off by a twentieth of a nozzle: files are a third as large as with 5 micrometres.
+constexpr double kPrintTolerance = 2e-5;  // m
+
+fabrication::Solid solid(const Scene& scene) {
+    return fabrication::make_solid(fabrication::make_shape(scene.surface, making(scene)),
+                                   {.chord_tolerance = kPrintTolerance, .control = scene.control});
+}
+
+using Kind = WriterRow::Kind;
+
+constexpr std::array<WriterRow, 17> kWriters = {{
+    {".svg", Content::Drawing,
      "drawing: the surface from above; with one result its displacements in colour; with several, these over "
      "each other; with a load case and results all of it on one sheet",
-     svg_text, WriterRow::Kind::Drawing},
-    {".png",
+     svg_text, Kind::Drawing},
+    {".png", Content::Drawing,
      "picture: the bars as the first result bends them, lit and in perspective, on transparent ground; with "
      "a load case "
      "its supports",
-     picture_png, WriterRow::Kind::Picture},
-    {".html",
+     picture_png, Kind::Picture},
+    {".html", Content::Drawing,
      "one page for any browser, without anything else: the same to turn, zoom, and see at rest or deformed",
-     view_html, WriterRow::Kind::Picture},
-    {".vtu",
+     view_html, Kind::Picture},
+    {".dxf", Content::Cut, "outline for cutting: closed lines with true arcs, in millimetres, in layers",
+     [](const Scene& scene) { return cut_dxf(cut_sheet(scene)); }, Kind::Made},
+    {".stl", Content::Solid, "solid for printing: closed, in millimetres (binary)",
+     [](const Scene& scene) { return solid_stl(solid(scene)); }, Kind::Made},
+    {".3mf", Content::Solid, "solid for printing: closed, with its unit",
+     [](const Scene& scene) { return solid_3mf(solid(scene)); }, Kind::Made},
+    {".vtu", Content::Centrelines,
      "lines for ParaView, with displacements, rotations, section forces and stress of the first result, and "
      "its load steps as a series in time",
      [](const Scene& scene) {
          return vtu_text(beam_lines(
              scene.surface, scene.results.empty() ? nullptr : &scene.results.front().result, scene.strength));
      }},
-    {".obj", "line elements, displaced by the first result",
+    {".obj", Content::Centrelines, "line elements, displaced by the first result",
      [](const Scene& scene) { return obj_text(main_lines(scene)); }},
-    {".ply", "vertices and edges, displaced by the first result",
+    {".ply", Content::Centrelines, "vertices and edges, displaced by the first result",
      [](const Scene& scene) { return ply_text(main_lines(scene)); }},
-    {".csv", "table of nodes with displacements and rotations of the first result",
+    {".csv", Content::Centrelines, "table of nodes with displacements and rotations of the first result",
      [](const Scene& scene) { return csv_text(main_lines(scene)); }},
+    {".svg", Content::Cut, "outline for cutting, as in .dxf",
+     [](const Scene& scene) { return cut_svg(cut_sheet(scene)); }, Kind::Made},
+    {".obj", Content::Solid, "solid, as in .stl; millimetres",
+     [](const Scene& scene) { return solid_obj(solid(scene)); }, Kind::Made},
+    {".ply", Content::Solid, "solid, as in .stl; millimetres",
+     [](const Scene& scene) { return solid_ply(solid(scene)); }, Kind::Made},
+    {".3mf", Content::Centrelines, "beam lattice of round bars with the area of the section",
+     [](const Scene& scene) {
+         return lattice_3mf(fabrication::bar_plan(scene.surface, making(scene).frame_width));
+     },
+     Kind::Made},
+    {".txt", Content::Facts,
+     "what a maker asks: mass, cut, print, narrow places, sag and stresses of a load case; with warnings",
+     [](const Scene& scene) { return facts_text(scene_facts(scene)); }, Kind::Made},
+    {".json", Content::Facts, "the same for programs, SI",
+     [](const Scene& scene) { return facts_json(scene_facts(scene)); }, Kind::Made},
+    {".html", Content::Facts, "the same as a page with a picture of where the warnings are",
+     [](const Scene& scene) { return facts_html(scene_facts(scene)); }, Kind::Made},
 }};
+
+struct ContentName {
+    Content content;
+    std::string_view name;
+};
+constexpr std::array<ContentName, 5> kContents = {{{Content::Drawing, "drawing"},
+                                                   {Content::Centrelines, "centrelines"},
+                                                   {Content::Cut, "cut"},
+                                                   {Content::Solid, "solid"},
+                                                   {Content::Facts, "facts"}}};
+
+std::string lower_ending(const std::filesystem::path& path) {
+    std::string ending = path.extension().string();
+    for (char& c : ending) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    return ending;
+}
 
 }  // namespace
 
@@ -75,14 +153,40 @@ std::span<const WriterRow> writer_catalogue() {
     return kWriters;
 }
 
-const WriterRow& find_writer(const std::filesystem::path& path) {
-    std::string ending = path.extension().string();
-    for (char& c : ending) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    std::vector<std::string> endings;
-    for (const WriterRow& writer : kWriters) {
-        if (writer.ending == ending) return writer;
-        endings.emplace_back(writer.ending);
+std::string_view content_name(Content content) {
+    return std::ranges::find(kContents, content, &ContentName::content)->name;
+}
+
+std::string_view unit_of(const WriterRow& writer) {
+    if (writer.ending == ".png" || writer.ending == ".html") return "none";
+    return writer.ending == ".svg" || (writer.is_made() && writer.content != Content::Facts) ? "millimetre"
+                                                                                             : "metre";
+}
+
+Content parse_content(const std::string& name) {
+    std::vector<std::string> names;
+    for (const ContentName& row : kContents) {
+        if (row.name == name) return row.content;
+        names.emplace_back(row.name);
     }
+    throw base::InputError("--content", "", base::unknown_name_message("content", name, names));
+}
+
+const WriterRow& find_writer(const std::filesystem::path& path, std::optional<Content> content) {
+    const std::string ending = lower_ending(path);
+    std::vector<std::string> endings;
+    std::vector<std::string> contents;
+    for (const WriterRow& writer : kWriters) {
+        if (writer.ending == ending) {
+            if (!content || writer.content == *content) return writer;
+            contents.emplace_back(content_name(writer.content));
+        }
+        if (std::ranges::find(endings, writer.ending) == endings.end()) endings.emplace_back(writer.ending);
+    }
+    if (!contents.empty())
+        throw base::InputError(path.string(), "",
+                               "cannot hold the content '" + std::string(content_name(*content)) + "'; " +
+                                   ending + " holds: " + base::join(contents, ", "));
     throw base::InputError(path.string(), "", base::unknown_name_message("ending", ending, endings));
 }
 

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <fretwork/exports/surface_drawing.hpp>
+#include <fretwork/fabrication/facts.hpp>
+#include <fretwork/fabrication/sheets.hpp>
 #include <fretwork/mechanics/result_file.hpp>
 #include <fretwork/simulation/conditions.hpp>
 #include <fretwork/simulation/surface.hpp>
@@ -27,6 +29,13 @@ struct PictureOptions {
     std::string colour = "displacement";  ///< one of bar_field_names() (bar_scene.hpp), or "plain"
 };
 
+/// How a surface is made.
+struct Making {
+    fabrication::ShapeOptions shape{};
+    std::optional<fabrication::Bed> bed{};  ///< what is cut is cut into sheets of it
+    fabrication::FactsOptions facts{};
+};
+
 /// What a surface can be written from: itself, a load case to draw on it, and results.
 struct Scene {
     struct LabelledResult {
@@ -41,22 +50,46 @@ struct Scene {
     PictureOptions picture{};
     std::optional<double> strength{};  ///< Pa, that utilizations are told of; none: they are not
     DrawnLabels labels{};              ///< of drawings from above
+    Making making{};                   ///< of what is cut or printed
+    std::optional<simulation::LoadCase> load_case{};  ///< that of `conditions`; facts are told with it
+    base::Control control{};  ///< asked by writers of large files; who stops throws Stopped
 };
+
+/// What of a surface a file holds.
+enum class Content {
+    Drawing,      ///< for people
+    Centrelines,  ///< the beams as lines, with what is known of them
+    Cut,          ///< the true outline, for machines that cut
+    Solid,        ///< the extruded outline, for machines that print
+    Facts,        ///< what a maker asks: masses, lengths, narrow places, stresses
+};
+/// As the command line calls it: "cut".
+std::string_view content_name(Content content);
+/// Throws InputError that lists what there is.
+Content parse_content(const std::string& name);
 
 /// A kind of file.
 struct WriterRow {
     std::string_view ending;  ///< with its dot
+    Content content;
     std::string_view description;
     std::string (*text)(const Scene&);
     /// What of a scene it looks at besides surface and results.
-    enum class Kind { Data, Drawing, Picture } kind = Kind::Data;
-    [[nodiscard]] bool is_drawing() const { return kind != Kind::Data; }     ///< conditions, scale and view
+    enum class Kind { Data, Drawing, Picture, Made } kind = Kind::Data;
+    [[nodiscard]] bool is_drawing() const {
+        return kind == Kind::Drawing || is_picture();
+    }                                                                        ///< conditions, scale and view
     [[nodiscard]] bool is_picture() const { return kind == Kind::Picture; }  ///< Scene::picture, too
+    [[nodiscard]] bool is_made() const { return kind == Kind::Made; }        ///< Scene::making
 };
+
+/// The unit of lengths in a file.
+std::string_view unit_of(const WriterRow& writer);
 
 /// All kinds of files: a new one is a file and a row.
 std::span<const WriterRow> writer_catalogue();
-/// The writer for a file, by its ending. Throws InputError that lists what there is.
-const WriterRow& find_writer(const std::filesystem::path& path);
+/// The writer for a file, by its ending; of several the first, or that of the wanted content. Throws
+/// InputError that lists what there is.
+const WriterRow& find_writer(const std::filesystem::path& path, std::optional<Content> content = {});
 
 }  // namespace fretwork::exports

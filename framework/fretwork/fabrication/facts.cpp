@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <numbers>
 
 namespace fretwork::fabrication {
@@ -30,11 +31,13 @@ void require_positive(double value, const char* what) {
                            ", where a number above zero is needed");
 }
 
-std::string rounded(double value, double step) {
-    return base::format_number(std::round(value / step) * step);
+std::string short_number(double value) {
+    char buffer[32];
+    std::snprintf(buffer, sizeof(buffer), "%.4g", value);
+    return buffer;
 }
 std::string millimetres(double metres) {
-    return base::format_number(std::round(metres * 1e5) / 100.0) + " mm";
+    return short_number(1e3 * metres) + " mm";
 }
 
 std::string where(TileIndex tile, TessellationNodeIndex node, const pattern::Point2& place) {
@@ -158,7 +161,7 @@ class FactFinder {
             if (++count > kMostOfOneKind) continue;
             const Point2& place = plan_.nodes[static_cast<std::size_t>(one.node)];
             warn(where(one.tile, one.node, place) + "two beams meet at " +
-                     rounded(one.angle * 180.0 / std::numbers::pi, 0.1) + " degrees",
+                     short_number(one.angle * 180.0 / std::numbers::pi) + " degrees",
                  place);
         }
         warn_of_more(count, "sharp angles");
@@ -209,8 +212,8 @@ class FactFinder {
         if (!facts_.stress || !options_.strength || facts_.stress->value <= *options_.strength) return;
         const Point2& place = plan_.nodes[static_cast<std::size_t>(facts_.stress->node)];
         warn(where(facts_.stress->tile, facts_.stress->node, place) + "a stress of " +
-                 rounded(facts_.stress->value * 1e-6, 0.01) + " MPa, above the strength of " +
-                 rounded(*options_.strength * 1e-6, 0.01) + " MPa",
+                 short_number(facts_.stress->value * 1e-6) + " MPa, above the strength of " +
+                 short_number(*options_.strength * 1e-6) + " MPa",
              place);
     }
 

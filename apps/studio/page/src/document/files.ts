@@ -53,6 +53,7 @@ const KNOWN: ExportRow[] = [
   { ending: 'dxf', title: 'DXF', words: 'for the laser cutter' },
   { ending: 'stl', title: 'STL', words: 'a solid for the printer' },
   { ending: '3mf', title: '3MF', words: 'a solid with units' },
+  { ending: 'txt', title: 'Facts for making', words: 'mass, lengths, narrow places, stresses' },
   { ending: 'obj', title: 'OBJ', words: 'centre lines' },
   { ending: 'ply', title: 'PLY', words: 'centre lines' },
   { ending: 'vtu', title: 'VTU', words: 'for ParaView' },

@@ -80,7 +80,7 @@ test('an icon of four millimetres is shown, and becomes a surface of a useful si
 });
 
 /** What the first bytes of each kind of file say. */
-const BEGINNINGS = { json: /^\{/, html: /^<!doctype html/i, svg: /<svg/, dxf: /SECTION/, stl: /^[^]{84}/, '3mf': /^PK/, obj: /^(#|v )/m, ply: /^ply/, vtu: /<VTKFile/, csv: /,/ };
+const BEGINNINGS = { json: /^\{/, html: /^<!doctype html/i, svg: /<svg/, dxf: /SECTION/, stl: /^[^]{84}/, '3mf': /^PK/, obj: /^(#|v )/m, ply: /^ply/, vtu: /<VTKFile/, txt: /^Facts/, csv: /,/ };
 
 async function exported(page, ending, place) {
   const coming = page.waitForEvent('download', { timeout: 30_000 });

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "made_sample.hpp"
+
+#include <fretwork/base/json_reader.hpp>
+#include <fretwork/exports/facts_report.hpp>
+
+namespace fretwork::exports {
+namespace {
+
+using namespace test;
+using testing::AllOf;
+using testing::HasSubstr;
+
+FactsOfScene sample_facts() {
+    simulation::Surface surface = sample_surface();
+    surface.setting.material.density = 1240.0;
+    return {fabrication::facts(surface, {}, {}, {.sharp_angle = 3.0}), fabrication::whole_sheet(surface, {})};
+}
+
+TEST(FactsReport, TheTableHasUnitsAndTheWarningsTheirPlaces) {
+    const std::string text = facts_text(sample_facts());
+    EXPECT_THAT(text, AllOf(HasSubstr("length of cut"), HasSubstr(" mm"), HasSubstr(" g "),
+                            HasSubstr("tile "), HasSubstr("node ")));
+}
+
+TEST(FactsReport, JsonHasTheSameNumbersInSi) {
+    const FactsOfScene sample = sample_facts();
+    const auto json = base::JsonReader::from_text(facts_json(sample), "facts");
+    EXPECT_DOUBLE_EQ(json.at("area").number(), sample.facts.area);
+    EXPECT_DOUBLE_EQ(json.at("mass").number(), sample.facts.mass);
+    EXPECT_DOUBLE_EQ(json.at("cut_length").number(), sample.facts.cut_length);
+    EXPECT_EQ(json.at("warnings").elements().size(), sample.facts.warnings.size());
+}
+
+TEST(FactsReport, ThePageHasACircleForEveryWarningWithAPlace) {
+    const FactsOfScene sample = sample_facts();
+    ASSERT_FALSE(sample.facts.warnings.empty());
+    const std::string page = facts_html(sample);
+    EXPECT_THAT(page, AllOf(HasSubstr("<!doctype html>"), HasSubstr("<svg"), HasSubstr("id=\"guides\"")));
+    const std::string guides =
+        page.substr(page.find("id=\"guides\""), page.find("id=\"labels\"") - page.find("id=\"guides\""));
+    std::size_t placed = 0;
+    for (const auto& warning : sample.facts.warnings) placed += warning.place == pattern::Point2{} ? 0U : 1U;
+    std::size_t circles = 0;
+    for (std::size_t at = guides.find("<path"); at != std::string::npos; at = guides.find("<path", at + 1))
+        ++circles;
+    EXPECT_EQ(circles, placed);
+}
+
+}  // namespace
+}  // namespace fretwork::exports

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is cut and printed, measured by programs that are not ours. Where one is missing, its test is skipped.
+#include "made_sample.hpp"
+
+#include <fretwork/exports/cut_files.hpp>
+#include <fretwork/exports/solid_files.hpp>
+
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <regex>
+
+namespace fretwork::exports {
+namespace {
+
+using namespace test;
+using testing::HasSubstr;
+
+/// What a command prints, errors included.
+std::string output_of(const std::string& command) {
+    const std::unique_ptr<FILE, int (*)(FILE*)> pipe(::popen((command + " 2>&1").c_str(), "r"), ::pclose);
+    std::string text;
+    char buffer[4096];
+    while (pipe && std::fgets(buffer, sizeof(buffer), pipe.get()) != nullptr) text += buffer;
+    return text;
+}
+bool succeeds(const std::string& command) {
+    return std::system((command + " >/dev/null 2>&1").c_str()) == 0;
+}
+
+/// The number behind a word.
+std::optional<double> number_after(const std::string& text, const std::string& word) {
+    std::smatch match;
+    if (!std::regex_search(text, match, std::regex(word + R"([^0-9-]*(-?[0-9.]+(e[-+]?[0-9]+)?))")))
+        return std::nullopt;
+    return std::stod(match[1]);
+}
+
+const fabrication::ShapeOptions kOptions{.fillet = 5e-4, .frame_width = 3e-3};
+
+const fabrication::Shape& shape() {
+    static const fabrication::Shape made = fabrication::make_shape(sample_surface(), kOptions);
+    return made;
+}
+const fabrication::Solid& solid() {
+    static const fabrication::Solid made = fabrication::make_solid(shape());
+    return made;
+}
+
+TEST(ForeignPrograms, EzdxfMeasuresTheAreaInMillimetres) {
+    if (!succeeds("/usr/bin/python3 -c 'import ezdxf'")) GTEST_SKIP() << "python3-ezdxf is not installed";
+    const TemporaryFolder folder;
+    const auto file = folder.file("cut.dxf", cut_dxf(fabrication::whole_sheet(sample_surface(), kOptions)));
+    const std::string told =
+        output_of("/usr/bin/python3 " FRETWORK_SOURCE_DIR "/tests/exports/measure_dxf.py " + file.string());
+    EXPECT_THAT(told, HasSubstr("errors 0\n"));
+    EXPECT_THAT(told, HasSubstr("unit 4\n"));
+    EXPECT_THAT(told, HasSubstr("inserts 0\n"));
+    EXPECT_THAT(told, HasSubstr("layers cut,labels\n"));
+    EXPECT_THAT(told, HasSubstr("closed True\n"));
+    const auto area = number_after(told, "area");
+    ASSERT_TRUE(area) << told;
+    // It flattens arcs to a ten-thousandth of a millimetre, along some metres of contour.
+    EXPECT_NEAR(*area, 1e6 * fabrication::area(shape()), 0.3) << told;
+}
+
+TEST(ForeignPrograms, InkscapeFindsTheSizeOfTheCut) {
+    if (!succeeds("inkscape --version")) GTEST_SKIP() << "inkscape is not installed";
+    const TemporaryFolder folder;
+    const auto file = folder.file("cut.svg", cut_svg(fabrication::whole_sheet(sample_surface(), kOptions)));
+    const std::string told = output_of("inkscape --query-id=cut --query-width " + file.string());
+    std::smatch match;
+    ASSERT_TRUE(std::regex_search(told, match, std::regex(R"((^|\n)([0-9.]+)\s*$)"))) << told;
+    constexpr double kPixelsPerMillimetre = 96.0 / 25.4;
+    constexpr double kHairline = 0.1;  // mm; the line's width counts
+    EXPECT_NEAR(std::stod(match[2]) / kPixelsPerMillimetre, 1e3 * box_of(shape()).width() + kHairline, 1e-3);
+}
+
+TEST(ForeignPrograms, AdmeshFindsNothingToRepair) {
+    if (!succeeds("admesh --version")) GTEST_SKIP() << "admesh is not installed";
+    const TemporaryFolder folder;
+    const auto file = folder.file("solid.stl", solid_stl(solid()));
+    const std::string told = output_of("admesh " + file.string());
+    for (const char* defect : {"Edges fixed", "Facets removed", "Facets added", "Facets reversed",
+                               "Backwards edges", "Degenerate facets", "Normals fixed"})
+        EXPECT_EQ(number_after(told, defect), 0.0) << defect << "\n" << told;
+    EXPECT_EQ(number_after(told, "Number of parts"), 1.0) << told;
+    EXPECT_NEAR(number_after(told, "Volume").value_or(0.0), 1e9 * fabrication::volume(solid()),
+                2e-4 * 1e9 * fabrication::volume(solid()));
+}
+
+TEST(ForeignPrograms, PrusaSlicerTakesStlAndThreeMfForTheSameClosedSolidInMillimetres) {
+    if (!succeeds("prusa-slicer --help")) GTEST_SKIP() << "prusa-slicer is not installed";
+    const TemporaryFolder folder;
+    for (const auto& file :
+         {folder.file("solid.stl", solid_stl(solid())), folder.file("solid.3mf", solid_3mf(solid()))}) {
+        const std::string told = output_of("prusa-slicer --info " + file.string());
+        EXPECT_THAT(told, HasSubstr("manifold = yes")) << told;
+        EXPECT_EQ(number_after(told, "number_of_parts ="), 1.0) << told;
+        EXPECT_NEAR(number_after(told, "volume =").value_or(0.0), 1e9 * fabrication::volume(solid()),
+                    2e-4 * 1e9 * fabrication::volume(solid()));
+        constexpr double kChords = 2 * 0.005;  // mm: on both sides an arc with chords
+        EXPECT_NEAR(number_after(told, "size_x =").value_or(0.0), 1e3 * box_of(shape()).width(), kChords)
+            << told;
+        EXPECT_NEAR(number_after(told, "size_z =").value_or(0.0), 1e3 * shape().height, 1e-5) << told;
+    }
+}
+
+}  // namespace
+}  // namespace fretwork::exports
