@@ -230,7 +230,8 @@ void add_export(CLI::App& app, ExitCode&) {
     verb->add_option("project", options->project, "Project file")->required();
     verb->add_option("--to", options->to, kinds_help())->required()->allow_extra_args(false);
     verb->add_option("--content", options->content,
-                     "What to write, where an ending has several: drawing, centrelines, cut, solid or facts");
+                     "What to write, where an ending has several: drawing, centrelines, cut, solid or facts")
+        ->type_name("CONTENT");
     verb->add_option(
         "--case", options->load_case,
         "Load case whose supports and loads are drawn; facts are told for it, and --bolts are at its "

@@ -182,25 +182,26 @@ TEST_F(Fill, AFullDiskIsAnErrorAndWhatWasStoredStays) {
 }
 
 TEST_F(Fill, APatternThatFailsIsRecordedAndDoesNotStopTheRest) {
-    // In a square the paper's model cannot be fitted, while the responses can be computed.
-    reduction::Setting square = reduction::paper_setting();
-    square.sides = 4;
-    for (auto& scenario : square.scenarios) {
-        std::erase_if(scenario.supports, [](const auto& hold) { return hold.interface_node > 3; });
-        std::erase_if(scenario.loads, [](const auto& load) { return load.interface_node > 3; });
-    }
-    Library library = Library::create(path(), paper_layout(), square);
-    library.add_patterns(parse({"0-1+1-6", "1-3+1-6"}));
-    const FillReport report = fill_all(library);
+    // The responses can be computed; the model cannot be built.
+    reduction::TileModel model;
+    model.name = "impossible";
+    model.build = [](const reduction::TileInput&) -> std::shared_ptr<const reduction::TileStructure> {
+        throw base::GeometryError("there is no such tile");
+    };
+    FillOptions options = quick();
+    options.model = model.name;
+    options.models = {&model, 1};
+    Library library = make_library(path(), {"0-1+1-6", "1-3+1-6"});
+    const FillReport report = fill_all(library, options);
     EXPECT_EQ(report.done, 0U);
     EXPECT_EQ(report.failed, 2U);
     ASSERT_EQ(library.failures().size(), 2U);
-    EXPECT_EQ(library.failures()[0].stage, calibration_stage(quick().key()));
-    EXPECT_THAT(library.failures()[0].reason, HasSubstr("hexagon"));
+    EXPECT_EQ(library.failures()[0].stage, calibration_stage(options.key()));
+    EXPECT_THAT(library.failures()[0].reason, HasSubstr("there is no such tile"));
     EXPECT_EQ(library.responses("0-1+1-6").size(), 5U) << "what worked is kept";
-    EXPECT_EQ(fill_all(library).open, 0U) << "it is not tried again";
+    EXPECT_EQ(fill_all(library, options).open, 0U) << "it is not tried again";
     library.forget_failures();
-    EXPECT_EQ(fill_all(library).open, 2U) << "unless that is asked for";
+    EXPECT_EQ(fill_all(library, options).open, 2U) << "unless that is asked for";
 }
 
 TEST_F(Fill, RefusesOptionsThatMakeNoSense) {

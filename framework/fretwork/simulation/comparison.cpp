@@ -177,7 +177,7 @@ std::string comparison_header() {
     return "example,width_m,height_m,max_displacement_m,max_translation_error_m,mean_translation_error_m,"
            "sd_translation_error,max_rotation_rad,max_rotation_error_rad,mean_rotation_error_rad,sd_rotation_"
            "error,"
-           "full_model_minutes,reduced_model_milliseconds,relative_l2_error";
+           "full_model_minutes,reduced_model_milliseconds";
 }
 
 std::string comparison_row(const std::string& example, const Comparison& comparison) {
@@ -192,8 +192,7 @@ std::string comparison_row(const std::string& example, const Comparison& compari
                              comparison.mean_rotation_error,
                              comparison.sd_rotation_error,
                              comparison.full_seconds / 60.0,
-                             comparison.reduced_seconds * 1e3,
-                             comparison.relative_l2_error};
+                             comparison.reduced_seconds * 1e3};
     std::string row = base::csv_field(example);
     for (const double value : values) row += "," + base::format_number(value);
     return row;
