@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-import { useEffect, useState } from 'preact/hooks';
+import { useLayoutEffect, useState } from 'preact/hooks';
 import { digits, typed, unitOf, type Quantity } from '../document/units';
 
 const MOST_DIGITS = 4;
@@ -26,7 +26,7 @@ export function NumberField({ label, value, quantity, onChange, narrow, least, m
   const text = draft ?? short(value * unit.per);
   const read = draft === null ? value : typed(draft, quantity);
   const wrong = read === null || (least !== undefined && read < least) || (most !== undefined && read > most);
-  useEffect(() => onReadable?.(!wrong), [wrong]);
+  useLayoutEffect(() => onReadable?.(!wrong), [wrong]); // before anything else can be pressed
   const commit = () => {
     if (wrong) return;
     if (draft !== null && read !== value) onChange(read as number);

@@ -224,12 +224,12 @@ test('sizes that make no sense are told in the units of the page, and kept', asy
     await page.press('#tile-size', 'Tab');
     assert.match(await page.textContent('.number-advice'), words);
     assert.equal(await page.inputValue('#tile-size'), text);
-    assert.ok(await page.isDisabled('#make'));
+    await page.waitForSelector('#make:disabled');
   }
   await page.fill('#tile-size', '900');
   await page.press('#tile-size', 'Enter');
   assert.match(await page.textContent('#size-advice'), /too large.*mm/);
-  assert.ok(await page.isDisabled('#make'));
+  await page.waitForSelector('#make:disabled');
   await page.fill('#tile-size', '30');
   await page.press('#tile-size', 'Enter');
   await page.click('#make');
