@@ -1,46 +1,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The mean error over the deflection, a dot for each surface and model, on logarithmic axes; times beside it."""
-import math
+import pathlib
 import statistics
+import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "common"))
+from chart import decades, grid, percent, text  # noqa: E402
 
 COLOURS = {"condensed": "#888888", "corotational": "#0072b2", "mixed:0.05": "#d55e00", "mixed:0.1": "#009e73", "mixed:0.3": "#cc79a7"}
 WIDTH, HEIGHT, LEFT, TOP, BOTTOM = 540, 360, 100, 20, 60
+TITLES = (("largest displacement / span", percent), ("mean error / largest displacement", percent))
 UNDER_WEIGHT = ("cantilever", "bridge")
-
-
-class Axis:
-    def __init__(self, values, first, last):
-        self.low = 10.0 ** math.floor(math.log10(min(values)))
-        self.high = 10.0 ** math.ceil(math.log10(max(values)))
-        self.first, self.last = first, last
-
-    def __call__(self, value):
-        share = math.log(value / self.low) / math.log(self.high / self.low)
-        return self.first + share * (self.last - self.first)
-
-    def ticks(self):
-        tick = self.low
-        while tick <= self.high * 1.001:
-            yield tick
-            tick *= 10.0
-
-
-def text(x, y, content, anchor="middle", extra=""):
-    return f'<text x="{x:.1f}" y="{y:.1f}" text-anchor="{anchor}" {extra}>{content}</text>'
-
-
-def frame(across, up):
-    parts = []
-    for tick in across.ticks():
-        parts.append(f'<path d="M{across(tick):.1f} {up.first}V{up.last}" stroke="#ddd"/>')
-        parts.append(text(across(tick), up.first + 18, f"{100 * tick:g} %"))
-    for tick in up.ticks():
-        parts.append(f'<path d="M{across.first} {up(tick):.1f}H{across.last}" stroke="#ddd"/>')
-        parts.append(text(across.first - 6, up(tick) + 4, f"{100 * tick:g} %", "end"))
-    middle = (up.first + up.last) / 2
-    parts.append(text((across.first + across.last) / 2, up.first + 42, "largest displacement / span"))
-    parts.append(text(18, middle, "mean error / largest displacement", extra=f'transform="rotate(-90 18 {middle})"'))
-    return parts
 
 
 def mark(x, y, row, colour):
@@ -63,10 +33,10 @@ def legend(rows, models, x):
 
 
 def errors_over_deflection(rows, models):
-    across = Axis([row["deflection"] for row in rows], LEFT, WIDTH)
-    up = Axis([max(row[f"{model}_mean"], 1e-6) for row in rows for model in models], HEIGHT - BOTTOM, TOP)
+    across = decades([row["deflection"] for row in rows], LEFT, WIDTH)
+    up = decades([max(row[f"{model}_mean"], 1e-6) for row in rows for model in models], HEIGHT - BOTTOM, TOP)
     parts = [f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH + 230} {HEIGHT}" font-family="sans-serif" font-size="12">',
-             '<rect width="100%" height="100%" fill="white"/>', *frame(across, up)]
+             '<rect width="100%" height="100%" fill="white"/>', *grid(across, up, TITLES, "#ddd")]
     for model in models:
         for row in rows:
             parts.append(mark(across(row["deflection"]), up(max(row[f"{model}_mean"], 1e-6)), row, COLOURS[model]))

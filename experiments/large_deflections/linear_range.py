@@ -7,14 +7,10 @@ The surfaces are those of run.py, each under a tenth, three tenths and all of it
 estimate of `simulate --model condensed`, and the largest error of the condensed and the full linear model against the full
 one, as shares of the largest displacement. A summary is printed.
 """
-import argparse
 import csv
 import json
-import pathlib
-import random
 
 import run
-import surfaces
 
 SHARES = (0.1, 0.3, 1.0)
 FIELDS = ["number", "kind", "share", "estimate", "loses_stability", "is_exceeded", "error", "full_is_unstable", "note"]
@@ -34,11 +30,7 @@ def scaled(case, share):
 
 
 def rows_of(fretwork, surface, patterns, folder):
-    rng = random.Random(surface["painting"])
-    run.write(folder / "outline.json", surface["outline"])
-    fretwork("tile", "outline.json", "--patterns", f"random:{surface['painting'] % 10000}", "--palette",
-             ",".join(rng.sample(patterns, 8)), "--out", "project.json")
-    run.find_load(fretwork, surface, folder)
+    run.make_surface(fretwork, surface, patterns, folder)
     whole = json.loads((folder / "case.json").read_text())
     for share in SHARES:
         run.write(folder / "case.json", scaled(json.loads(json.dumps(whole)), share))
@@ -50,7 +42,7 @@ def rows_of(fretwork, surface, patterns, folder):
             compared = fretwork.compare("full", "condensed")
             row.update(error=run.errors(compared)["largest"], full_is_unstable=compared["full_is_unstable"])
         except run.Failed as failure:
-            row["note"] = str(failure)
+            row["note"] = failure.told
         yield row
 
 
@@ -71,26 +63,16 @@ def summary(rows):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("program", type=pathlib.Path)
-    parser.add_argument("patterns", type=pathlib.Path)
-    parser.add_argument("out", type=pathlib.Path)
-    parser.add_argument("--count", type=int, default=126)
-    parser.add_argument("--seed", type=int, default=1)
-    options = parser.parse_args()
-    folder = options.out / "surface"
-    folder.mkdir(parents=True, exist_ok=True)
-    fretwork = run.Fretwork(options.program.resolve(), folder)
-    patterns = options.patterns.read_text().split()
+    study = run.Study(__doc__)
     rows = []
-    with (options.out / "linear_range.csv").open("w", newline="") as file:
+    with (study.out / "linear_range.csv").open("w", newline="") as file:
         writer = csv.DictWriter(file, FIELDS, restval="")
         writer.writeheader()
-        for surface in surfaces.surfaces(options.count, options.seed):
+        for surface in study.surfaces:
             try:
-                found = list(rows_of(fretwork, surface, patterns, folder))
+                found = list(rows_of(study.fretwork, surface, study.patterns, study.folder))
             except run.Failed as failure:
-                found = [{"number": surface["number"], "kind": surface["kind"], "note": str(failure)}]
+                found = [{"number": surface["number"], "kind": surface["kind"], "note": failure.told}]
             writer.writerows(found)
             file.flush()
             rows += found

@@ -10,9 +10,11 @@ import csv
 import json
 import pathlib
 import random
-import subprocess
+import sys
 
-import surfaces
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "common"))
+import surfaces  # noqa: E402
+from program import Failed, Fretwork  # noqa: E402
 
 MODELS = ("condensed", "corotational", "mixed:0.05", "mixed:0.1", "mixed:0.3")
 SEARCH_STEPS = 6
@@ -25,19 +27,8 @@ DIFFERENCES = {"by_5": ("mixed:0.05", "corotational"), "by_10": ("mixed:0.1", "c
 FIELDS += ["estimate_mean", "estimate_largest", "estimate_l2", *DIFFERENCES, "buckled", "note"]
 
 
-class Failed(Exception):
-    pass
-
-
-class Fretwork:
-    def __init__(self, program, folder):
-        self.program, self.folder = str(program), folder
-
-    def __call__(self, *arguments):
-        done = subprocess.run([self.program, *map(str, arguments)], capture_output=True, text=True, cwd=self.folder)
-        if done.returncode != 0:
-            raise Failed((done.stderr.strip() or done.stdout.strip()).splitlines()[-1])
-        return done.stdout
+class Surface(Fretwork):
+    """The program on one surface, in one folder."""
 
     def simulate(self, model, *options):
         return json.loads(self("simulate", "project.json", "--case", "./case.json", "--model", model, "--json",
@@ -90,12 +81,18 @@ def errors(comparison):
             "largest": comparison["max_translation_error_m"] / scale, "l2": comparison["relative_l2_error"]}
 
 
-def row_of(fretwork, surface, patterns, folder):
+def make_surface(fretwork, surface, patterns, folder):
+    """Tile, paint and load it. Returns what `tile` tells."""
     rng = random.Random(surface["painting"])
     write(folder / "outline.json", surface["outline"])
     tiled = json.loads(fretwork("tile", "outline.json", "--patterns", f"random:{surface['painting'] % 10000}", "--palette",
                                 ",".join(rng.sample(patterns, 8)), "--out", "project.json", "--json"))
     find_load(fretwork, surface, folder)
+    return tiled
+
+
+def row_of(fretwork, surface, patterns, folder):
+    tiled = make_surface(fretwork, surface, patterns, folder)
     full = fretwork.simulate("full")
     span = extent(surface["outline"]["boundary"])[0]
     row = {"number": surface["number"], "kind": surface["kind"], "shape": surface["shape"], "tiles": tiled["tiles"], "span": span,
@@ -113,33 +110,41 @@ def row_of(fretwork, surface, patterns, folder):
     return row
 
 
+class Study:
+    """What the command line of a study says, and the program to run it with."""
+
+    def __init__(self, description):
+        parser = argparse.ArgumentParser(description=description)
+        parser.add_argument("program", type=pathlib.Path)
+        parser.add_argument("patterns", type=pathlib.Path)
+        parser.add_argument("out", type=pathlib.Path)
+        parser.add_argument("--count", type=int, default=126)
+        parser.add_argument("--seed", type=int, default=1)
+        options = parser.parse_args()
+        self.out, self.folder = options.out, options.out / "surface"
+        self.folder.mkdir(parents=True, exist_ok=True)
+        self.patterns = options.patterns.read_text().split()
+        self.fretwork = Surface(options.program.resolve(), self.folder)
+        self.surfaces = surfaces.surfaces(options.count, options.seed)
+
+
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("program", type=pathlib.Path)
-    parser.add_argument("patterns", type=pathlib.Path)
-    parser.add_argument("out", type=pathlib.Path)
-    parser.add_argument("--count", type=int, default=126)
-    parser.add_argument("--seed", type=int, default=1)
-    options = parser.parse_args()
-    patterns = options.patterns.read_text().split()
-    folder = options.out / "surface"
-    folder.mkdir(parents=True, exist_ok=True)
-    table = options.out / "rows.csv"
+    study = Study(__doc__)
+    table = study.out / "rows.csv"
     done = set()
     if table.exists():
         done = {int(row["number"]) for row in csv.DictReader(table.open())}
-    fretwork = Fretwork(options.program.resolve(), folder)
     with table.open("a", newline="") as file:
         writer = csv.DictWriter(file, FIELDS, restval="")
         if not done:
             writer.writeheader()
-        for surface in surfaces.surfaces(options.count, options.seed):
+        for surface in study.surfaces:
             if surface["number"] in done:
                 continue
             try:
-                row = row_of(fretwork, surface, patterns, folder)
+                row = row_of(study.fretwork, surface, study.patterns, study.folder)
             except Failed as failure:
-                row = {"number": surface["number"], "kind": surface["kind"], "shape": surface["shape"], "note": str(failure)}
+                row = {"number": surface["number"], "kind": surface["kind"], "shape": surface["shape"], "note": failure.told}
             writer.writerow({key: f"{value:.5g}" if isinstance(value, float) else value for key, value in row.items()})
             file.flush()
 

@@ -5,10 +5,13 @@
 Usage: analyse.py ROWS.csv FIGURE.svg
 """
 import csv
-import math
+import pathlib
 import random
 import statistics
 import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "common"))
+from chart import Axis, grid, percent, text  # noqa: E402
 
 LOADS = ("tension", "shear", "bending", "twist", "bent")
 WIDTH, HEIGHT, LEFT, TOP, BOTTOM = 620, 400, 90, 20, 60
@@ -81,38 +84,18 @@ def variant_table(rows):
     print(f"\nThe linear tiles themselves (condensed) are {quartiles(linear, 100)} % off on the bent sheet.")
 
 
-class Axis:
-    def __init__(self, values, first, last):
-        self.low, self.high = math.log10(min(values)) - 0.1, math.log10(max(values)) + 0.1
-        self.first, self.last = first, last
-
-    def __call__(self, value):
-        return self.first + (math.log10(value) - self.low) / (self.high - self.low) * (self.last - self.first)
-
-    def ticks(self):
-        steps = [m * 10.0**k for k in range(math.floor(self.low), math.ceil(self.high) + 1) for m in (1, 2, 5)]
-        return [tick for tick in steps if self.low <= math.log10(tick) <= self.high]
-
-
-def text(x, y, content, anchor="middle", extra=""):
-    return f'<text x="{x:.1f}" y="{y:.1f}" text-anchor="{anchor}" {extra}>{content}</text>'
+def fitting_axis(values, first, last):
+    """A tenth of a decade wider than the values, at both ends."""
+    return Axis(min(values) / 10**0.1, max(values) * 10**0.1, first, last, multiples=(1, 2, 5))
 
 
 def figure(rows):
     own = [row for row in rows if row["variant"] == "paper6"]
-    across = Axis([row["objective"] for row in own], LEFT, WIDTH - 20)
-    up = Axis([row[f"{load}_error"] for row in own for load in COLOURS], HEIGHT - BOTTOM, TOP)
+    across = fitting_axis([row["objective"] for row in own], LEFT, WIDTH - 20)
+    up = fitting_axis([row[f"{load}_error"] for row in own for load in COLOURS], HEIGHT - BOTTOM, TOP)
+    titles = (("objective E of the calibration", "{:g}".format), ("error of the sheet, relative L2", percent))
     parts = [f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {HEIGHT}" font-family="sans-serif" font-size="12">',
-             f'<rect width="{WIDTH}" height="{HEIGHT}" fill="#fff"/>']
-    for tick in across.ticks():
-        parts.append(f'<path d="M{across(tick):.1f} {up.first}V{up.last}" stroke="#eee"/>')
-        parts.append(text(across(tick), up.first + 18, f"{tick:g}"))
-    for tick in up.ticks():
-        parts.append(f'<path d="M{across.first} {up(tick):.1f}H{across.last}" stroke="#eee"/>')
-        parts.append(text(across.first - 6, up(tick) + 4, f"{100 * tick:g} %", "end"))
-    middle = (up.first + up.last) / 2
-    parts.append(text((across.first + across.last) / 2, up.first + 42, "objective E of the calibration"))
-    parts.append(text(18, middle, "error of the sheet, relative L2", extra=f'transform="rotate(-90 18 {middle})"'))
+             f'<rect width="{WIDTH}" height="{HEIGHT}" fill="#fff"/>', *grid(across, up, titles, "#eee")]
     for i, (load, colour) in enumerate(COLOURS.items()):
         for row in own:
             parts.append(f'<circle cx="{across(row["objective"]):.1f}" cy="{up(row[f"{load}_error"]):.1f}" r="4" '

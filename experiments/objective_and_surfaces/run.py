@@ -11,40 +11,34 @@ import csv
 import json
 import math
 import pathlib
-import subprocess
+import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "common"))
+from program import Fretwork  # noqa: E402
 
 WIDTH, HEIGHT = 0.42, 0.26  # m
 # Small: linear tiles (condensed) are the truth. The deflected sheet is bent by a tenth of its length: the full model is.
 FORCES = {"tension": ([1, 0, 0], None), "shear": ([0, 1, 0], None), "bending": ([0, 0, 1], None), "twist": (None, [1, 0, 0])}
 DEFLECTION = 0.1
+SMALL_FORCE = 1e-4  # N, or N m
 # How calibrations differ: the model, and what the setting says other than the paper's.
 VARIANTS = {"paper6": ("paper6", {}), "ring10": ("ring10", {}), "equal weights": ("paper6", {"weights": 1.0}),
             "small loads": ("paper6", {"loads": 0.02})}
 
 
-class Fretwork:
-    def __init__(self, program, folder):
-        self.program, self.folder = str(program), folder
-
-    def __call__(self, *arguments):
-        done = subprocess.run([self.program, *map(str, arguments)], capture_output=True, text=True, cwd=self.folder)
-        if done.returncode != 0:
-            raise RuntimeError(f"{' '.join(map(str, arguments))}: {done.stderr.strip()}")
-        return done.stdout
-
-    def displacements(self, project, model, *options):
-        """Translations of the interface nodes, one after another."""
-        self("simulate", project, "--case", "./case.json", "--model", model, *options, "--out", "result.json")
-        result = json.loads((self.folder / "result.json").read_text())
-        pairs = zip(result["nodes"], result["displacements"])
-        return [component for node, moved in pairs if node.get("interface") for component in moved[:3]]
+def displacements(fretwork, project, model):
+    """Translations of the interface nodes, one after another."""
+    fretwork("simulate", project, "--case", "./case.json", "--model", model, "--out", "result.json")
+    result = json.loads((fretwork.folder / "result.json").read_text())
+    pairs = zip(result["nodes"], result["displacements"])
+    return [component for node, moved in pairs if node.get("interface") for component in moved[:3]]
 
 
 def write(path, content):
     path.write_text(json.dumps(content))
 
 
-def write_case(folder, force=None, moment=None, amount=1e-4):
+def write_case(folder, force=None, moment=None, amount=SMALL_FORCE):
     load = {"side": "right", "amount": "total"}
     if force is not None:
         load["force"] = [amount * x for x in force]
@@ -93,27 +87,43 @@ def compared(exact, found):
     return math.dist(found, exact) / math.hypot(*exact), product(exact, found) / product(found, found)
 
 
+class Truth:
+    """What a sheet does: under the small loads by its linear tiles, bent by the full model."""
+
+    def __init__(self, fretwork, project):
+        self.small = {}
+        for load, (force, moment) in FORCES.items():
+            write_case(fretwork.folder, force, moment)
+            self.small[load] = displacements(fretwork, project, "condensed")
+        self.bending_force = SMALL_FORCE * DEFLECTION * WIDTH / max(map(abs, self.small["bending"]))
+        self.write_bending_case(fretwork.folder)
+        self.bent = displacements(fretwork, project, "full")
+        self.error_of_condensed = compared(self.bent, displacements(fretwork, project, "condensed"))[0]
+
+    def write_bending_case(self, folder):
+        write_case(folder, FORCES["bending"][0], amount=self.bending_force)
+
+
+def row_of(fretwork, project, model, truth):
+    row = {}
+    for load, (force, moment) in FORCES.items():
+        write_case(fretwork.folder, force, moment)
+        row[f"{load}_error"], row[f"{load}_stiffness"] = compared(truth.small[load], displacements(fretwork, project, model))
+    truth.write_bending_case(fretwork.folder)
+    row["bent_error"], row["bent_stiffness"] = compared(truth.bent, displacements(fretwork, project, model))
+    row["bent_error_of_condensed"] = truth.error_of_condensed
+    return row
+
+
 def rows_of(fretwork, pattern):
-    exact, full, amounts = {}, None, {}
+    truth = None
     for name, (model, _) in VARIANTS.items():
         library = f"{name.replace(' ', '_')}.db"
         project = f"sheet_{name.replace(' ', '_')}.json"
         fretwork("tile", "outline.json", "--edge-length", "26mm", "--patterns", pattern, "--library", library, "--out", project)
-        row = {"pattern": pattern, "edges": pattern.count("-"), "variant": name, "objective": objective(fretwork, library, pattern)}
-        for load, (force, moment) in FORCES.items():
-            write_case(fretwork.folder, force, moment)
-            if load not in exact:
-                exact[load] = fretwork.displacements(project, "condensed")
-            row[f"{load}_error"], row[f"{load}_stiffness"] = compared(exact[load], fretwork.displacements(project, model))
-        if full is None:
-            amounts["bent"] = 1e-4 * DEFLECTION * WIDTH / max(map(abs, exact["bending"]))
-        write_case(fretwork.folder, FORCES["bending"][0], None, amounts["bent"])
-        if full is None:
-            full = fretwork.displacements(project, "full")
-            linear = fretwork.displacements(project, "condensed")
-        row["bent_error"], row["bent_stiffness"] = compared(full, fretwork.displacements(project, model))
-        row["bent_error_of_condensed"] = compared(full, linear)[0]
-        yield row
+        truth = truth or Truth(fretwork, project)  # sheet and material are the same in all
+        yield {"pattern": pattern, "edges": pattern.count("-"), "variant": name, "objective": objective(fretwork, library, pattern),
+               **row_of(fretwork, project, model, truth)}
 
 
 def main():

@@ -12,9 +12,11 @@ import json
 import math
 import pathlib
 import statistics
-import subprocess
+import sys
 
-import figure
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "common"))
+import figure  # noqa: E402
+from program import Fretwork  # noqa: E402
 
 HERE = pathlib.Path(__file__).resolve().parent
 SPECIMENS = {"light": "2-4+4-6", "dense": "1-2+2-3+3-5+3-6+4-6+5-6"}
@@ -22,17 +24,6 @@ MODELS = ("full", "corotational", "condensed", "paper6")
 WIDTH = 0.18  # m, of the clamped side
 MIDDLE_BAND = 0.2  # of the width: nodes this near to the middle line make the profile
 STATIONS = 14  # along the cantilever
-
-
-class Fretwork:
-    def __init__(self, program, folder):
-        self.program, self.folder = str(program), folder
-
-    def __call__(self, *arguments):
-        done = subprocess.run([self.program, *map(str, arguments)], capture_output=True, text=True, cwd=self.folder)
-        if done.returncode != 0:
-            raise SystemExit(f"{' '.join(map(str, arguments))}: {done.stderr.strip()}")
-        return done.stdout
 
 
 def middle_line(result):
