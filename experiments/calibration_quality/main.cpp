@@ -96,9 +96,7 @@ std::vector<PatternResult> examine_sample(const Options& options) {
     const auto layout = pattern::find_node_layout("paper7");
     const auto all =
         pattern::enumerate_patterns(layout, {.edges = pattern::default_edge_range(layout), .filters = {}});
-    std::vector<int> edges;
-    for (const auto& pattern : all) edges.push_back(pattern.edge_count());
-    const auto chosen = reduction::stratified_sample(edges, options.patterns);
+    const auto chosen = reduction::spread_over_edges(all, options.patterns);
     base::TerminalProgress progress;
     progress.start("calibration quality", chosen.size());
     std::vector<PatternResult> results;
@@ -106,9 +104,8 @@ std::vector<PatternResult> examine_sample(const Options& options) {
     for (std::size_t begin = 0; begin < chosen.size(); begin += kBatch) {
         const std::size_t count = std::min(kBatch, chosen.size() - begin);
         std::vector<PatternResult> batch(count);
-        base::parallel_for(count, options.threads, [&](std::size_t i) {
-            batch[i] = examine(layout, all[chosen[begin + i]], options);
-        });
+        base::parallel_for(count, options.threads,
+                           [&](std::size_t i) { batch[i] = examine(layout, chosen[begin + i], options); });
         std::ranges::move(batch, std::back_inserter(results));
         progress.update(results.size());
     }

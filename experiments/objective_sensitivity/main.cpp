@@ -42,6 +42,7 @@ struct Options {
 struct Weights {
     Setting setting;  ///< its scenarios carry the weights w_k
     ErrorMetric metric{};
+    std::uint64_t seed = 0;  ///< of the search
 };
 
 struct Variant {
@@ -78,7 +79,7 @@ std::vector<Variant> variants() {
     };
     using Responses = const std::vector<Response>&;
     add("as published", [](Weights&, Responses) {});
-    add("another seed", [](Weights&, Responses) {});  // what the search itself leaves open
+    add("another seed", [](Weights& w, Responses) { ++w.seed; });  // what the search itself leaves open
     add("mean over samples", take_means);
     add("stable samples", [](Weights& w, Responses) { w.setting.sample_policy = SamplePolicy::Stable; });
     add("mean over stable samples", [](Weights& w, Responses r) {
@@ -132,13 +133,13 @@ class Examination {
         std::vector<Fit> fits;
         reduction::UnitDisplacements paper;
         for (const Variant& variant : variants()) {
-            Weights weights{setting_, {}};
+            Weights weights{setting_, {}, options_.seed};
             variant.change(weights, responses_);
             const reduction::Objective objective(responses_, weights.setting, weights.metric);
             const reduction::RingProblem problem(model_, reduction::paper6_parameters(), objective, setting_);
-            const auto report = optimization::minimize(
-                problem, optimization::find_optimizer("ceres-multistart"),
-                {.starts = options_.starts, .seed = options_.seed + (fits.size() == 1 ? 1 : 0)});
+            const auto report =
+                optimization::minimize(problem, optimization::find_optimizer("ceres-multistart"),
+                                       {.starts = options_.starts, .seed = weights.seed});
             const auto displacements = problem.displacements(report.point);
             if (fits.empty()) paper = displacements;
             Fit& fit = fits.emplace_back();
@@ -163,14 +164,12 @@ std::vector<Examined> examine_sample(const Options& options) {
     const auto layout = pattern::find_node_layout("paper7");
     const auto all =
         pattern::enumerate_patterns(layout, {.edges = pattern::default_edge_range(layout), .filters = {}});
-    std::vector<int> edges;
-    for (const auto& pattern : all) edges.push_back(pattern.edge_count());
-    const auto chosen = reduction::stratified_sample(edges, options.patterns);
+    const auto chosen = reduction::spread_over_edges(all, options.patterns);
     Setting setting = reduction::paper_setting();
     for (auto& scenario : setting.scenarios) scenario.max_magnitude *= options.load_factor;
     std::vector<Examined> results(chosen.size());
     base::parallel_for(chosen.size(), options.threads, [&](std::size_t i) {
-        const auto& pattern = all[chosen[i]];
+        const auto& pattern = chosen[i];
         const auto responses = reduction::compute_responses(layout, pattern, setting);
         const Examination examination(responses, setting, options);
         results[i] = {pattern::pattern_id(layout, pattern), examination.samples(), examination.run()};

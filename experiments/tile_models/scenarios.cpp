@@ -113,9 +113,7 @@ ScenarioStudy study_scenarios(const reduction::Setting& setting, std::size_t cou
     const auto layout = pattern::find_node_layout("paper7");
     const auto all =
         pattern::enumerate_patterns(layout, {.edges = pattern::default_edge_range(layout), .filters = {}});
-    std::vector<int> edges;
-    for (const auto& pattern : all) edges.push_back(pattern.edge_count());
-    const auto chosen = reduction::stratified_sample(edges, count);
+    const auto chosen = reduction::spread_over_edges(all, count);
     std::vector<Examined> examined(chosen.size());
     base::TerminalProgress progress;
     progress.start("patterns", chosen.size());
@@ -123,7 +121,7 @@ ScenarioStudy study_scenarios(const reduction::Setting& setting, std::size_t cou
     for (std::size_t begin = 0; begin < chosen.size(); begin += kBatch) {
         const std::size_t size = std::min(kBatch, chosen.size() - begin);
         base::parallel_for(size, threads, [&](std::size_t i) {
-            examined[begin + i] = examine(layout, all[chosen[begin + i]], setting);
+            examined[begin + i] = examine(layout, chosen[begin + i], setting);
         });
         progress.update(begin + size);
     }

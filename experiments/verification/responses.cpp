@@ -51,14 +51,6 @@ std::vector<pattern::Pattern> all_patterns(const pattern::NodeLayout& layout) {
     return pattern::enumerate_patterns(layout, {.edges = pattern::default_edge_range(layout), .filters = {}});
 }
 
-std::vector<pattern::Pattern> stratified(const std::vector<pattern::Pattern>& all, std::size_t count) {
-    std::vector<int> edges;
-    for (const auto& pattern : all) edges.push_back(pattern.edge_count());
-    std::vector<pattern::Pattern> chosen;
-    for (const std::size_t index : reduction::stratified_sample(edges, count)) chosen.push_back(all[index]);
-    return chosen;
-}
-
 void print_tally(const reduction::Setting& setting, const std::vector<std::vector<Ending>>& endings) {
     std::printf(
         "| scenario | responses | full load, stable | full load, unstable | limit load | diverged | "
@@ -85,7 +77,7 @@ void print_tally(const reduction::Setting& setting, const std::vector<std::vecto
 
 void tally(const pattern::NodeLayout& layout, const reduction::Setting& setting, const Options& options) {
     const auto all = all_patterns(layout);
-    const auto chosen = options.patterns == 0 ? all : stratified(all, options.patterns);
+    const auto chosen = options.patterns == 0 ? all : reduction::spread_over_edges(all, options.patterns);
     const auto factors = mechanics::even_load_factors(setting.magnitudes);
     std::vector<std::vector<Ending>> endings(chosen.size());
     const auto start = std::chrono::steady_clock::now();
@@ -103,7 +95,7 @@ void tally(const pattern::NodeLayout& layout, const reduction::Setting& setting,
 
 void divisions(const pattern::NodeLayout& layout, const reduction::Setting& setting, const Options& options) {
     const auto factors = mechanics::even_load_factors(setting.magnitudes);
-    const auto chosen = stratified(all_patterns(layout), options.sample);
+    const auto chosen = reduction::spread_over_edges(all_patterns(layout), options.sample);
     constexpr int kDivisions[] = {1, 2, 4};
     std::printf(
         "| scenario | elements a beam | median error | 90 %% | largest | median of the estimates | largest "

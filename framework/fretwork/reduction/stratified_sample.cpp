@@ -42,4 +42,13 @@ std::vector<std::size_t> stratified_sample(std::span<const int> strata, std::siz
     return chosen;
 }
 
+std::vector<pattern::Pattern> spread_over_edges(std::span<const pattern::Pattern> patterns,
+                                                std::size_t size) {
+    std::vector<int> edges;
+    for (const pattern::Pattern& pattern : patterns) edges.push_back(pattern.edge_count());
+    std::vector<pattern::Pattern> chosen;
+    for (const std::size_t index : stratified_sample(edges, size)) chosen.push_back(patterns[index]);
+    return chosen;
+}
+
 }  // namespace fretwork::reduction
