@@ -47,8 +47,9 @@ void write_text(benchmark::State& state, const WriterRow& writer) {
 
 [[maybe_unused]] const bool registered = [] {
     for (const WriterRow& writer : writer_catalogue()) {
-        benchmark::RegisterBenchmark(("write" + std::string(writer.ending)).c_str(),
-                                     [&writer](benchmark::State& state) { write_text(state, writer); })
+        benchmark::RegisterBenchmark(
+            ("write_" + std::string(content_name(writer.content)) + std::string(writer.ending)).c_str(),
+            [&writer](benchmark::State& state) { write_text(state, writer); })
             ->Arg(240)
             ->Arg(2400)
             ->Unit(benchmark::kMillisecond);

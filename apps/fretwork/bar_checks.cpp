@@ -34,9 +34,12 @@ void add_clearance_option(CLI::App& verb, std::string& clearance) {
         ->check(clearance_check());
 }
 
-void warn_of_close_bars(const simulation::Project& project, const std::string& clearance) {
-    const auto close = simulation::close_bars(simulation::make_surface(project, nullptr),
-                                              clearance.empty() ? 0.0 : base::parse_length(clearance));
+void warn_of_close_bars(const simulation::Project& project, const library::Library* library,
+                        const std::string& clearance) {
+    simulation::Surface surface = simulation::make_surface(project, nullptr);
+    if (library != nullptr && !project.setting) surface.setting = library->setting();
+    const auto close =
+        simulation::close_bars(surface, clearance.empty() ? 0.0 : base::parse_length(clearance));
     if (!close.empty()) std::fprintf(stderr, "fretwork: %s\n", simulation::close_bars_text(close).c_str());
 }
 

@@ -74,8 +74,11 @@ ExitCode run(const Options& options) {
     const mechanics::Result result = read_surface_result(options.result);
     const simulation::Surface surface = read_surface(options, result);
     check_own_result(result, surface, options.result);
+    std::optional<double> strength;
+    if (!options.strength.empty()) strength = parse_strength(options.strength);
     simulation::BeamTable table = simulation::beam_table(surface, result);
-    if (!options.strength.empty()) table.strength = parse_strength(options.strength);
+    table.strength = strength;
+    const bool is_known = !table.rows.empty();
     if (!options.out.empty()) {
         const bool is_csv = std::filesystem::path(options.out).extension() == ".csv";
         base::write_file_atomically(options.out, is_csv ? simulation::beam_table_csv(table, surface)
@@ -87,7 +90,7 @@ ExitCode run(const Options& options) {
     } else {
         print(table, surface, options.top);
     }
-    return table.rows.empty() ? ExitCode::DidNotSucceed : ExitCode::Done;
+    return is_known ? ExitCode::Done : ExitCode::DidNotSucceed;
 }
 
 }  // namespace

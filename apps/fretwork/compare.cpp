@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// fretwork compare: how far a reduced result is from the full one, as a row of the paper's Table 3.
+// fretwork compare: how far a reduced result is from the full one.
 #include "file_options.hpp"
 #include "surface_result.hpp"
 #include "verbs.hpp"

@@ -206,17 +206,13 @@ void run(const Options& options) {
     if (options.json) std::fputs(base::json_text(report).c_str(), stdout);
 }
 
-/// What an ending means without --content.
-bool is_default(const exports::WriterRow& writer) {
-    return &exports::find_writer("file" + std::string(writer.ending)) == &writer;
-}
-
 std::string kinds_help() {
     std::string text = "File to write; its ending says what kind (repeatable):";
     for (const exports::WriterRow& writer : exports::writer_catalogue()) {
-        text += "\n  " + std::string(writer.ending) +
-                (is_default(writer) ? "" : " --content " + std::string(content_name(writer.content))) + ": " +
-                std::string(writer.description);
+        text +=
+            "\n  " + std::string(writer.ending) +
+            (exports::is_default(writer) ? "" : " --content " + std::string(content_name(writer.content))) +
+            ": " + std::string(writer.description);
     }
     return text;
 }
@@ -255,7 +251,8 @@ void add_export(CLI::App& app, ExitCode&) {
         ->type_name("FIELD");
     verb->add_option(
             "--strength", options->strength,
-            "Stress that the material bears, such as 40MPa: .vtu, .png and .html then have utilization")
+            "Stress that the material bears, such as 40MPa: .vtu, .png and .html then have utilization, and "
+            "facts compare stresses with it")
         ->type_name("STRESS");
     verb->add_option("--labels", options->labels,
                      "Numbers in an .svg from above: tiles, nodes (the interface nodes), or tiles,nodes")

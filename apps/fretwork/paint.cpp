@@ -16,8 +16,10 @@
 #include <fretwork/tiling/tile_choice.hpp>
 
 #include <cstdio>
+#include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 
 namespace fretwork::app {
@@ -84,29 +86,35 @@ void add_tiles(std::set<TileIndex>& chosen, const char* option, const std::vecto
 /// All tiles where none are named.
 std::vector<TileIndex> chosen_tiles(const Options& options, const tiling::Tessellation& tessellation) {
     std::set<TileIndex> chosen;
-    const auto& surface = tessellation;
     add_tiles(chosen, "--tiles", options.tiles,
-              [&](const std::string& text) { return tiling::parse_tiles(text, surface); });
+              [&](const std::string& text) { return tiling::parse_tiles(text, tessellation); });
     add_tiles(chosen, "--box", options.boxes,
-              [&](const std::string& text) { return tiling::tiles_in(parse_box(text), surface); });
+              [&](const std::string& text) { return tiling::tiles_in(parse_box(text), tessellation); });
     add_tiles(chosen, "--polygon", options.polygons,
-              [&](const std::string& text) { return tiling::tiles_in(parse_polygon(text), surface); });
+              [&](const std::string& text) { return tiling::tiles_in(parse_polygon(text), tessellation); });
     if (options.tiles.empty() && options.boxes.empty() && options.polygons.empty()) {
-        for (std::size_t t = 0; t < surface.tiles.size(); ++t) chosen.insert(TileIndex(t));
+        for (std::size_t t = 0; t < tessellation.tiles.size(); ++t) chosen.insert(TileIndex(t));
     }
     return {chosen.begin(), chosen.end()};
 }
 
+/// Where patterns and their properties come from.
+std::optional<library::Library> open_library(const Project& project, const Options& options) {
+    if (options.painting.patterns.empty()) return std::nullopt;
+    auto library = simulation::open_project_library(options.project, project, options.library);
+    if (library) library->check_layout(project.layout);
+    return library;
+}
+
 /// The colours of a drawing choose among the tiles.
-std::vector<TileIndex> paint_project(Project& project, std::vector<TileIndex> tiles, const Options& options) {
+std::vector<TileIndex> paint_project(Project& project, std::vector<TileIndex> tiles, const Options& options,
+                                     const library::Library* library) {
     tiling::Tessellation& tessellation = project.tessellation;
     if (!options.painting.patterns.empty()) {
-        const auto library = simulation::open_project_library(options.project, project, options.library);
         const reduction::Setting setting = project.setting ? *project.setting
                                            : library       ? library->setting()
                                                            : reduction::paper_setting();
-        tiles = simulation::paint(tessellation, tiles, options.painting,
-                                  {project.layout, setting, library ? &*library : nullptr});
+        tiles = simulation::paint(tessellation, tiles, options.painting, {project.layout, setting, library});
     }
     if (options.mirror) simulation::mirror(tessellation, tiles, project.layout);
     for (const TileIndex tile : tiles)
@@ -151,16 +159,20 @@ void print(const Project& project, const std::vector<TileIndex>& tiles, const Op
 
 ExitCode run(const Options& options) {
     simulation::check(options.painting);
-    const base::FileLock lock(options.out.empty() ? options.project : options.out);
+    const std::string& target = options.out.empty() ? options.project : options.out;
+    std::optional<base::FileLock> lock;
+    if (std::filesystem::exists(target)) lock.emplace(target);
     Project project = simulation::read_checked_project(options.project);
-    const auto tiles = paint_project(project, chosen_tiles(options, project.tessellation), options);
+    const auto library = open_library(project, options);
+    const library::Library* given = library ? &*library : nullptr;
+    const auto tiles = paint_project(project, chosen_tiles(options, project.tessellation), options, given);
     if (tiles.empty()) {
         std::fputs("fretwork: no tile lies there; nothing is painted\n", stderr);
         return ExitCode::DidNotSucceed;
     }
-    simulation::write_project(project, options.out.empty() ? options.project : options.out);
+    simulation::write_project(project, target);
     print(project, tiles, options);
-    warn_of_close_bars(project, options.clearance);
+    warn_of_close_bars(project, given, options.clearance);
     return ExitCode::Done;
 }
 

@@ -246,20 +246,21 @@ ExitCode run(Options options) {
     simulation::check_calibrations(options.project, project, surface, choice);
     const LoadCase load_case = chosen_load_case(project, options.load_case);
     base::FileBatch files;
-    if (!options.frame_out.empty())
-        files.add(options.frame_out, mechanics::frame_text(full_frame(surface, load_case)));
-    if (!options.deck.empty())
-        files.add(options.deck,
-                  mechanics::calculix_text(full_frame(surface, load_case), mechanics::DeckReader::Calculix));
+    if (!options.frame_out.empty() || !options.deck.empty()) {
+        const mechanics::Frame frame = full_frame(surface, load_case);
+        if (!options.frame_out.empty()) files.add(options.frame_out, mechanics::frame_text(frame));
+        if (!options.deck.empty())
+            files.add(options.deck, mechanics::calculix_text(frame, mechanics::DeckReader::Calculix));
+    }
     mechanics::Result result = simulate(options, surface, load_case, project.load_cases, work.control());
     add_modes(options, surface, load_case, result, work.control());
     files.add(options.out, mechanics::result_text(result));
     add_drawings(options, surface, result, files);
-    files.commit();
     OptionalRange range;
     if (result.solver == "linear" && result.solution.converged())
         range =
             simulation::surface_linear_range(surface, load_case, options.simulation.threads, work.control());
+    files.commit();
     options.json ? print_json(result, range) : print(result);
     if (!options.json && !options.stages.empty()) print_steps(result);
     if (range && simulation::is_exceeded(*range))

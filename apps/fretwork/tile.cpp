@@ -231,7 +231,7 @@ void run(const Options& options) {
     simulation::NewProject made = simulation::make_project(file.parts, wanted, library);
     warn(made);
     const Project project = write(std::move(made.project), options, library);
-    warn_of_close_bars(project, options.clearance);
+    warn_of_close_bars(project, library, options.clearance);
     if (options.json) return print_json(made.report, project, file);
     std::printf("outline of %s%s\n", tiling::size_text(file.parts).c_str(),
                 file.parts.size() > 1 ? (", " + std::to_string(file.parts.size()) + " parts").c_str() : "");

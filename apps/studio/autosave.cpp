@@ -96,9 +96,9 @@ std::vector<Recoverable> find_recoverable(const fs::path& folder) {
     std::vector<Recoverable> found;
     std::error_code none;
     for (const auto& entry : fs::directory_iterator(folder, none)) {
-        if (entry.path().extension() != ".json" || !try_lock(entry.path())) continue;
+        if (entry.path().extension() != ".json") continue;
         try {
-            found.push_back(read_label(entry.path()));
+            if (try_lock(entry.path())) found.push_back(read_label(entry.path()));
         } catch (const base::Error&) {
             continue;  // no autosave, or one of another version
         } catch (const fs::filesystem_error&) {

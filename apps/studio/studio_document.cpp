@@ -48,11 +48,13 @@ Json examples_json() {
     return list;
 }
 
-/// All kinds of file that `fretwork export` writes.
+/// The kinds of file that `fretwork export` writes, by what each ending means.
 Json exports_json() {
     Json list = Json::array();
-    for (const exports::WriterRow& writer : exports::writer_catalogue())
-        list.push_back({{"ending", writer.ending}, {"summary", writer.description}});
+    for (const exports::WriterRow& writer : exports::writer_catalogue()) {
+        if (exports::is_default(writer))
+            list.push_back({{"ending", writer.ending}, {"summary", writer.description}});
+    }
     return list;
 }
 

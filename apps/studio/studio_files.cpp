@@ -97,9 +97,11 @@ struct NamedProject {
 void add_remarks(const simulation::NewProject& made, std::vector<std::string>& remarks) {
     if (made.report.negligible_points > 0)
         remarks.push_back(std::to_string(made.report.negligible_points) +
-                          " points of the outline that lie very close to others left out");
+                          (made.report.negligible_points == 1
+                               ? " point of the outline that lies very close to another left out"
+                               : " points of the outline that lie very close to others left out"));
     if (made.report.refined_share > 0.0)
-        remarks.push_back(std::to_string(std::lround(100 * made.report.refined_share)) +
+        remarks.push_back(std::to_string(std::max(1L, std::lround(100 * made.report.refined_share))) +
                           " % of the tiles are smaller, since the outline is narrow near them");
 }
 

@@ -99,6 +99,40 @@ TEST_F(PaintCommand, MirroringTwiceChangesNothing) {
     EXPECT_EQ(patterns(), before);
 }
 
+TEST_F(PaintCommand, AnotherProjectIsWrittenWhereOutSays) {
+    const auto before = patterns();
+    const Outcome painted = run("fretwork paint p.json --patterns 0-5+5-6 --out new.json");
+    ASSERT_EQ(painted.exit_code, 0) << painted.err;
+    EXPECT_EQ(patterns(), before);
+    const auto written = simulation::read_project(folder_.path() / "new.json");
+    EXPECT_EQ(written.tessellation.patterns, std::vector<std::string>{"0-5+5-6"});
+}
+
+TEST_F(PaintCommand, PatternsOfAnotherLayoutAreRefusedBeforeAnythingIsWritten) {
+    ASSERT_EQ(run("fretwork enumerate --layout spider4 --library l.db && "
+                  "fretwork calibrate --library l.db --model condensed")
+                  .exit_code,
+              0);
+    const auto before = patterns();
+    const Outcome refused = run("fretwork paint p.json --library l.db --patterns random:1");
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_THAT(refused.err, AllOf(HasSubstr("spider4"), HasSubstr("paper7")));
+    EXPECT_EQ(patterns(), before);
+}
+
+TEST_F(PaintCommand, SeveralColoursMayStandForOnePattern) {
+    folder_.file(
+        "two.svg",
+        R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 2000 2000" width="2000mm" height="2000mm">
+<rect width="100" height="2000" fill="#00f"/><rect x="100" width="1900" height="2000" fill="red"/></svg>)");
+    ASSERT_EQ(run("fretwork tile experiments/outlines/specimen.svg --edge-length 40mm --out q.json "
+                  "--patterns colours:two.svg --palette red=0-5+5-6,#00f=0-5+5-6")
+                  .exit_code,
+              0);
+    const auto written = simulation::read_project(folder_.path() / "q.json");
+    EXPECT_EQ(written.tessellation.patterns, std::vector<std::string>{"0-5+5-6"});
+}
+
 TEST_F(PaintCommand, NoTileThereIsExitOneAndChangesNothing) {
     const auto before = patterns();
     const Outcome none = run("fretwork paint p.json --box 9,9,10,10 --patterns 0-5+5-6");

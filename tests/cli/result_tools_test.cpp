@@ -52,6 +52,8 @@ TEST_F(ResultTools, BeamsListTheMostStressedFirst) {
     EXPECT_EQ(run("fretwork beams p.json full.json --out b.csv").exit_code, 0) << "its own table is replaced";
     EXPECT_EQ(run("fretwork beams p.json condensed.json").exit_code, 0) << "inner nodes are recovered";
     EXPECT_EQ(run("fretwork beams p.json full.json --strength much").exit_code, 2);
+    EXPECT_EQ(run("fretwork beams p.json full.json --top 0 --json").exit_code, 0)
+        << "none is shown, all are known";
     ASSERT_EQ(run("fretwork paint p.json --patterns 0-5+5-6").exit_code, 0);
     EXPECT_THAT(run("fretwork beams p.json full.json").err, HasSubstr("is no result of this project"));
 }

@@ -18,14 +18,14 @@ FactsOfScene sample_facts() {
 }
 
 TEST(FactsReport, TheTableHasUnitsAndTheWarningsTheirPlaces) {
-    const std::string text = facts_text(sample_facts());
+    const std::string text = facts_text(sample_facts().facts);
     EXPECT_THAT(text, AllOf(HasSubstr("length of cut"), HasSubstr(" mm"), HasSubstr(" g "),
                             HasSubstr("tile "), HasSubstr("node ")));
 }
 
 TEST(FactsReport, JsonHasTheSameNumbersInSi) {
     const FactsOfScene sample = sample_facts();
-    const auto json = base::JsonReader::from_text(facts_json(sample), "facts");
+    const auto json = base::JsonReader::from_text(facts_json(sample.facts), "facts");
     EXPECT_DOUBLE_EQ(json.at("area").number(), sample.facts.area);
     EXPECT_DOUBLE_EQ(json.at("mass").number(), sample.facts.mass);
     EXPECT_DOUBLE_EQ(json.at("cut_length").number(), sample.facts.cut_length);

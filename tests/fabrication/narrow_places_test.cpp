@@ -16,6 +16,10 @@ TEST(NarrowPlaces, TheLargestCircleInATriangleIsItsIncircle) {
     EXPECT_NEAR(circle.center.y, 1.0, 0.05);
 }
 
+TEST(NarrowPlaces, NoCircleFitsIntoAFlatPolygon) {
+    EXPECT_EQ(inner_circle({{0.0, 0.0}, {1.0, 0.0}}).radius, 0.0);
+}
+
 TEST(NarrowPlaces, AThinOpeningIsFoundWithItsWidthTileAndNode) {
     // Two parallel bars, a fifth of a millimetre apart, joined at their ends.
     const double apart = kWidth + 2e-4;

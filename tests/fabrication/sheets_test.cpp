@@ -40,6 +40,17 @@ TEST(Sheets, PartsLieOnTheBedWithinItsMargins) {
     }
 }
 
+TEST(Sheets, AWideFrameLiesOnTheBedToo) {
+    const Bed bed{.width = 0.2, .height = 0.15};
+    const SheetSet set = cut_into_sheets(wide_surface(), {.frame_width = 0.02}, bed);
+    for (const CutSheet& sheet : set.sheets) {
+        const Box box = box_of(sheet);
+        EXPECT_GE(std::min(box.xmin, box.ymin), bed.margin - 1e-9);
+        EXPECT_LE(box.xmax, bed.width - bed.margin + 1e-9);
+        EXPECT_LE(box.ymax, bed.height - bed.margin + 1e-9);
+    }
+}
+
 TEST(Sheets, PartsOnASheetDoNotOverlap) {
     const SheetSet set = cut_into_sheets(wide_surface(), {}, {.width = 0.2, .height = 0.15});
     for (const CutSheet& sheet : set.sheets) {

@@ -5,6 +5,7 @@
 #include <fretwork/base/text.hpp>
 #include <fretwork/study/run_table.hpp>
 #include <fretwork/study/study.hpp>
+#include <fretwork/study/study_problem.hpp>
 
 #include <algorithm>
 #include <sys/wait.h>
@@ -114,6 +115,13 @@ TEST(Study, RefusesAPlanThatMakesNoSense) {
     plan.repetitions = 0;
     const TemporaryFolder folder;
     EXPECT_THROW(run_study(plan, folder.path()), base::InputError);
+}
+
+TEST(StudyProblems, OfLayoutsWithSeveralInterfaceNodesASideAreRefused) {
+    EXPECT_THAT(
+        test::complaint_of([] { (void)make_study_problem("calibration/doors6:0-1+1-2+1-3+1-4+2-3+3-5"); }),
+        testing::HasSubstr("doors6"));
+    EXPECT_NO_THROW((void)make_study_problem("calibration/spider4:0-1+1-3"));
 }
 
 }  // namespace

@@ -40,8 +40,8 @@ class CutSvg {
 
   private:
     void begin() {
-        const std::string width = millimetres(box_.width());
-        const std::string height = millimetres(box_.height());
+        const std::string width = millimetre_number(box_.width());
+        const std::string height = millimetre_number(box_.height());
         text_ = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<!-- " + std::string(base::kMadeBy) +
                 ": lengths in millimetres at true scale -->\n<svg xmlns=\"http://www.w3.org/2000/svg\" "
                 "xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" width=\"" +
@@ -101,9 +101,9 @@ class CutSvg {
 
     void texts(const std::vector<Label>& labels) {
         for (const Label& label : labels) {
-            text_ += "<text x=\"" + millimetres(label.place.x - box_.xmin) + "\" y=\"" +
-                     millimetres(box_.ymax - label.place.y + 0.35 * label.height) + "\" font-size=\"" +
-                     millimetres(label.height) + "\">" + label.text + "</text>\n";
+            text_ += "<text x=\"" + millimetre_number(label.place.x - box_.xmin) + "\" y=\"" +
+                     millimetre_number(box_.ymax - label.place.y + 0.35 * label.height) + "\" font-size=\"" +
+                     millimetre_number(label.height) + "\">" + label.text + "</text>\n";
         }
     }
 

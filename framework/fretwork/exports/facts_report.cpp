@@ -2,7 +2,6 @@
 #include <fretwork/base/internal/json_text.hpp>
 #include <fretwork/base/provenance.hpp>
 #include <fretwork/exports/cut_files.hpp>
-#include <fretwork/exports/detail/millimetres.hpp>
 #include <fretwork/exports/facts_report.hpp>
 
 #include <algorithm>
@@ -13,7 +12,6 @@ namespace fretwork::exports {
 namespace {
 
 using base::Json;
-using detail::millimetres;
 using fabrication::Facts;
 using fabrication::NarrowPlace;
 
@@ -99,19 +97,18 @@ std::string marked_picture(const FactsOfScene& scene) {
 
 }  // namespace
 
-std::string facts_text(const FactsOfScene& scene) {
+std::string facts_text(const Facts& facts) {
     constexpr std::size_t kColumn = 24;
     std::string text = "Facts for making, " + std::string(base::kMadeBy) + "\n";
-    for (const Row& row : rows(scene.facts))
+    for (const Row& row : rows(facts))
         text +=
             row.name + std::string(kColumn - std::min(kColumn - 1, row.name.size()), ' ') + row.value + "\n";
-    text += scene.facts.warnings.empty() ? "no warnings\n" : "warnings:\n";
-    for (const fabrication::Warning& warning : scene.facts.warnings) text += "- " + warning.message + "\n";
+    text += facts.warnings.empty() ? "no warnings\n" : "warnings:\n";
+    for (const fabrication::Warning& warning : facts.warnings) text += "- " + warning.message + "\n";
     return text;
 }
 
-std::string facts_json(const FactsOfScene& scene) {
-    const Facts& facts = scene.facts;
+std::string facts_json(const Facts& facts) {
     Json document = {{"format", "fretwork/facts/1"},
                      {"tiles", facts.tiles},
                      {"bars", facts.bars},

@@ -8,16 +8,15 @@
 
 namespace fretwork::exports {
 
+/// A table for people, in millimetres, grams and megapascals; then the warnings, one a line.
+std::string facts_text(const fabrication::Facts& facts);
+/// "fretwork/facts/1", SI.
+std::string facts_json(const fabrication::Facts& facts);
 /// Facts, and the outline that pictures show.
 struct FactsOfScene {
     fabrication::Facts facts;
     fabrication::CutSheet sheet;
 };
-
-/// A table for people, in millimetres, grams and megapascals; then the warnings, one a line.
-std::string facts_text(const FactsOfScene& scene);
-/// "fretwork/facts/1", SI.
-std::string facts_json(const FactsOfScene& scene);
 /// One page without anything else: the table, and a picture in which the warnings are marked.
 std::string facts_html(const FactsOfScene& scene);
 

@@ -60,13 +60,12 @@ fabrication::CutSheet cut_sheet(const Scene& scene) {
     return side_by_side(cut_into_sheets(scene.surface, options, *scene.making.bed), *scene.making.bed);
 }
 
-FactsOfScene scene_facts(const Scene& scene) {
+fabrication::Facts scene_facts(const Scene& scene) {
     fabrication::FactsOptions options = scene.making.facts;
     options.control = scene.control;
     const fabrication::FactsLoads loads{scene.load_case ? &*scene.load_case : nullptr,
                                         scene.results.empty() ? nullptr : &scene.results.front().result};
-    const fabrication::ShapeOptions shape = making(scene);
-    return {facts(scene.surface, shape, loads, options), fabrication::whole_sheet(scene.surface, shape)};
+    return facts(scene.surface, making(scene), loads, options);
 }
 
 /// Chords of a print may be off by a twentieth of a nozzle: files are a third as large as with 5 micrometres.
@@ -128,7 +127,10 @@ constexpr std::array<WriterRow, 17> kWriters = {{
     {".json", Content::Facts, "the same for programs, SI",
      [](const Scene& scene) { return facts_json(scene_facts(scene)); }, Kind::Made},
     {".html", Content::Facts, "the same as a page with a picture of where the warnings are",
-     [](const Scene& scene) { return facts_html(scene_facts(scene)); }, Kind::Made},
+     [](const Scene& scene) {
+         return facts_html({scene_facts(scene), fabrication::whole_sheet(scene.surface, making(scene))});
+     },
+     Kind::Made},
 }};
 
 struct ContentName {
@@ -151,6 +153,10 @@ std::string lower_ending(const std::filesystem::path& path) {
 
 std::span<const WriterRow> writer_catalogue() {
     return kWriters;
+}
+
+bool is_default(const WriterRow& writer) {
+    return &find_writer("file" + std::string(writer.ending)) == &writer;
 }
 
 std::string_view content_name(Content content) {

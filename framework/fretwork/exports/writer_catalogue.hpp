@@ -91,5 +91,7 @@ std::span<const WriterRow> writer_catalogue();
 /// The writer for a file, by its ending; of several the first, or that of the wanted content. Throws
 /// InputError that lists what there is.
 const WriterRow& find_writer(const std::filesystem::path& path, std::optional<Content> content = {});
+/// Whether this is what its ending means where no content is named.
+bool is_default(const WriterRow& writer);
 
 }  // namespace fretwork::exports

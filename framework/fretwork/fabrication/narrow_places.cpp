@@ -168,6 +168,7 @@ InnerCircle inner_circle(const Polygon& polygon) {
         return Cell{center, size, distance_to_rim(polygon, center)};
     };
     Cell best = cell({0.5 * (box.xmin + box.xmax), 0.5 * (box.ymin + box.ymax)}, 0.0);
+    if (!(half > 0.0)) return {best.center, 0.0};  // flat: no square covers it
     std::priority_queue<Cell> cells;
     for (double x = box.xmin + half; x < box.xmax + half; x += 2.0 * half)
         for (double y = box.ymin + half; y < box.ymax + half; y += 2.0 * half) cells.push(cell({x, y}, half));

@@ -64,7 +64,7 @@ class ShapeMaker {
         std::vector<Patch> patches = bar_patches(plan_, options_.kerf);
         if (options_.bolt_diameter == 0.0) return patches;
         for (const TessellationNodeIndex node : options_.bolts)
-            patches.push_back(disc_patch({place(node), 0.5 * (eye_diameter(options_) + options_.kerf)}));
+            patches.push_back(disc_patch({place(node), options_.eye_radius()}));
         return patches;
     }
     [[nodiscard]] std::vector<Box> boxes() const {
@@ -86,7 +86,7 @@ class ShapeMaker {
         std::vector<Contour> contours;
         for (const Polygon& gap : difference(whole, parts)) {
             if (endless && pattern::signed_area(gap) > 0.0 && is_far_around(gap)) continue;
-            contours.push_back(with_fillets(reversed(with_arcs(gap, discs)), fillet()));
+            contours.push_back(with_fillets(reversed(with_arcs(gap, discs)), options_.contour_fillet()));
         }
         return contours;
     }
@@ -120,8 +120,6 @@ class ShapeMaker {
         const Box box = fabrication::box_of(std::span<const Point2>(gap));
         return box.xmin < around[0].x + 0.5 * kMargin && box.xmax > around[2].x - 0.5 * kMargin;
     }
-    [[nodiscard]] double fillet() const { return std::max(0.0, options_.fillet - 0.5 * options_.kerf); }
-
     void drill(Shape& shape) const {
         if (options_.bolt_diameter == 0.0) return;
         for (std::size_t i = 0; i < options_.bolts.size(); ++i) {
@@ -132,8 +130,7 @@ class ShapeMaker {
                                        " and " + std::to_string(options_.bolts[i]) + " meet, at " +
                                        place_text(center));
             }
-            const double radius = 0.5 * (options_.bolt_diameter - options_.kerf);
-            piece_around(shape, center).openings.push_back(reversed(circle(center, radius)));
+            piece_around(shape, center).openings.push_back(reversed(circle(center, options_.hole_radius())));
         }
     }
 
@@ -158,6 +155,14 @@ void ShapeOptions::validate() const {
                                base::format_number(bolt_diameter) + " m");
     if (bolt_diameter > 0.0 && bolt_diameter <= kerf)
         throw base::InputError("the diameter of holes for bolts is not above the kerf");
+}
+
+double ShapeOptions::eye_radius() const {
+    return 0.5 * (fabrication::eye_diameter(*this) + kerf);
+}
+
+double ShapeOptions::contour_fillet() const {
+    return std::max(0.0, fillet - 0.5 * kerf);
 }
 
 Shape make_shape(const simulation::Surface& surface, const ShapeOptions& options) {

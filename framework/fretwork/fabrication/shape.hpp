@@ -32,6 +32,12 @@ struct ShapeOptions {
     base::Control control{};
     /// Throws InputError that names the option.
     void validate() const;
+
+    /// The contours of a bolt's eye and of its hole, m; the cutter takes the kerf.
+    [[nodiscard]] double eye_radius() const;
+    [[nodiscard]] double hole_radius() const { return 0.5 * (bolt_diameter - kerf); }
+    /// Of the contour that the cutter follows, m.
+    [[nodiscard]] double contour_fillet() const;
 };
 
 /// The outline of a surface's bars: all places within half a width of a bar's line, so joints and free ends

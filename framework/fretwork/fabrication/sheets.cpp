@@ -65,7 +65,7 @@ class SheetCutter {
           bed_(bed),
           plan_(bar_plan(surface, options.frame_width)),
           size_(plan_.width),
-          part_of_tile_(parts_of_tiles(surface.tessellation, bed, size_.plate)) {}
+          part_of_tile_(parts_of_tiles(surface.tessellation, bed, reach())) {}
 
     SheetSet run() {
         find_joints();
@@ -80,6 +80,14 @@ class SheetCutter {
     }
 
   private:
+    /// How far material lies beyond the tiles of a part: plates of joints, half a frame, eyes.
+    [[nodiscard]] double reach() const {
+        double farthest = std::max(size_.plate, 0.5 * (options_.frame_width + options_.kerf));
+        if (!options_.bolts.empty() && options_.bolt_diameter > 0.0)
+            farthest = std::max(farthest, options_.eye_radius());
+        return farthest;
+    }
+
     /// The sides that two parts share.
     void find_joints() {
         struct Side {
@@ -188,7 +196,7 @@ class SheetCutter {
             if (near && !plates.empty())
                 touched.push_back(flattened(contour, kChordShare * plan.width));
             else
-                contours.push_back(with_fillets(contour, fillet()));
+                contours.push_back(with_fillets(contour, options_.contour_fillet()));
         };
         for (const Piece& piece : shape.pieces) {
             sort_in(piece.outer);
@@ -205,11 +213,10 @@ class SheetCutter {
     /// Eyes and holes are circles to be found again.
     void add_bolts(JointCut& cut) const {
         if (options_.bolt_diameter == 0.0) return;
-        const double eye = options_.eye_diameter > 0.0 ? options_.eye_diameter : 2.0 * options_.bolt_diameter;
         for (const TessellationNodeIndex node : options_.bolts) {
             const Point2& place = plan_.nodes[static_cast<std::size_t>(node)];
-            cut.discs.push_back({place, 0.5 * (eye + options_.kerf)});
-            cut.discs.push_back({place, 0.5 * (options_.bolt_diameter - options_.kerf)});
+            cut.discs.push_back({place, options_.eye_radius()});
+            cut.discs.push_back({place, options_.hole_radius()});
         }
     }
 
@@ -231,15 +238,13 @@ class SheetCutter {
         return cut.sockets.empty() ? all : without(all, united(cut.sockets));
     }
 
-    [[nodiscard]] double fillet() const { return std::max(0.0, options_.fillet - 0.5 * options_.kerf); }
-
     /// Corners of knobs and sockets must stay as they fit; so contours with a joint keep their corners.
     [[nodiscard]] Contour fillets_away_from_joints(const Contour& contour) const {
         for (const ContourPoint& point : contour) {
             for (const Joint& joint : joints_)
                 if (distance(point.place, joint.place) < size_.plate + bed_.fit) return contour;
         }
-        return with_fillets(contour, fillet());
+        return with_fillets(contour, options_.contour_fillet());
     }
 
     [[nodiscard]] std::vector<CutSheet> nest(const std::vector<Part>& parts) const {

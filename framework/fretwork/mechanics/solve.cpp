@@ -77,12 +77,13 @@ void add_modes(const Assembly& assembly, const SolveOptions& options, Result& re
         result.buckling_modes = buckling_modes(assembly, options.buckling_modes, modes);
 }
 
-/// The result so far, with all solutions of the path.
-Result solve_since(Clock::time_point start, const Assembly& assembly, const SolveOptions& options) {
+/// The result so far, with all solutions of a path that was begun then.
+Result result_of(const Assembly& assembly, Solver solver, std::vector<Solution> path,
+                 Clock::time_point start) {
     Result result;
-    result.solver = solver_name(options.solver);
+    result.solver = solver_name(solver);
     result.nodes = reported_nodes(assembly);
-    result.load_steps = equilibria(assembly, options);
+    result.load_steps = std::move(path);
     result.solution = end_of_path(result.load_steps);
     result.seconds = seconds_since(start);
     return result;
@@ -93,17 +94,41 @@ void finish(const Assembly& assembly, const SolveOptions& options, Result& resul
     add_modes(assembly, options, result);
 }
 
+Assembly assembled(const LabelledFrame& input, const SolveOptions& options) {
+    return assemble(input.frame, {options.lumped_gravity, input.labels, options.control.silent()});
+}
+
 Result solve_frame(const LabelledFrame& input, const SolveOptions& options) {
     const Clock::time_point start = Clock::now();
-    const Assembly assembly =
-        assemble(input.frame, {options.lumped_gravity, input.labels, options.control.silent()});
-    Result result = solve_since(start, assembly, options);
+    const Assembly assembly = assembled(input, options);
+    Result result = result_of(assembly, options.solver, equilibria(assembly, options), start);
     if (options.estimate_error)
         result.discretization_error = estimate_discretization_error(input.frame, load_factors(options),
                                                                     result.load_steps, path_options(options))
                                           .back();
     finish(assembly, options, result);
     return result;
+}
+
+Result snap_frame(const LabelledFrame& input, const SolveOptions& options) {
+    const Clock::time_point start = Clock::now();
+    const Assembly assembly = assembled(input, options);
+    Result result =
+        result_of(assembly, options.solver,
+                  follow_snapping_path(assembly, load_factors(options), path_options(options)), start);
+    finish(assembly, options, result);
+    return result;
+}
+
+/// Complaints about a structure name its file.
+Result solved_by(Result (*solve)(const LabelledFrame&, const SolveOptions&), const LabelledFrame& frame,
+                 const SolveOptions& options) {
+    try {
+        return solve(frame, options);
+    } catch (const base::NumericalError& error) {
+        if (frame.source.empty()) throw;
+        throw base::NumericalError(frame.source + ": " + error.what());
+    }
 }
 
 void require(bool good, const std::string& message) {
@@ -167,36 +192,22 @@ Result solve(const Assembly& assembly, const SolveOptions& options) {
     options.validate();
     require(!options.estimate_error, "a discretization error is estimated for a frame only");
     require(!options.lumped_gravity, "lumped-gravity is for a frame: an assembly has its loads");
-    Result result = solve_since(Clock::now(), assembly, options);
+    const Clock::time_point start = Clock::now();
+    Result result = result_of(assembly, options.solver, equilibria(assembly, options), start);
     finish(assembly, options, result);
     return result;
 }
 
 Result solve(const LabelledFrame& frame, const SolveOptions& options) {
     options.validate();
-    try {
-        return solve_frame(frame, options);
-    } catch (const base::NumericalError& error) {
-        if (frame.source.empty()) throw;
-        throw base::NumericalError(frame.source + ": " + error.what());
-    }
+    return solved_by(solve_frame, frame, options);
 }
 
-Result solve_snapping(const LabelledFrame& input, const SolveOptions& options) {
+Result solve_snapping(const LabelledFrame& frame, const SolveOptions& options) {
     require(options.solver == Solver::Newton && !options.branch && !options.estimate_error,
             "a path that snaps works with the solver newton, without a branch and an estimate of its error");
     options.validate();
-    const Clock::time_point start = Clock::now();
-    const Assembly assembly =
-        assemble(input.frame, {options.lumped_gravity, input.labels, options.control.silent()});
-    Result result;
-    result.solver = solver_name(Solver::Newton);
-    result.nodes = reported_nodes(assembly);
-    result.load_steps = follow_snapping_path(assembly, load_factors(options), path_options(options));
-    result.solution = end_of_path(result.load_steps);
-    result.seconds = seconds_since(start);
-    finish(assembly, options, result);
-    return result;
+    return solved_by(snap_frame, frame, options);
 }
 
 }  // namespace fretwork::mechanics

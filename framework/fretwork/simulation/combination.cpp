@@ -8,15 +8,6 @@
 namespace fretwork::simulation {
 namespace {
 
-/// The load case that is named.
-const LoadCase& case_of(const LoadCase::Share& share, std::span<const LoadCase> cases) {
-    const auto found = std::ranges::find(cases, share.load_case, &LoadCase::name);
-    if (found != cases.end()) return *found;
-    std::vector<std::string> names;
-    for (const LoadCase& other : cases) names.push_back(other.name);
-    throw base::InputError(base::unknown_name_message("load case", share.load_case, names));
-}
-
 void add(const LoadCase& part, double factor, LoadCase& sum) {
     sum.supports.insert(sum.supports.end(), part.supports.begin(), part.supports.end());
     for (LoadCase::Load load : part.loads) {
@@ -37,6 +28,14 @@ void add(const LoadCase& part, double factor, LoadCase& sum) {
 
 }  // namespace
 
+const LoadCase& load_case_of(const std::string& name, std::span<const LoadCase> cases) {
+    const auto found = std::ranges::find(cases, name, &LoadCase::name);
+    if (found != cases.end()) return *found;
+    std::vector<std::string> names;
+    for (const LoadCase& other : cases) names.push_back(other.name);
+    throw base::InputError(base::unknown_name_message("load case", name, names));
+}
+
 LoadCase combined(const LoadCase& load_case, std::span<const LoadCase> cases) {
     LoadCase sum = load_case;
     sum.combines.clear();
@@ -44,7 +43,7 @@ LoadCase combined(const LoadCase& load_case, std::span<const LoadCase> cases) {
         const LoadCase::Share& share = load_case.combines[i];
         try {
             if (share.load_case == load_case.name) throw base::InputError("is itself");
-            const LoadCase& part = case_of(share, cases);
+            const LoadCase& part = load_case_of(share.load_case, cases);
             if (!part.combines.empty())
                 throw base::InputError("'" + part.name + "' is a combination, too: name what it combines");
             add(part, share.factor, sum);

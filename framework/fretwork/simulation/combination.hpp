@@ -7,6 +7,9 @@
 
 namespace fretwork::simulation {
 
+/// The load case of a name. Throws InputError that names the nearest, or all.
+const LoadCase& load_case_of(const std::string& name, std::span<const LoadCase> cases);
+
 /// A load case with what it combines: loads, area loads, prescribed displacements and gravity of the other
 /// cases times their factors, and the supports of all of them. One that combines nothing stays as it is.
 /// Throws InputError if it names a case that is not among `cases`, itself, or one that is a combination, too.

@@ -36,6 +36,11 @@ std::optional<std::string> after(const std::string& text, std::string_view prefi
     return text.substr(prefix.size());
 }
 
+/// Along a palette, by an expression or an image.
+bool is_by_field(const PaintingChoice& choice) {
+    return after(choice.patterns, kField) || after(choice.patterns, kImage);
+}
+
 std::vector<TileIndex> all_tiles(const Tessellation& tessellation) {
     std::vector<TileIndex> tiles;
     for (std::size_t t = 0; t < tessellation.tiles.size(); ++t) tiles.emplace_back(t);
@@ -54,6 +59,14 @@ Painting part_of(const Painting& painting, std::span<const TileIndex> tiles, std
     return part;
 }
 
+/// The place of a pattern in a list that has each once; added if it is new.
+int place_in(std::vector<std::string>& patterns, const std::string& pattern) {
+    const auto known = std::ranges::find(patterns, pattern);
+    const auto place = static_cast<int>(known - patterns.begin());
+    if (known == patterns.end()) patterns.push_back(pattern);
+    return place;
+}
+
 /// One order to paint some tiles.
 class Painter {
   public:
@@ -66,7 +79,7 @@ class Painter {
         if (const auto seed = after(wanted, kRandom))
             return tiling::random_painting(tiles_.size(), detail::weighted_palette(choice_, ground_),
                                            parse_seed(*seed, choice_.names.patterns));
-        if (after(wanted, kField) || after(wanted, kImage)) return by_field();
+        if (is_by_field(choice_)) return by_field();
         if (const auto drawing = after(wanted, kColours)) return by_colours(*drawing);
         if (std::filesystem::path(wanted).extension() == ".json")
             return part_of(tiling::read_painting(wanted, ground_.layout), tiles_, tessellation_.tiles.size(),
@@ -107,10 +120,12 @@ class Painter {
     Painting by_colours(const std::string& file) {
         const tiling::ColouredDrawing drawing(file);
         const auto palette = detail::coloured_palette(choice_, ground_);
-        for (const auto& [colour, pattern] : palette) check_colour(colour, drawing, file);
+        check_colours(palette, drawing, file);
         const auto seen_at = places();
         Painting painting;
-        for (const auto& [colour, pattern] : palette) painting.patterns.push_back(pattern);
+        std::vector<int> places_of_patterns;  // several colours may stand for one pattern
+        for (const auto& [colour, pattern] : palette)
+            places_of_patterns.push_back(place_in(painting.patterns, pattern));
         std::vector<TileIndex> painted;
         for (std::size_t i = 0; i < tiles_.size(); ++i) {
             const auto colour = drawing.colour_at(seen_at[i]);
@@ -118,20 +133,22 @@ class Painter {
                 palette, [&](const auto& known) { return colour && known.first == *colour; });
             if (entry == palette.end()) continue;
             painted.push_back(tiles_[i]);
-            painting.tiles.push_back(static_cast<int>(entry - palette.begin()));
+            painting.tiles.push_back(places_of_patterns[static_cast<std::size_t>(entry - palette.begin())]);
         }
         tiles_ = std::move(painted);
         return painting;
     }
 
-    void check_colour(const std::string& colour, const tiling::ColouredDrawing& drawing,
-                      const std::string& file) const {
+    void check_colours(const std::vector<std::pair<std::string, std::string>>& palette,
+                       const tiling::ColouredDrawing& drawing, const std::string& file) const {
         std::vector<std::string> there = drawing.colours();
         std::erase(there, "");
-        if (std::ranges::find(there, colour) != there.end()) return;
-        throw base::InputError(choice_.names.palette, "",
-                               "nothing in " + file + " is filled with " + colour + "; there is " +
-                                   base::shortened(base::join(there, ", "), 200));
+        for (const auto& [colour, pattern] : palette) {
+            if (std::ranges::find(there, colour) != there.end()) continue;
+            throw base::InputError(choice_.names.palette, "",
+                                   "nothing in " + file + " is filled with " + colour + "; there is " +
+                                       base::shortened(base::join(there, ", "), 200));
+        }
     }
 
     const Tessellation& tessellation_;
@@ -149,7 +166,7 @@ void check(const PaintingChoice& choice) {
                                what + ", and " + names.patterns + " is " +
                                    (choice.patterns.empty() ? "not given" : "'" + choice.patterns + "'"));
     };
-    const bool by_field = after(choice.patterns, kField) || after(choice.patterns, kImage);
+    const bool by_field = is_by_field(choice);
     const bool chooses = by_field || after(choice.patterns, kRandom) || after(choice.patterns, kColours);
     if (!choice.palette.empty() && !chooses)
         refuse(names.palette,
@@ -171,8 +188,8 @@ void paint(Tessellation& tessellation, const PaintingChoice& choice, const Paint
     const Painting painting = painter.run();
     // Where every tile is painted anew, the palette stays as it was given: of many patterns only those in
     // use.
-    const bool by_grade = after(choice.patterns, kField) || after(choice.patterns, kImage);
-    if (painter.tiles().size() == tiles.size() && !by_grade) return tiling::paint(tessellation, painting);
+    if (painter.tiles().size() == tiles.size() && !is_by_field(choice))
+        return tiling::paint(tessellation, painting);
     tiling::paint_tiles(tessellation, painter.tiles(), painting);
 }
 

@@ -9,16 +9,12 @@ namespace fretwork::simulation {
 LoadCase find_load_case(const Project& project, const std::string& name) {
     if (name.empty() && project.load_cases.size() == 1)
         return combined(project.load_cases.front(), project.load_cases);
-    std::vector<std::string> names;
-    for (const LoadCase& load_case : project.load_cases) {
-        if (load_case.name == name) return combined(load_case, project.load_cases);
-        names.push_back(load_case.name);
-    }
-    if (names.empty())
+    if (project.load_cases.empty())
         throw base::InputError("the project has no load case yet; add one with 'fretwork case add'");
-    if (name.empty())
-        throw base::InputError("the project has several load cases; choose one: " + base::join(names, ", "));
-    throw base::InputError(base::unknown_name_message("load case", name, names));
+    if (!name.empty()) return combined(load_case_of(name, project.load_cases), project.load_cases);
+    std::vector<std::string> names;
+    for (const LoadCase& load_case : project.load_cases) names.push_back(load_case.name);
+    throw base::InputError("the project has several load cases; choose one: " + base::join(names, ", "));
 }
 
 std::vector<std::string> models_by_tile(const Project& project) {

@@ -111,10 +111,7 @@ class Stages {
 
     [[nodiscard]] LoadCase case_of(const std::string& name) const {
         if (name == load_case_.name) return load_case_;
-        LoadCase wanted;
-        wanted.name = "stage";
-        wanted.combines = {{name, 1.0}};
-        return combined(wanted, cases_);
+        return combined(load_case_of(name, cases_), cases_);
     }
 
     const Surface& surface_;
@@ -154,6 +151,7 @@ mechanics::Result simulate_stages(const Surface& surface, const LoadCase& load_c
                                   const SimulationOptions& options, mechanics::Snaps snaps,
                                   const base::Control& control) {
     options.validate(surface);
+    if (stages.empty()) throw base::InputError("there is no stage to simulate");
     if (!is_nonlinear(surface, options) || mixed_share(options.model) || options.load_steps > 1 ||
         options.estimate_error || options.estimate_model_error)
         throw base::InputError(

@@ -42,8 +42,8 @@ std::vector<Stage> read_stages(const std::filesystem::path& path);
 /// Simulate stage after stage, each from the equilibrium that the one before has led to
 /// (mechanics::StagedPath), with a model for large displacements. The supports are those of the load case;
 /// its loads act where a stage names it. `cases` are those that stages may name. Result::load_steps has one
-/// solution for each stage that was begun. Throws InputError for other models, for a place that no node lies
-/// at, and for a load case that is not there.
+/// solution for each stage that was begun. Throws InputError for other models, for no stage, for a place that
+/// no node lies at, and for a load case that is not there.
 mechanics::Result simulate_stages(const Surface& surface, const LoadCase& load_case,
                                   std::span<const LoadCase> cases, std::span<const Stage> stages,
                                   const SimulationOptions& options, mechanics::Snaps snaps,

@@ -60,6 +60,9 @@ StudyProblem calibration_problem(const std::string& id, const std::string& patte
     const auto setting = reduction::paper_setting();
     const auto layout = layout_of(pattern_id);
     const auto pattern = pattern::parse_pattern_id(layout, pattern_id);
+    if (!reduction::RingHexagon::fits(layout, setting))
+        throw base::InputError("'" + id + "': problems are of layouts with one interface node a side, and '" +
+                               layout.name() + "' has more");
     const auto responses = reduction::compute_responses(layout, pattern, setting);
     return {id, make_calibration(responses, setting), std::nullopt, {}};
 }

@@ -22,7 +22,8 @@ inline void append_millimetres(std::string& text, double metres) {
     append_rounded(text, 1e3 * metres);
 }
 
-inline std::string millimetres(double metres) {
+/// The same by itself, without a unit.
+inline std::string millimetre_number(double metres) {
     std::string text;
     append_millimetres(text, metres);
     return text;

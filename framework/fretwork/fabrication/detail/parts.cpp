@@ -47,9 +47,9 @@ std::vector<std::size_t> cells_of_tiles(const std::vector<Box>& boxes, const Box
     return found;
 }
 
-/// The first cell whose tiles do not fit, by its box.
-std::optional<Box> too_large(const std::vector<Box>& boxes, const std::vector<std::size_t>& cells,
-                             const Bed& bed, double reach) {
+/// Whether the tiles of each cell fit together.
+bool all_fit(const std::vector<Box>& boxes, const std::vector<std::size_t>& cells, const Bed& bed,
+             double reach) {
     std::map<std::size_t, Box> of_cell;
     for (std::size_t t = 0; t < boxes.size(); ++t) {
         const auto [entry, is_new] = of_cell.emplace(cells[t], boxes[t]);
@@ -57,9 +57,9 @@ std::optional<Box> too_large(const std::vector<Box>& boxes, const std::vector<st
     }
     for (const auto& [cell, box] : of_cell) {
         const Box around = grown(box, reach);
-        if (!fits(around.width(), around.height(), bed)) return around;
+        if (!fits(around.width(), around.height(), bed)) return false;
     }
-    return std::nullopt;
+    return true;
 }
 
 /// Split cells into groups of tiles that have sides in common; number the groups by their first tile.
@@ -119,11 +119,15 @@ std::vector<std::size_t> parts_of_tiles(const tiling::Tessellation& tessellation
         if (best && rows > 1 + *std::ranges::max_element(*best)) break;
         for (std::size_t columns = 1; columns <= boxes.size(); ++columns) {
             const auto cells = cells_of_tiles(boxes, whole, {columns, rows});
-            if (too_large(boxes, cells, bed, reach)) continue;
+            if (!all_fit(boxes, cells, bed, reach)) continue;
             const bool fewer = !best || rows * columns < 1 + *std::ranges::max_element(*best);
             if (fewer) best = cells;
             break;
         }
+    }
+    if (!best) {  // tiles that share a cell of every grid: each is a part of its own
+        best.emplace(boxes.size());
+        std::iota(best->begin(), best->end(), std::size_t{0});
     }
     return connected_groups(tessellation, *best);
 }

@@ -54,6 +54,7 @@ const KNOWN: ExportRow[] = [
   { ending: 'stl', title: 'STL', words: 'a solid for the printer' },
   { ending: '3mf', title: '3MF', words: 'a solid with units' },
   { ending: 'txt', title: 'Facts for making', words: 'mass, lengths, narrow places, stresses' },
+  { ending: 'json', title: 'The same as JSON', words: 'for programs' },
   { ending: 'obj', title: 'OBJ', words: 'centre lines' },
   { ending: 'ply', title: 'PLY', words: 'centre lines' },
   { ending: 'vtu', title: 'VTU', words: 'for ParaView' },

@@ -27,18 +27,21 @@ export interface SizeAdvice {
   isPossible: boolean;
 }
 
-function sideFor(tiles: number): number {
+/** With two digits, rounded as it is said. */
+function sideFor(tiles: number, round = Math.round): number {
   const now = measured.peek();
   if (!now) return 0;
   const scale = width.value / now.size[0];
-  return Number(Math.sqrt((areaWithin(now.loops) * scale * scale) / (HEXAGON * tiles)).toPrecision(2));
+  const exact = Math.sqrt((areaWithin(now.loops) * scale * scale) / (HEXAGON * tiles));
+  const lastDigit = 10 ** (Math.floor(Math.log10(exact)) - 1);
+  return Number((round(exact / lastDigit) * lastDigit).toPrecision(2));
 }
 
 export const sizeAdvice = computed<SizeAdvice | null>(() => {
   const tiles = tilesAbout.value;
   if (tiles === null) return null;
   if (tiles > MOST_TILES) {
-    return { words: `That would be ${digits(tiles)} tiles, and ${MOST_TILES} are the most: choose a side of ${shown(sideFor(MOST_TILES), 'length')} or more.`, isPossible: false };
+    return { words: `That would be ${digits(tiles)} tiles, and ${MOST_TILES} are the most: choose a side of ${shown(sideFor(MOST_TILES, Math.ceil), 'length')} or more.`, isPossible: false };
   }
   if (tiles < FEWEST_TILES) {
     return { words: `A side of ${shown(tileSize.value, 'length')} is too large for this surface: choose ${shown(sideFor(10 * FEWEST_TILES), 'length')} or less.`, isPossible: false };
