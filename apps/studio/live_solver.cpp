@@ -17,6 +17,9 @@ namespace {
 constexpr std::chrono::milliseconds kLeastPatience{100};
 constexpr std::chrono::milliseconds kMostPatience{400};
 constexpr std::chrono::milliseconds kLongestSilence{1000};
+/// So long newer input may overtake at once what has shown positions, if only its first iterate. Then an
+/// equilibrium is due: first iterates become worse the farther they are from the last one.
+constexpr std::chrono::milliseconds kLongestApproximation{200};
 /// Loads that have not moved for so long are at rest.
 constexpr std::chrono::milliseconds kRest{150};
 
@@ -66,7 +69,10 @@ void LiveSolver::submit(SolverInput input) {
 }
 
 bool LiveSolver::is_to_be_stopped(Clock::time_point now) const {
-    if (!began_ || now - *unanswered_since_ > kLongestSilence) return false;
+    if (!began_) return false;
+    const auto silence = now - *unanswered_since_;
+    if (is_shown_) return silence <= kLongestApproximation;
+    if (silence > kLongestSilence) return false;
     const auto patience = std::clamp<Clock::duration>(last_took_ * 3 / 2, kLeastPatience, kMostPatience);
     return now - *began_ > patience;
 }
@@ -81,6 +87,7 @@ std::optional<LiveSolver::Attempt> LiveSolver::next_attempt(const std::stop_toke
         (void)changed_.wait(lock, ending, has_input);
     }
     if (ending.stop_requested()) return std::nullopt;
+    is_shown_ = !has_input();
     const auto check = has_input() ? mechanics::StabilityCheck::Left : mechanics::StabilityCheck::Made;
     Attempt attempt{std::move(has_input() ? waiting_ : unchecked_).value(), check, {}};
     waiting_.reset();
@@ -89,6 +96,12 @@ std::optional<LiveSolver::Attempt> LiveSolver::next_attempt(const std::stop_toke
     attempt.stop = stop_.get_token();
     began_ = Clock::now();
     return attempt;
+}
+
+void LiveSolver::let_overtake() {
+    const std::scoped_lock lock(mutex_);
+    is_shown_ = true;
+    if (waiting_ && is_to_be_stopped(Clock::now())) stop_.request_stop();
 }
 
 void LiveSolver::end_attempt(Clock::time_point began) {
@@ -157,6 +170,7 @@ mechanics::Result LiveSolver::result_of(const Attempt& attempt) {
         auto ahead = shown_as(input, std::move(first));
         ahead->stage = Stage::FirstIterate;
         listener_.solved(std::move(ahead));
+        let_overtake();
     };
     return session.solve(
         {.stop = attempt.stop, .progress = &progress}, attempt.check,

@@ -52,7 +52,7 @@ struct ShownBeams {
 /// Who hears of what the solver does, on the solver's thread.
 struct SolverListener {
     std::function<void(const ShownBeams&)> beams;
-    /// Of one input the first iterate may come before the answer.
+    /// Of one input the first iterate may come before the answer, or, where newer input came, instead.
     std::function<void(SolvedPtr)> solved;
     std::function<void(const SolverInput&, const std::string& error)> failed;
     std::function<void(const SolverInput&, double share)> told;
@@ -80,6 +80,8 @@ class LiveSolver {
     };
     void run(const std::stop_token& ending);
     std::optional<Attempt> next_attempt(const std::stop_token& ending);
+    /// By newer input, now that the first iterate is shown.
+    void let_overtake();
     void end_attempt(Clock::time_point began);
     [[nodiscard]] bool is_to_be_stopped(Clock::time_point now) const;
     void solve(const Attempt& attempt);
@@ -94,6 +96,7 @@ class LiveSolver {
     std::optional<SolverInput> waiting_;
     std::stop_source stop_;
     std::optional<Clock::time_point> began_{};             ///< the solve under way
+    bool is_shown_ = false;                                ///< its answer is, or its first iterate
     std::optional<Clock::time_point> unanswered_since_{};  ///< the first input that has no answer yet
     Clock::duration last_took_{};                          ///< the last solve that was not stopped
 

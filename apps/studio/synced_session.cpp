@@ -2,9 +2,11 @@
 #include "synced_session.hpp"
 
 #include <fretwork/base/error.hpp>
+#include <fretwork/base/parallel.hpp>
 #include <fretwork/simulation/combination.hpp>
 #include <fretwork/simulation/load_case_file.hpp>
 
+#include <algorithm>
 #include <map>
 
 namespace fretwork::studio {
@@ -22,6 +24,11 @@ bool have_same_ground(const State& a, const State& b) {
 
 bool is_same(const simulation::LoadCase& a, const simulation::LoadCase& b) {
     return &a == &b || simulation::load_case_text(a) == simulation::load_case_text(b);
+}
+
+/// The page needs a processor, too, to show what was solved before.
+int live_threads() {
+    return std::max(1, base::resolved_thread_count(0) - 1);
 }
 
 }  // namespace
@@ -73,7 +80,8 @@ void SyncedSession::begin(const Situation& wanted) {
         return library_ ? library_->best_calibrations(pattern) : std::vector<reduction::Calibration>{};
     };
     session_.emplace(std::move(opened.surface), load_case_of(wanted),
-                     simulation::SimulationOptions{.model = *state.model, .analysis = state.analysis},
+                     simulation::SimulationOptions{
+                         .model = *state.model, .analysis = state.analysis, .threads = live_threads()},
                      source);
 }
 

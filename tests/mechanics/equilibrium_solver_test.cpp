@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sample.hpp"
+#include "stops.hpp"
 #include "verification/benchmark_frames.hpp"
 
 #include <fretwork/base/error.hpp>
@@ -111,6 +112,30 @@ TEST(EquilibriumSolver, TellsItsFirstIterateWhereItGoesOnFromAnEquilibrium) {
     // A tangent leaves an error that is quadratic in the move.
     EXPECT_LT((told.front().displacements - after.displacements).norm(),
               0.2 * (before.displacements - after.displacements).norm());
+}
+
+/// Before the factors are made anew on the way, and after it; for loads, and for an element, too.
+TEST(EquilibriumSolver, GoesOnFromTheLastEquilibriumAfterAStopAtAnyLook) {
+    const Assembly before = bent_honeycomb();
+    Assembly loads = before;
+    loads.loads *= 1.1;
+    sample::Random random(5);
+    Assembly element = before;
+    while (edit(element, random) != "an element") element = before;
+    for (const Assembly& after : {loads, element}) {
+        const Solution expected = from_rest(after);
+        EquilibriumSolver solver;
+        test::expect_stops_at_any_look(
+            [&](const base::Control& control) {
+                (void)solver.solve(before);
+                (void)solver.solve(after, control);
+            },
+            [&] {
+                const Solution found = solver.solve(after);
+                EXPECT_EQ(solver.starting_point(), StartingPoint::LastEquilibrium);
+                expect_equal(found, expected, "after a stop");
+            });
+    }
 }
 
 /// Neither the lifted end nor its turn may move before the rest of the cantilever does.

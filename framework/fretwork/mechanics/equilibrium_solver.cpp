@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 namespace fretwork::mechanics {
 namespace {
@@ -131,10 +132,23 @@ class EquilibriumSolver::Impl {
         equations_->system.refresh(options_.control);
     }
 
+    /// A stop on the way leaves the last equilibrium to go on from.
     std::optional<Solution> go_on(const Assembly& assembly, const FirstIterate& first_iterate) {
-        adopt(assembly);
+        try {
+            adopt(assembly);
+            return find_next(first_iterate);
+        } catch (const base::Stopped&) {
+            is_settled_ = is_given_up_ = true;
+            throw;
+        }
+    }
+
+    std::optional<Solution> find_next(const FirstIterate& first_iterate) {
         auto& [own, system, newton, mixed] = *equations_;
+        if (std::exchange(is_given_up_, false))
+            has_factors_ = has_factors_ && mixed.come_back(point_.configuration);
         if (!has_factors_ && !mixed.begin(point_.configuration, 1.0)) return {};
+        has_factors_ = true;
         if (!mixed.outcome().positive_definite()) return {};
         PathPoint next = point_;
         const auto first = mixed.depart(next.configuration);
@@ -187,6 +201,7 @@ class EquilibriumSolver::Impl {
     PathPoint point_;           ///< the last equilibrium, if it is settled
     bool is_settled_ = false;   ///< there is a last equilibrium to go on from
     bool has_factors_ = false;  ///< with its stresses
+    bool is_given_up_ = false;  ///< a way from it was, and the factors may be others
     bool is_checked_ = false;   ///< the factors are those of the last equilibrium, and it is stable
     StartingPoint starting_point_ = StartingPoint::Rest;
 };

@@ -51,7 +51,8 @@ class EquilibriumSolver {
     /// - elements replaced by others of the same nodes: the same after new factors in the last equilibrium;
     /// - supports: the order of elimination and the factors anew, in the last equilibrium;
     /// - other nodes, or a last solution that had not converged or was not stable: all, from rest.
-    /// Throws as follow_load_path; then the next call starts from rest.
+    /// Throws as follow_load_path; then the next call starts from rest. A stop on the way from the last
+    /// equilibrium keeps that one to go on from.
     ///
     /// @param first_iterate  may be empty
     Solution solve(const Assembly& assembly, const base::Control& control = {},

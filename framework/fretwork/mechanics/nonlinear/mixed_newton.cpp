@@ -37,13 +37,24 @@ void MixedNewton::begin_at_rest(const Configuration& rest) {
     system_.evaluate_mixed(rest, 0.0, Demand::Tangent, stresses_);
     newton_.factorize_at_rest();
     outcome_ = {};
-    turned_ = moved_ = 0.0;
+    way_ = {};
+}
+
+void MixedNewton::give_own_stresses(const Configuration& configuration, double load_factor) {
+    system_.evaluate_mixed(configuration, load_factor, Demand::Force, stresses_);
+    stresses_.give_own();
 }
 
 bool MixedNewton::begin(const Configuration& equilibrium, double load_factor) {
-    system_.evaluate_mixed(equilibrium, load_factor, Demand::Force, stresses_);
-    stresses_.give_own();
+    give_own_stresses(equilibrium, load_factor);
     return factorize(equilibrium, load_factor);
+}
+
+bool MixedNewton::come_back(const Configuration& equilibrium) {
+    if (!way_at_departure_) return false;
+    give_own_stresses(equilibrium, 1.0);
+    way_ = *way_at_departure_;
+    return true;
 }
 
 bool MixedNewton::restore(const Configuration& configuration, double load_factor,
@@ -54,10 +65,11 @@ bool MixedNewton::restore(const Configuration& configuration, double load_factor
 
 /// False if the residual is not finite; then there are no factors.
 bool MixedNewton::factorize(const Configuration& configuration, double load_factor) {
+    way_at_departure_.reset();
     system_.evaluate_mixed(configuration, load_factor, Demand::Tangent, stresses_);
     if (!std::isfinite(system_.relative_residual())) return false;
     outcome_ = newton_.factorize();
-    turned_ = moved_ = 0.0;
+    way_ = {};
     return outcome_.zero_pivot < 0;
 }
 
@@ -77,12 +89,13 @@ void MixedNewton::move(const Eigen::VectorXd& step, double prescribed, Configura
     unknowns_.layout().scatter(step, motions);
     system_.extrapolate(motions, stresses_);
     unknowns_.move(step, configuration);
-    turned_ += unknowns_.largest_rotation(step);
-    moved_ += size_of(step);
+    way_.turned += unknowns_.largest_rotation(step);
+    way_.moved += size_of(step);
 }
 
 /// What is held moves together with the unknowns: alone it would fold the elements at it.
 MixedNewton::FirstStep MixedNewton::depart(Configuration& configuration) {
+    way_at_departure_ = way_;
     Configuration next = configuration;
     NodeValues motions = unknowns_.hold(next);
     const bool holds_move = !motions.isZero(0.0);
@@ -97,8 +110,8 @@ MixedNewton::FirstStep MixedNewton::depart(Configuration& configuration) {
     first.step = newton_.solve_tangent(first.unbalanced);
     unknowns_.layout().scatter(first.step, motions);
     system_.extrapolate(motions, stresses_);
-    turned_ += motions.rightCols<3>().rowwise().norm().maxCoeff();
-    moved_ += size_of(first.step);
+    way_.turned += motions.rightCols<3>().rowwise().norm().maxCoeff();
+    way_.moved += size_of(first.step);
     if (!(unknowns_.largest_rotation(first.step) <= kTooFar)) return first;
     unknowns_.move(first.step, next);
     configuration = std::move(next);
@@ -113,7 +126,7 @@ Termination MixedNewton::solve(double load_factor, Goal goal, const Eigen::Vecto
     double turn = unknowns_.largest_rotation(step);
     double travelled = size;
     bool anew = turn > kLongStep;
-    const auto is_same = [&] { return turned_ <= kSame && moved_ <= kSameShare * travelled; };
+    const auto is_same = [&] { return way_.turned <= kSame && way_.moved <= kSameShare * travelled; };
     for (int iteration = 0; iteration < kMostIterations; ++iteration) {
         const bool is_near = turn <= (goal == Goal::Approach ? kApproach : kNear) && !is_same();
         if (anew || (is_near && (goal == Goal::Approach || options_.classify_stability))) {

@@ -4,6 +4,7 @@
 #include <fretwork/mechanics/nonlinear/newton.hpp>
 #include <fretwork/mechanics/nonlinear/stress_workspace.hpp>
 
+#include <optional>
 #include <vector>
 
 namespace fretwork::mechanics::nonlinear {
@@ -50,6 +51,9 @@ class MixedNewton {
         Eigen::VectorXd step;
     };
     FirstStep depart(Configuration& configuration);
+    /// Go back to the equilibrium of the last departure, which was given up. False if the factors are no
+    /// longer those there.
+    bool come_back(const Configuration& equilibrium);
 
     /// Of the last factorization.
     [[nodiscard]] const sparse::Ldlt::Outcome& outcome() const { return outcome_; }
@@ -60,6 +64,7 @@ class MixedNewton {
 
   private:
     bool factorize(const Configuration& configuration, double load_factor);
+    void give_own_stresses(const Configuration& configuration, double load_factor);
     [[nodiscard]] bool is_slow(double ratio) const;
     [[nodiscard]] double size_of(const Eigen::VectorXd& step) const;
 
@@ -69,8 +74,13 @@ class MixedNewton {
     const EquilibriumOptions& options_;
     StressWorkspace stresses_;
     sparse::Ldlt::Outcome outcome_;
-    double turned_ = 0.0;  ///< rad, at most, since the factors were made
-    double moved_ = 0.0;   ///< the same of whole steps, against the system's weights
+    /// How far the configuration has gone since the factors were made.
+    struct Way {
+        double turned = 0.0;  ///< rad, at most
+        double moved = 0.0;   ///< of whole steps, against the system's weights
+    };
+    Way way_{};
+    std::optional<Way> way_at_departure_{};  ///< none: the factors were made after it
 };
 
 }  // namespace fretwork::mechanics::nonlinear

@@ -98,21 +98,23 @@ export const combine = (name: string, factor: number): void =>
     return { combines: factor === 0 ? rest : [...rest, { load_case: name, factor }] };
   });
 
-const drag = new Latest<{ change: (present: LoadCase) => Partial<LoadCase>; merge: string }>(async ({ change, merge }) => {
+/** Resolves when what an edit makes of the surface is seen, be it provisionally, or told in words. */
+async function seen(edit: () => Promise<boolean>): Promise<void> {
   const [done, shown] = [settled(), shownAnew()];
-  const changing = editLoadCase(change, merge).then(hasChanged);
+  const changing = edit();
   timeUntil(changing.then((isChanged) => isChanged && shown));
-  if (await changing) await done;
+  if (await changing) await Promise.race([done, shown]);
+}
+
+const drag = new Latest<{ change: (present: LoadCase) => Partial<LoadCase>; merge: string }>(async ({ change, merge }) => {
+  await seen(() => editLoadCase(change, merge).then(hasChanged));
 });
-/** As editLoadCase, while something is dragged: the next one is sent when the last one is seen. */
+/** As editLoadCase, while something is dragged: the next one is sent when the last one is seen, be it provisionally. */
 export const dragLoadCase = (change: (present: LoadCase) => Partial<LoadCase>, merge: string): void => drag.push({ change, merge });
 
 const strokes = new Latest<{ paint: Paint; merge: string }>(async (stroke) => {
   pendingPaint.clear();
-  const [done, shown] = [settled(), shownAnew()];
-  const changing = paint(stroke.paint, stroke.merge);
-  timeUntil(changing.then((isChanged) => isChanged && shown));
-  if (await changing) await done;
+  await seen(() => paint(stroke.paint, stroke.merge));
 });
 const pendingPaint = new Map<number, string>();
 /** Tiles of one stroke; those not sent yet go together. */
