@@ -136,14 +136,17 @@ test('a wrong outline is told in words where it happens', async (t) => {
   assert.match(told, /broken\.svg/);
 });
 
-test('pictures of a large dark screen', async (t) => {
-  const { address } = await startStudio(t, makeProject('26mm'));
-  const page = await openPage(t, address, { width: 1920, height: 1080, theme: 'dark' });
-  await solved(page);
-  await page.waitForSelector('[data-pattern]');
-  await picture(page, '10-large-dark');
-  assert.deepEqual(page.troubles, []);
-});
+for (const theme of ['dark', 'light'])
+  test(`pictures of a large ${theme} screen`, async (t) => {
+    const { address } = await startStudio(t, makeProject('26mm'));
+    const page = await openPage(t, address, { width: 1920, height: 1080, theme });
+    await solved(page);
+    await page.waitForSelector('[data-pattern]');
+    await picture(page, `10-large-${theme}`);
+    await page.click('[data-value=load]');
+    await picture(page, `11-large-${theme}-load`);
+    assert.deepEqual(page.troubles, []);
+  });
 
 test('pictures of the main views', async (t) => {
   const project = makeProject('26mm');
