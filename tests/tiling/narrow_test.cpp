@@ -56,6 +56,36 @@ TEST_P(Rings, StayClosedWhenTheirHoleIsOffTheMiddle) {
 }
 INSTANTIATE_TEST_SUITE_P(Offsets, Rings, testing::Values(0.0, 0.004, 0.02));
 
+/// A star with points of 34 degrees: too wide to be cut off as needles, too sharp for a tile in their ends.
+Polygon sharp_star() {
+    constexpr int kPoints = 5;
+    constexpr double kRadius = 0.25;  // m
+    const double half = 17 * std::numbers::pi / 180;
+    const double inner = kRadius * std::sin(half) / std::sin(half + std::numbers::pi / kPoints);
+    Polygon star;
+    for (int i = 0; i < 2 * kPoints; ++i) {
+        const double radius = i % 2 == 0 ? kRadius : inner;
+        const double angle = std::numbers::pi * i / kPoints;
+        star.push_back({radius * std::cos(angle), radius * std::sin(angle)});
+    }
+    return star;
+}
+
+TEST(Narrow, TheSharpPointsOfAStarAreTiledWithSidesAsLongAsTheBarsNeed) {
+    const Outline star = make_outline(sharp_star(), {});
+    TessellationOptions options{.edge_length = kSide};
+    options.smallest_side = 0.002;
+    const TessellationResult result = tile(star, options);
+    expect_good(result, star);
+    for (std::size_t t = 0; t < result.tessellation.tiles.size(); ++t) {
+        const Polygon polygon = tile_polygon(result.tessellation, TileIndex(static_cast<int>(t)));
+        for (std::size_t i = 0; i < polygon.size(); ++i) {
+            const Point2 way = polygon[(i + 1) % polygon.size()];
+            EXPECT_GE(std::hypot(way.x - polygon[i].x, way.y - polygon[i].y), options.smallest_side);
+        }
+    }
+}
+
 TEST(Narrow, ABandOfHalfATileIsTiledFromEndToEnd) {
     const Outline band = make_outline({{0, 0}, {0.5, 0}, {0.5, 0.02}, {0, 0.02}}, {});
     const TessellationResult result = tile(band);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/text.hpp>
 #include <fretwork/tiling/detail/candidate.hpp>
+#include <fretwork/tiling/detail/defective_cells.hpp>
 #include <fretwork/tiling/detail/ears.hpp>
 #include <fretwork/tiling/detail/measures.hpp>
 #include <fretwork/tiling/detail/merging.hpp>
@@ -26,6 +27,8 @@ constexpr double kGoodGradedError = 0.06;
 constexpr int kRegularizingIterations = 60;
 constexpr int kRepairs = 4;  // of short sides
 constexpr int kRepairIterations = 30;
+constexpr std::size_t kMostToRemove = 12;  // more defects are left to smaller tiles
+constexpr double kRemovedShare = 1e-3;     // of the outline's area: so much may one removed tile uncover
 /// Distance of sites over wanted side: between where the searches for lattices and meshes end.
 constexpr double kRoughFactor = 1.6;
 constexpr int kRoughIterations = 8;
@@ -83,6 +86,10 @@ class Tiler {
         }
         regularize(candidate.dual, rim, kRegularizingIterations, work_);
         repair(candidate, rim);
+        if (candidate.defects.size() <= kMostToRemove) {
+            while (remove_cell(candidate, rim)) {
+            }
+        }
         return candidate;
     }
     /// Merge the small tiles of narrow parts, if that makes no defects.
@@ -133,13 +140,41 @@ class Tiler {
         judge(candidate, rim);
         for (int i = 0; i < kRepairs && !candidate.defects.empty(); ++i) {
             Candidate repaired = candidate;
-            if (collapse_short_sides(repaired.dual, task_.field, work_.control()) == 0) return;
+            if (collapse_short_sides(repaired.dual, task_.field, task_.limits.smallest_side,
+                                     work_.control()) == 0)
+                return;
             regularize(repaired.dual, rim, kRepairIterations, work_);
             judge(repaired, rim);
             if (repaired.defects.size() >= candidate.defects.size()) return;
             candidate = std::move(repaired);
         }
     }
+
+    /// Take away a cell that has a defect, if that leaves fewer defects. Returns whether one was.
+    bool remove_cell(Candidate& candidate, const Rim& rim) const {
+        for (const Defect& defect : candidate.defects) {
+            for (const std::size_t cell : defect.cells) {
+                for (const Dual& dual : without_cell(candidate.dual, cell, most_removed(), work_.control())) {
+                    if (replace(candidate, dual, rim)) return true;
+                }
+            }
+        }
+        return false;
+    }
+    /// Take other tiles, made regular or as they are, if they have fewer defects. Returns whether they have.
+    bool replace(Candidate& candidate, const Dual& dual, const Rim& rim) const {
+        for (const int iterations : {kRepairIterations, 0}) {
+            Candidate other = candidate;
+            other.dual = dual;
+            regularize(other.dual, rim, iterations, work_);
+            judge(other, rim);
+            if (other.defects.size() >= candidate.defects.size()) continue;
+            candidate = std::move(other);
+            return true;
+        }
+        return false;
+    }
+    [[nodiscard]] double most_removed() const { return kRemovedShare * area_of(task_.outline); }
 
     const Task& task_;
     const Start& start_;

@@ -67,16 +67,18 @@ class Comparison {
     [[nodiscard]] const DualVertex& vertex(int v) const {
         return dual_.vertices[static_cast<std::size_t>(v)];
     }
-    void note(DefectKind kind, Point2 place) { shape_.defects.push_back({kind, place}); }
+    void note(DefectKind kind, Point2 place, std::vector<std::size_t> cells = {}) {
+        shape_.defects.push_back({kind, place, std::move(cells)});
+    }
 
     void check_shape(std::size_t cell) {
         const Polygon polygon = polygon_of(dual_, cell);
-        if (!pattern::is_convex(polygon)) return note(DefectKind::NotConvex, middle(polygon));
+        if (!pattern::is_convex(polygon)) return note(DefectKind::NotConvex, middle(polygon), {cell});
         for (std::size_t i = 0; i < polygon.size(); ++i) {
             const Point2 here = polygon[(i + 1) % polygon.size()];
             const Point2 next = polygon[(i + 2) % polygon.size()];
             if (turn(next - here, polygon[i] - here) < limits_.smallest_angle)
-                return note(DefectKind::SharpAngle, here);
+                return note(DefectKind::SharpAngle, here, {cell});
         }
     }
     static Point2 middle(const Polygon& polygon) {
@@ -90,11 +92,15 @@ class Comparison {
         for_each_side(sides, control, [&](std::span<const CellSide> same) {
             const Point2 from = vertex(same.front().from).place;
             const Point2 to = vertex(same.front().to).place;
-            double usual = field_.at(between(from, to, 0.5));
-            for (const CellSide& side : same)
-                usual = std::min(usual, pattern::mean_side(polygon_of(dual_, side.cell)));
+            double mean = 0.0;
+            std::vector<std::size_t> cells;
+            for (const CellSide& side : same) {
+                mean += pattern::mean_side(polygon_of(dual_, side.cell)) / static_cast<double>(same.size());
+                cells.push_back(side.cell);
+            }
+            const double usual = std::min(mean, field_.largest());
             if (distance(from, to) < std::max(limits_.side_share * usual, limits_.smallest_side))
-                note(DefectKind::ShortSide, between(from, to, 0.5));
+                note(DefectKind::ShortSide, between(from, to, 0.5), std::move(cells));
         });
     }
 

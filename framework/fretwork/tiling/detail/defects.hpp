@@ -19,11 +19,12 @@ std::string_view words_for(DefectKind kind);
 struct Defect {
     DefectKind kind = DefectKind::Torn;
     pattern::Point2 place;
+    std::vector<std::size_t> cells{};  ///< that have it, if it is one of a cell or a side
 };
 
 /// What a tiling must not fall below.
 struct QualityLimits {
-    double side_share = 0.25;      ///< of the side that is wanted there, or usual there if that is less
+    double side_share = 0.25;      ///< of the tiles' mean side there, or of the side wanted if that is less
     double smallest_side = 0.0;    ///< m
     double smallest_angle = 0.44;  ///< rad; 25 degrees
     double covered_share = 0.98;   ///< of the outline's area

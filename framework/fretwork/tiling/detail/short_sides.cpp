@@ -9,7 +9,8 @@
 namespace fretwork::tiling::detail {
 namespace {
 
-constexpr double kShort = 0.4;  // of the wanted side, or of the mean side of the tiles there
+constexpr double kShort = 0.4;    // of the wanted side, or of the mean side of the tiles there
+constexpr double kMargin = 1.05;  // over the smallest side allowed: sides change a little afterwards
 
 /// A side that is too short, and the tiles that have it.
 struct ShortSide {
@@ -21,8 +22,12 @@ struct ShortSide {
 
 class Collapser {
   public:
-    Collapser(Dual& dual, const SizeField& field, const base::Control& control)
-        : dual_(dual), field_(field), control_(control), cells_of_(dual.vertices.size()) {
+    Collapser(Dual& dual, const SizeField& field, double smallest_side, const base::Control& control)
+        : dual_(dual),
+          field_(field),
+          least_(kMargin * smallest_side),
+          control_(control),
+          cells_of_(dual.vertices.size()) {
         for (std::size_t c = 0; c < dual.cells.size(); ++c) {
             for (const int vertex : dual.cells[c]) cells_of_[static_cast<std::size_t>(vertex)].push_back(c);
         }
@@ -50,7 +55,7 @@ class Collapser {
             for (const CellSide& side : same)
                 mean += pattern::mean_side(polygon_of(dual_, side.cell)) / static_cast<double>(same.size());
             const double usual = std::min(mean, field_.at(between(a, b, 0.5)));
-            if (distance(a, b) < kShort * usual)
+            if (distance(a, b) < std::max(kShort * usual, least_))
                 result.push_back({distance(a, b), from, to, same.size() == 1});
         });
         std::ranges::sort(result, {}, [](const ShortSide& s) { return std::tuple(s.length, s.from, s.to); });
@@ -101,14 +106,16 @@ class Collapser {
 
     Dual& dual_;
     const SizeField& field_;
+    double least_;  // m
     const base::Control& control_;
     std::vector<std::vector<std::size_t>> cells_of_;  // of each vertex
 };
 
 }  // namespace
 
-int collapse_short_sides(Dual& dual, const SizeField& field, const base::Control& control) {
-    return Collapser(dual, field, control).run();
+int collapse_short_sides(Dual& dual, const SizeField& field, double smallest_side,
+                         const base::Control& control) {
+    return Collapser(dual, field, smallest_side, control).run();
 }
 
 }  // namespace fretwork::tiling::detail
