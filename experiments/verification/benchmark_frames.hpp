@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The frames of published benchmarks, each with its source, in its units; loads at factor 1 are the published
-// critical or full ones. The tests and the experiment use the same frames.
+// The frames of published benchmarks, each with its source, in its units; loads at factor 1 are the critical
+// or full ones. Critical loads are those of the geometrically exact rod (shooting.py), since sources print
+// three or four digits, from few elements. The tests and the experiment use the same frames.
 #pragma once
 
 #include <fretwork/mechanics/frame.hpp>
@@ -85,7 +86,7 @@ inline void add_leg(Frame& frame, Beam like, const Eigen::Vector3d& end, int bea
 }
 
 /// Lee, Manuel and Rossow (1968): legs of 120, hinged at both feet, the load at a fifth of the upper leg,
-/// node 10.
+/// node 10. Sources print 18557.
 inline Frame lee_frame() {
     const Beam bar{.nodes = {},
                    .section = {.area = 6.0, .I2 = 2.0, .I3 = 2.0, .J = 4.0},
@@ -97,13 +98,12 @@ inline Frame lee_frame() {
     add_leg(frame, bar, {120, 0, 120}, 8);
     hold_in_plane(frame);
     for (const int foot : {0, 18}) frame.supports.push_back({NodeIndex(foot), DofSet::translations()});
-    frame.loads.push_back({NodeIndex(10), {0.0, 0.0, -18557.0}});
+    frame.loads.push_back({NodeIndex(10), {0.0, 0.0, -18556.73}});
     return frame;
 }
 
 /// Williams (1964): a toggle of two flat clamped bars, in inches and pounds; the apex is node 4. The load is
-/// the limit load of the extensible elastica, found by shooting (33.87039 at an apex moved by 0.23216).
-/// Sources that print 33.98 had few elements.
+/// reached at an apex moved by 0.23216. Sources print 33.98.
 inline Frame williams_toggle() {
     const double width = 0.753;
     const double height = 0.243;
@@ -130,22 +130,24 @@ inline Beam argyris_strip(int from, int to) {
     return {.nodes = {NodeIndex(from), NodeIndex(to)},
             .section = {.area = 18.0, .I2 = 30.0 * 0.216 / 12.0, .I3 = 0.6 * 27000.0 / 12.0, .J = 2.16},
             .material = {.young_modulus = 71240.0, .poisson_ratio = 0.31},
-            .divisions = 16};
+            .divisions = 64};
 }
 
 /// Argyris et al., Comp. Meth. Appl. Mech. Eng. 20 (1979): a right angle of two legs, clamped at one end,
-/// pulled by 1.089 at the other along the clamped leg.
+/// pulled at the other along the clamped leg. The source prints 1.088; an independent
+/// corotational program gave 1.089.
 inline Frame right_angle_frame() {
     Frame frame;
     frame.nodes = {{0, 0, 0}, {240, 0, 0}, {240, -240, 0}};
     frame.beams = {argyris_strip(0, 1), argyris_strip(1, 2)};
     clamp(frame, 0);
-    frame.loads.push_back({NodeIndex(2), {1.089, 0.0, 0.0}});
+    frame.loads.push_back({NodeIndex(2), {1.08752, 0.0, 0.0}});
     return frame;
 }
 
-/// The same with hinged ends that turn in the plane and slide along their line, under opposite end moments of
-/// 624.6 times `sign`.
+/// The same with hinged ends that turn in the plane and slide along their line, under opposite end moments
+/// times `sign`. The source prints 624.77, Simo and Vu-Quoc (1986) 626; an independent
+/// corotational program gave 624.6.
 inline Frame hinged_right_angle_frame(double sign) {
     const double half = 240.0 / std::numbers::sqrt2;
     Frame frame;
@@ -154,8 +156,8 @@ inline Frame hinged_right_angle_frame(double sign) {
     for (const int end : {0, 2})
         frame.supports.push_back({NodeIndex(end), {{false, true, true, true, true, false}}});
     frame.supports.push_back({NodeIndex(1), {{true, false, false, false, false, false}}});
-    frame.loads.push_back({NodeIndex(0), Eigen::Vector3d::Zero(), {0.0, 0.0, 624.6 * sign}});
-    frame.loads.push_back({NodeIndex(2), Eigen::Vector3d::Zero(), {0.0, 0.0, -624.6 * sign}});
+    frame.loads.push_back({NodeIndex(0), Eigen::Vector3d::Zero(), {0.0, 0.0, 622.222 * sign}});
+    frame.loads.push_back({NodeIndex(2), Eigen::Vector3d::Zero(), {0.0, 0.0, -622.222 * sign}});
     return frame;
 }
 

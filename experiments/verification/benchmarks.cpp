@@ -157,8 +157,8 @@ void critical_rows() {
         row(name, "critical load, linearized", published,
             published * buckling_modes(assemble(frame), 1).at(0).value);
     };
-    add("right-angle frame, tip force", 1.089, right_angle_frame());
-    add("right-angle frame, end moments", 624.6, hinged_right_angle_frame(1.0));
+    add("right-angle frame, tip force", 1.08752, right_angle_frame());
+    add("right-angle frame, end moments", 622.222, hinged_right_angle_frame(1.0));
     add("hockling shaft (torque / exact)", 1.0, hockling_shaft());
 }
 
@@ -217,7 +217,7 @@ Panel convergence() {
 void run(const std::string& out) {
     std::printf("| benchmark | quantity | exact or published | ours | difference |\n|---|---|---|---|---|\n");
     std::vector<Panel> panels{roll_up(), tip_force(), buckled_column()};
-    panels.push_back(snap(lee_frame(), {"Lee's frame", 18557.0, 10, 2.0, 0.6, 150}, "units of the source"));
+    panels.push_back(snap(lee_frame(), {"Lee's frame", 18556.73, 10, 2.0, 0.6, 150}, "units of the source"));
     panels.push_back(snap(williams_toggle(), {"Williams' toggle", 33.87039, 4, 1.5, 0.03, 600}, "inches"));
     critical_rows();
     bend_rows();
