@@ -47,6 +47,19 @@ TEST(SettingText, ReadsBackAsTheSameSetting) {
     EXPECT_EQ(parse_setting(setting_text(setting), "round trip"), setting);
 }
 
+TEST(SettingText, NamesJointsOnlyWhereTheyAreStiff) {
+    Setting setting = paper_setting();
+    const std::string as_before = setting_text(setting);
+    EXPECT_THAT(as_before, HasSubstr("fretwork/setting/1"));
+    EXPECT_THAT(as_before, testing::Not(HasSubstr("joints")))
+        << "libraries and results know settings by this text";
+    setting.joints = Joints::Stiff;
+    EXPECT_THAT(setting_text(setting), HasSubstr("fretwork/setting/2"));
+    EXPECT_EQ(parse_setting(setting_text(setting), "round trip"), setting);
+    EXPECT_EQ(setting_difference(setting, paper_setting()),
+              "/joints: \"stiff\", where the library has \"centreline\"");
+}
+
 TEST(SettingDifference, NamesThePlaceAndBothValues) {
     Setting other = paper_setting();
     EXPECT_EQ(setting_difference(other, paper_setting()), "");
@@ -92,6 +105,7 @@ TEST(SettingFile, BadInputIsRefusedByItsPlace) {
     EXPECT_THAT(complaint(R"("magnitudes": 0)"), HasSubstr("/magnitudes"));
     EXPECT_THAT(complaint(R"("divisions": 0)"), HasSubstr("/divisions"));
     EXPECT_THAT(complaint(R"("branch": "unstable")"), HasSubstr("/branch"));
+    EXPECT_THAT(complaint(R"("joints": "rigid")"), HasSubstr("/joints"));
     EXPECT_THAT(complaint(R"("scenarios": [])"), HasSubstr("/scenarios"));
     EXPECT_THAT(complaint(R"("scenarios": ["axail"])"), HasSubstr("axial"));
     EXPECT_THAT(complaint(R"("scenarios": ["axial", "axial"])"), HasSubstr("/scenarios/1"));

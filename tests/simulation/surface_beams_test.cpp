@@ -19,6 +19,12 @@ Surface sample_surface() {
     return make_surface(test::honeycomb(4, 3, kPatterns, 1), nullptr);
 }
 
+Surface surface_with_stiff_joints() {
+    Surface surface = sample_surface();
+    surface.setting.joints = reduction::Joints::Stiff;
+    return surface;
+}
+
 /// The beams as a model moves them.
 BeamState state_of(const Surface& surface, const LoadCase& load_case, const SimulationOptions& options) {
     Session session(surface, load_case, options);
@@ -51,8 +57,17 @@ TEST(SurfaceBeams, OfTilesThatAreNotPaintedAreLeftOut) {
     }
 }
 
-TEST(BeamState, OfCondensedTilesIsThatOfTheLinearFullModel) {
-    const Surface surface = sample_surface();
+class BeamStateOfBothJoints : public testing::TestWithParam<reduction::Joints> {
+  protected:
+    static Surface surface() {
+        return GetParam() == reduction::Joints::Stiff ? surface_with_stiff_joints() : sample_surface();
+    }
+};
+INSTANTIATE_TEST_SUITE_P(Joints, BeamStateOfBothJoints,
+                         testing::Values(reduction::Joints::Centreline, reduction::Joints::Stiff));
+
+TEST_P(BeamStateOfBothJoints, OfCondensedTilesIsThatOfTheLinearFullModel) {
+    const Surface surface = BeamStateOfBothJoints::surface();
     const LoadCase load_case = test::cantilever({0.3, 0.05, -0.1});
     const BeamState full = state_of(surface, load_case, {.model = "full", .analysis = Analysis::Linear});
     const BeamState condensed = state_of(surface, load_case, {.model = "condensed"});
@@ -93,9 +108,9 @@ TEST(BeamState, OfCorotationalTilesFollowsTheFullModelFarBeyondSmallDisplacement
     EXPECT_LT(moment_errors.norm(), 0.1 * full.forces.col(4).norm());
 }
 
-TEST(BeamState, OfTheFullModelMeetsTheLoadsAtEveryInnerNode) {
+TEST_P(BeamStateOfBothJoints, OfTheFullModelMeetsTheLoadsAtEveryInnerNode) {
     // Nothing acts on inner nodes: the forces of the beams that meet there add up to nothing.
-    const Surface surface = sample_surface();
+    const Surface surface = BeamStateOfBothJoints::surface();
     const SurfaceBeams beams = surface_beams(surface);
     Session session(surface, test::cantilever({0.3, 0.05, -0.1}),
                     {.model = "full", .analysis = Analysis::Linear});
@@ -116,6 +131,16 @@ TEST(BeamState, OfTheFullModelMeetsTheLoadsAtEveryInnerNode) {
     const double scale = state.forces.leftCols<3>().cwiseAbs().maxCoeff();
     for (std::size_t n = beams.interface_nodes; n < sums.size(); ++n)
         EXPECT_LT(sums[n].norm(), 1e-8 * scale) << "node " << n;
+}
+
+TEST(BeamState, OfStiffJointsDeflectsLessAndBearsTheSameLoad) {
+    const LoadCase load_case = test::cantilever({0.3, 0.05, 0});
+    const SimulationOptions linear{.model = "full", .analysis = Analysis::Linear};
+    const BeamState soft = state_of(sample_surface(), load_case, linear);
+    const BeamState stiff = state_of(surface_with_stiff_joints(), load_case, linear);
+    EXPECT_LT(stiff.nodes.leftCols<2>().norm(), 0.97 * soft.nodes.leftCols<2>().norm());
+    EXPECT_NEAR(stiff.forces.col(0).norm(), soft.forces.col(0).norm(), 0.1 * soft.forces.col(0).norm())
+        << "normal forces follow from statics but for what the joints shift among them";
 }
 
 TEST(BeamState, OfAResultThatWasReadIsThatOfItsSession) {

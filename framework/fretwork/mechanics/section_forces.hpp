@@ -37,8 +37,6 @@ class BeamSection {
     /// For displacements and rotations of any size, as the corotational beam element has them.
     [[nodiscard]] Ends large(const NodeState& start, const NodeState& end) const;
 
-    [[nodiscard]] const Section& section() const { return section_; }
-
   private:
     using Deformations = Eigen::Vector<double, 6>;
     [[nodiscard]] Ends from_gradient(const Deformations& gradient) const;

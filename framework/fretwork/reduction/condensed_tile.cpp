@@ -36,8 +36,7 @@ TileModel condensed_tile_model() {
             .sharing = Sharing::Congruent,
             .build = [](const TileInput& input) {
                 const int interface_nodes = input.fan.interface_node_count;
-                mechanics::Frame beams = fan_frame(input.layout, input.fan, input.polygon,
-                                                   {input.setting.section, input.setting.material});
+                mechanics::Frame beams = fan_frame(input.layout, input.fan, input.polygon, input.setting);
                 Eigen::MatrixXd stiffness = condensed_frame(beams, interface_nodes);
                 return stiffness_tile(std::move(stiffness),
                                       std::make_shared<InnerNodes>(std::move(beams), interface_nodes));

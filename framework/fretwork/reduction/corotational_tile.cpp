@@ -88,8 +88,7 @@ TileModel corotational_tile_model() {
         .displacements = Displacements::Large,
         .sharing = Sharing::Congruent,
         .build = [](const TileInput& input) {
-            return corotational_tile(fan_frame(input.layout, input.fan, input.polygon,
-                                               {input.setting.section, input.setting.material}),
+            return corotational_tile(fan_frame(input.layout, input.fan, input.polygon, input.setting),
                                      input.fan.interface_node_count);
         }};
 }

@@ -10,8 +10,7 @@ TileModel full_tile_model() {
             .role = Role::Reference,
             .displacements = Displacements::Large,
             .build = [](const TileInput& input) {
-                return beam_tile(fan_frame(input.layout, input.fan, input.polygon,
-                                           {input.setting.section, input.setting.material}),
+                return beam_tile(fan_frame(input.layout, input.fan, input.polygon, input.setting),
                                  input.fan.interface_node_count, TileBeams::OfThePattern);
             }};
 }

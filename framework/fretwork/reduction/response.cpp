@@ -5,6 +5,7 @@
 #include <fretwork/mechanics/equilibrium.hpp>
 #include <fretwork/pattern/fan.hpp>
 #include <fretwork/reduction/detail/scenario_loads.hpp>
+#include <fretwork/reduction/joints.hpp>
 #include <fretwork/reduction/response.hpp>
 
 namespace fretwork::reduction {
@@ -73,6 +74,24 @@ mechanics::Frame fan_frame(const pattern::NodeLayout& layout, const pattern::Fan
     return frame;
 }
 
+mechanics::Frame fan_frame(const pattern::NodeLayout& layout, const pattern::Fan& fan,
+                           const pattern::Polygon& polygon, const Setting& setting) {
+    mechanics::Frame frame = fan_frame(layout, fan, polygon, {setting.section, setting.material});
+    if (setting.joints == Joints::Centreline) return frame;
+    const auto places = pattern::place_fan(layout, fan, polygon);
+    const std::vector<double> reaches = joint_reaches(fan, places);
+    for (std::size_t i = 0; i < frame.beams.size(); ++i) {
+        const auto& [first, second] = fan.edges[i];
+        const double length =
+            (frame.nodes[static_cast<std::size_t>(second)] - frame.nodes[static_cast<std::size_t>(first)])
+                .norm();
+        const TileMaterial bar = bar_of(setting, {.length = length, .joint_reach = reaches[i]});
+        frame.beams[i].section = bar.section;
+        frame.beams[i].material = bar.material;
+    }
+    return frame;
+}
+
 mechanics::Frame pattern_frame(const pattern::NodeLayout& layout, const pattern::Pattern& pattern,
                                const pattern::Polygon& polygon, const TileMaterial& bars) {
     return fan_frame(layout, pattern::make_fan(layout, pattern, static_cast<int>(polygon.size())), polygon,
@@ -81,8 +100,8 @@ mechanics::Frame pattern_frame(const pattern::NodeLayout& layout, const pattern:
 
 mechanics::Frame pattern_frame(const pattern::NodeLayout& layout, const pattern::Pattern& pattern,
                                const Setting& setting) {
-    return pattern_frame(layout, pattern, pattern::regular_polygon(setting.sides, setting.tile_side),
-                         {setting.section, setting.material});
+    return fan_frame(layout, pattern::make_fan(layout, pattern, setting.sides),
+                     pattern::regular_polygon(setting.sides, setting.tile_side), setting);
 }
 
 mechanics::Frame scenario_frame(mechanics::Frame tile, const Scenario& scenario) {

@@ -32,18 +32,16 @@ struct Response {
     std::vector<Sample> samples;
 };
 
-/// What the beams of a tile are made of.
-struct TileMaterial {
-    mechanics::Section section;
-    mechanics::Material material;
-};
-
 /// The beams of a fan in a convex polygon, without supports and loads; interface node i is node i. Interface
 /// nodes that the pattern does not use have no beam.
 mechanics::Frame fan_frame(const pattern::NodeLayout& layout, const pattern::Fan& fan,
                            const pattern::Polygon& polygon, const TileMaterial& bars);
 
-/// The same from a pattern.
+/// The same with bars and joints of a setting.
+mechanics::Frame fan_frame(const pattern::NodeLayout& layout, const pattern::Fan& fan,
+                           const pattern::Polygon& polygon, const Setting& setting);
+
+/// From a pattern.
 mechanics::Frame pattern_frame(const pattern::NodeLayout& layout, const pattern::Pattern& pattern,
                                const pattern::Polygon& polygon, const TileMaterial& bars);
 

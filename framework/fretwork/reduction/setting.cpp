@@ -63,6 +63,10 @@ std::string_view sample_policy_name(SamplePolicy policy) {
     return policy == SamplePolicy::Paper ? "paper" : "stable";
 }
 
+std::string_view joints_name(Joints joints) {
+    return joints == Joints::Centreline ? "centreline" : "stiff";
+}
+
 void Setting::validate(const std::string& source) const {
     const auto require = [&](bool makes_sense, const char* place, const char* what) {
         if (!makes_sense) throw base::InputError(source, place, what);

@@ -17,6 +17,20 @@ enum class SamplePolicy {
 };
 std::string_view sample_policy_name(SamplePolicy policy);
 
+/// What of a bar deforms. "joints" in files. experiments/joints compares both with solids of the true
+/// outline.
+enum class Joints {
+    Centreline,  ///< all of its centreline, as in the paper
+    Stiff        ///< where it merges with others, it neither stretches nor twists nor bends in the plane
+};
+std::string_view joints_name(Joints joints);
+
+/// What the beams of a tile are made of.
+struct TileMaterial {
+    mechanics::Section section;
+    mechanics::Material material;
+};
+
 /// All that a response depends on besides its pattern: material, section, tile size, scenarios and
 /// discretization.
 struct Setting {
@@ -29,6 +43,7 @@ struct Setting {
         2;  ///< elements a beam in responses: off by at most 7e-4 in the sample of experiments/verification
     int magnitudes = 10;  ///< k = 1..magnitudes, at k / magnitudes of the scenario's largest magnitude
     SamplePolicy sample_policy = SamplePolicy::Paper;
+    Joints joints = Joints::Centreline;
     /// Throws InputError if a value makes no sense, or a scenario does not fit the polygon. `source` names
     /// the setting in the message.
     void validate(const std::string& source = "setting") const;

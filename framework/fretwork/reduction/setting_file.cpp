@@ -81,7 +81,7 @@ Scenario read_scenario_entry(const JsonReader& json) {
     return scenario;
 }
 
-void read_counts(const JsonReader& json, Setting& setting) {
+void read_choices(const JsonReader& json, Setting& setting) {
     if (const auto sides = json.find("sides")) setting.sides = static_cast<int>(sides->integer(3, 100));
     if (const auto count = json.find("divisions")) {
         setting.divisions = static_cast<int>(count->integer(1, 100));
@@ -93,17 +93,21 @@ void read_counts(const JsonReader& json, Setting& setting) {
         setting.sample_policy =
             branch->choice({"paper", "stable"}) == "paper" ? SamplePolicy::Paper : SamplePolicy::Stable;
     }
+    if (const auto joints = json.find("joints")) {
+        setting.joints =
+            joints->choice({"centreline", "stiff"}) == "stiff" ? Joints::Stiff : Joints::Centreline;
+    }
 }
 
 Setting read_document(const JsonReader& json) {
-    json.expect_format("setting");
+    json.expect_format("setting", 2);
     json.allow_only({"format", "material", "section", "tile_side", "sides", "divisions", "magnitudes",
-                     "branch", "scenarios"});
+                     "branch", "joints", "scenarios"});
     Setting setting = paper_setting();
     if (const auto material = json.find("material")) setting.material = read_material(*material);
     if (const auto section = json.find("section")) setting.section = read_section(*section);
     if (const auto side = json.find("tile_side")) setting.tile_side = side->positive_number();
-    read_counts(json, setting);
+    read_choices(json, setting);
     if (const auto scenarios = json.find("scenarios")) {
         setting.scenarios.clear();
         for (const JsonReader& entry : scenarios->elements()) {
@@ -139,9 +143,22 @@ Json setting_json(const Setting& setting) {
                  {"magnitudes", setting.magnitudes},
                  {"branch", sample_policy_name(setting.sample_policy)},
                  {"scenarios", Json::array()}};
+    // Only where it is needed: a setting with centrelines keeps its text, and so its hash.
+    if (setting.joints != Joints::Centreline) {
+        json["format"] = "fretwork/setting/2";
+        json["joints"] = joints_name(setting.joints);
+    }
     for (const Scenario& scenario : setting.scenarios) {
         json["scenarios"].push_back(detail::scenario_json(scenario));
     }
+    return json;
+}
+
+/// All of a setting, whatever its file leaves out.
+Json comparable_json(const Setting& setting) {
+    Json json = setting_json(setting);
+    json.erase("format");
+    json["joints"] = joints_name(setting.joints);
     return json;
 }
 
@@ -169,8 +186,8 @@ std::string setting_text(const Setting& setting) {
 }
 
 std::string setting_difference(const Setting& wanted, const Setting& present) {
-    const Json left = setting_json(wanted);
-    const Json right = setting_json(present);
+    const Json left = comparable_json(wanted);
+    const Json right = comparable_json(present);
     const Json patch = Json::diff(right, left);
     if (patch.empty()) return "";
     const Json::json_pointer place(patch.front().at("path").get<std::string>());

@@ -2,11 +2,13 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/parallel.hpp>
 #include <fretwork/mechanics/rotation_vector.hpp>
+#include <fretwork/reduction/joints.hpp>
 #include <fretwork/simulation/detail/tile_builder.hpp>
 #include <fretwork/simulation/result_subject.hpp>
 #include <fretwork/simulation/surface_beams.hpp>
 
 #include <limits>
+#include <map>
 
 namespace fretwork::simulation {
 namespace {
@@ -35,6 +37,23 @@ tiling::TessellationFan painted_fan(const Surface& surface, std::span<const Tile
     return tiling::assemble_fans(surface.layout, part);
 }
 
+/// How far the joints reach along all beams, tile by tile.
+std::vector<double> reaches_of(const Surface& surface, std::span<const TileIndex> painted) {
+    std::map<std::pair<int, std::size_t>, pattern::Fan> fans;  // by pattern and number of sides
+    std::vector<double> reaches;
+    for (const TileIndex tile : painted) {
+        const pattern::Polygon polygon = tiling::tile_polygon(surface.tessellation, tile);
+        const int pattern = surface.tessellation.tiles[static_cast<std::size_t>(tile)].pattern;
+        auto& fan = fans[{pattern, polygon.size()}];
+        if (fan.nodes.empty())
+            fan = pattern::make_fan(surface.layout, surface.patterns[static_cast<std::size_t>(pattern)],
+                                    static_cast<int>(polygon.size()));
+        const auto own = reduction::joint_reaches(fan, pattern::place_fan(surface.layout, fan, polygon));
+        reaches.insert(reaches.end(), own.begin(), own.end());
+    }
+    return reaches;
+}
+
 /// Where the parts of all tiles begin, from where those of the painted ones do.
 std::vector<SurfaceBeams::Start> starts_of(const tiling::Tessellation& tessellation,
                                            const tiling::TessellationFan& fan) {
@@ -55,9 +74,13 @@ std::vector<SurfaceBeams::Start> starts_of(const tiling::Tessellation& tessellat
 /// Fills in what the tiles tell, one by one.
 class StateWriter {
   public:
-    StateWriter(const tiling::Tessellation& tessellation, const SurfaceBeams& beams,
+    StateWriter(const Surface& surface, const SurfaceBeams& beams,
                 std::span<const mechanics::BeamSection> sections, BeamState& state)
-        : tessellation_(tessellation), beams_(beams), sections_(sections), state_(state) {}
+        : tessellation_(surface.tessellation),
+          bar_(surface.setting.section),
+          beams_(beams),
+          sections_(sections),
+          state_(state) {}
 
     void write(TileIndex tile, const std::optional<reduction::BeamMotion>& motion) const {
         const auto t = static_cast<std::size_t>(tile);
@@ -103,19 +126,20 @@ class StateWriter {
             for (std::size_t end = 0; end < 2; ++end) {
                 const mechanics::SectionForces& f = ends[end];
                 state_.forces.row(static_cast<Eigen::Index>(2 * b + end)) << f.N, f.V2, f.V3, f.T, f.M2, f.M3,
-                    mechanics::largest_normal_stress(f, sections_[b].section());
+                    mechanics::largest_normal_stress(f, bar_);
             }
         }
     }
 
     const tiling::Tessellation& tessellation_;
+    const mechanics::Section& bar_;  ///< with which stiff joints have nothing to do
     const SurfaceBeams& beams_;
     std::span<const mechanics::BeamSection> sections_;
     BeamState& state_;
 };
 
 struct StateRequest {
-    const tiling::Tessellation& tessellation;
+    const Surface& surface;
     const SurfaceBeams& beams;
     std::span<const mechanics::BeamSection> sections;
     int threads = 0;
@@ -130,7 +154,7 @@ BeamState state_of(const StateRequest& request, const mechanics::Solution& solut
     state.nodes.setConstant(static_cast<Eigen::Index>(beams.nodes.size()), kDofsPerNode, kUnknown);
     state.nodes.topRows(interface_nodes) = solution.displacements.topRows(interface_nodes);
     state.forces.setConstant(static_cast<Eigen::Index>(2 * request.sections.size()), 7, kUnknown);
-    const StateWriter writer(request.tessellation, beams, request.sections, state);
+    const StateWriter writer(request.surface, beams, request.sections, state);
     base::parallel_for(beams.starts.size() - 1, request.threads,
                        [&](std::size_t t) { writer.write(TileIndex(t), motion_of(TileIndex(t))); });
     return state;
@@ -209,6 +233,7 @@ SurfaceBeams surface_beams(const Surface& surface) {
         beams.tiles.push_back(painted[static_cast<std::size_t>(edge.tile)]);
     }
     beams.starts = starts_of(surface.tessellation, fan);
+    beams.joint_reaches = reaches_of(surface, painted);
     return beams;
 }
 
@@ -216,24 +241,28 @@ std::vector<mechanics::BeamSection> beam_sections(const SurfaceBeams& beams,
                                                   const reduction::Setting& setting) {
     std::vector<mechanics::BeamSection> sections;
     sections.reserve(beams.ends.size());
-    for (const auto& [a, b] : beams.ends) {
+    for (std::size_t i = 0; i < beams.ends.size(); ++i) {
+        const auto& [a, b] = beams.ends[i];
+        const std::array ends{beams.nodes[static_cast<std::size_t>(a)],
+                              beams.nodes[static_cast<std::size_t>(b)]};
+        const reduction::TileMaterial bar = reduction::bar_of(
+            setting, {.length = (ends[1] - ends[0]).norm(), .joint_reach = beams.joint_reaches[i]});
         sections.emplace_back(
-            mechanics::Beam{.nodes = {a, b}, .section = setting.section, .material = setting.material},
-            std::array{beams.nodes[static_cast<std::size_t>(a)], beams.nodes[static_cast<std::size_t>(b)]});
+            mechanics::Beam{.nodes = {a, b}, .section = bar.section, .material = bar.material}, ends);
     }
     return sections;
 }
 
 BeamState beam_state(const Session& session, const mechanics::Solution& solution, const SurfaceBeams& beams,
                      std::span<const mechanics::BeamSection> sections) {
-    return state_of({session.surface().tessellation, beams, sections, session.options().threads}, solution,
+    return state_of({session.surface(), beams, sections, session.options().threads}, solution,
                     [&](TileIndex tile) { return session.beam_motion(tile, solution); });
 }
 
 BeamState beam_state(const Surface& surface, const mechanics::Result& result, const SurfaceBeams& beams,
                      std::span<const mechanics::BeamSection> sections) {
     const ReadTiles tiles(surface, result, beams);
-    return state_of({surface.tessellation, beams, sections, 0}, result.solution,
+    return state_of({surface, beams, sections, 0}, result.solution,
                     [&](TileIndex tile) { return tiles.beam_motion(tile); });
 }
 

@@ -18,6 +18,7 @@ struct SurfaceBeams {
     std::vector<Eigen::Vector3d> nodes;  ///< rest positions, m; behind the interface nodes tile by tile
     std::vector<std::array<mechanics::NodeIndex, 2>> ends;
     std::vector<tiling::TileIndex> tiles;  ///< of each beam
+    std::vector<double> joint_reaches;     ///< of each beam: reduction::joint_reaches
     /// Of each tile the first of its inner nodes and of its beams, and behind the last tile their numbers.
     struct Start {
         std::size_t inner_node = 0;
