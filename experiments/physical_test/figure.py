@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Cantilevers from the side, at one scale: a line for each model, a cross for each measured point."""
 
-COLOURS = {"full": "#222222", "corotational": "#d55e00", "condensed": "#009e73", "paper6": "#0072b2"}
+COLOURS = {"full": "#222222", "corotational": "#d55e00", "condensed": "#009e73", "paper6": "#0072b2", "full, stiff joints": "#cc79a7",
+           "the same, true weight": "#8a4b9e"}
 DASHES = {"corotational": "7 5"}
 SCALE = 2.0  # pixels a millimetre
 LEFT, TOP, GAP = 40, 40, 50

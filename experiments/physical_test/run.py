@@ -21,6 +21,8 @@ from program import Fretwork  # noqa: E402
 HERE = pathlib.Path(__file__).resolve().parent
 SPECIMENS = {"light": "2-4+4-6", "dense": "1-2+2-3+3-5+3-6+4-6+5-6"}
 MODELS = ("full", "corotational", "condensed", "paper6")
+STIFF = "full, stiff joints"
+TRUE_WEIGHT = "the same, true weight"
 WIDTH = 0.18  # m, of the clamped side
 MIDDLE_BAND = 0.2  # of the width: nodes this near to the middle line make the profile
 STATIONS = 14  # along the cantilever
@@ -39,16 +41,49 @@ def middle_line(result):
     return [tuple(statistics.fmean(axis) for axis in zip(*group)) for group in groups]
 
 
+def fill_library(fretwork, name, setting, *options):
+    """A library of a setting, with calibrations of the specimens' patterns."""
+    (fretwork.folder / f"{name}-setting.json").write_text(json.dumps(setting))
+    if not (fretwork.folder / f"{name}.db").exists():
+        fretwork("enumerate", "--library", f"{name}.db")
+    fretwork("calibrate", "--library", f"{name}.db", "--setting", f"{name}-setting.json", "--patterns", ",".join(SPECIMENS.values()), *options)
+
+
+def fill_libraries(fretwork):
+    setting = json.loads((HERE.parent / "settings" / "pla.json").read_text())
+    fill_library(fretwork, "pla", setting)
+    fill_library(fretwork, "pla-stiff", setting | {"format": "fretwork/setting/2", "joints": "stiff"}, "--model", "condensed")
+
+
+def result_of(fretwork, project, model, case="own-weight"):
+    path = f"{project}-{model}-{case}.json"
+    fretwork("simulate", f"{project}.json", "--case", case, "--model", model, "--out", path)
+    return json.loads((fretwork.folder / path).read_text())
+
+
+def add_true_weight(fretwork, project):
+    """A load case whose gravity is less by what the beams' mass counts joints more than once."""
+    fretwork("export", f"{project}.json", "--content", "facts", "--to", f"{project}-facts.json")
+    facts = json.loads((fretwork.folder / f"{project}-facts.json").read_text())
+    case = json.loads((HERE / "own_weight.json").read_text())
+    case |= {"name": "true-weight", "gravity": [facts["mass"] / facts["beam_mass"] * g for g in case["gravity"]]}
+    (fretwork.folder / "true_weight.json").write_text(json.dumps(case))
+    fretwork("case", "add", f"{project}.json", "true_weight.json", "--replace")
+
+
+def make_project(fretwork, project, pattern, library):
+    fretwork("tile", HERE.parent / "outlines" / "specimen.svg", "--edge-length", "26mm", "--library", library, "--patterns", pattern,
+             "--out", f"{project}.json")
+    fretwork("case", "add", f"{project}.json", HERE / "own_weight.json", "--replace")
+
+
 def results_of(fretwork, name, pattern):
-    fretwork("tile", HERE.parent / "outlines" / "specimen.svg", "--edge-length", "26mm", "--library", "pla.db", "--patterns", pattern,
-             "--out", f"{name}.json")
-    fretwork("case", "add", f"{name}.json", HERE / "own_weight.json", "--replace")
-    results = {}
-    for model in MODELS:
-        path = f"{name}-{model}.json"
-        fretwork("simulate", f"{name}.json", "--case", "own-weight", "--model", model, "--out", path)
-        results[model] = json.loads((fretwork.folder / path).read_text())
-    return results
+    make_project(fretwork, name, pattern, "pla.db")
+    stiff = f"{name}-stiff"
+    make_project(fretwork, stiff, pattern, "pla-stiff.db")
+    add_true_weight(fretwork, stiff)
+    results = {model: result_of(fretwork, name, model) for model in MODELS}
+    return results | {STIFF: result_of(fretwork, stiff, "full"), TRUE_WEIGHT: result_of(fretwork, stiff, "full", "true-weight")}
 
 
 def read_measured(options):
@@ -72,7 +107,7 @@ def depth_at(profile, along):
 
 def print_table(name, profiles, measured):
     tip = profiles["full"][-1][1]
-    for model in MODELS:
+    for model in profiles:
         down = profiles[model][-1][1]
         cells = [name, model, f"{1e3 * down:.1f}", f"{100 * (down / tip - 1):+.1f} %"]
         if measured:
@@ -91,10 +126,7 @@ def main():
     measured = read_measured(options.measured)
     options.out.mkdir(parents=True, exist_ok=True)
     fretwork = Fretwork(options.program.resolve(), options.out)
-    if not (options.out / "pla.db").exists():
-        fretwork("enumerate", "--library", "pla.db")
-    fretwork("calibrate", "--library", "pla.db", "--setting", HERE.parent / "settings" / "pla.json", "--patterns",
-             ",".join(SPECIMENS.values()))
+    fill_libraries(fretwork)
     print("| specimen | model | tip hangs down, mm | against full |" + (" mean distance of the measured points, mm |" if measured else ""))
     print("|---|---|---|---|" + ("---|" if measured else ""))
     all_profiles = {}
