@@ -87,7 +87,7 @@ def version(*command):
 
 def write_provenance(fretwork, options):
     told = {"fretwork": version(fretwork.program, "--version"), "gmsh": version("gmsh", "--version"),
-            "calculix": version(options.ccx, "-v"), "python": platform.python_version(), "machine": platform.machine(),
+            "calculix": version(options.ccx, "-v").split()[-1], "python": platform.python_version(), "machine": platform.machine(),
             "layout": study.LAYOUT, "tile_side_mm": study.SIDE, "young_modulus": study.YOUNG, "poisson_ratio": study.POISSON,
             "options": {name: str(value) for name, value in vars(options).items() if name not in ("program", "out", "ccx")},
             "element": "C3D15", "solver": "SPOOLES"}
