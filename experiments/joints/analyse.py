@@ -43,7 +43,7 @@ def ratios(rows, model):
 def print_stiffer(widths):
     print("Solid over beams: median, and 10 to 90 % of the patterns\n")
     lines = []
-    for model in study.MODELS:
+    for model in ("centreline", "stiff"):
         for width, rows in widths.items():
             found = ratios(rows, model)
             lines.append([NAMES[model], f"{width:g}", str(len(rows)), *(spread(column) for column in found.T)])

@@ -32,6 +32,8 @@ def _arc_pieces(start, end):
 
 def _face(loop):
     occ = gmsh.model.occ
+    # Where two fillets meet, a line without length is left between them.
+    loop = [start for start, end in zip(loop, loop[1:] + loop[:1]) if math.dist(start[:2], end[:2]) > SNAP]
     places = [occ.addPoint(x, y, 0.0) for x, y, _ in loop]
     curves = []
     for i, start in enumerate(loop):
@@ -170,29 +172,44 @@ def _twins(places, corners, translations):
     return pairs
 
 
+def _cut_out(openings, corners):
+    """Leave the material of the cell as the only face. Returns its area."""
+    polygon = _face([(x, y, 0.0) for x, y in corners])
+    holes = [(2, _face(_snapped(loop, corners))) for loop in openings if _is_near(loop, corners)]
+    if holes:
+        left, _ = gmsh.model.occ.cut([(2, polygon)], holes)
+        if len(left) != 1:
+            raise ValueError(f"the cell falls into {len(left)} parts")
+    gmsh.model.occ.synchronize()
+    return sum(gmsh.model.occ.getMass(2, tag) for _, tag in gmsh.model.getEntities(2))
+
+
+def _mesh(openings, corners, sizes):
+    for name, value in (("General.Terminal", 0), ("General.NumThreads", 1), ("Mesh.MeshSizeMin", 0.0), ("Mesh.MeshSizeMax", sizes[0]),
+                        ("Mesh.MeshSizeFromPoints", 0), ("Mesh.MeshSizeFromCurvature", 0), ("Mesh.Algorithm", 6),
+                        ("Mesh.ElementOrder", 2), ("Mesh.SecondOrderLinear", 0), ("Mesh.HighOrderOptimize", 1)):
+        gmsh.option.setNumber(name, value)
+    gmsh.model.add("cell")
+    material = _cut_out(openings, corners)
+    translations = _make_periodic(corners)
+    _refine_corners(corners, sizes)
+    gmsh.model.mesh.generate(2)
+    places, triangles = _collect()
+    whole = outline.signed_area([(x, y, 0.0) for x, y in corners])
+    return Cell(places, triangles, _twins(places, corners, translations), (whole, material))
+
+
 def mesh(openings, corners, sizes):
-    """Mesh what is left of a polygon; `sizes`: of the triangles, and of those in the corners between bars, mm."""
+    """Mesh what is left of a polygon; `sizes`: of the triangles, and of those in the corners between bars, mm.
+
+    Throws ValueError that says what cannot be meshed.
+    """
     gmsh.initialize()
     try:
-        gmsh.option.setNumber("General.Terminal", 0)
-        gmsh.option.setNumber("General.NumThreads", 1)
-        gmsh.model.add("cell")
-        polygon = _face([(x, y, 0.0) for x, y in corners])
-        holes = [(2, _face(_snapped(loop, corners))) for loop in openings if _is_near(loop, corners)]
-        if holes:
-            left, _ = gmsh.model.occ.cut([(2, polygon)], holes)
-            if len(left) != 1:
-                raise ValueError(f"the cell falls into {len(left)} parts")
-        gmsh.model.occ.synchronize()
-        material = sum(gmsh.model.occ.getMass(2, tag) for _, tag in gmsh.model.getEntities(2))
-        for name, value in (("MeshSizeMin", 0.0), ("MeshSizeMax", sizes[0]), ("MeshSizeFromPoints", 0), ("MeshSizeFromCurvature", 0),
-                            ("Algorithm", 6), ("ElementOrder", 2), ("SecondOrderLinear", 0), ("HighOrderOptimize", 1)):
-            gmsh.option.setNumber(f"Mesh.{name}", value)
-        translations = _make_periodic(corners)
-        _refine_corners(corners, sizes)
-        gmsh.model.mesh.generate(2)
-        places, triangles = _collect()
+        return _mesh(openings, corners, sizes)
+    except ValueError:
+        raise
+    except Exception as problem:  # gmsh's own have no other type
+        raise ValueError(f"gmsh: {problem}") from problem
     finally:
         gmsh.finalize()
-    loop = [(x, y, 0.0) for x, y in corners]
-    return Cell(places, triangles, _twins(places, corners, translations), (outline.signed_area(loop), material))

@@ -10,19 +10,22 @@ from chart import Axis, text  # noqa: E402
 import loads  # noqa: E402
 
 LEFT, TOP, BOTTOM, WIDTH = 64, 44, 380, 940
+SPREAD = 30.0  # pixels, of the dots of one height
 COLOURS = ("#999999", "#d55e00")
 NAMES = ("beams along centrelines", "with stiff joints")
 
 
 def _column(values, x, up, colour):
     """Dots side by side where they would cover each other, and a line at the median."""
-    parts, taken = [], {}
+    parts, rows = [], {}
     for value in sorted(values):
         y = up(min(max(value, up.low), up.high))
-        row = round(y / 4)
-        count = taken[row] = taken.get(row, 0) + 1
-        shift = (count // 2) * 4.0 * (1 if count % 2 else -1)
-        parts.append(f'<circle cx="{x + shift:.1f}" cy="{y:.1f}" r="2.1" fill="{colour}" fill-opacity=".75"/>')
+        rows.setdefault(round(y / 4), []).append(y)
+    for row in rows.values():
+        apart = min(4.0, SPREAD / len(row))
+        for i, y in enumerate(row):
+            shift = (i + 1) // 2 * apart * (1 if i % 2 else -1)
+            parts.append(f'<circle cx="{x + shift:.1f}" cy="{y:.1f}" r="2.1" fill="{colour}" fill-opacity=".75"/>')
     middle = sorted(values)[len(values) // 2]
     parts.append(f'<path d="M{x - 15} {up(middle):.1f}h30" stroke="#000" stroke-width="1.6"/>')
     return parts
