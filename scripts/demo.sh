@@ -13,8 +13,10 @@ scripts/build.sh
 program=build/release/apps/fretwork/fretwork
 outline=experiments/outlines/example_a.svg
 out=out
-rm -rf "$out"
 mkdir -p "$out"
+# Only what this script makes: other results in the folder stay.
+rm -f "$out"/{library.db,table1.csv,project.json,comparison.csv,view.html,picture.png,full.vtu} \
+  "$out"/{full,paper6,condensed,corotational,mixed-0.05}.json "$out"/{surface,deformed,displacement}.{svg,png}
 started=$SECONDS
 
 say "1. Enumerate the patterns of the paper's layout (its Table 1)"

@@ -49,8 +49,13 @@ double parse_strength(const std::string& text) {
     for (const auto& [unit, factor] : kUnits) {
         if (!text.ends_with(unit)) continue;
         const auto number = base::read_number<double>(text.substr(0, text.size() - unit.size()));
-        if (number && *number > 0 && *number < 1e15) return factor * *number;
-        break;
+        if (!number || !(*number > 0) || !(*number < 1e15)) break;
+        constexpr double kLeast = 1e3;  // Pa; foams bear more
+        if (factor * *number < kLeast)
+            throw base::InputError("--strength", "",
+                                   "'" + text + "' is less than any material bears; did you mean " +
+                                       text.substr(0, text.size() - unit.size()) + "MPa?");
+        return factor * *number;
     }
     throw base::InputError("--strength", "", "'" + text + "' is no strength, such as 40MPa");
 }

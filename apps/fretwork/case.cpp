@@ -82,18 +82,21 @@ void add_to_project(const Options& options) {
     tell(load_case, project, options);
 }
 
-/// Combinations that are left must find what they combine.
-void check_combinations(const Project& project) {
-    for (const LoadCase& load_case : project.load_cases)
-        (void)simulation::combined(load_case, project.load_cases);
+/// What others combine stays.
+void check_not_combined(const Project& project, const std::string& name, const std::string& file) {
+    for (const LoadCase& other : project.load_cases) {
+        if (std::ranges::find(other.combines, name, &LoadCase::Share::load_case) != other.combines.end())
+            throw base::InputError(
+                file, "", "load case '" + other.name + "' combines '" + name + "': remove that one first");
+    }
 }
 
 void remove_from_project(const Options& options) {
     const base::FileLock lock(options.project);
     Project project = simulation::read_project(options.project);
     const LoadCase* removed = &case_of(project, options);
+    check_not_combined(project, removed->name, options.project);
     project.load_cases.erase(project.load_cases.begin() + (removed - project.load_cases.data()));
-    check_combinations(project);
     simulation::write_project(project, options.project);
 }
 

@@ -223,7 +223,8 @@ void add_files(CLI::App& verb, Options& options) {
 void add_extent(CLI::App& verb, Options& options) {
     CLI::Option* sample =
         verb.add_option("--sample", options.sample,
-                        "Draw this many valid patterns at random instead of all, each equally likely")
+                        "Draw this many valid patterns at random instead of all, each equally likely; the "
+                        "same one may come more than once")
             ->check(CLI::Range(1, 1'000'000'000));
     CLI::Option* estimate = verb.add_option("--estimate", options.estimate,
                                             "Only estimate how many there are, from this many random trials")

@@ -50,14 +50,16 @@ std::vector<pattern::Point2> parse_points(const std::string& text) {
     for (const std::string& word : base::split(words, ','))
         if (!word.empty()) numbers.push_back(base::parse_length(word));
     if (numbers.size() % 2 != 0)
-        throw base::InputError("'" + text + "' has a coordinate too many: write x,y x,y");
+        throw base::InputError("'" + text + "' has " + std::to_string(numbers.size()) +
+                               " numbers, where points need two each");
     std::vector<pattern::Point2> points;
     for (std::size_t i = 0; i < numbers.size(); i += 2) points.push_back({numbers[i], numbers[i + 1]});
     return points;
 }
 
 tiling::PlaneBox parse_box(const std::string& text) {
-    const auto corners = parse_points(text);
+    const auto corners =
+        base::split(text, ',').size() == 4 ? parse_points(text) : std::vector<pattern::Point2>();
     if (corners.size() != 2 || corners[1].x < corners[0].x || corners[1].y < corners[0].y)
         throw base::InputError("'" + text + "' is no box: XMIN,YMIN,XMAX,YMAX is, as 0,0,100mm,50mm");
     return {corners[0], corners[1]};

@@ -56,6 +56,9 @@ void run(Options options) {
             throw base::InputError(options.project, "", "is a pattern library, where a project is needed");
         options.studio.project = std::filesystem::absolute(options.project);
     }
+    if (!options.page.empty() && !std::filesystem::exists(options.page))
+        throw base::InputError(options.page, "",
+                               "there is no such file; the page is 'studio.html' of a build");
     options.studio.page =
         options.page.empty() ? studio::usual_page_path() : std::filesystem::path(options.page);
     options.studio.state_folder = state_folder();

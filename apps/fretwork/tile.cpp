@@ -34,6 +34,7 @@ using simulation::Project;
 struct Options {
     std::string outline;
     std::string part = "largest";
+    std::optional<std::string> width;
     std::optional<std::string> edge_length;
     simulation::PaintingChoice painting;
     std::string library;
@@ -51,20 +52,36 @@ std::string millimetres_as_metres(double number) {
     return text;
 }
 
+/// An option that is a length, and what is questioned as a bare number.
+struct LengthOption {
+    const char* name;
+    double large;  ///< m
+};
+constexpr LengthOption kEdgeLength{"--edge-length", 1.0};
+constexpr LengthOption kWidth{"--width", 10.0};
+
 /// A bare number is in metres, and people mean millimetres by a large one.
-double parse_edge_length(const std::string& text) {
-    constexpr double kLargestBare = 1.0;
+double parse_length(const LengthOption& option, const std::string& text) {
     const auto bare = base::read_number<double>(text);
-    if (bare && *bare >= kLargestBare)
-        throw base::InputError("--edge-length", "",
+    if (bare && *bare >= option.large)
+        throw base::InputError(option.name, "",
                                text + " would be " + text + " m; did you mean " +
                                    millimetres_as_metres(*bare) + " (" + text + "mm)? Metres are written " +
                                    text + "m");
     try {
         return base::parse_length(text);
     } catch (const base::InputError& error) {
-        throw base::InputError("--edge-length", "", error.what());
+        throw base::InputError(option.name, "", error.what());
     }
+}
+
+tiling::OutlineFile read_outline(const Options& options) {
+    tiling::OutlineFile file = tiling::take_parts(tiling::read_outline_file(options.outline), options.part);
+    if (!options.width) return file;
+    const double width = parse_length(kWidth, *options.width);
+    if (!(width > 0))
+        throw base::InputError(kWidth.name, "", "'" + *options.width + "' is no width, such as 400mm");
+    return tiling::scaled_to_width(std::move(file), width);
 }
 
 /// The library that is named; else that of the project which is tiled anew, if it has one.
@@ -155,10 +172,9 @@ Project write(Project tiled, const Options& options, const Library* library) {
 /// What was left out of the outline, in the form of a warning.
 void warn(const simulation::NewProject& made) {
     if (made.report.negligible_points == 0) return;
-    std::fprintf(
-        stderr,
-        "fretwork: %d points of the outline were left out: they lie within %.3g mm of the point before\n",
-        made.report.negligible_points, 1e3 * tiling::kNegligibleShare * made.edge_length);
+    std::fprintf(stderr, "fretwork: %d %s of the outline left out: within %.3g mm of the point before\n",
+                 made.report.negligible_points, made.report.negligible_points == 1 ? "point" : "points",
+                 1e3 * tiling::kNegligibleShare * made.edge_length);
 }
 
 /// What was done to the drawing, in one line.
@@ -180,7 +196,7 @@ void print_json(const tiling::TessellationReport& report, const Project& project
         {"outline", {{"size", tiling::size_text(file.parts)}, {"remarks", file.remarks}}},
         {"tiles", report.tiles},
         {"interface_nodes", project.tessellation.interface_nodes.size()},
-        {"patterns", project.tessellation.patterns.size()},
+        {"patterns", tiling::used_patterns(project.tessellation).size()},
         {"hexagon_share", report.hexagon_share},
         {"inner_hexagon_share", report.inner_hexagon_share},
         {"mean_side", report.mean_side},
@@ -196,10 +212,10 @@ void print_json(const tiling::TessellationReport& report, const Project& project
 }
 
 void print(const tiling::TessellationReport& report, const Project& project, const Options& options) {
+    const std::size_t patterns = tiling::used_patterns(project.tessellation).size();
     std::printf("%d %s, %zu interface nodes, %zu %s in use\n", report.tiles,
-                report.tiles == 1 ? "tile" : "tiles", project.tessellation.interface_nodes.size(),
-                project.tessellation.patterns.size(),
-                project.tessellation.patterns.size() == 1 ? "pattern" : "patterns");
+                report.tiles == 1 ? "tile" : "tiles", project.tessellation.interface_nodes.size(), patterns,
+                patterns == 1 ? "pattern" : "patterns");
     std::printf("hexagons %.0f %% (away from the rim %.0f %%), mean side %.2f mm (+- %.2f, smallest %.2f)\n",
                 100 * report.hexagon_share, 100 * report.inner_hexagon_share, 1e3 * report.mean_side,
                 1e3 * report.sd_side, 1e3 * report.smallest_side);
@@ -219,12 +235,11 @@ void run(const Options& options) {
     simulation::check(options.painting);
     const std::optional<Library> opened = open_library(options);
     const Library* library = opened ? &*opened : nullptr;
-    const tiling::OutlineFile file =
-        tiling::take_parts(tiling::read_outline_file(options.outline), options.part);
+    const tiling::OutlineFile file = read_outline(options);
     tell(file, options);
     simulation::NewProjectOptions wanted{
         .outline_name = options.outline, .layout = options.layout, .painting = options.painting};
-    if (options.edge_length) wanted.edge_length = parse_edge_length(*options.edge_length);
+    if (options.edge_length) wanted.edge_length = parse_length(kEdgeLength, *options.edge_length);
     wanted.narrow = kNarrow.at(options.narrow);
     if (options.keep_mesh) wanted.tiles = simulation::TilesFrom::Mesh;
     wanted.control = work.control();
@@ -249,6 +264,9 @@ void add_tile(CLI::App& app, ExitCode&) {
         "--part", options->part,
         "Which part of a drawing with several: largest, all (each then needs supports of its own), "
         "or a number, 1 the largest (default: largest)");
+    CLI::Option* width =
+        verb->add_option("--width", options->width,
+                         "Scale the outline to this width, such as 400mm (default: the drawing's own)");
     CLI::Option* edge_length = verb->add_option(
         "--edge-length", options->edge_length,
         "Wanted mean side of the tiles, such as 26mm (default: the library's tile side, or the paper's)");
@@ -260,7 +278,8 @@ void add_tile(CLI::App& app, ExitCode&) {
         ->capture_default_str();
     verb->add_flag("--keep-mesh", options->keep_mesh,
                    "Take the faces of a flat OBJ, PLY or OFF as the tiles, as they are")
-        ->excludes(edge_length);
+        ->excludes(edge_length)
+        ->excludes(width);
     add_painting_options(*verb, options->painting);
     add_clearance_option(*verb, options->clearance);
     verb->add_option("--library", options->library,

@@ -47,6 +47,32 @@ TEST(TileCommand, NamesTheFileOfAnOutlineThatCannotBeTiled) {
     EXPECT_THAT(size.err, Not(HasSubstr("speck.json"))) << "what is wrong is the edge length";
 }
 
+TEST(TileCommand, ScalesTheOutlineToAWidth) {
+    const TemporaryFolder folder;
+    const std::string tile = std::string(kTile) + " --width ";
+    const Outcome wide = run_command(tile + "600mm --edge-length 40mm", folder.path());
+    ASSERT_EQ(wide.exit_code, 0) << wide.err;
+    EXPECT_THAT(wide.out, HasSubstr("outline of 600 x "));
+    EXPECT_THAT(run_command(tile + "600", folder.path()).err, HasSubstr("did you mean 0.6 (600mm)?"));
+    for (const char* bad : {"0", "-1mm", "wide"}) {
+        const Outcome refused = run_command(tile + bad, folder.path());
+        EXPECT_EQ(refused.exit_code, 2) << bad;
+        EXPECT_THAT(refused.err, HasSubstr("--width")) << bad;
+    }
+}
+
+TEST(TileCommand, CountsThePatternsThatTilesHave) {
+    const TemporaryFolder folder;
+    const Outcome few = run_command(
+        "fretwork tile experiments/outlines/specimen.svg --edge-length 60mm --out p.json --patterns field:0 "
+        "--palette 0-1+1-6,2-4+4-6,0-5+5-6",
+        folder.path());
+    ASSERT_EQ(few.exit_code, 0) << few.err;
+    EXPECT_THAT(few.out, HasSubstr(" 1 pattern in use"));
+    const Outcome drawn = run_command("fretwork export p.json --to p.svg", folder.path());
+    ASSERT_EQ(drawn.exit_code, 0) << drawn.err;
+}
+
 TEST(TileCommand, KeepsTheFacesOfAMesh) {
     const TemporaryFolder folder;
     folder.file("mesh.obj",

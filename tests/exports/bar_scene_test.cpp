@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Bars in 3D: what a scene of them holds, the page and the picture that show it.
 #include "sample.hpp"
+#include "stops.hpp"
 
 #include <fretwork/base/base64.hpp>
 #include <fretwork/base/internal/json_text.hpp>
@@ -192,6 +193,16 @@ TEST(Picture, IsFilledFromEverySide) {
             for (std::size_t x = 0; x < image.width; ++x)
                 EXPECT_LT(image.opacity(x, 0), 255) << "nothing is cut off";
         }
+    }
+}
+
+/// Before the first light, between two, and on the ground.
+TEST(Picture, StopsWhenAsked) {
+    for (const std::size_t look : {0U, 5U, 60U}) {
+        const fretwork::test::StopAtLook stop(look);
+        Scene scene = bent_scene();
+        scene.control = stop.control();
+        EXPECT_THROW((void)picture_png(scene), base::Stopped) << look;
     }
 }
 

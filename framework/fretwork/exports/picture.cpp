@@ -133,12 +133,14 @@ struct Receiver {
 
 class Lighting {
   public:
-    Lighting(const Mesh& mesh, std::vector<Light> lights) : mesh_(mesh), lights_(std::move(lights)) {}
+    Lighting(const Mesh& mesh, std::vector<Light> lights, const base::Control& control)
+        : mesh_(mesh), lights_(std::move(lights)), control_(control) {}
 
     /// Adds up light after light, so that the sum does not depend on the number of threads.
     void shine_on(std::vector<Receiver>& receivers) const {
         const auto at_once = static_cast<std::size_t>(base::resolved_thread_count(0));
         for (std::size_t first = 0; first < lights_.size(); first += at_once) {
+            control_.check();
             const std::size_t count = std::min(at_once, lights_.size() - first);
             std::vector<std::optional<DepthMap>> maps(count);
             base::parallel_for(count, 0, [&](std::size_t i) {
@@ -147,6 +149,7 @@ class Lighting {
             constexpr std::size_t kBatch = 8192;
             base::parallel_for((receivers.size() + kBatch - 1) / kBatch, 0, [&](std::size_t batch) {
                 const std::size_t end = std::min(receivers.size(), (batch + 1) * kBatch);
+                control_.check();
                 for (std::size_t r = batch * kBatch; r < end; ++r) {
                     for (std::size_t i = 0; i < count; ++i) add(lights_[first + i], *maps[i], receivers[r]);
                 }
@@ -165,6 +168,7 @@ class Lighting {
 
     const Mesh& mesh_;
     std::vector<Light> lights_;
+    base::Control control_;
 };
 
 // ---- the picture ----
@@ -181,7 +185,7 @@ class Picture {
           places_(places_of(mesh_)),
           ground_(ground_height()),
           camera_(detail::start_view(bars, scene), static_cast<double>(size_.width) / size_.height, places_),
-          lighting_(mesh_, lights(camera_, size_)),
+          lighting_(mesh_, lights(camera_, size_), scene.control),
           grid_width_(static_cast<std::size_t>(size_.width) / 2 + 2),
           ground_grid_(grid_width_ * (static_cast<std::size_t>(size_.height) / 2 + 2)),
           pixels_(static_cast<std::size_t>(size_.width) * static_cast<std::size_t>(size_.height)) {}

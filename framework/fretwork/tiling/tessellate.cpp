@@ -39,6 +39,7 @@ constexpr double kFiner = 0.7;                      // from one attempt to the n
 constexpr double kFinest = 0.1;                     // of the wanted side
 constexpr double kBarsInSide = 1.5;                 // the wanted side over the smallest allowed, at least
 constexpr double kSideInBand = 0.55;                // of a band's width: its tiles are about as long as wide
+constexpr double kSliver = 0.5;                     // of the side that would fit the mean width
 constexpr double kSideAtHole = 0.16;                // of its length: three tiles around it at least
 constexpr double kLimbArea = 0.01;                  // of the outline: what may be lost where no tile fits
 constexpr int kSidesTried = 5;                      // before an outline is refused
@@ -105,6 +106,19 @@ double smallest_wanted(const TessellationOptions& options) {
 detail::NarrowLimits narrow_limits(const Outline& outline, const TessellationOptions& options) {
     const double side = options.edge_length;
     return {side / kSideInBand, std::min(kNegligibleArea * detail::area_of(outline), 0.5 * side * side)};
+}
+
+/// The length of the boundary and the holes, metres.
+double length_of_loops(const Outline& outline) {
+    double sum = detail::perimeter(outline.boundary);
+    for (const pattern::Polygon& hole : outline.holes) sum += detail::perimeter(hole);
+    return sum;
+}
+
+/// Whether an outline is far too narrow for tiles with this side, nearly all of it: no attempt would succeed.
+bool is_sliver(const Outline& outline, double side) {
+    const double mean_width = 2.0 * detail::area_of(outline) / length_of_loops(outline);
+    return kSideInBand * mean_width < kSliver * side;
 }
 
 struct WantedSides {
@@ -174,6 +188,8 @@ Candidate best_attempt(const Subject& subject, const TessellationOptions& option
 /// The best tiling of all attempts. Those that end with defects begin again with lattices turned otherwise.
 Candidate best_tiling(const Outline& outline, const TessellationOptions& options,
                       std::span<const double> turns, Work& work) {
+    if (is_sliver(outline, smallest_wanted(options)))
+        return {.defects = {{detail::DefectKind::TooNarrow, outline.boundary.front()}}};
     const detail::BluntOutline blunt = detail::blunt(outline, options.edge_length / kSideInBand,
                                                      blunt_limits(outline, options), options.control);
     const auto [field, too_narrow] = wanted_sides(blunt.outline, options);
@@ -203,13 +219,6 @@ std::pair<double, double> extent(const Outline& outline) {
     const auto [low, high] = std::minmax_element(outline.boundary.begin(), outline.boundary.end(),
                                                  [](auto& a, auto& b) { return a.y < b.y; });
     return {right->x - left->x, high->y - low->y};
-}
-
-/// The length of the boundary and the holes, metres.
-double length_of_loops(const Outline& outline) {
-    double sum = detail::perimeter(outline.boundary);
-    for (const pattern::Polygon& hole : outline.holes) sum += detail::perimeter(hole);
-    return sum;
 }
 
 /// A slip of units should not fill the memory. A needle without area has a long rim.

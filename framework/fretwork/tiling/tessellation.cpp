@@ -3,6 +3,7 @@
 #include <fretwork/tiling/tessellation.hpp>
 
 #include <algorithm>
+#include <set>
 
 namespace fretwork::tiling {
 
@@ -20,6 +21,14 @@ pattern::Polygon tile_polygon(const Tessellation& tessellation, TileIndex tile) 
         polygon.push_back(tessellation.vertices[static_cast<std::size_t>(vertex.value)]);
     }
     return polygon;
+}
+
+std::vector<std::size_t> used_patterns(const Tessellation& tessellation) {
+    std::set<std::size_t> used;
+    for (const Tile& tile : tessellation.tiles) {
+        if (tile.pattern >= 0) used.insert(static_cast<std::size_t>(tile.pattern));
+    }
+    return {used.begin(), used.end()};
 }
 
 double mean_tile_side(const Tessellation& tessellation) {

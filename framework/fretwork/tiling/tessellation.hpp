@@ -42,6 +42,9 @@ void turn(Tile& tile, int vertices);
 /// The polygon of a tile.
 pattern::Polygon tile_polygon(const Tessellation& tessellation, TileIndex tile);
 
+/// The places in Tessellation::patterns of those that a tile has, ascending.
+std::vector<std::size_t> used_patterns(const Tessellation& tessellation);
+
 /// The mean over the tiles of the mean length of a tile's sides, m.
 double mean_tile_side(const Tessellation& tessellation);
 

@@ -53,7 +53,7 @@ std::vector<TileIndex> parse_tiles(std::string_view text, const Tessellation& te
     std::set<std::size_t> chosen;
     const std::size_t count = tessellation.tiles.size();
     for (const std::string& part : base::split(text, ',')) {
-        const auto ends = base::split(part, '-');
+        const auto ends = part.starts_with('-') ? std::vector{part} : base::split(part, '-');
         const std::size_t first = parse_tile(ends.size() > 2 ? part : ends.front(), count);
         const std::size_t last = parse_tile(ends.back(), count);
         if (last < first) throw base::InputError("'" + part + "' is a range that runs backwards");

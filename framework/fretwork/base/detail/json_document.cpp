@@ -233,6 +233,8 @@ bool append_pointer(const JsonValue& from, const JsonValue& wanted, std::string&
 
 JsonValue parse_json(std::string_view text, const std::string& source) {
     if (auto root = parse_quickly(text)) return *std::move(root);
+    if (text.starts_with("SQLite format 3"))
+        throw InputError(source, "", "is a database, where JSON is needed");
     Builder builder;
     if (JsonValue::sax_parse(text, &builder)) return std::move(builder.root_);
     throw InputError(source,

@@ -5,9 +5,11 @@
 #include <fretwork/exports/detail/panels.hpp>
 #include <fretwork/exports/detail/surface_parts.hpp>
 #include <fretwork/pattern/fan.hpp>
+#include <fretwork/tiling/tessellation.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace fretwork::exports::detail {
 namespace {
@@ -31,13 +33,14 @@ std::vector<std::string> id_lines(const std::string& id, std::size_t length) {
     return lines;
 }
 
-/// The patterns of a surface in columns: a small fan, its colour, its id.
+/// The patterns in use in columns: a small fan, its colour, its id.
 class PatternLegend {
   public:
-    PatternLegend(const Surface& surface, double width) : surface_(&surface), text_(text_height(width)) {
+    PatternLegend(const Surface& surface, double width)
+        : surface_(&surface), used_(tiling::used_patterns(surface.tessellation)), text_(text_height(width)) {
         std::size_t longest = 1;
-        for (const std::string& id : surface.tessellation.patterns) {
-            ids_.push_back(id_lines(id, kLineLength));
+        for (const std::size_t pattern : used_) {
+            ids_.push_back(id_lines(surface.tessellation.patterns[pattern], kLineLength));
             most_lines_ = std::max(most_lines_, static_cast<int>(ids_.back().size()));
             for (const std::string& line : ids_.back()) longest = std::max(longest, line.size());
         }
@@ -53,7 +56,7 @@ class PatternLegend {
         for (int i = 0; i < static_cast<int>(ids_.size()); ++i) {
             const Point2 middle{top_left.x + (i % columns_) * column_width_ + 1.7 * text_,
                                 top_left.y - (i / columns_ + 0.5) * row_height()};
-            draw_icon(canvas, static_cast<std::size_t>(i), middle);
+            draw_icon(canvas, used_[static_cast<std::size_t>(i)], middle);
             draw_id(canvas, ids_[static_cast<std::size_t>(i)], {middle.x + 2.2 * text_, middle.y});
         }
     }
@@ -71,16 +74,16 @@ class PatternLegend {
         }
     }
 
-    void draw_icon(SvgCanvas& canvas, std::size_t index, const Point2& middle) const {
+    void draw_icon(SvgCanvas& canvas, std::size_t pattern, const Point2& middle) const {
         const double side = 1.65 * text_;
         const auto move = [&](std::vector<Point2> points) {
             for (Point2& point : points) point = {point.x + middle.x, point.y + middle.y};
             return points;
         };
         const pattern::Polygon hexagon = pattern::regular_polygon(6, side);
-        const pattern::Fan fan = pattern::make_fan(surface_->layout, surface_->patterns[index], 6);
+        const pattern::Fan fan = pattern::make_fan(surface_->layout, surface_->patterns[pattern], 6);
         const auto nodes = move(pattern::place_fan(surface_->layout, fan, hexagon));
-        canvas.polygon(move(hexagon), {pattern_colour(static_cast<int>(index)), "none", 0.0, 1.0});
+        canvas.polygon(move(hexagon), {pattern_colour(static_cast<int>(pattern)), "none", 0.0, 1.0});
         std::vector<std::array<Point2, 2>> beams;
         for (const auto& edge : fan.edges)
             beams.push_back(
@@ -89,6 +92,7 @@ class PatternLegend {
     }
 
     const Surface* surface_;
+    std::vector<std::size_t> used_;
     double text_;
     std::vector<std::vector<std::string>> ids_;  // in lines
     int most_lines_ = 1;
@@ -96,10 +100,12 @@ class PatternLegend {
     int columns_ = 1;
 };
 
-/// One line that says what balls and arrows mean.
+/// One line that says what balls, arrows and rings mean.
 class ConditionLegend {
   public:
-    ConditionLegend(const std::vector<SupportMark>& supports, const Conditions& conditions) {
+    ConditionLegend(const std::vector<SupportMark>& supports, const std::vector<LoadMark>& loads,
+                    const Conditions& conditions) {
+        for (const LoadMark& mark : loads) shapes_.emplace(mark.kind, mark.shape);
         for (const SupportMark& mark : supports) {
             const auto same = [&](const SupportMark& other) { return other.meaning == mark.meaning; };
             if (std::ranges::none_of(supports_, same)) supports_.push_back(mark);
@@ -117,12 +123,13 @@ class ConditionLegend {
             draw_support(canvas, mark, 0.6 * text);
             place = write(canvas, {place.x + 1.8 * text, place.y}, mark.meaning);
         }
+        using Kind = LoadMark::Kind;
         if (largest_force_ > 0)
-            place = draw_load_entry(canvas, place, LoadMark::Kind::Force,
-                                    "forces, the largest " + short_number(largest_force_) + " N");
+            place = draw_load_entries(canvas, place, Kind::Force,
+                                      "forces, the largest " + short_number(largest_force_) + " N");
         if (largest_moment_ > 0)
-            draw_load_entry(canvas, place, LoadMark::Kind::Moment,
-                            "moments, the largest " + short_number(1e3 * largest_moment_) + " N mm");
+            draw_load_entries(canvas, place, Kind::Moment,
+                              "moments, the largest " + short_number(1e3 * largest_moment_) + " N mm");
     }
 
   private:
@@ -131,16 +138,33 @@ class ConditionLegend {
         canvas.text(place, words, text);
         return {place.x + text_width(words, text) + 1.5 * text, place.y};
     }
-    static Point2 draw_load_entry(SvgCanvas& canvas, const Point2& place, LoadMark::Kind kind,
+    /// Of the shapes that there are; the first says what they are.
+    Point2 draw_load_entries(SvgCanvas& canvas, Point2 place, LoadMark::Kind kind, std::string words) const {
+        using Shape = LoadMark::Shape;
+        const std::pair<Shape, const char*> kShapes[] = {{Shape::Arrow, ""},
+                                                         {Shape::AwayFromViewer, "away from you"},
+                                                         {Shape::TowardsViewer, "towards you"}};
+        for (const auto& [shape, where] : kShapes) {
+            if (!shapes_.contains({kind, shape})) continue;
+            const std::string both = words + (words.empty() || *where == '\0' ? "" : ", ") + where;
+            place = draw_load_entry(canvas, place, {kind, shape}, both);
+            words.clear();
+        }
+        return place;
+    }
+    using ShownLoad = std::pair<LoadMark::Kind, LoadMark::Shape>;
+    static Point2 draw_load_entry(SvgCanvas& canvas, const Point2& place, const ShownLoad& load,
                                   const std::string& words) {
         const double text = text_height(canvas.box().width());
         const double middle = place.y + 0.35 * text;
-        draw_load(
-            canvas,
-            {kind, LoadMark::Shape::Arrow, {place.x, middle}, {place.x + 2.6 * text, middle}, 2.6 * text});
-        return write(canvas, {place.x + 3.2 * text, place.y}, words);
+        const double size = 2.6 * text;
+        const bool is_arrow = load.second == LoadMark::Shape::Arrow;
+        const double start = place.x + (is_arrow ? 0.0 : 0.5 * text);
+        draw_load(canvas, {load.first, load.second, {start, middle}, {place.x + size, middle}, size});
+        return write(canvas, {place.x + (is_arrow ? 3.2 : 1.5) * text, place.y}, words);
     }
 
+    std::set<ShownLoad> shapes_;
     std::vector<SupportMark> supports_;
     double largest_force_ = 0.0;
     double largest_moment_ = 0.0;
@@ -173,10 +197,10 @@ Subject make_subject(const Surface& surface, const Conditions* conditions, const
 void draw_subject(SvgCanvas& canvas, const Surface& surface, const Subject& subject) {
     draw_tiles(canvas, surface, subject.projection);
     draw_beams(canvas, surface, subject.projection);
-    canvas.layer("supports");
-    for (const SupportMark& mark : subject.supports) draw_support(canvas, mark, 0.16 * mean_side(surface));
     canvas.layer("loads");
     for (const LoadMark& mark : subject.loads) draw_load(canvas, mark);
+    canvas.layer("supports");
+    for (const SupportMark& mark : subject.supports) draw_support(canvas, mark, 0.16 * mean_side(surface));
 }
 
 }  // namespace
@@ -195,7 +219,8 @@ SvgCanvas surface_panel(const Surface& surface, const Conditions* conditions, co
     draw_labels(canvas, surface, labels);
     legend.draw(canvas, {box.xmin + text, legend_top});
     if (conditions != nullptr)
-        ConditionLegend(subject.supports, *conditions).draw(canvas, {box.xmin + text, foot - 2.0 * text});
+        ConditionLegend(subject.supports, subject.loads, *conditions)
+            .draw(canvas, {box.xmin + text, foot - 2.0 * text});
     canvas.layer("scale");
     draw_scale_bar(canvas, {box.xmin + text, foot + 0.6 * text});
     return canvas;
@@ -208,7 +233,8 @@ SvgCanvas setup_panel(const Surface& surface, const Conditions& conditions, cons
     box.ymin -= 3.0 * text;
     SvgCanvas canvas(box, 1.0);
     draw_subject(canvas, surface, subject);
-    ConditionLegend(subject.supports, conditions).draw(canvas, {box.xmin + text, box.ymin + text});
+    ConditionLegend(subject.supports, subject.loads, conditions)
+        .draw(canvas, {box.xmin + text, box.ymin + text});
     return canvas;
 }
 

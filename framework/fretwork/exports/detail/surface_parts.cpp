@@ -51,6 +51,15 @@ void draw_ring(SvgCanvas& canvas, const LoadMark& mark, const Colour& colour) {
     canvas.segments(cross, line);
 }
 
+/// What is written over bars needs ground of its own.
+void draw_ground(SvgCanvas& canvas, const Point2& corner, const Point2& size) {
+    const std::array<Point2, 4> corners = {{corner,
+                                            {corner.x + size.x, corner.y},
+                                            {corner.x + size.x, corner.y + size.y},
+                                            {corner.x, corner.y + size.y}}};
+    canvas.polygon(corners, {"#ffffff", "none", 0.0, 0.8});
+}
+
 }  // namespace
 
 double mean_side(const Surface& surface) {
@@ -88,8 +97,11 @@ void draw_labels(SvgCanvas& canvas, const Surface& surface, const DrawnLabels& l
         const auto& nodes = surface.tessellation.interface_nodes;
         for (std::size_t i = 0; i < nodes.size(); ++i) {
             canvas.circle(nodes[i], 0.12 * height, {"#1b9e77", "none", 0.0, 1.0});
-            canvas.text({nodes[i].x + 0.2 * height, nodes[i].y + 0.1 * height}, std::to_string(i),
-                        0.6 * height);
+            const std::string number = std::to_string(i);
+            const Point2 start{nodes[i].x + 0.2 * height, nodes[i].y + 0.1 * height};
+            const double size = 0.6 * height;
+            draw_ground(canvas, {start.x, start.y - 0.15 * size}, {text_width(number, size), size});
+            canvas.text(start, number, size);
         }
     }
     if (labels.tiles == Shown::No) return;
