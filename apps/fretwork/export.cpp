@@ -42,7 +42,7 @@ struct Options {
     std::string strength;
     std::vector<std::string> labels;
     std::string content;
-    MakingTexts making;
+    exports::MakingChoice making;
     bool json = false;
 };
 
@@ -177,7 +177,7 @@ exports::Scene make_scene(const Options& options, const base::Control& control) 
     for (const std::string& what : options.labels)
         (what == "tiles" ? scene.labels.tiles : scene.labels.interface_nodes) =
             exports::DrawnLabels::Shown::Yes;
-    scene.making = read_making(options.making, scene.conditions ? &*scene.conditions : nullptr);
+    scene.making = exports::read_making(options.making, scene.conditions ? &*scene.conditions : nullptr);
     scene.making.facts.strength = scene.strength;
     scene.control = control;
     return scene;

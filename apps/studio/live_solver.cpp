@@ -134,8 +134,7 @@ void LiveSolver::update_beams(const SolverInput& input) {
         state_of_beams_->painting == state->painting)
         return;
     sections_.clear();
-    const auto project = make_project(*state, "/");
-    simulation::Surface surface{project.layout, project.tessellation, {}, *state->setting, {}};
+    const simulation::Surface surface = simulation::make_surface(make_project(*state, "/"), nullptr);
     beams_ = std::make_shared<const simulation::SurfaceBeams>(simulation::surface_beams(surface));
     state_of_beams_ = state;
     beams_revision_ = input.revision;

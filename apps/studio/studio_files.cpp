@@ -10,6 +10,7 @@
 #include <fretwork/base/file.hpp>
 #include <fretwork/base/quantity.hpp>
 #include <fretwork/base/scratch.hpp>
+#include <fretwork/exports/making_choice.hpp>
 #include <fretwork/exports/picture_options.hpp>
 #include <fretwork/exports/writer_catalogue.hpp>
 #include <fretwork/simulation/new_project.hpp>
@@ -151,6 +152,21 @@ void read_drawing(const Target& target, exports::Scene& scene) {
     if (const std::string colour = target.value("colour"); !colour.empty()) scene.picture.colour = colour;
 }
 
+/// What of an address says how a surface is made.
+exports::Making read_making(const Target& target, const std::optional<simulation::Conditions>& conditions) {
+    const exports::MakingChoice choice{.fillet = target.value("fillet"),
+                                       .kerf = target.value("kerf"),
+                                       .frame = target.value("frame"),
+                                       .bolts = target.value("bolts"),
+                                       .eye = target.value("eye"),
+                                       .bed = target.value("bed"),
+                                       .fit = target.value("fit"),
+                                       .clearance = target.value("clearance"),
+                                       .layer = target.value("layer"),
+                                       .prefix = ""};
+    return exports::read_making(choice, conditions ? &*conditions : nullptr);
+}
+
 const exports::WriterRow& find_target_writer(const Target& target) {
     const std::string content = target.value("content");
     const auto wanted = content.empty() ? std::nullopt : std::optional(exports::parse_content(content));
@@ -173,6 +189,7 @@ std::string exported(const Target& target, const Situation& situation, const Sol
                 scene.surface, load_case, {.model = *state.model, .analysis = state.analysis});
         }
     }
+    if (writer.is_made()) scene.making = read_making(target, scene.conditions);
     return writer.text(scene);
 }
 

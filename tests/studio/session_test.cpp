@@ -288,6 +288,19 @@ TEST(StudioMessages, ADraggedLoadIsShownBeforeItsEquilibriumIsFound) {
     EXPECT_LT(std::abs(moved(first) - moved(answer)), 0.2 * std::abs(moved(before) - moved(answer)));
 }
 
+TEST(StudioMessages, StiffJointsMakeTheSurfaceStiffer) {
+    const RunningStudio studio(test::studio_project());
+    Client client(studio.address());
+    client.hello();
+    Json setting = client.event({"document"})["setting"];
+    const double before = next_solution(client).event["largest_displacement"].get<double>();
+    setting["format"] = "fretwork/setting/2";
+    setting["joints"] = "stiff";
+    const Json answer = client.ask("set_setting", {{"setting", setting}});
+    ASSERT_TRUE(answer["ok"].get<bool>()) << answer;
+    EXPECT_LT(next_solution(client).event["largest_displacement"].get<double>(), 0.99 * before);
+}
+
 TEST(StudioMessages, MixedModelsTakeTheShareOfTilesInFull) {
     const RunningStudio studio(test::studio_project());
     Client client(studio.address());
@@ -560,8 +573,11 @@ TEST(StudioFiles, ExportsAreThoseOfTheCommandWithItsOptions) {
     const std::string page = get("view.html&scale=2");
     EXPECT_THAT(page, HasSubstr("\"scale\":2.0"));
     EXPECT_THAT(page, HasSubstr("cantilever"));
-    for (const char* wrong : {"picture.png&size=huge", "picture.png&view=up", "picture.png&colour=red",
-                              "view.html&scale=x", "x.step"})
+    const auto size_of_cut = [&](const std::string& more) { return get("cut.dxf" + more).size(); };
+    EXPECT_NE(size_of_cut("&frame=4mm"), size_of_cut(""));
+    EXPECT_THAT(get("cut.dxf&kerf=wide"), HasSubstr("kerf"));
+    for (const char* wrong : {"picture.png&size=huge", "cut.dxf&bed=600", "solid.stl&fillet=-1mm",
+                              "picture.png&view=up", "picture.png&colour=red", "view.html&scale=x", "x.step"})
         EXPECT_EQ(test::status_of(get(wrong)), 422) << wrong;
 }
 

@@ -3,6 +3,7 @@
 
 import { currentScene } from '../views/space/current';
 import { ask, tryAsk } from './studio';
+import { makingQuery, type Made } from './making';
 import { documentNow, hello } from './store';
 import { tell } from './tell';
 
@@ -45,16 +46,17 @@ export interface ExportRow {
   ending: string;
   title: string;
   words: string;
+  made?: Made;
 }
 /** Our words for kinds of file that people know; others come with the program's. */
 const KNOWN: ExportRow[] = [
   { ending: 'html', title: 'Web page', words: 'the bent surface in one file, for anybody with a browser' },
   { ending: 'svg', title: 'SVG', words: 'a drawing' },
-  { ending: 'dxf', title: 'DXF', words: 'for the laser cutter' },
-  { ending: 'stl', title: 'STL', words: 'a solid for the printer' },
-  { ending: '3mf', title: '3MF', words: 'a solid with units' },
-  { ending: 'txt', title: 'Facts for making', words: 'mass, lengths, narrow places, stresses' },
-  { ending: 'json', title: 'The same as JSON', words: 'for programs' },
+  { ending: 'dxf', title: 'DXF', words: 'for the laser cutter', made: 'cut' },
+  { ending: 'stl', title: 'STL', words: 'a solid for the printer', made: 'solid' },
+  { ending: '3mf', title: '3MF', words: 'a solid with units', made: 'solid' },
+  { ending: 'txt', title: 'Facts for making', words: 'mass, lengths, narrow places, stresses', made: 'facts' },
+  { ending: 'json', title: 'The same as JSON', words: 'for programs', made: 'facts' },
   { ending: 'obj', title: 'OBJ', words: 'centre lines' },
   { ending: 'ply', title: 'PLY', words: 'centre lines' },
   { ending: 'vtu', title: 'VTU', words: 'for ParaView' },
@@ -72,9 +74,10 @@ export function offered(): ExportRow[] {
 }
 
 /** The server writes it as the command line does. What it refuses, it refuses in words. */
-export async function exportTo(ending: string): Promise<void> {
+export async function exportTo({ ending, made }: ExportRow): Promise<void> {
   const query = new URLSearchParams(location.search);
   query.set('to', `${stem()}.${ending}`);
+  for (const [name, text] of Object.entries(made ? makingQuery(made) : {})) query.set(name, text);
   try {
     const answer = await fetch(`/export?${query}`);
     if (!answer.ok) throw new Error((await answer.text()).trim() || `The export failed (${answer.status}).`);

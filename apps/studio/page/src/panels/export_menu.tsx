@@ -3,6 +3,7 @@
 import { signal } from '@preact/signals';
 import { useEffect, useRef } from 'preact/hooks';
 import { download, exportTo, offered, savePicture } from '../document/files';
+import { MakingFields } from './making_fields';
 
 export const exportOpen = signal(false);
 
@@ -28,7 +29,7 @@ export function ExportMenu() {
     const buttons = [...(host.current?.querySelectorAll('button') ?? [])];
     const step = { ArrowDown: 1, ArrowUp: -1 }[event.key];
     if (event.key === 'Escape') exportOpen.value = false;
-    if (step) buttons[(buttons.indexOf(document.activeElement as HTMLButtonElement) + step + buttons.length) % buttons.length].focus();
+    if (step && event.target instanceof HTMLButtonElement) buttons[(buttons.indexOf(document.activeElement as HTMLButtonElement) + step + buttons.length) % buttons.length].focus();
     event.stopPropagation();
   };
   return (
@@ -36,9 +37,11 @@ export function ExportMenu() {
       <button type="button" role="menuitem" data-export="json" onClick={() => pick(() => void download())}><b>Project</b><span>everything, to open here or on the command line</span></button>
       <button type="button" role="menuitem" data-export="png" onClick={() => pick(() => void savePicture())}><b>Picture</b><span>the view in space, PNG with transparent ground</span></button>
       <hr />
-      {offered().map(({ ending, title, words }) => (
-        <button key={ending} type="button" role="menuitem" data-export={ending} onClick={() => pick(() => void exportTo(ending))}><b>{title}</b><span>{words}</span></button>
+      {offered().map((row) => (
+        <button key={row.ending} type="button" role="menuitem" data-export={row.ending} onClick={() => pick(() => void exportTo(row))}><b>{row.title}</b><span>{row.words}</span></button>
       ))}
+      <hr />
+      <MakingFields />
     </div>
   );
 }

@@ -56,6 +56,10 @@ export function MaterialFields() {
       <label class="field"><span>Bar height</span>
         <NumberField label="Bar height" least={1e-5} value={height} quantity="length" onChange={(value) => change({ section: section(width, value) })} />
       </label>
+      <div class="field" title="Real bars merge in joints that have a size: stiff joints are nearer to what is printed or cut, centrelines are the paper’s model"><span>Joints</span>
+        <Choice label="Joints" value={setting.joints ?? 'centreline'} options={[{ value: 'centreline', title: 'points' }, { value: 'stiff', title: 'stiff' }]}
+          onPick={(joints) => change({ format: 'fretwork/setting/2', joints })} />
+      </div>
     </>
   );
 }

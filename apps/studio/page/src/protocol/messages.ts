@@ -46,6 +46,7 @@ export interface Setting {
   material: { young_modulus: number; poisson_ratio: number; density: number };
   section: { area: number; I2: number; I3: number; J: number };
   tile_side: number;
+  joints?: string;
   [other: string]: unknown;
 }
 export interface StudioDocument {

@@ -5,7 +5,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
-import { drop, edit, makeProject, openPage, picture, read, solved, startStudio } from './studio.mjs';
+import { drop, edit, makeProject, openPage, picture, pictures, read, solved, startStudio } from './studio.mjs';
 
 const WIDTH = 10;
 const HEIGHT = 6;
@@ -106,6 +106,29 @@ test('every kind of file is exported', async (t) => {
     const file = await exported(page, ending, place);
     assert.match(readFileSync(file, 'latin1').slice(0, 4000), BEGINNINGS[ending], ending);
   }
+});
+
+test('what is cut has the frame and the kerf that are written in the menu', async (t) => {
+  const { address, place } = await startStudio(t, makeProject('40mm'));
+  const page = await openPage(t, address);
+  await solved(page);
+  const widths = [];
+  for (const frame of ['', '12']) {
+    await page.click('#export');
+    await page.click('.making summary');
+    await page.fill('[data-making=frame]', frame);
+    if (frame) await page.screenshot({ path: join(pictures, '23-making.png') });
+    await page.keyboard.press('Escape');
+    const text = readFileSync(await exported(page, 'dxf', place), 'latin1');
+    const xs = [...text.matchAll(/\n *10\r?\n([-\d.e]+)/g)].map(([, x]) => Number(x));
+    widths.push(Math.max(...xs) - Math.min(...xs));
+  }
+  assert.ok(widths[1] > widths[0] + 2, widths.join(' '));
+  await page.click('#export');
+  await page.click('.making summary');
+  await page.fill('[data-making=kerf]', 'wide');
+  await page.click('[data-export=dxf]');
+  await page.waitForFunction(() => /kerf/.test(document.querySelector('.notes')?.textContent ?? ''));
 });
 
 test('the exported page shows supports and loads, and needs nothing else', async (t) => {

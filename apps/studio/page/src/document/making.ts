@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How a surface is to be cut or printed, as one writes it: entries of `fretwork export`.
+
+import { signal } from '@preact/signals';
+
+/** What a made file is for: each looks at some of the entries. */
+export type Made = 'cut' | 'solid' | 'facts';
+
+export interface MakingEntry {
+  name: string;
+  title: string;
+  words: string;
+  of: readonly Made[];
+  /** What is written where nothing is. */
+  example: string;
+  unit: string;
+}
+export const MAKING: readonly MakingEntry[] = [
+  { name: 'fillet', title: 'Fillets', words: 'radius of inner corners', of: ['cut', 'solid', 'facts'], example: '0', unit: 'mm' },
+  { name: 'frame', title: 'Frame', words: 'width of bars along the rim', of: ['cut', 'solid', 'facts'], example: '0', unit: 'mm' },
+  { name: 'bolts', title: 'Bolts', words: 'diameter of holes at the supports', of: ['cut', 'solid', 'facts'], example: 'none', unit: 'mm' },
+  { name: 'kerf', title: 'Kerf', words: 'what the cutter takes away', of: ['cut'], example: '0', unit: 'mm' },
+  { name: 'bed', title: 'Sheets', words: 'width x height: larger surfaces are cut into parts that join', of: ['cut'], example: '600x400', unit: 'mm' },
+];
+
+/** By the entries' names; empty or missing: not given. */
+export const making = signal<Readonly<Record<string, string>>>({});
+
+/** What to ask the server for: bare numbers are millimetres. */
+export function makingQuery(made: Made, written = making.peek()): Record<string, string> {
+  const given = MAKING.filter(({ name, of }) => of.includes(made) && written[name]?.trim());
+  return Object.fromEntries(
+    given.map(({ name }) => {
+      const text = written[name].trim().replace(',', '.').replace('×', 'x').replace(/\s/g, '');
+      return [name, /^[\d.]+$/.test(text) ? `${text}mm` : text];
+    }),
+  );
+}

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+import { MAKING, making } from '../document/making';
+
+/** What DXF, STL, 3MF and the facts look at. */
+export function MakingFields() {
+  return (
+    <details class="making" onToggle={(event) => event.currentTarget.scrollIntoView({ block: 'end' })}>
+      <summary>For cutting and printing</summary>
+      {MAKING.map(({ name, title, words, example, unit }) => (
+        <label key={name} title={words}>
+          <b>{title}</b>
+          <input class="text-input" type="text" inputMode="decimal" data-making={name} placeholder={example} value={making.value[name] ?? ''}
+            onInput={(event) => (making.value = { ...making.value, [name]: event.currentTarget.value })} />
+          <span>{unit}, {words}</span>
+        </label>
+      ))}
+    </details>
+  );
+}

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/exports/writer_catalogue.hpp>
+
+#include <string>
+
+namespace fretwork::exports {
+
+/// How a surface is to be cut or printed, as a person writes it: lengths such as "2mm"; empty: not given.
+struct MakingChoice {
+    std::string fillet;
+    std::string kerf;
+    std::string frame;
+    std::string bolts;  ///< diameter of holes at the supports of a load case
+    std::string eye;
+    std::string bed;  ///< "600x400" in millimetres, or with units: "60cmx40cm"
+    std::string fit;
+    std::string clearance;
+    std::string layer;
+    /// What messages write before these names.
+    std::string prefix = "--";
+};
+
+/// `conditions` are those of the load case, or null: there is none. Throws InputError that names the entry.
+Making read_making(const MakingChoice& choice, const simulation::Conditions* conditions);
+
+}  // namespace fretwork::exports
