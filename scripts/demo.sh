@@ -7,6 +7,14 @@ cd "$(dirname "$0")/.."
 say() { printf '\n\033[1m%s\033[0m\n' "$*"; }
 [[ -t 1 ]] || say() { printf '\n%s\n' "$*"; }
 
+# The table of README.md from rows of Table 3, by the names of their columns.
+show_comparison() {
+  awk -F, '
+    NR == 1 { for (i = 1; i <= NF; ++i) at[$i] = i
+              printf "%-12s %16s %12s %15s\n", "", "largest error", "mean error", "rotation error"; next }
+            { printf "%-14s %11.3f mm %9.3f mm %10.4f rad\n", $1, 1e3 * $at["max_translation_error_m"], 1e3 * $at["mean_translation_error_m"], $at["max_rotation_error_rad"] }'
+}
+
 say "Building (the first time takes some minutes)"
 scripts/build.sh
 
@@ -36,10 +44,11 @@ for model in full "${reduced[@]}"; do
 done
 
 say "5. Compare the reduced models with the full one (the columns of the paper's Table 3)"
-"$program" compare "$out/full.json" "$out/paper6.json" --name paper6 --csv | tee "$out/comparison.csv"
+"$program" compare "$out/full.json" "$out/paper6.json" --name paper6 --csv >"$out/comparison.csv"
 for model in "${reduced[@]:1}"; do
-  "$program" compare "$out/full.json" "$out/${model/:/-}.json" --name "$model" --csv | tail -n 1 | tee -a "$out/comparison.csv"
+  "$program" compare "$out/full.json" "$out/${model/:/-}.json" --name "$model" --csv | tail -n 1 >>"$out/comparison.csv"
 done
+show_comparison <"$out/comparison.csv"
 
 say "6. Draw it"
 "$program" export "$out/project.json" --case bridge --to "$out/surface.svg"
