@@ -32,6 +32,20 @@ TEST(FactsReport, JsonHasTheSameNumbersInSi) {
     EXPECT_EQ(json.at("warnings").elements().size(), sample.facts.warnings.size());
 }
 
+TEST(FactsReport, TheSagIsToldWithTheWeightThatCausesIt) {
+    simulation::Surface surface = sample_surface();
+    surface.setting.material.density = 1240.0;
+    simulation::LoadCase held;
+    held.name = "hanging";
+    held.supports.push_back({simulation::NodesAtSide{simulation::Side::Left}, mechanics::DofSet::all()});
+    const fabrication::Facts facts = fabrication::facts(surface, {}, {&held, nullptr});
+    ASSERT_TRUE(facts.sag);
+    EXPECT_THAT(facts_text(facts),
+                AllOf(HasSubstr(" N on the supports of hanging"), HasSubstr("all beams' times 0.")));
+    const auto json = base::JsonReader::from_text(facts_json(facts), "facts");
+    EXPECT_DOUBLE_EQ(json.at("sag").at("weight").number(), facts.sag->weight);
+}
+
 TEST(FactsReport, ThePageHasACircleForEveryWarningWithAPlace) {
     const FactsOfScene sample = sample_facts();
     ASSERT_FALSE(sample.facts.warnings.empty());

@@ -2,6 +2,8 @@
 #include "sample.hpp"
 
 #include <fretwork/fabrication/facts.hpp>
+#include <fretwork/simulation/result_subject.hpp>
+#include <fretwork/simulation/simulate.hpp>
 
 namespace fretwork::fabrication {
 namespace {
@@ -59,6 +61,44 @@ TEST(Facts, SagAndStressAreProportionalToWeightAndLoad) {
     const Facts more = facts(surface, {}, {&twice, nullptr});
     EXPECT_NEAR(more.sag->deflection, 2.0 * once.sag->deflection, 1e-9 * once.sag->deflection);
     EXPECT_NEAR(more.stress->value, 3.0 * once.stress->value, 1e-6 * once.stress->value);
+}
+
+TEST(Facts, TheSupportsBearTheWeightOfTheOutline) {
+    const simulation::LoadCase load_case = cantilever();
+    for (const ShapeOptions& shape : {ShapeOptions{}, ShapeOptions{.fillet = 5e-4, .frame_width = 0.004}}) {
+        const Facts known = facts(sample(), shape, {&load_case, nullptr});
+        ASSERT_TRUE(known.sag);
+        EXPECT_GT(std::abs(known.mass / known.beam_mass - 1.0), 0.01);  // so that the two can be told apart
+        EXPECT_NEAR(known.sag->weight, known.mass * 9.80665, 1e-8 * known.sag->weight);
+    }
+}
+
+/// The load case without its forces, pulled down.
+simulation::LoadCase pulled(double gravity) {
+    simulation::LoadCase load_case = cantilever();
+    load_case.loads.clear();
+    load_case.gravity = {0.0, 0.0, -gravity};
+    return load_case;
+}
+
+TEST(Facts, GravityOfALoadCaseBearsOnTheOutlineAndNotOnTheBeams) {
+    const simulation::Surface surface = sample();
+    const simulation::LoadCase on_outline = pulled(9.81);
+    const Facts known = facts(surface, {}, {&on_outline, nullptr});
+    ASSERT_TRUE(known.stress);
+    const simulation::LoadCase on_beams = pulled(9.81 * known.mass / known.beam_mass);
+    mechanics::Result same = simulation::simulate(surface, on_beams, {.model = "condensed"});
+    same.subject = simulation::result_subject(surface, on_beams, {.model = "condensed"});
+    EXPECT_NEAR(known.stress->value, facts(surface, {}, {nullptr, &same}).stress->value,
+                1e-8 * known.stress->value);
+}
+
+TEST(Facts, WithoutGravityTheStressesOfALoadCaseDoNotDependOnWhatIsMade) {
+    const simulation::LoadCase load_case = cantilever();
+    const Facts thin = facts(sample(), {}, {&load_case, nullptr});
+    const Facts heavy = facts(sample(), {.frame_width = 0.006}, {&load_case, nullptr});
+    ASSERT_GT(heavy.mass, 1.1 * thin.mass);
+    EXPECT_DOUBLE_EQ(heavy.stress->value, thin.stress->value);
 }
 
 TEST(Facts, AStressAboveTheStrengthIsToldWithTileAndNode) {

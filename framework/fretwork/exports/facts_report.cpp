@@ -54,8 +54,11 @@ std::vector<Row> rows(const Facts& facts) {
             {facts.narrowest->kind == NarrowPlace::Kind::Gap ? "narrowest gap" : "narrowest opening",
              mm(facts.narrowest->width) + ", " + place_of(facts.narrowest->tile, facts.narrowest->node)});
     if (facts.sag)
-        table.push_back({"sag, own weight", mm(facts.sag->deflection) + " on the supports of " +
-                                                facts.sag->load_case + " (small displacements)"});
+        table.push_back(
+            {"sag, own weight", mm(facts.sag->deflection) + " under " + shown(facts.sag->weight) +
+                                    " N on the supports of " + facts.sag->load_case +
+                                    " (small displacements; weight of the outline: all beams' times " +
+                                    shown(facts.mass / facts.beam_mass) + ")"});
     if (facts.stress)
         table.push_back({"largest stress", shown(1e-6 * facts.stress->value) + " MPa, " +
                                                facts.stress->source + ", " +
@@ -134,6 +137,7 @@ std::string facts_json(const Facts& facts) {
             {"place", place_json(facts.narrowest->place)}};
     if (facts.sag)
         document["sag"] = {{"load_case", facts.sag->load_case},
+                           {"weight", facts.sag->weight},
                            {"deflection", facts.sag->deflection},
                            {"place", place_json(facts.sag->place)}};
     if (facts.stress)

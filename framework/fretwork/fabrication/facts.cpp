@@ -186,10 +186,16 @@ class FactFinder {
                 {});
     }
 
+    /// Gravity as it pulls on the outline: beams count the material of joints more than once.
+    [[nodiscard]] mechanics::Result estimate_outline(LoadCase load_case) const {
+        if (facts_.beam_mass > 0.0) load_case.gravity *= facts_.mass / facts_.beam_mass;
+        return estimate(surface_, load_case, options_.control);
+    }
+
     void estimate_sag(const LoadCase& load_case) {
         if (load_case.supports.empty() || surface_.setting.material.density <= 0.0) return;
-        const mechanics::Result result = estimate(surface_, own_weight(load_case), options_.control);
-        Facts::Sag sag{load_case.name, 0.0, {}};
+        const mechanics::Result result = estimate_outline(own_weight(load_case));
+        Facts::Sag sag{load_case.name, result.solution.reactions.col(2).sum(), 0.0, {}};
         for (std::size_t n = 0; n < surface_.tessellation.interface_nodes.size(); ++n) {
             const double down = std::abs(result.solution.displacements(static_cast<Eigen::Index>(n), 2));
             if (down <= sag.deflection) continue;
@@ -207,8 +213,7 @@ class FactFinder {
         if (loads.result != nullptr)
             take_stress(*loads.result, "the result");
         else if (loads.load_case != nullptr)
-            take_stress(estimate(surface_, *loads.load_case, options_.control),
-                        "load case " + loads.load_case->name);
+            take_stress(estimate_outline(*loads.load_case), "load case " + loads.load_case->name);
         if (!facts_.stress || !options_.strength || facts_.stress->value <= *options_.strength) return;
         const Point2& place = plan_.nodes[static_cast<std::size_t>(facts_.stress->node)];
         warn(where(facts_.stress->tile, facts_.stress->node, place) + "a stress of " +

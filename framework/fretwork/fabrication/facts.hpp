@@ -31,6 +31,10 @@ struct Warning {
 };
 
 /// Whatever a maker asks of a surface before making it. SI.
+///
+/// Weight, in the sag and in the stresses of a load case with gravity, is that of the true outline: one
+/// factor for the whole surface, `mass` / `beam_mass`, scales the gravity of its tiles. So what a frame and
+/// eyes for bolts weigh is spread over the tiles; that they are stiff is left out.
 struct Facts {
     std::size_t tiles = 0, bars = 0, pieces = 0, openings = 0;
     Box box{};
@@ -49,6 +53,7 @@ struct Facts {
     /// Under its own weight on the supports of a load case, by condensed tiles and small displacements.
     struct Sag {
         std::string load_case;
+        double weight = 0.0;      ///< N, what the supports bear: `mass` times 9.80665 m/s2
         double deflection = 0.0;  ///< m, the largest
         pattern::Point2 place;
     };
@@ -68,8 +73,9 @@ struct Facts {
 /// A load case, or a result, to judge stresses by.
 struct FactsLoads {
     const simulation::LoadCase* load_case = nullptr;
-    const mechanics::Result* result = nullptr;  ///< of the surface; else the load case is solved for small
-                                                ///< displacements of condensed tiles
+    /// Of the surface, taken as it is, with the weight of the beams; else the load case is solved for small
+    /// displacements of condensed tiles.
+    const mechanics::Result* result = nullptr;
 };
 
 /// Throws as make_shape(), and as simulation::simulate().
