@@ -135,7 +135,7 @@ TEST(Shape, ABoltHasAnEyeAroundItsHole) {
 }
 
 TEST(Shape, HolesThatMeetAreRefusedByNode) {
-    const BarPlan plan = plan_of({{0.0, 0.0}, {0.004, 0.0}}, {{0, 1}});
+    const BarPlan plan = plan_of({{0.0, 0.0}, {0.004, 0.0}, {0.05, 0.0}}, {{0, 1}, {1, 2}});
     const ShapeOptions options{.bolt_diameter = 5e-3,
                                .bolts = {TessellationNodeIndex(0), TessellationNodeIndex(1)}};
     EXPECT_THAT(complaint_of([&] { (void)make_shape(plan, options); }),
@@ -149,6 +149,15 @@ TEST(Shape, OptionsThatMakeNoSenseAreRefused) {
           ShapeOptions{.bolt_diameter = 3e-3, .eye_diameter = 2e-3},
           ShapeOptions{.kerf = 1e-3, .bolt_diameter = 5e-4}})
         EXPECT_THROW((void)make_shape(plan, wrong), base::InputError);
+}
+
+TEST(Shape, LengthsAboveTheSurfacesOwnAreRefusedWithBoth) {
+    const BarPlan plan = star(3, kLength);
+    for (const ShapeOptions& wrong :
+         {ShapeOptions{.kerf = 5.0}, ShapeOptions{.frame_width = 5.0}, ShapeOptions{.bolt_diameter = 5.0},
+          ShapeOptions{.bolt_diameter = 1e-3, .eye_diameter = 5.0}})
+        EXPECT_THAT(complaint_of([&] { (void)make_shape(plan, wrong); }),
+                    AllOf(HasSubstr(" is 5 m"), HasSubstr("whole surface")));
 }
 
 TEST(Shape, TilesInOnePieceStayInOnePieceAndCoverNoMoreThanTheirBars) {

@@ -32,6 +32,22 @@ double eye_diameter(const ShapeOptions& options) {
     return options.eye_diameter > 0.0 ? options.eye_diameter : 2.0 * options.bolt_diameter;
 }
 
+/// A length above the surface's own is a slip of units: "5" are metres. Fillets are as large as they can be.
+void require_below_surface(const BarPlan& plan, const ShapeOptions& options) {
+    const Box box = fabrication::box_of(std::span<const Point2>(plan.nodes));
+    const auto require = [&](double value, const char* what) {
+        if (value < std::max(box.width(), box.height())) return;
+        throw base::InputError(std::string(what) + " is " + base::format_number(value) +
+                               " m, which is more than the whole surface, " +
+                               base::format_number(box.width()) + " x " + base::format_number(box.height()) +
+                               " m");
+    };
+    require(options.kerf, "the kerf");
+    require(options.frame_width, "the width of the frame");
+    require(options.bolt_diameter, "the diameter of holes for bolts");
+    require(options.eye_diameter, "the diameter of eyes");
+}
+
 /// The contours around the material, region by region of the bars' lines. In each region what is empty is
 /// found by itself: so the Booleans have some ten edges each, however large the surface is.
 class ShapeMaker {
@@ -172,6 +188,7 @@ Shape make_shape(const simulation::Surface& surface, const ShapeOptions& options
 
 Shape make_shape(const BarPlan& plan, const ShapeOptions& options) {
     options.validate();
+    require_below_surface(plan, options);
     return ShapeMaker(plan, options).run();
 }
 
