@@ -224,6 +224,7 @@ CLI::App* add_action(CLI::App* verb, const std::shared_ptr<Options>& options, co
                      std::pair<const char*, Action> what) {
     CLI::App* action = verb->add_subcommand(name, what.first);
     action->fallthrough();
+    action->footer(kExamples);
     action->callback([options, run = what.second] { run(*options); });
     return action;
 }

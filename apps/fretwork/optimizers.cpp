@@ -195,6 +195,7 @@ void add_list(CLI::App& verb, const std::shared_ptr<Options>& options, ExitCode&
     CLI::App* action =
         verb.add_subcommand("list", "List the methods: name, class, what they need, what they are");
     action->add_flag("--json", options->json, "Print JSON");
+    action->footer("Example: fretwork optimizers list");
     action->callback([options, &exit_code] { exit_code = list(*options); });
 }
 
@@ -221,6 +222,7 @@ void add_known(CLI::App& verb, const std::shared_ptr<Options>& options, ExitCode
     action->add_flag("--json", options->json, "Print JSON");
     declare_files(*action,
                   {output("--out", kTableFile), input("--ids"), input("--from"), input("--results")});
+    action->footer("Example: fretwork optimizers known --patterns 12 --starts 10 --out known.csv");
     action->callback([options, &exit_code] { exit_code = known(*options); });
 }
 
@@ -228,7 +230,7 @@ void add_run(CLI::App& verb, const std::shared_ptr<Options>& options, ExitCode& 
     CLI::App* action =
         verb.add_subcommand("run",
                             "Run methods on problems; goes on where it was stopped. Columns: see "
-                            "experiments/optimizer_comparison/README.md");
+                            "experiments/optimizer_comparison/method.md");
     action->add_option("--known", options->known, "The problems, as `known` wrote them")->required();
     action->add_option("--out", options->out, "Folder for results.csv")->required();
     action->add_option("--problems", options->problems, "all, or ids, families and family:N joined by commas")
@@ -249,6 +251,9 @@ void add_run(CLI::App& verb, const std::shared_ptr<Options>& options, ExitCode& 
     add_threads(*action, *options);
     action->add_flag("--json", options->json, "Print JSON");
     declare_files(*action, {input("--known"), output_folder("--out", "results.csv")});
+    action->footer(
+        "Example: fretwork optimizers run --known known.csv --optimizers slsqp:32,cma-es --repetitions 3 "
+        "--out DIR");
     action->callback([options, &exit_code] { exit_code = run(*options); });
 }
 
@@ -264,6 +269,9 @@ void add_landscape(CLI::App& verb, const std::shared_ptr<Options>& options, Exit
     add_threads(*action, *options);
     action->add_flag("--json", options->json, "Print JSON");
     declare_files(*action, {input("--known"), output_folder("--out", "descents.csv sections.csv")});
+    action->footer(
+        "Example: fretwork optimizers landscape --known known.csv --problems calibration:2 --descents 50 "
+        "--out DIR");
     action->callback([options, &exit_code] { exit_code = landscape(*options); });
 }
 

@@ -21,6 +21,18 @@ TEST(Help, OfEveryVerbHasAnExample) {
     }
 }
 
+TEST(Help, OfEveryActionHasAnExample) {
+    const TemporaryFolder folder;
+    for (const std::string action :
+         {"library list", "library show", "library merge", "library export", "optimizers list",
+          "optimizers known", "optimizers run", "optimizers landscape", "case add", "case list", "case show",
+          "case remove", "case rename"}) {
+        const auto outcome = run_command("fretwork " + action + " --help", folder.path());
+        EXPECT_EQ(outcome.exit_code, 0) << action;
+        EXPECT_THAT(outcome.out, testing::ContainsRegex("Examples?:(.|\n)* fretwork " + action)) << action;
+    }
+}
+
 TEST(Help, VersionIsOneLine) {
     const TemporaryFolder folder;
     EXPECT_THAT(run_command("fretwork --version", folder.path()).out,
