@@ -44,6 +44,12 @@ TEST(Facts, KerfDoesNotChangeWhatIsLeft) {
     EXPECT_DOUBLE_EQ(facts(sample(), {.kerf = 2e-4}, {}).area, facts(sample(), {}, {}).area);
 }
 
+TEST(Facts, AKerfThatClosesOpeningsIsTold) {
+    const auto told = Contains(Field(&Warning::message, HasSubstr("openings: they are not cut")));
+    EXPECT_THAT(facts(sample(), {.kerf = 2e-4}, {}).warnings, testing::Not(told));
+    EXPECT_THAT(facts(sample(), {.kerf = 0.06}, {}).warnings, told);
+}
+
 TEST(Facts, SmallestRadiusIsTheFilletOrZero) {
     EXPECT_DOUBLE_EQ(facts(sample(), {}, {}).smallest_radius, 0.0);
     EXPECT_NEAR(facts(sample(), {.fillet = 3e-4}, {}).smallest_radius, 3e-4, 1e-4);

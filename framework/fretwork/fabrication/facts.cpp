@@ -72,6 +72,12 @@ double smallest_inner_radius(const Shape& shape) {
     return smallest;
 }
 
+std::size_t opening_count(const Shape& shape) {
+    std::size_t count = 0;
+    for (const Piece& piece : shape.pieces) count += piece.openings.size();
+    return count;
+}
+
 /// The surface's supports and its weight, and nothing else.
 LoadCase own_weight(const LoadCase& load_case) {
     LoadCase weight;
@@ -95,6 +101,7 @@ class FactFinder {
         ShapeOptions nominal = shape;
         nominal.kerf = 0.0;  // what is left, and not where the cutter runs
         shape_ = make_shape(plan_, nominal);
+        if (shape.kerf > 0.0) judge_kerf(make_shape(plan_, shape), shape.kerf);
     }
 
     Facts run(const FactsLoads& loads) {
@@ -113,7 +120,7 @@ class FactFinder {
         facts_.tiles = surface_.tessellation.tiles.size();
         facts_.bars = plan_.bars.size();
         facts_.pieces = shape_.pieces.size();
-        for (const Piece& piece : shape_.pieces) facts_.openings += piece.openings.size();
+        facts_.openings = opening_count(shape_);
         facts_.box = box_of(shape_);
         facts_.height = shape_.height;
         facts_.area = area(shape_);
@@ -134,6 +141,15 @@ class FactFinder {
     void warn_of_more(std::size_t count, const std::string& what) {
         if (count > kMostOfOneKind)
             warn("and " + std::to_string(count - kMostOfOneKind) + " more " + what, {});
+    }
+
+    /// Where the cutter is wider than an opening there is no line to follow.
+    void judge_kerf(const Shape& cut, double kerf) {
+        const std::size_t made = opening_count(cut), wanted = opening_count(shape_);
+        if (made < wanted)
+            warn("the kerf of " + millimetres(kerf) + " closes " + std::to_string(wanted - made) + " of " +
+                     std::to_string(wanted) + " openings: they are not cut",
+                 {});
     }
 
     void judge_places() {
