@@ -266,7 +266,8 @@ void add_tile(CLI::App& app, ExitCode&) {
         "or a number, 1 the largest (default: largest)");
     CLI::Option* width =
         verb->add_option("--width", options->width,
-                         "Scale the outline to this width, such as 400mm (default: the drawing's own)");
+                         "Scale the outline to this width, such as 400mm (default: the drawing's own)")
+            ->type_name("LENGTH");
     CLI::Option* edge_length = verb->add_option(
         "--edge-length", options->edge_length,
         "Wanted mean side of the tiles, such as 26mm (default: the library's tile side, or the paper's)");

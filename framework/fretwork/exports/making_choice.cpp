@@ -71,7 +71,9 @@ Making read_making(const MakingChoice& choice, const simulation::Conditions* con
         return making;
     }
     if (conditions == nullptr)
-        throw base::InputError(name("bolts"), "", "needs a load case: holes are at its supports");
+        throw base::InputError(name("bolts"), "",
+                               "needs " + (choice.prefix.empty() ? "a load case" : name("case")) +
+                                   ": holes are at the supports of a load case");
     making.shape.bolts = supported_nodes(*conditions);
     return making;
 }

@@ -75,8 +75,9 @@ std::vector<double> expression_values(const std::string& expression, const Plane
             values.push_back(parser.Eval());
         }
     } catch (const mu::ParserError& error) {
-        fail(base::shortened(error.GetMsg(), 120) +
-             "; there are the variables x, y (metres), u and v (0 to 1)");
+        std::string complaint = base::shortened(error.GetMsg(), 120);
+        if (complaint.ends_with('.')) complaint.pop_back();
+        fail(complaint + "; there are the variables x, y (metres), u and v (0 to 1)");
     }
     for (std::size_t i = 0; i < values.size(); ++i) {
         if (!std::isfinite(values[i]))
