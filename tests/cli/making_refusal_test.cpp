@@ -34,7 +34,7 @@ TEST_F(RefusedMaking, BedsThatAreNoneOrTooSmall) {
 }
 
 TEST_F(RefusedMaking, OptionsWithoutAnEffect) {
-    refuse("--to x.dxf --bolts 3mm", "--bolts: needs a load case");
+    refuse("--to x.dxf --bolts 3mm", "--bolts: needs --case");
     refuse("--to x.dxf --eye 3mm", "--bolts");
     refuse("--to x.dxf --fit 0.1mm", "--bed");
     refuse("--to x.stl --bed 200x200", "is for what is cut");
