@@ -19,6 +19,15 @@ std::string setup_svg(const simulation::Surface& surface, const simulation::Cond
     return detail::setup_panel(surface, conditions, {}).document("Setup");
 }
 
+/// The lines of a layer without their white edges.
+std::vector<pugi::xml_node> coloured_lines(const pugi::xml_node& layer) {
+    std::vector<pugi::xml_node> lines;
+    for (const pugi::xml_node& path : layer.children("path")) {
+        if (path.attribute("stroke").value() != std::string("#ffffff")) lines.push_back(path);
+    }
+    return lines;
+}
+
 class SurfaceDrawing : public testing::Test {
   protected:
     [[nodiscard]] std::vector<DeformedLayer> layers() const {
@@ -113,7 +122,7 @@ TEST_F(SurfaceDrawing, AnotherScaleIsLabelledAndChangesTheSize) {
 TEST_F(SurfaceDrawing, DisplacementsAreColouredWithALegendUpToTheLargest) {
     const DeformedLayer layer = layers().front();
     const Svg svg(displacement_svg(layer));
-    EXPECT_EQ(lines_of_layer(svg.layer(identifier_of(layer.label))), layer.lines.lines.size());
+    EXPECT_EQ(coloured_lines(svg.layer(identifier_of(layer.label))).size(), layer.lines.lines.size());
     double largest = 0.0;
     for (Eigen::Index i = 0; i < layer.lines.displacements->rows(); ++i)
         largest = std::max(largest, layer.lines.displacements->row(i).head<3>().norm());
@@ -125,7 +134,35 @@ TEST_F(SurfaceDrawing, DisplacementsAreColouredWithALegendUpToTheLargest) {
 TEST_F(SurfaceDrawing, WithoutDisplacementsIsDrawnAtRestInTheFirstColour) {
     const DeformedLayer layer{"rest", "#000000", surface_lines(surface_)};
     const Svg svg(displacement_svg(layer));
-    EXPECT_EQ(svg.layer("rest").child("path").attribute("stroke").value(), scale_colour(0.5 / 16.0));
+    EXPECT_EQ(coloured_lines(svg.layer("rest")).front().attribute("stroke").value(),
+              scale_colour(0.5 / 16.0));
+}
+
+TEST_F(SurfaceDrawing, LinesNearerToTheViewerAreDrawnOverThoseBehindThemWithAWhiteEdge) {
+    // Seen from the front and above, what is higher is nearer.
+    DeformedLayer layer{"crossing", "#000000", {}};
+    layer.lines.nodes = {{-1, 0, 1}, {1, 0, 1}, {0, -1, 0}, {0, 1, 0}};
+    layer.lines.lines = {{0, 1}, {2, 3}};
+    layer.lines.displacements = mechanics::NodeValues::Zero(4, mechanics::kDofsPerNode);
+    layer.lines.displacements->row(0)[0] = 1e-3;  // the upper line has another colour
+    const Svg svg(displacement_svg(layer));
+    const auto lines = coloured_lines(svg.layer("crossing"));
+    ASSERT_EQ(lines.size(), 2U);
+    EXPECT_EQ(lines[0].attribute("stroke").value(), scale_colour(0.5 / 16.0));
+    EXPECT_EQ(lines[1].attribute("stroke").value(), scale_colour(8.5 / 16.0));
+    const auto edge = lines[1].previous_sibling("path");
+    EXPECT_STREQ(edge.attribute("stroke").value(), "#ffffff");
+    EXPECT_GT(edge.attribute("stroke-width").as_double(), lines[1].attribute("stroke-width").as_double());
+}
+
+TEST_F(SurfaceDrawing, EachTileHasOneShapeAndOnePathOfBeamsInLayersOfInkscape) {
+    const Svg svg(surface_svg(surface_));
+    std::size_t number = 0;
+    for (const auto& path : svg.layer("beams").children("path"))
+        EXPECT_EQ(path.attribute("id").value(), "beams" + std::to_string(number++));
+    EXPECT_EQ(number, surface_.tessellation.tiles.size());
+    for (const auto& layer : svg.root().children("g"))
+        EXPECT_STREQ(layer.attribute("inkscape:groupmode").value(), "layer");
 }
 
 TEST_F(SurfaceDrawing, TheFigureHoldsAllPanels) {
@@ -138,15 +175,19 @@ TEST_F(SurfaceDrawing, TheFigureHoldsAllPanels) {
     EXPECT_EQ(children(svg.layer("setup-supports"), "circle"), 2 * conditions_.supports.size());
 }
 
-TEST_F(SurfaceDrawing, IdsOfLayersAreUnique) {
+void collect_ids(const pugi::xml_node& node, std::multiset<std::string>& ids) {
+    if (const auto id = node.attribute("id")) ids.insert(id.value());
+    for (const auto& child : node.children()) collect_ids(child, ids);
+}
+
+TEST_F(SurfaceDrawing, EveryIdOfTheFigureIsThereOnce) {
     const auto drawn = layers();
-    std::set<std::string> ids;
+    std::multiset<std::string> ids;
     const Svg svg(figure_svg(surface_, conditions_, drawn));
-    for (const auto& panel : svg.root().children("svg")) {
-        for (const auto& layer : panel.children("g"))
-            EXPECT_TRUE(ids.insert(layer.attribute("id").value()).second) << layer.attribute("id").value();
-    }
-    EXPECT_GE(ids.size(), 8U);
+    collect_ids(svg.root(), ids);
+    for (const std::string& id : ids) EXPECT_EQ(ids.count(id), 1U) << id;
+    EXPECT_EQ(ids.count("surface-tile0"), 1U);
+    EXPECT_EQ(ids.count("setup-tile0"), 1U);
 }
 
 }  // namespace

@@ -50,7 +50,8 @@ LineSet rim_lines(const simulation::Surface& surface);
 /// Deformed states in parallel projection, over each other, with a legend and a scale bar.
 std::string deformed_svg(std::span<const DeformedLayer> layers, const DeformedViewOptions& options = {});
 
-/// The displacements' size on the deformed state of one layer, as colours with a legend.
+/// The displacements' size on the deformed state of one layer, as colours with a legend. Lines that are
+/// nearer to the viewer are drawn over those behind them, with white edges.
 std::string displacement_svg(const DeformedLayer& layer, const DeformedViewOptions& options = {});
 
 /// All of it below each other on one sheet, as the paper's Figs. 12 to 14: from above, the setup, the

@@ -6,7 +6,9 @@
 #include <fretwork/exports/detail/projection.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace fretwork::exports::detail {
 namespace {
@@ -14,7 +16,10 @@ namespace {
 using pattern::Point2;
 using Segments = std::vector<std::array<Point2, 2>>;
 
-constexpr int kBands = 16;  ///< colours of a scale: lines of one colour are one path, and the file is small
+constexpr int kBands = 16;     ///< colours of a scale
+constexpr double kEdge = 2.4;  ///< of a line's width: the white below it, which hides what is behind
+constexpr double kShort =
+    2.0;  ///< of a line's width: the white ends so far before its ends, where lines meet
 
 Segments segments_of(const LineSet& lines, const std::vector<Point2>& points) {
     Segments segments;
@@ -40,7 +45,8 @@ double largest_displacement(const LineSet& lines) {
 /// A deformed view before its furniture: projected lines, and the box with room for a legend above and a
 /// scale bar below.
 struct View {
-    std::vector<std::vector<Point2>> points;  ///< for each layer
+    std::vector<std::vector<Point2>> points;      ///< for each layer
+    std::vector<std::vector<double>> nearnesses;  ///< the same, to the viewer, m
     std::vector<Point2> rest;
     Box box;
 };
@@ -51,7 +57,11 @@ View make_view(std::span<const DeformedLayer> layers, const DeformedViewOptions&
     view.rest = projection.all(options.rest.nodes);
     std::vector<Point2> all = view.rest;
     for (const DeformedLayer& layer : layers) {
-        view.points.push_back(projection.all(displaced_nodes(layer.lines, options.scale)));
+        const auto places = displaced_nodes(layer.lines, options.scale);
+        view.points.push_back(projection.all(places));
+        view.nearnesses.emplace_back();
+        for (const Eigen::Vector3d& place : places)
+            view.nearnesses.back().push_back(projection.nearness(place));
         all.insert(all.end(), view.points.back().begin(), view.points.back().end());
     }
     const Box subject = bounding_box(all, 0.0);
@@ -107,20 +117,37 @@ void draw_colour_bar(SvgCanvas& canvas, const Point2& start, double width) {
     }
 }
 
-void draw_coloured_lines(SvgCanvas& canvas, const LineSet& lines, const std::vector<Point2>& points,
-                         double largest) {
+/// The white below a line of a given width.
+void draw_edge(SvgCanvas& canvas, const std::array<Point2, 2>& line, double width) {
+    const double length = std::hypot(line[1].x - line[0].x, line[1].y - line[0].y);
+    const double share = kShort * width / std::max(length, std::numeric_limits<double>::min());
+    if (share >= 0.5) return;
+    const auto at = [&](double t) {
+        return Point2{line[0].x + t * (line[1].x - line[0].x), line[0].y + t * (line[1].y - line[0].y)};
+    };
+    const Segments edge = {{at(share), at(1 - share)}};
+    canvas.segments(edge, {"none", "#ffffff", kEdge * width, 1.0});
+}
+
+/// Lines that are nearer to the viewer hide those behind them: the farthest are drawn first, by their
+/// middles.
+void draw_coloured_lines(SvgCanvas& canvas, const LineSet& lines, const View& view, double largest) {
     const std::vector<double> sizes = displacement_sizes(lines);
-    std::vector<Segments> bands(kBands);
-    for (const auto& line : lines.lines) {
-        const auto a = static_cast<std::size_t>(line[0]);
-        const auto b = static_cast<std::size_t>(line[1]);
-        const double share = 0.5 * (sizes[a] + sizes[b]) / largest;
-        bands[std::min<std::size_t>(static_cast<std::size_t>(kBands * share), kBands - 1)].push_back(
-            {points[a], points[b]});
-    }
-    for (int band = 0; band < kBands; ++band) {
-        canvas.segments(bands[static_cast<std::size_t>(band)],
-                        {"none", scale_colour((band + 0.5) / kBands), 1.6 * line_width(canvas.box()), 1.0});
+    const std::vector<double>& nearnesses = view.nearnesses.front();
+    const auto of_ends = [&](const std::vector<double>& values, std::size_t i) {
+        const auto& line = lines.lines[i];
+        return 0.5 * (values[static_cast<std::size_t>(line[0])] + values[static_cast<std::size_t>(line[1])]);
+    };
+    std::vector<std::size_t> order(lines.lines.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(order, {}, [&](std::size_t i) { return of_ends(nearnesses, i); });
+    const Segments segments = segments_of(lines, view.points.front());
+    const double width = 1.6 * line_width(canvas.box());
+    for (const std::size_t i : order) {
+        const int band = std::min(static_cast<int>(kBands * of_ends(sizes, i) / largest), kBands - 1);
+        draw_edge(canvas, segments[i], width);
+        canvas.segments(std::span(&segments[i], 1),
+                        {"none", scale_colour((band + 0.5) / kBands), width, 1.0});
     }
 }
 
@@ -161,8 +188,7 @@ SvgCanvas displacement_panel(const DeformedLayer& layer, const DeformedViewOptio
     const double largest = largest_displacement(layer.lines);
     draw_rest(canvas, view, options);
     canvas.layer(layer.label);
-    draw_coloured_lines(canvas, layer.lines, view.points.front(),
-                        std::max(largest, std::numeric_limits<double>::min()));
+    draw_coloured_lines(canvas, layer.lines, view, std::max(largest, std::numeric_limits<double>::min()));
     canvas.layer("legend");
     canvas.text(legend_place(view.box, 0), layer.label + ": size of the displacement", text);
     const Point2 bar = legend_place(view.box, 1);

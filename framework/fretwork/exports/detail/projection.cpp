@@ -23,6 +23,10 @@ Point2 Projection::operator()(const Point2& point) const {
     return (*this)(Eigen::Vector3d(point.x, point.y, 0.0));
 }
 
+double Projection::nearness(const Eigen::Vector3d& point) const {
+    return right_.cross(up_).dot(point);
+}
+
 std::vector<Point2> Projection::all(std::span<const Point2> points) const {
     std::vector<Point2> places;
     for (const Point2& point : points) places.push_back((*this)(point));

@@ -15,6 +15,8 @@ class Projection {
     [[nodiscard]] pattern::Point2 operator()(const Eigen::Vector3d& point) const;
     /// A point of the plane z = 0.
     [[nodiscard]] pattern::Point2 operator()(const pattern::Point2& point) const;
+    /// How near a point is to the viewer, metres from the plane through the origin; more is nearer.
+    [[nodiscard]] double nearness(const Eigen::Vector3d& point) const;
     [[nodiscard]] std::vector<pattern::Point2> all(std::span<const pattern::Point2> points) const;
     [[nodiscard]] std::vector<pattern::Point2> all(std::span<const Eigen::Vector3d> points) const;
 

@@ -119,10 +119,15 @@ void draw_beams(SvgCanvas& canvas, const Surface& surface, const Projection& pro
     std::vector<Point2> places;
     for (const Eigen::Vector3d& node : drawn.nodes) places.push_back({node.x(), node.y()});
     const std::vector<Point2> nodes = projection.all(places);
-    std::vector<std::array<Point2, 2>> beams;
-    for (const auto& ends : drawn.ends)
-        beams.push_back({nodes[static_cast<std::size_t>(ends[0])], nodes[static_cast<std::size_t>(ends[1])]});
-    canvas.segments(beams, {"none", kBeamColour, beam_width(surface), 1.0});
+    std::vector<std::vector<std::array<Point2, 2>>> beams(surface.tessellation.tiles.size());
+    for (std::size_t b = 0; b < drawn.ends.size(); ++b) {
+        const auto& ends = drawn.ends[b];
+        beams[static_cast<std::size_t>(drawn.tiles[b])].push_back(
+            {nodes[static_cast<std::size_t>(ends[0])], nodes[static_cast<std::size_t>(ends[1])]});
+    }
+    const Style style{"none", kBeamColour, beam_width(surface), 1.0};
+    for (std::size_t t = 0; t < beams.size(); ++t)
+        canvas.named_segments(beams[t], style, "beams" + std::to_string(t));
 }
 
 std::vector<SupportMark> support_marks(const Surface& surface, const Conditions& conditions,

@@ -22,7 +22,8 @@ std::string rounded(double value) {
     return text == "-0" ? "0" : text;
 }
 
-constexpr std::string_view kLayerStart = "<g id=\"";
+/// Nowhere else: quotes in texts are escaped.
+constexpr std::string_view kIdStart = " id=\"";
 
 /// What may stand as an id: other characters become hyphens.
 std::string identifier(std::string_view name) {
@@ -104,8 +105,15 @@ void SvgCanvas::named_polygon(std::span<const Point2> points, const Style& style
 }
 
 void SvgCanvas::segments(std::span<const std::array<Point2, 2>> lines, const Style& style) {
+    named_segments(lines, style, "");
+}
+
+void SvgCanvas::named_segments(std::span<const std::array<Point2, 2>> lines, const Style& style,
+                               std::string_view id) {
     if (lines.empty()) return;
-    body_ += "<path d=\"";
+    body_ += "<path";
+    if (!id.empty()) body_ += std::string(kIdStart) + escaped(id) + "\"";
+    body_ += " d=\"";
     for (const auto& line : lines) body_ += "M" + place(line[0]) + "L" + place(line[1]);
     body_ += "\"" + attributes(style) + "/>\n";
 }
@@ -145,7 +153,8 @@ void SvgCanvas::text(const Point2& point, std::string_view text, double height, 
 }
 
 void SvgCanvas::layer(std::string_view name) {
-    body_ += std::string(in_layer_ ? "</g>\n" : "") + std::string(kLayerStart) + identifier(name) + "\">\n";
+    body_ += std::string(in_layer_ ? "</g>\n" : "") + "<g" + std::string(kIdStart) + identifier(name) +
+             "\" inkscape:groupmode=\"layer\" inkscape:label=\"" + escaped(name) + "\">\n";
     in_layer_ = true;
 }
 
@@ -162,9 +171,8 @@ std::string SvgCanvas::size(std::string_view unit) const {
 
 void SvgCanvas::embed(const SvgCanvas& drawing, const Point2& top_left, std::string_view name) {
     std::string body = drawing.body();
-    for (std::size_t at = body.find(kLayerStart); at != std::string::npos;
-         at = body.find(kLayerStart, at + 1))
-        body.insert(at + kLayerStart.size(), identifier(name) + "-");
+    for (std::size_t at = body.find(kIdStart); at != std::string::npos; at = body.find(kIdStart, at + 1))
+        body.insert(at + kIdStart.size(), identifier(name) + "-");
     body_ += "<svg x=\"" + rounded((top_left.x - box_.xmin) * units_per_metre_) + "\" y=\"" +
              rounded((box_.ymax - top_left.y) * units_per_metre_) + "\" " + drawing.size("") + ">\n" + body +
              "</svg>\n";
@@ -172,9 +180,11 @@ void SvgCanvas::embed(const SvgCanvas& drawing, const Point2& top_left, std::str
 
 std::string SvgCanvas::document(std::string_view title) const {
     return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<!-- " + std::string(base::kMadeBy) +
-           " -->\n<svg xmlns=\"http://www.w3.org/2000/svg\" " + size("mm") +
-           " font-family=\"DejaVu Sans, Helvetica, Arial, sans-serif\">\n<title>" + escaped(title) +
-           "</title>\n<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n" + body() + "</svg>\n";
+           " -->\n<svg xmlns=\"http://www.w3.org/2000/svg\" "
+           "xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" " +
+           size("mm") + " font-family=\"DejaVu Sans, Helvetica, Arial, sans-serif\">\n<title>" +
+           escaped(title) + "</title>\n<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n" + body() +
+           "</svg>\n";
 }
 
 }  // namespace fretwork::exports::detail

@@ -39,11 +39,11 @@ class SvgCanvas {
   public:
     SvgCanvas(const Box& box, double scale);
 
-    /// What follows belongs to a layer of this name, which drawing programs show; it ends where the next
-    /// begins.
+    /// What follows belongs to a layer of this name, which drawing programs show (Inkscape as one of its
+    /// own); it ends where the next begins.
     void layer(std::string_view name);
-    /// Put another drawing, as large as it is, with its top left corner at a place. Its layers get `name` in
-    /// front, so that they stay apart.
+    /// Put another drawing, as large as it is, with its top left corner at a place. All its
+    /// ids get `name` in front, so that they stay apart.
     void embed(const SvgCanvas& drawing, const pattern::Point2& top_left, std::string_view name);
 
     void polygon(std::span<const pattern::Point2> points, const Style& style);
@@ -52,6 +52,9 @@ class SvgCanvas {
                        std::string_view name);
     /// Several open lines as one path, with round ends.
     void segments(std::span<const std::array<pattern::Point2, 2>> lines, const Style& style);
+    /// The same with an id for programs.
+    void named_segments(std::span<const std::array<pattern::Point2, 2>> lines, const Style& style,
+                        std::string_view id);
     void circle(const pattern::Point2& center, double radius, const Style& style);
     /// A circle that is shaded as a ball.
     void ball(const pattern::Point2& center, double radius, const Colour& colour);
