@@ -28,15 +28,17 @@ using simulation::Project;
 
 namespace {
 
-/// An outline that was dropped onto the page. Its name says what kind of file it is.
-tiling::OutlineFile read_dropped_outline(const std::string& name, std::string_view content) {
+/// What `read` makes of a file that was dropped onto the page. Its name says what kind of file it is, and
+/// stands in what is said of it.
+template <class Read>
+auto read_dropped(const std::string& name, std::string_view content, const Read& read) {
     const auto temporary = std::filesystem::temp_directory_path();
     const base::Scratch folder(temporary / "outline", base::Scratch::Kind::Folder);
     const std::string ending = std::filesystem::path(name).extension().string();
     const auto path = folder.path() / ("outline" + ending);
     base::write_file_atomically(path, content);
     try {
-        return tiling::take_parts(tiling::read_outline_file(path), "largest");
+        return read(path);
     } catch (const base::GeometryError& error) {
         throw base::GeometryError(name + std::string(error.what()).substr(path.string().size()));
     } catch (const base::InputError& error) {
@@ -60,7 +62,9 @@ SentOutline read_sent_outline(const base::JsonReader& json) {
 }
 
 tiling::OutlineFile outline_of(const SentOutline& sent) {
-    tiling::OutlineFile file = read_dropped_outline(sent.name, sent.content);
+    tiling::OutlineFile file = read_dropped(sent.name, sent.content, [](const std::filesystem::path& path) {
+        return tiling::take_parts(tiling::read_outline_file(path), "largest");
+    });
     return sent.width ? tiling::scaled_to_width(std::move(file), *sent.width) : file;
 }
 
@@ -70,14 +74,20 @@ Json points_json(const pattern::Polygon& loop) {
     return points;
 }
 
+double width_of(const std::vector<pattern::Point2>& points) {
+    const auto [left, right] = std::ranges::minmax(points, {}, &pattern::Point2::x);
+    return right.x - left.x;
+}
+
 /// The part that would be tiled.
 Json measured(const tiling::OutlineFile& file) {
     const tiling::Outline& outline = file.parts.front();
-    const auto [left, right] = std::ranges::minmax(outline.boundary, {}, &pattern::Point2::x);
     const auto [lower, upper] = std::ranges::minmax(outline.boundary, {}, &pattern::Point2::y);
     Json loops = Json::array({points_json(outline.boundary)});
     for (const pattern::Polygon& hole : outline.holes) loops.push_back(points_json(hole));
-    return {{"size", {right.x - left.x, upper.y - lower.y}}, {"loops", loops}, {"remarks", file.remarks}};
+    return {{"size", {width_of(outline.boundary), upper.y - lower.y}},
+            {"loops", loops},
+            {"remarks", file.remarks}};
 }
 
 /// What `new` asks for.
@@ -106,13 +116,34 @@ void add_remarks(const simulation::NewProject& made, std::vector<std::string>& r
                           " % of the tiles are smaller, since the outline is narrow near them");
 }
 
+void scale(tiling::Tessellation& tessellation, double factor) {
+    for (auto* points : {&tessellation.vertices, &tessellation.interface_nodes}) {
+        for (pattern::Point2& point : *points) point = {factor * point.x, factor * point.y};
+    }
+}
+
+/// The faces of a mesh are read from its file, and scaled as its outline was.
+simulation::NewProject make_from(const SentOutline& sent, const tiling::OutlineFile& file,
+                                 simulation::NewProjectOptions options) {
+    if (options.tiles == simulation::TilesFrom::Outline)
+        return simulation::make_project(file.parts, options, nullptr);
+    simulation::NewProject made =
+        read_dropped(sent.name, sent.content, [&](const std::filesystem::path& path) {
+            options.outline_name = path.string();
+            return simulation::make_project(file.parts, options, nullptr);
+        });
+    const double drawn = width_of(made.project.tessellation.vertices);
+    scale(made.project.tessellation, sent.width.value_or(drawn) / drawn);
+    return made;
+}
+
 NamedProject make(const NewRequest& wanted, const base::Control& control) {
     if (!wanted.example.empty())
         return {example_title(wanted.example), make_example(wanted.example, control), {}, true};
     simulation::NewProjectOptions options = wanted.options;
     options.control = control;
     tiling::OutlineFile file = outline_of(wanted.outline);
-    simulation::NewProject made = simulation::make_project(file.parts, options, nullptr);
+    simulation::NewProject made = make_from(wanted.outline, file, options);
     add_remarks(made, file.remarks);
     return {std::filesystem::path(wanted.outline.name).stem().string(), std::move(made.project),
             std::move(file.remarks)};
@@ -120,7 +151,7 @@ NamedProject make(const NewRequest& wanted, const base::Control& control) {
 
 NewRequest read_new(const base::JsonReader& json) {
     json.allow_only(
-        {"id", "do", "outline", "example", "tile_size", "patterns", "palette", "layout", "discard"});
+        {"id", "do", "outline", "example", "tile_size", "tiles", "patterns", "palette", "layout", "discard"});
     NewRequest wanted;
     if (const auto example = json.find("example")) {
         json.allow_only({"id", "do", "example", "discard"});
@@ -138,6 +169,9 @@ NewRequest read_new(const base::JsonReader& json) {
         .patterns = text_of("patterns"),
         .palette = text_of("palette"),
         .names = {.patterns = "patterns", .palette = "palette", .library = "a library"}};
+    const auto tiles = json.find("tiles");
+    if (tiles && tiles->choice({"new", "faces"}) == "faces")
+        wanted.options.tiles = simulation::TilesFrom::Mesh;
     if (const auto size = json.find("tile_size")) wanted.options.edge_length = size->positive_number();
     return wanted;
 }

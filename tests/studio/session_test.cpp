@@ -539,6 +539,29 @@ TEST(StudioFiles, AnOutlineIsMeasuredAndScaledToTheWidthThatIsWanted) {
                 HasSubstr("width"));
 }
 
+TEST(StudioFiles, TheFacesOfADroppedMeshBecomeTilesAtTheWidthThatIsWanted) {
+    const RunningStudio studio;
+    Client client(studio.address());
+    client.hello();
+    const std::string squares =
+        "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nv 1 1 0\nv 2 1 0\nf 1 2 5 4\nf 2 3 6 5\n";
+    const auto sent = [](const std::string& text) {
+        return Json{{"name", "two.obj"}, {"text_base64", base::encode_base64(text)}, {"width", 0.3}};
+    };
+    const Json answer = client.ask("new", {{"outline", sent(squares)}, {"tiles", "faces"}});
+    ASSERT_TRUE(answer["ok"].get<bool>()) << answer;
+    EXPECT_EQ(answer["tiles"], 2);
+    const Json document = client.event({"document"});
+    double right = 0.0;
+    for (const Json& vertex : document["vertices"]) right = std::max(right, vertex[0].get<double>());
+    EXPECT_NEAR(right, 0.3, 1e-12);
+    const std::string dented = "v 0 0 0\nv 1 0 0\nv 0.2 0.2 0\nv 0 1 0\nf 1 2 3 4\n";
+    const Json refused = client.ask("new", {{"outline", sent(dented)}, {"tiles", "faces"}});
+    EXPECT_FALSE(refused["ok"].get<bool>());
+    EXPECT_THAT(refused["error"].get<std::string>(),
+                testing::AllOf(testing::StartsWith("two.obj"), HasSubstr("convex")));
+}
+
 TEST(StudioFiles, MessagesNameTheKeysOfARequestAndNotTheOptionsOfACommand) {
     const RunningStudio studio;
     Client client(studio.address());

@@ -4,10 +4,10 @@
 import { signal } from '@preact/signals';
 import { FileUp } from 'lucide-preact';
 import { inShownUnits, shown } from '../document/units';
-import { Button, Choice } from '../widgets/widgets';
+import { Button, Check, Choice } from '../widgets/widgets';
 import { NumberField } from '../widgets/number';
 import { setReadable, sizeAdvice, unreadable } from './tile_size';
-import { height, measured, outline, outlineTrouble, setWidth, tilesAbout, tileSize, width, type Measured } from './outline';
+import { height, isMesh, keepsFaces, measured, outline, outlineTrouble, setWidth, tilesAbout, tileSize, width, type Measured } from './outline';
 
 export const painting = signal<'random' | 'bare'>('random');
 const over = signal(false);
@@ -23,7 +23,8 @@ interface Props {
 
 export function NewFromOutline({ busy, choose, take, make }: Props) {
   const file = outline.value;
-  const advice = sizeAdvice.value;
+  const takesFaces = isMesh.value && keepsFaces.value;
+  const advice = takesFaces ? null : sizeAdvice.value;
   const wrong = outlineTrouble.value !== null || unreadable.value.size > 0 || advice?.isPossible === false;
   return (
     <div class={`drop${over.value ? ' over' : ''}${file ? ' taken' : ''}`}
@@ -37,21 +38,31 @@ export function NewFromOutline({ busy, choose, take, make }: Props) {
       }}>
       <button type="button" class="drop-target" id="choose-outline" onClick={choose}>
         {file && measured.value ? <Preview of={measured.value} /> : <FileUp aria-hidden />}
-        {file ? <Told name={file.name} /> : <span><b>Drop an outline here</b><br />SVG, DXF, OBJ or PLY. Or press to choose.</span>}
+        {file ? <Told name={file.name} /> : <span><b>Drop an outline here</b><br />SVG, DXF, OBJ, PLY or OFF. Or press to choose.</span>}
       </button>
       <div class="drop-options">
         {file && measured.value && (
           <label class="field"><span>Width of the surface</span><NumberField id="outline-width" label="Width of the surface" least={LEAST_LENGTH} value={width.value} quantity="length" onChange={setWidth} onReadable={(is) => setReadable('width', is)} /></label>
         )}
-        <label class="field"><span>Side of the tiles</span><NumberField id="tile-size" label="Side of the tiles" least={LEAST_LENGTH} value={tileSize.value} quantity="length" onChange={(value) => (tileSize.value = value)} onReadable={(is) => setReadable('tiles', is)} /></label>
+        <TileFields takesFaces={takesFaces} />
         {advice && <p class={advice.isPossible ? 'hint' : 'drop-trouble'} role="status" id="size-advice">{advice.words}</p>}
         <div class="field"><span>Patterns</span>
           <Choice label="Patterns to begin with" value={painting.value} onPick={(value) => (painting.value = value)}
             options={[{ value: 'random', title: 'a mix to begin with' }, { value: 'bare', title: 'none, I paint' }]} />
         </div>
-        <Button id="make" kind="main" wide title="Cover it with tiles" label={tilesAbout.value ? `Make it, of about ${tilesAbout.value} tiles` : 'Make it'} disabled={!file || busy || wrong} onPress={make} />
+        <Button id="make" kind="main" wide title={takesFaces ? 'Paint its faces' : 'Cover it with tiles'} label={!takesFaces && tilesAbout.value ? `Make it, of about ${tilesAbout.value} tiles` : 'Make it'} disabled={!file || busy || wrong} onPress={make} />
       </div>
     </div>
+  );
+}
+
+/** New tiles of some side, or the faces of a mesh. */
+function TileFields({ takesFaces }: { takesFaces: boolean }) {
+  return (
+    <>
+      {isMesh.value && <Check label="Take its faces as tiles" value={keepsFaces.value} onChange={(value) => (keepsFaces.value = value)} />}
+      {!takesFaces && <label class="field"><span>Side of the tiles</span><NumberField id="tile-size" label="Side of the tiles" least={LEAST_LENGTH} value={tileSize.value} quantity="length" onChange={(value) => (tileSize.value = value)} onReadable={(is) => setReadable('tiles', is)} /></label>}
+    </>
   );
 }
 

@@ -19,6 +19,9 @@ export const outline = signal<File | null>(null);
 export const measured = signal<Measured | null>(null);
 /** How wide the surface shall be; null as drawn. */
 export const wantedWidth = signal<number | null>(null);
+/** Whether the faces of a mesh become the tiles, as they are. */
+export const keepsFaces = signal(false);
+export const isMesh = computed(() => /\.(obj|ply|off)$/i.test(outline.value?.name ?? ''));
 export const tileSize = signal(DEFAULT_SIDE);
 export const outlineTrouble = signal<string | null>(null);
 
@@ -53,6 +56,7 @@ function suggestSide(): void {
 export async function takeOutline(file: File): Promise<void> {
   outline.value = file;
   measured.value = wantedWidth.value = outlineTrouble.value = null;
+  keepsFaces.value = false;
   // Servers that do not say what they export do not measure either.
   if (!hello.value?.exports) return;
   try {
@@ -64,6 +68,11 @@ export async function takeOutline(file: File): Promise<void> {
   } catch (error) {
     if (outline.value === file) outlineTrouble.value = (error as Error).message;
   }
+}
+
+/** Where the tiles come from, as a request for a new document says it. */
+export function tilesRequest(): object {
+  return isMesh.value && keepsFaces.value ? { tiles: 'faces' } : { tile_size: tileSize.value };
 }
 
 export async function outlineRequest(file: File): Promise<object> {

@@ -16,7 +16,7 @@ import { startingPalette } from '../gallery/starting_palette';
 import type { PatternTable } from '../protocol/messages';
 import { ExampleDrawing } from './example_drawing';
 import { NewFromOutline, painting } from './new_from_outline';
-import { outline, outlineRequest, takeOutline, tileSize } from './outline';
+import { outline, outlineRequest, takeOutline, tilesRequest } from './outline';
 import { RecoverList } from './recover_list';
 import './start.css';
 
@@ -50,7 +50,7 @@ async function fromOutline(): Promise<void> {
   const file = outline.value;
   if (!file) return;
   const patterns = painting.value === 'random' ? { patterns: 'random:1', ...(await palette()) } : {};
-  await begin(`Tiling ${file.name} …`, 'new', { outline: await outlineRequest(file), tile_size: tileSize.value, ...patterns });
+  await begin(`Tiling ${file.name} …`, 'new', { outline: await outlineRequest(file), ...tilesRequest(), ...patterns });
 }
 
 /** Chance needs patterns to choose from: the library's calibrated ones, or a spread of all. */

@@ -65,6 +65,18 @@ test('outlines of each kind are dropped and become tiles', async (t) => {
   assert.deepEqual(page.troubles, []);
 });
 
+test('faces of a dropped mesh become tiles where that is chosen', async (t) => {
+  const { address } = await startStudio(t);
+  const page = await openPage(t, address);
+  await drop(page, 'two.obj', 'v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nv 1 1 0\nv 2 1 0\nf 1 2 5 4\nf 2 3 6 5\n');
+  await page.check('label:has-text("Take its faces as tiles") input');
+  assert.equal(await page.locator('#tile-size').count(), 0, 'the faces have their own sides');
+  await page.click('#make');
+  await page.waitForFunction(() => window.fretwork.store.revision.value > 0);
+  assert.equal((await read(page, 'tiles')).length, 2);
+  assert.deepEqual(page.troubles, []);
+});
+
 test('an icon of four millimetres is shown, and becomes a surface of a useful size', async (t) => {
   const { address } = await startStudio(t);
   const page = await openPage(t, address);
