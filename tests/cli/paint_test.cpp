@@ -140,6 +140,31 @@ TEST_F(PaintCommand, NoTileThereIsExitOneAndChangesNothing) {
     EXPECT_EQ(patterns(), before);
 }
 
+TEST_F(PaintCommand, AnImagesGreyChoosesPatternsFromLightToDark) {
+    // 16 pixels of grey in a row, from white to black.
+    ASSERT_EQ(run("echo "
+                  "'iVBORw0KGgoAAAANSUhEUgAAABAAAAABCAAAAADyEnGDAAAAGklEQVR4nGP4/"
+                  "+7umd2rZnaUp4W6GCsJMgAAWmEH+SROr2sAAAAASUVORK5CYII=' | base64 -d > ramp.png")
+                  .exit_code,
+              0);
+    const Outcome painted = run("fretwork paint p.json --patterns image:ramp.png --palette 0-1+1-6,0-5+5-6");
+    ASSERT_EQ(painted.exit_code, 0) << painted.err;
+    const auto centers = tiling::tile_centers(project().tessellation);
+    const auto list = patterns();
+    double last_light = -1e9;
+    double first_dark = 1e9;
+    for (std::size_t t = 0; t < list.size(); ++t) {
+        if (list[t] == "0-1+1-6") last_light = std::max(last_light, centers[t].x);
+        if (list[t] == "0-5+5-6") first_dark = std::min(first_dark, centers[t].x);
+    }
+    EXPECT_LT(last_light, first_dark);
+    EXPECT_GT(last_light, 0.0);
+    ASSERT_EQ(
+        run("fretwork paint p.json --patterns image:ramp.png --palette 0-1+1-6,0-5+5-6 --dither").exit_code,
+        0);
+    EXPECT_NE(patterns(), list) << "dithered, both are mixed where it is grey";
+}
+
 TEST_F(PaintCommand, OptionsThatThePatternsDoNotGoWithAreRefused) {
     for (const std::string bad :
          {"", "--patterns 0-1+1-6 --dither", "--patterns 0-1+1-6 --palette 0-5+5-6",

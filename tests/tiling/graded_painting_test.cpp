@@ -7,7 +7,10 @@
 #include <fretwork/tiling/graded_painting.hpp>
 #include <fretwork/tiling/tile_choice.hpp>
 
+#include <algorithm>
+#include <map>
 #include <numeric>
+#include <png.h>
 
 namespace fretwork::tiling {
 namespace {
@@ -94,6 +97,66 @@ TEST(Field, ImagesThatAreNoneAreRefused) {
     const TemporaryFolder folder;
     const auto file = folder.file("grey.png", "no image");
     EXPECT_THAT(complaint_of([&] { (void)image_values(file, {}, {}); }), HasSubstr("grey.png"));
+}
+
+/// A PNG of one row of pixels, from white on the left to black on the right.
+std::filesystem::path grey_ramp(const TemporaryFolder& folder, unsigned pixels) {
+    std::vector<std::uint8_t> grey;
+    for (unsigned i = 0; i < pixels; ++i)
+        grey.push_back(static_cast<std::uint8_t>(255 - 255 * i / (pixels - 1)));
+    png_image image{};
+    image.version = PNG_IMAGE_VERSION;
+    image.width = pixels;
+    image.height = 1;
+    image.format = PNG_FORMAT_GRAY;
+    const std::filesystem::path path = folder.path() / "ramp.png";
+    EXPECT_NE(png_image_write_to_file(&image, path.c_str(), 0, grey.data(), 0, nullptr), 0) << image.message;
+    return path;
+}
+
+std::vector<pattern::Point2> middles(const Tessellation& row) {
+    return tile_centers(row);
+}
+
+TEST(Field, AGreyRampIsReadFromWhiteToBlackAcrossTheBox) {
+    const TemporaryFolder folder;
+    const auto ramp = grey_ramp(folder, 256);
+    const Tessellation row = row_of_squares(40);
+    const auto values = image_values(ramp, {{0, 0}, {40, 1}}, middles(row));
+    ASSERT_EQ(values.size(), 40U);
+    // A pixel is 1/256 of the width, a grey 1/255 of the way to black.
+    for (std::size_t i = 0; i < values.size(); ++i)
+        EXPECT_NEAR(values[i], (static_cast<double>(i) + 0.5) / 40, 2.0 / 255) << i;
+}
+
+const std::vector<GradedPattern> kFromLightToDark = {{"a", 0.0}, {"b", 0.4}, {"c", 0.6}, {"d", 1.0}};
+
+TEST(GradedPainting, AGreyRampGivesThePatternsInTheirOrder) {
+    const TemporaryFolder folder;
+    const Tessellation row = row_of_squares(40);
+    const auto values = image_values(grey_ramp(folder, 256), {{0, 0}, {40, 1}}, middles(row));
+    const Painting painting = graded_painting(row, all(row), kFromLightToDark, values, Dithering::None);
+    EXPECT_TRUE(std::ranges::is_sorted(painting.tiles));
+    // Nearer to 0 than to 0.4: 0 to 0.2, eight tiles; and so on: bounds at 0.2, 0.5, 0.8.
+    for (const auto& [pattern, count] : std::map<int, int>{{0, 8}, {1, 12}, {2, 12}, {3, 8}})
+        EXPECT_EQ(std::ranges::count(painting.tiles, pattern), count) << pattern;
+}
+
+TEST(GradedPainting, ADitheredGreyRampHasTheMeanOfTheImageInEveryPart) {
+    const TemporaryFolder folder;
+    constexpr int kTiles = 400;
+    constexpr int kPart = 40;
+    const Tessellation row = row_of_squares(kTiles);
+    const auto values = image_values(grey_ramp(folder, 256), {{0, 0}, {kTiles, 1}}, middles(row));
+    const std::vector<GradedPattern> two = {{"light", 0.0}, {"dark", 1.0}};
+    const Painting painting = graded_painting(row, all(row), two, values, Dithering::ErrorDiffusion);
+    for (int from = 0; from < kTiles; from += kPart) {
+        const double dark =
+            std::accumulate(painting.tiles.begin() + from, painting.tiles.begin() + from + kPart, 0.0);
+        const double wanted = std::accumulate(values.begin() + from, values.begin() + from + kPart, 0.0);
+        // In a row, at most half of a tile is handed on at either end of a part.
+        EXPECT_NEAR(dark, wanted, 1.0) << from;
+    }
 }
 
 TEST(TileChoice, NumbersAndRangesAreTilesOnce) {
