@@ -12,7 +12,9 @@
 #include <fretwork/simulation/beam_table.hpp>
 #include <fretwork/simulation/project_library.hpp>
 #include <fretwork/simulation/result_subject.hpp>
+#include <fretwork/simulation/stages.hpp>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -53,6 +55,16 @@ void check_own_result(const mechanics::Result& result, const simulation::Surface
         throw base::InputError(file, "", "is no result of this project: they differ in " + difference);
 }
 
+/// At the end of which stages the beams bear this.
+void print_stages(const mechanics::Result& result) {
+    if (!result.subject || result.subject->stages_text.empty()) return;
+    std::vector<std::string> names;
+    for (const simulation::Stage& stage : simulation::parse_stages(result.subject->stages_text, "stages"))
+        names.push_back("'" + base::printable(stage.name) + "'");
+    names.resize(std::min(names.size(), result.load_steps.size()));
+    std::printf("after the stages %s\n", base::join(names, ", ").c_str());
+}
+
 void print(const simulation::BeamTable& table, const simulation::Surface& surface, std::size_t top) {
     const auto& tessellation = surface.tessellation;
     std::printf("%6s %6s  %-20s %9s %9s %10s %10s%s\n", "beam", "tile", "pattern", "x mm", "y mm", "N", "MPa",
@@ -74,10 +86,8 @@ ExitCode run(const Options& options) {
     const mechanics::Result result = read_surface_result(options.result);
     const simulation::Surface surface = read_surface(options, result);
     check_own_result(result, surface, options.result);
-    std::optional<double> strength;
-    if (!options.strength.empty()) strength = parse_strength(options.strength);
     simulation::BeamTable table = simulation::beam_table(surface, result);
-    table.strength = strength;
+    if (!options.strength.empty()) table.strength = parse_strength(options.strength);
     const bool is_known = !table.rows.empty();
     if (!options.out.empty()) {
         const bool is_csv = std::filesystem::path(options.out).extension() == ".csv";
@@ -88,6 +98,7 @@ ExitCode run(const Options& options) {
         table.rows = simulation::most_stressed(table, options.top);
         std::fputs(simulation::beam_table_json(table, surface).c_str(), stdout);
     } else {
+        print_stages(result);
         print(table, surface, options.top);
     }
     return is_known ? ExitCode::Done : ExitCode::DidNotSucceed;
@@ -102,8 +113,9 @@ void add_beams(CLI::App& app, ExitCode& exit_code) {
     verb->add_option("project", options->project, "Project file")->required();
     verb->add_option("result", options->result, "Result file of this project")->required();
     verb->add_option("--top", options->top, "Print so many beams")->capture_default_str();
-    verb->add_option("--strength", options->strength,
-                     "Stress that the material bears, such as 40MPa (default: utilizations are left out)")
+    verb->add_option(
+            "--strength", options->strength,
+            "Stress that the material bears, such as 40MPa (default: that of the setting's material)")
         ->type_name("STRESS");
     verb->add_option("--library", options->library, "Library with the setting (default: the project's)");
     verb->add_option("--out", options->out, "Table of all beams to write: .csv or .json");

@@ -251,8 +251,8 @@ void add_export(CLI::App& app, ExitCode&) {
         ->type_name("FIELD");
     verb->add_option(
             "--strength", options->strength,
-            "Stress that the material bears, such as 40MPa: .vtu, .png and .html then have utilization, and "
-            "facts compare stresses with it")
+            "Stress that the material bears, such as 40MPa (default: that of the setting's material): .vtu, "
+            ".png and .html then have utilization, and facts compare stresses with it")
         ->type_name("STRESS");
     verb->add_option("--labels", options->labels,
                      "Numbers in an .svg from above: tiles, nodes (the interface nodes), or tiles,nodes")

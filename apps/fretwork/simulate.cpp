@@ -84,9 +84,8 @@ base::Json model_error_json(const mechanics::Result& result) {
     return {{"mean", error->mean}, {"largest", error->largest}, {"relative_l2", error->relative_l2}};
 }
 
-using OptionalRange = std::optional<mechanics::LinearRange>;
-
-base::Json linear_range_json(const OptionalRange& range) {
+base::Json linear_range_json(const mechanics::Result& result) {
+    const auto& range = result.linear_range;
     if (!range) return nullptr;
     return {{"error_estimate", range->error},
             {"loses_stability", range->loses_stability},
@@ -113,7 +112,7 @@ base::Json buckled_tiles_json(const mechanics::Result& result) {
     return result.buckled_tiles ? base::Json(*result.buckled_tiles) : base::Json(nullptr);
 }
 
-void print_json(const mechanics::Result& result, const OptionalRange& range) {
+void print_json(const mechanics::Result& result) {
     const auto& solution = result.solution;
     const base::Json json = {{"model", result.subject->model},
                              {"load_case", result.subject->load_case},
@@ -128,7 +127,7 @@ void print_json(const mechanics::Result& result, const OptionalRange& range) {
                              {"full_tiles", result.subject->full_tiles},
                              {"model_error_estimate", model_error_json(result)},
                              {"buckled_tiles", buckled_tiles_json(result)},
-                             {"linear_range", linear_range_json(range)},
+                             {"linear_range", linear_range_json(result)},
                              {"stability_losses", stability_losses_json(result)},
                              {"frequencies", values_of(result.vibration_modes)},
                              {"buckling_load_factors", values_of(result.buckling_modes)},
@@ -254,18 +253,17 @@ ExitCode run(Options options) {
     }
     mechanics::Result result = simulate(options, surface, load_case, project.load_cases, work.control());
     add_modes(options, surface, load_case, result, work.control());
+    if (result.solver == "linear" && result.solution.converged())
+        result.linear_range =
+            simulation::surface_linear_range(surface, load_case, options.simulation.threads, work.control());
     files.add(options.out, mechanics::result_text(result));
     add_drawings(options, surface, result, files);
-    OptionalRange range;
-    if (result.solver == "linear" && result.solution.converged())
-        range =
-            simulation::surface_linear_range(surface, load_case, options.simulation.threads, work.control());
     files.commit();
-    options.json ? print_json(result, range) : print(result);
+    options.json ? print_json(result) : print(result);
     if (!options.json && !options.stages.empty()) print_steps(result);
-    if (range && simulation::is_exceeded(*range))
+    if (result.linear_range && simulation::is_exceeded(*result.linear_range))
         std::fprintf(stderr, "fretwork: %s; --model full, without --linear, or corotational tell\n",
-                     simulation::linear_range_text(*range).c_str());
+                     simulation::linear_range_text(*result.linear_range).c_str());
     const bool misses_error = options.simulation.estimate_model_error && !result.model_error;
     if (misses_error)
         std::fprintf(stderr, "fretwork: the error of the model is not known: no better solution was found\n");

@@ -3,6 +3,7 @@
 
 #include <fretwork/base/text.hpp>
 #include <fretwork/simulation/result_subject.hpp>
+#include <fretwork/simulation/surface_linear_range.hpp>
 
 #include <cstdio>
 
@@ -16,6 +17,9 @@ mechanics::Result read_surface_result(const std::string& file) {
         std::fprintf(stderr, "fretwork: %s does not say what it is a result of (an older program made it)\n",
                      base::printable(file).c_str());
     }
+    if (result.linear_range && simulation::is_exceeded(*result.linear_range))
+        std::fprintf(stderr, "fretwork: %s: %s\n", base::printable(file).c_str(),
+                     simulation::linear_range_text(*result.linear_range).c_str());
     return result;
 }
 

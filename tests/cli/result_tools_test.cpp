@@ -4,6 +4,7 @@
 #include "support.hpp"
 
 #include <fretwork/base/text.hpp>
+#include <fretwork/reduction/setting_file.hpp>
 
 #include <nlohmann/json.hpp>
 
@@ -83,6 +84,53 @@ TEST_F(ResultTools, LinearResultsSayWhenTheyAreOutOfTheirRange) {
     EXPECT_FALSE(json::parse(near.out).at("linear_range").at("is_exceeded"));
     EXPECT_TRUE(
         json::parse(run("fretwork simulate p.json --json --out x.json").out).at("linear_range").is_null());
+}
+
+TEST_F(ResultTools, TheStrengthOfTheMaterialGivesUtilizationWithoutAnOption) {
+    json project = json::parse(base::read_text_file(folder_.path() / "p.json"));
+    reduction::Setting setting = reduction::paper_setting();
+    setting.strength = 40e6;
+    project["setting"] = json::parse(reduction::setting_text(setting));
+    folder_.file("p.json", project.dump());
+    const Outcome told = run("fretwork beams p.json full.json --top 1 --json");
+    ASSERT_EQ(told.exit_code, 0) << told.err << " (a strength makes no other setting of it)";
+    const json worst = json::parse(told.out).at("beams")[0];
+    EXPECT_NEAR(worst.at("utilization").get<double>(), worst.at("largest_stress").get<double>() / 40e6,
+                1e-12);
+    const json other =
+        json::parse(run("fretwork beams p.json full.json --top 1 --json --strength 20MPa").out);
+    EXPECT_EQ(other.at("strength"), 20e6) << "the option comes first";
+    ASSERT_EQ(run("fretwork export p.json --result full.json --to x.vtu --to facts.txt").exit_code, 0);
+    EXPECT_THAT(base::read_text_file(folder_.path() / "x.vtu"), HasSubstr("Name=\"utilization\""));
+    EXPECT_EQ(run("fretwork export p.json --result full.json --to x.png --size 60x40 --colour utilization")
+                  .exit_code,
+              0);
+}
+
+TEST_F(ResultTools, StagesBelongToTheResultInEveryCommand) {
+    folder_.file("stages.json", R"({"format": "fretwork/stages/1", "stages": [
+        {"name": "press", "loads": [{"load_case": "cantilever", "factor": 0.5}]},
+        {"name": "ease", "loads": [{"load_case": "cantilever", "factor": 0.25}]}]})");
+    ASSERT_EQ(run("fretwork simulate p.json --stages stages.json --out staged.json").exit_code, 0);
+    EXPECT_THAT(run("fretwork beams p.json staged.json").out, HasSubstr("after the stages 'press', 'ease'"));
+    const Outcome compared = run("fretwork compare full.json staged.json");
+    EXPECT_EQ(compared.exit_code, 2);
+    EXPECT_THAT(compared.err, HasSubstr("the stages"));
+    EXPECT_EQ(run("fretwork export p.json --result staged.json --to s.svg").exit_code, 0);
+    EXPECT_THAT(run("fretwork export p.json --result staged.json --case cantilever --to s.svg").err,
+                HasSubstr("the stages"));
+}
+
+TEST_F(ResultTools, ALinearResultSaysInItsFileThatItIsOutOfItsRange) {
+    folder_.file("far.json", R"({"format": "fretwork/load-case/1", "name": "far",
+        "supports": [{"side": "left", "fixed": ["ux", "uy", "uz", "rx", "ry", "rz"]}],
+        "loads": [{"side": "right", "force": [0, 0, -50], "amount": "total"}]})");
+    ASSERT_EQ(run("fretwork simulate p.json --case ./far.json --linear --out linear.json").exit_code, 0);
+    const json written = json::parse(base::read_text_file(folder_.path() / "linear.json"));
+    EXPECT_GT(written.at("linear_range").at("error_estimate").get<double>(), 0.1);
+    EXPECT_THAT(run("fretwork beams p.json linear.json").err,
+                AllOf(StartsWith("fretwork: linear.json: "), HasSubstr("linear solution")));
+    EXPECT_FALSE(json::parse(base::read_text_file(folder_.path() / "full.json")).contains("linear_range"));
 }
 
 TEST_F(ResultTools, StablePathsAndModesAreThereOnRequest) {

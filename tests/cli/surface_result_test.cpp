@@ -117,13 +117,13 @@ TEST_F(SurfaceResults, AreHeldAgainstFiniteTolerancesOnly) {
 
 TEST_F(SurfaceResults, OfOtherNodesThanTheProjectsAreRefusedWithTheirFile) {
     // As an older program wrote it, a result does not say what it is of; its nodes do.
-    ASSERT_EQ(
-        run("sed -e 's#result/3#result/1#' -e '/\"program\"/d' -e '/\"subject\"/,/^  },/d' condensed.json > "
-            "old.json"
-            " && fretwork tile experiments/outlines/specimen.svg --edge-length 50mm --patterns 0-1+1-6 "
-            "--out other.json")
-            .exit_code,
-        0);
+    ASSERT_EQ(run("sed -e 's#result/4#result/1#' -e '/\"program\"/d' -e '/\"subject\"/,/^  },/d' -e "
+                  "'/\"linear_range\"/,/}/d' condensed.json > "
+                  "old.json"
+                  " && fretwork tile experiments/outlines/specimen.svg --edge-length 50mm --patterns 0-1+1-6 "
+                  "--out other.json")
+                  .exit_code,
+              0);
     const Outcome outcome = run("fretwork export other.json --result old.json --to x.svg");
     EXPECT_EQ(outcome.exit_code, 2);
     EXPECT_THAT(outcome.err,

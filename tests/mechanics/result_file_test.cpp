@@ -48,7 +48,10 @@ Result some_result() {
                                    .tessellation_hash = std::string(64, 'a'),
                                    .painting_hash = std::string(64, 'b'),
                                    .setting_hash = std::string(64, 'c'),
-                                   .full_tiles = {3, 14}};
+                                   .full_tiles = {3, 14},
+                                   .stages_text = R"({"stages":[{"name":"press"}]})",
+                                   .stage_load_cases = {R"({"name":"a"})", R"({"name":"b"})"}};
+    result.linear_range = LinearRange{0.125, true};
     result.model_error = ModelError{0.001, 1.0 / 3.0, 0.02};
     result.buckled_tiles = {5};
     result.seconds = 0.25;
@@ -86,6 +89,9 @@ TEST_F(ResultFile, WrittenResultIsReadBackExactly) {
     EXPECT_EQ(read.discretization_error, written.discretization_error);
     ASSERT_TRUE(read.subject);
     EXPECT_EQ(read.subject->full_tiles, written.subject->full_tiles);
+    EXPECT_EQ(read.subject->stages_text, written.subject->stages_text);
+    EXPECT_EQ(read.subject->stage_load_cases, written.subject->stage_load_cases);
+    EXPECT_EQ(read.linear_range, written.linear_range);
     EXPECT_EQ(read.model_error, written.model_error);
     EXPECT_EQ(read.buckled_tiles, written.buckled_tiles);
     EXPECT_EQ(read.solution.displacements, written.solution.displacements);
@@ -125,12 +131,18 @@ TEST_F(ResultFile, TextIsReadAsTheFileIs) {
 
 TEST_F(ResultFile, FilesOfOlderFormatsAreRead) {
     Result result = some_result();
+    result.subject->stages_text.clear();
+    result.linear_range.reset();
+    const auto energy_of = [&](const char* format) {
+        std::string text = result_text(result);
+        text.replace(text.find("result/4"), 8, format);
+        return parse_result(text, "somewhere").solution.energy;
+    };
+    EXPECT_EQ(energy_of("result/3"), 2.5);
     result.subject->full_tiles.clear();
     result.model_error.reset();
     result.buckled_tiles.reset();
-    std::string text = result_text(result);
-    text.replace(text.find("result/3"), 8, "result/2");
-    EXPECT_EQ(parse_result(text, "somewhere").solution.energy, 2.5);
+    EXPECT_EQ(energy_of("result/2"), 2.5);
 }
 
 TEST_F(ResultFile, NumberThatIsNotFiniteIsNotWritten) {
@@ -170,7 +182,7 @@ TEST_F(ResultFile, AnIdThatTwoNodesHaveIsRefused) {
 }
 
 TEST_F(ResultFile, KeysOfALaterFormatAreRefused) {
-    EXPECT_THAT(complaint("fretwork/result/3", "fretwork/result/2"),
+    EXPECT_THAT(complaint("fretwork/result/4", "fretwork/result/2"),
                 HasSubstr("is no key of fretwork/result/2"));
 }
 
@@ -182,7 +194,7 @@ TEST_F(ResultFile, AnEndThatIsNotThatOfTheLoadStepsIsRefused) {
 }
 
 TEST_F(ResultFile, TheFirstFormatHasNoSubjectAndTheSecondNamesItsProgram) {
-    EXPECT_THAT(complaint("fretwork/result/3", "fretwork/result/1"), HasSubstr("/program: is no key of"));
+    EXPECT_THAT(complaint("fretwork/result/4", "fretwork/result/1"), HasSubstr("/program: is no key of"));
     EXPECT_THAT(complaint("\"program\"", "\"solver_program\""), HasSubstr("unknown key 'solver_program'"));
 }
 

@@ -60,6 +60,21 @@ TEST(SettingText, NamesJointsOnlyWhereTheyAreStiff) {
               "/joints: \"stiff\", where the library has \"centreline\"");
 }
 
+TEST(SettingText, KeepsTheStrengthOfTheMaterialInTheSecondFormat) {
+    Setting setting = paper_setting();
+    EXPECT_THAT(setting_text(setting), HasSubstr("fretwork/setting/1")) << "without a strength, as before";
+    setting.strength = 4e7;
+    EXPECT_THAT(setting_text(setting), HasSubstr("fretwork/setting/2"));
+    EXPECT_EQ(parse_setting(setting_text(setting), "round trip"), setting);
+}
+
+TEST(SettingDifference, IsNotMadeByAStrengthForNoResponseDependsOnIt) {
+    Setting strong = paper_setting();
+    strong.strength = 4e7;
+    EXPECT_EQ(setting_difference(strong, paper_setting()), "");
+    EXPECT_EQ(setting_text(without_strength(strong)), setting_text(paper_setting()));
+}
+
 TEST(SettingDifference, NamesThePlaceAndBothValues) {
     Setting other = paper_setting();
     EXPECT_EQ(setting_difference(other, paper_setting()), "");
@@ -117,6 +132,8 @@ TEST(SettingFile, BadInputIsRefusedByItsPlace) {
                 HasSubstr("/material/poisson_ratio"));
     EXPECT_THAT(complaint(R"("material": {"young_modulus": 0, "poisson_ratio": 0.3})"),
                 HasSubstr("/material/young_modulus"));
+    EXPECT_THAT(complaint(R"("material": {"young_modulus": 1e9, "poisson_ratio": 0.3, "strength": 4e7})"),
+                HasSubstr("/material/strength: is no key of fretwork/setting/1"));
     EXPECT_THAT(complaint(R"("tile_side": 1e300)"), HasSubstr("mine.json: /tile_side"));
     EXPECT_THAT(complaint(R"("material": {"young_modulus": 1e308, "poisson_ratio": 0.3})"),
                 HasSubstr("1e+18 (Pa)"));

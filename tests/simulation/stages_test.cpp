@@ -2,6 +2,7 @@
 #include "honeycomb.hpp"
 #include "support.hpp"
 
+#include <fretwork/simulation/result_subject.hpp>
 #include <fretwork/simulation/simulate.hpp>
 #include <fretwork/simulation/stages.hpp>
 
@@ -54,6 +55,45 @@ TEST(Stages, ACaseThatIsNotThereIsNamed) {
         {"name": "press", "loads": [{"load_case": "tap", "factor": 1}]}]})");
                 }),
                 HasSubstr("tip"));
+}
+
+TEST(Stages, AreReadBackFromTheirTextAsTheyWere) {
+    const auto stages = parse_stages(R"({"format": "fretwork/stages/1", "stages": [
+        {"name": "press", "loads": [{"load_case": "tip", "factor": 2}]},
+        {"name": "clip", "keep": [{"side": "right", "fixed": ["uz"]}]},
+        {"name": "push", "prescribed": [{"nearest": [[0.1, 0.2]], "uz": -0.01}]},
+        {"name": "let go", "free": [{"box": [0, 0, 1, 1], "fixed": ["uz", "rx"]}]}]})",
+                                     "stages.json");
+    const std::string text = stages_text(stages);
+    const auto again = parse_stages(text, "again");
+    ASSERT_EQ(again.size(), 4U);
+    EXPECT_EQ(stages_text(again), text);
+    EXPECT_EQ(again[0].loads[0].factor, 2.0);
+    EXPECT_TRUE(again[1].keep[0].fixed.contains[2]);
+    EXPECT_EQ(again[2].prescribed[0].value, -0.01);
+    EXPECT_TRUE(again[3].free[0].fixed.contains[3]);
+}
+
+TEST(Stages, AreAPartOfWhatAResultIsAResultOf) {
+    const auto of = [](double force, const std::string& factor) {
+        return *staged({named("tip", force)}, (R"({"format": "fretwork/stages/1", "stages": [
+            {"name": "press", "loads": [{"load_case": "tip", "factor": )" +
+                                               factor + "}]}]}")
+                                                  .c_str())
+                    .subject;
+    };
+    const mechanics::ResultSubject pressed = of(-0.01, "1");
+    EXPECT_EQ(subject_difference(pressed, of(-0.01, "1")), "");
+    EXPECT_EQ(subject_difference(pressed, of(-0.01, "2")), "the stages");
+    EXPECT_THAT(subject_difference(pressed, of(-0.02, "1")), HasSubstr("the stages"))
+        << "the load case that the stage names has changed";
+    const auto alone = simulate(strip(), named("tip", -0.01), {.model = "corotational"});
+    EXPECT_EQ(subject_difference(pressed, *alone.subject), "the stages");
+    EXPECT_NO_THROW(check_subject(pressed, "r.json"));
+    mechanics::ResultSubject broken = pressed;
+    broken.stages_text = R"({"format": "fretwork/stages/1", "stages": []})";
+    EXPECT_THAT(complaint_of([&] { check_subject(broken, "r.json"); }),
+                testing::StartsWith("r.json: /subject/stages"));
 }
 
 TEST(Stages, NoneIsRefused) {

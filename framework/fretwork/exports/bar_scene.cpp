@@ -98,13 +98,13 @@ class Builder {
             }
             bars_.fields.push_back(std::move(field));
         }
-        if (!scene_.strength) return;
+        if (!scene_.known_strength()) return;
         BarScene::Field field = bars_.fields[1];  // the stress
         field.name = kUtilization;
         field.title = "Share of the strength";
         field.unit = "%";
         field.factor = 100.0;
-        for (double& value : field.values) value /= *scene_.strength;
+        for (double& value : field.values) value /= *scene_.known_strength();
         bars_.fields.push_back(std::move(field));
     }
 

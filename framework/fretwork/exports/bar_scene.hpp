@@ -53,7 +53,7 @@ struct BarScene {
 /// Throws InputError if the result is not one of the surface.
 BarScene make_bar_scene(const Scene& scene);
 
-/// Shown where the scene has a strength.
+/// Shown where a strength is known.
 inline constexpr const char* kUtilization = "utilization";
 
 /// The names of the fields that a scene with a result has.

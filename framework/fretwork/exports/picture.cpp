@@ -52,7 +52,9 @@ detail::EndColours end_colours(const BarScene& scene, const std::string& name) {
         return detail::EndColours(2 * scene.bars.size(), linear_colour("#d9cdb8"));
     const auto field = std::ranges::find(scene.fields, name, &BarScene::Field::name);
     if (field == scene.fields.end() && name == kUtilization)
-        throw base::InputError("utilization is a share of a strength, and none is given: --strength 40MPa");
+        throw base::InputError(
+            "utilization is a share of a strength, and none is given: --strength 40MPa, or \"strength\" in "
+            "the material of the setting");
     if (field == scene.fields.end()) {
         std::vector<std::string> names = bar_field_names();
         names.push_back(kPlain);

@@ -101,8 +101,9 @@ constexpr std::array<WriterRow, 17> kWriters = {{
      "lines for ParaView, with displacements, rotations, section forces and stress of the first result, and "
      "its load steps as a series in time",
      [](const Scene& scene) {
-         return vtu_text(beam_lines(
-             scene.surface, scene.results.empty() ? nullptr : &scene.results.front().result, scene.strength));
+         return vtu_text(beam_lines(scene.surface,
+                                    scene.results.empty() ? nullptr : &scene.results.front().result,
+                                    scene.known_strength()));
      }},
     {".obj", Content::Centrelines, "line elements, displaced by the first result",
      [](const Scene& scene) { return obj_text(main_lines(scene)); }},

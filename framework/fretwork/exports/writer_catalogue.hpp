@@ -48,11 +48,15 @@ struct Scene {
     double displacement_scale = 1.0;        ///< in drawings of deformed states
     std::optional<ViewOptions> view{};      ///< from where these are seen; none: from where most is seen
     PictureOptions picture{};
-    std::optional<double> strength{};  ///< Pa, that utilizations are told of; none: they are not
+    std::optional<double> strength{};  ///< Pa, that utilizations are told of; none: the material's
     DrawnLabels labels{};              ///< of drawings from above
     Making making{};                   ///< of what is cut or printed
     std::optional<simulation::LoadCase> load_case{};  ///< that of `conditions`; facts are told with it
     base::Control control{};  ///< asked by writers of large files; who stops throws Stopped
+    /// Pa: the given one, or the material's; none: utilizations are not told.
+    [[nodiscard]] std::optional<double> known_strength() const {
+        return strength ? strength : surface.setting.strength;
+    }
 };
 
 /// What of a surface a file holds.

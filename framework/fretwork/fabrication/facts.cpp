@@ -132,7 +132,7 @@ class FactFinder {
         facts_.layers = static_cast<std::size_t>(std::ceil(shape_.height / options_.layer_height - 1e-9));
         facts_.wall_length = facts_.cut_length * static_cast<double>(facts_.layers);
         facts_.smallest_radius = smallest_inner_radius(shape_);
-        facts_.strength = options_.strength;
+        facts_.strength = options_.strength ? options_.strength : surface_.setting.strength;
     }
 
     void warn(std::string message, const Point2& place) {
@@ -230,11 +230,11 @@ class FactFinder {
             take_stress(*loads.result, "the result");
         else if (loads.load_case != nullptr)
             take_stress(estimate_outline(*loads.load_case), "load case " + loads.load_case->name);
-        if (!facts_.stress || !options_.strength || facts_.stress->value <= *options_.strength) return;
+        if (!facts_.stress || !facts_.strength || facts_.stress->value <= *facts_.strength) return;
         const Point2& place = plan_.nodes[static_cast<std::size_t>(facts_.stress->node)];
         warn(where(facts_.stress->tile, facts_.stress->node, place) + "a stress of " +
                  short_number(facts_.stress->value * 1e-6) + " MPa, above the strength of " +
-                 short_number(*options_.strength * 1e-6) + " MPa",
+                 short_number(*facts_.strength * 1e-6) + " MPa",
              place);
     }
 

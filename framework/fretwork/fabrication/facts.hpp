@@ -18,7 +18,7 @@ struct FactsOptions {
     double clearance = 5e-4;           ///< m: narrower gaps and openings are told
     double layer_height = 2e-4;        ///< m, of a print
     double sharp_angle = 0.35;         ///< rad: bars that meet at less are told
-    std::optional<double> strength{};  ///< Pa: stresses above are told
+    std::optional<double> strength{};  ///< Pa: stresses above are told; none: the material's
     base::Control control{};
     /// Throws InputError that names the option.
     void validate() const;
@@ -66,7 +66,7 @@ struct Facts {
         TessellationNodeIndex node;
     };
     std::optional<Stress> stress{};
-    std::optional<double> strength{};  ///< Pa, as given
+    std::optional<double> strength{};  ///< Pa, as given or the material's
     std::vector<Warning> warnings;
 };
 

@@ -2,9 +2,10 @@
 #pragma once
 
 #include <fretwork/base/control.hpp>
-#include <fretwork/mechanics/assembly.hpp>
 
 namespace fretwork::mechanics {
+
+struct Assembly;
 
 /// How far a linear solution is from that for large displacements, as its own strains and turns tell.
 struct LinearRange {
@@ -13,6 +14,7 @@ struct LinearRange {
     double error = 0.0;
     /// The load is beyond the first one of linearized buckling: the structure may go elsewhere altogether.
     bool loses_stability = false;
+    friend bool operator==(const LinearRange&, const LinearRange&) = default;
 };
 
 /// Options of linear_range().

@@ -166,6 +166,15 @@ ModelError read_model_error(const JsonReader& reader) {
             read_not_negative(reader.at("relative_l2"))};
 }
 
+Json range_json(const LinearRange& range) {
+    return {{"error_estimate", range.error}, {"loses_stability", range.loses_stability}};
+}
+
+LinearRange read_range(const JsonReader& reader) {
+    reader.allow_only({"error_estimate", "loses_stability"});
+    return {read_not_negative(reader.at("error_estimate")), reader.at("loses_stability").boolean()};
+}
+
 std::vector<int> read_tiles(const JsonReader& reader) {
     std::vector<int> tiles;
     for (const JsonReader& tile : reader.elements())
@@ -183,6 +192,11 @@ Json subject_json(const ResultSubject& subject) {
                  {"painting", subject.painting_hash},
                  {"setting", subject.setting_hash}};
     if (!subject.full_tiles.empty()) json["full_tiles"] = subject.full_tiles;
+    if (subject.stages_text.empty()) return json;
+    json["stages"] = Json::parse(subject.stages_text);
+    json["stage_load_cases"] = Json::array();
+    for (const std::string& text : subject.stage_load_cases)
+        json["stage_load_cases"].push_back(Json::parse(text));
     return json;
 }
 
@@ -196,9 +210,15 @@ std::string read_hash(const JsonReader& reader) {
 }
 
 ResultSubject read_subject(const JsonReader& reader) {
-    reader.allow_only(
-        {"model", "is_reference", "load_case", "tessellation", "painting", "setting", "full_tiles"});
+    reader.allow_only({"model", "is_reference", "load_case", "tessellation", "painting", "setting",
+                       "full_tiles", "stages", "stage_load_cases"});
     const auto full_tiles = reader.find("full_tiles");
+    const auto stages = reader.find("stages");
+    std::vector<std::string> cases;
+    if (stages) {
+        for (const JsonReader& load_case : reader.at("stage_load_cases").elements())
+            cases.push_back(load_case.text());
+    }
     return {.model = reader.at("model").string(),
             .is_reference = reader.at("is_reference").boolean(),
             .load_case = reader.at("load_case").at("name").string(),
@@ -206,7 +226,9 @@ ResultSubject read_subject(const JsonReader& reader) {
             .tessellation_hash = read_hash(reader.at("tessellation")),
             .painting_hash = read_hash(reader.at("painting")),
             .setting_hash = read_hash(reader.at("setting")),
-            .full_tiles = full_tiles ? read_tiles(*full_tiles) : std::vector<int>{}};
+            .full_tiles = full_tiles ? read_tiles(*full_tiles) : std::vector<int>{},
+            .stages_text = stages ? stages->text() : "",
+            .stage_load_cases = std::move(cases)};
 }
 
 Result::Node read_node(const JsonReader& reader) {
@@ -227,29 +249,14 @@ std::string read_solver(const JsonReader& reader) {
 }
 
 void check_keys(const JsonReader& document) {
-    document.allow_only({"format",
-                         "program",
-                         "subject",
-                         "solver",
-                         "load_factor",
-                         "converged",
-                         "stable",
-                         "stability",
-                         "termination",
-                         "energy",
-                         "residual",
-                         "iterations",
-                         "displacements",
-                         "reactions",
-                         "seconds",
-                         "nodes",
-                         "load_steps",
-                         "stability_losses",
-                         "vibration_modes",
-                         "buckling_modes",
-                         "discretization_error",
-                         "buckled_tiles",
-                         "model_error_estimate"});
+    document.allow_only({"format",          "program",        "subject",
+                         "solver",          "load_factor",    "converged",
+                         "stable",          "stability",      "termination",
+                         "energy",          "residual",       "iterations",
+                         "displacements",   "reactions",      "seconds",
+                         "nodes",           "load_steps",     "stability_losses",
+                         "vibration_modes", "buckling_modes", "discretization_error",
+                         "buckled_tiles",   "linear_range",   "model_error_estimate"});
 }
 
 void refuse_keys(const JsonReader& json, const std::string& format, std::initializer_list<const char*> keys) {
@@ -261,8 +268,12 @@ void refuse_keys(const JsonReader& json, const std::string& format, std::initial
 /// Keys that came with a later format than the file's.
 void refuse_later_keys(const JsonReader& document) {
     const std::string format = document.at("format").string();
-    if (format == "fretwork/result/3") return;
+    if (format == "fretwork/result/4") return;
     if (format == "fretwork/result/1") refuse_keys(document, format, {"program", "subject"});
+    refuse_keys(document, format, {"linear_range"});
+    if (const auto subject = document.find("subject"))
+        refuse_keys(*subject, format, {"stages", "stage_load_cases"});
+    if (format == "fretwork/result/3") return;
     refuse_keys(document, format, {"model_error_estimate", "buckled_tiles"});
     if (const auto subject = document.find("subject")) refuse_keys(*subject, format, {"full_tiles"});
 }
@@ -299,6 +310,7 @@ void read_errors(const JsonReader& document, Result& result) {
         result.discretization_error = read_error(*error);
     if (const auto error = document.find("model_error_estimate"))
         result.model_error = read_model_error(*error);
+    if (const auto range = document.find("linear_range")) result.linear_range = read_range(*range);
     if (const auto tiles = document.find("buckled_tiles")) result.buckled_tiles = read_tiles(*tiles);
 }
 
@@ -329,9 +341,10 @@ std::vector<Solution> read_steps(const JsonReader& reader, const std::vector<Res
 }  // namespace
 
 std::string result_text(const Result& result) {
-    Json json = {{"format", "fretwork/result/3"}, {"program", base::version()}, {"solver", result.solver}};
+    Json json = {{"format", "fretwork/result/4"}, {"program", base::version()}, {"solver", result.solver}};
     if (result.subject) json["subject"] = subject_json(*result.subject);
     append_solution(json, result.solution, result.nodes);
+    if (result.linear_range) json["linear_range"] = range_json(*result.linear_range);
     json["seconds"] = result.seconds;
     json["nodes"] = Json::array();
     for (const Result::Node& node : result.nodes) {
@@ -364,7 +377,7 @@ Result read_result(const std::filesystem::path& path) {
 
 Result parse_result(std::string_view text, const std::string& source) {
     const JsonReader document = JsonReader::from_text(text, source);
-    document.expect_format("result", 3);
+    document.expect_format("result", 4);
     check_keys(document);
     Result result;
     result.solver = read_solver(document.at("solver"));

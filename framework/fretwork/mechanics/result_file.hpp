@@ -2,6 +2,7 @@
 #pragma once
 
 #include <fretwork/mechanics/discretization.hpp>
+#include <fretwork/mechanics/linear_range.hpp>
 #include <fretwork/mechanics/modes.hpp>
 #include <fretwork/mechanics/solution.hpp>
 
@@ -23,6 +24,8 @@ struct ResultSubject {
     std::string painting_hash;
     std::string setting_hash;
     std::vector<int> full_tiles{};  ///< of a mixed model: those with all of their beams, ascending
+    std::string stages_text{};      ///< the stages that were followed, as a file; empty: none
+    std::vector<std::string> stage_load_cases{};  ///< the load case files that stages name, by name
     friend bool operator==(const ResultSubject&, const ResultSubject&) = default;
 };
 
@@ -50,6 +53,7 @@ struct Result {
     std::vector<Mode> vibration_modes{};                        ///< only where asked for
     std::vector<Mode> buckling_modes{};                         ///< only where asked for
     std::optional<DiscretizationError> discretization_error{};  ///< of the solution; only where asked for
+    std::optional<LinearRange> linear_range{};                  ///< of linear solutions of surfaces
     std::optional<ModelError> model_error{};  ///< of reduced models; only where asked for, and known
     /// Tiles whose beams buckle between their interface nodes, ascending; only where the model error was
     /// asked for.

@@ -54,6 +54,7 @@ void check_quantities(const Setting& setting, const std::string& source) {
     require("/material/young_modulus", material.young_modulus, base::kModulusLimits);
     if (material.given_shear_modulus)
         require("/material/shear_modulus", *material.given_shear_modulus, base::kModulusLimits);
+    if (setting.strength) require("/material/strength", *setting.strength, base::kModulusLimits);
     if (material.density != 0.0) require("/material/density", material.density, base::kDensityLimits);
 }
 

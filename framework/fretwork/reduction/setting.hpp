@@ -4,6 +4,7 @@
 #include <fretwork/mechanics/frame.hpp>
 #include <fretwork/reduction/scenario.hpp>
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -32,9 +33,12 @@ struct TileMaterial {
 };
 
 /// All that a response depends on besides its pattern: material, section, tile size, scenarios and
-/// discretization.
+/// discretization; and what the material bears.
 struct Setting {
     mechanics::Material material;
+    /// Pa; the stress that the material bears. No response depends on it: with another strength a setting is
+    /// the same to libraries and results. "material/strength" in files.
+    std::optional<double> strength{};
     mechanics::Section section;
     double tile_side = 0.0;  ///< m; side of the regular polygon, a hexagon
     int sides = 6;

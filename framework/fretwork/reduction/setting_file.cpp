@@ -14,7 +14,7 @@ using base::Json;
 using base::JsonReader;
 
 mechanics::Material read_material(const JsonReader& json) {
-    json.allow_only({"young_modulus", "poisson_ratio", "density", "shear_modulus"});
+    json.allow_only({"young_modulus", "poisson_ratio", "density", "shear_modulus", "strength"});
     mechanics::Material material;
     material.young_modulus = json.at("young_modulus").positive_number();
     material.poisson_ratio = json.at("poisson_ratio").number();
@@ -99,12 +99,23 @@ void read_choices(const JsonReader& json, Setting& setting) {
     }
 }
 
+/// The first format did not have it yet.
+std::optional<double> read_strength(const JsonReader& document) {
+    const auto material = document.find("material");
+    const auto strength = material ? material->find("strength") : std::nullopt;
+    if (!strength) return std::nullopt;
+    const std::string format = document.at("format").string();
+    if (format == "fretwork/setting/1") strength->fail("is no key of " + format);
+    return strength->positive_number();
+}
+
 Setting read_document(const JsonReader& json) {
     json.expect_format("setting", 2);
     json.allow_only({"format", "material", "section", "tile_side", "sides", "divisions", "magnitudes",
                      "branch", "joints", "scenarios"});
     Setting setting = paper_setting();
     if (const auto material = json.find("material")) setting.material = read_material(*material);
+    setting.strength = read_strength(json);
     if (const auto section = json.find("section")) setting.section = read_section(*section);
     if (const auto side = json.find("tile_side")) setting.tile_side = side->positive_number();
     read_choices(json, setting);
@@ -134,7 +145,7 @@ Json section_json(const mechanics::Section& section) {
 }
 
 Json setting_json(const Setting& setting) {
-    Json json = {{"format", "fretwork/setting/1"},
+    Json json = {{"format", setting.strength ? "fretwork/setting/2" : "fretwork/setting/1"},
                  {"material", material_json(setting.material)},
                  {"section", section_json(setting.section)},
                  {"tile_side", setting.tile_side},
@@ -151,6 +162,7 @@ Json setting_json(const Setting& setting) {
     for (const Scenario& scenario : setting.scenarios) {
         json["scenarios"].push_back(detail::scenario_json(scenario));
     }
+    if (setting.strength) json["material"]["strength"] = *setting.strength;
     return json;
 }
 
@@ -185,9 +197,14 @@ std::string setting_text(const Setting& setting) {
     return base::json_text(setting_json(setting));
 }
 
+Setting without_strength(Setting setting) {
+    setting.strength.reset();
+    return setting;
+}
+
 std::string setting_difference(const Setting& wanted, const Setting& present) {
-    const Json left = comparable_json(wanted);
-    const Json right = comparable_json(present);
+    const Json left = comparable_json(without_strength(wanted));
+    const Json right = comparable_json(without_strength(present));
     const Json patch = Json::diff(right, left);
     if (patch.empty()) return "";
     const Json::json_pointer place(patch.front().at("path").get<std::string>());

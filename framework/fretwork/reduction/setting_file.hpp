@@ -16,13 +16,16 @@ Setting read_setting(const std::filesystem::path& path);
 /// Throws IoError; then the file is as it was.
 void write_setting(const Setting& setting, const std::filesystem::path& path);
 
-/// The setting as JSON text: what a library stores, and what identifies it.
+/// The setting as JSON text: what a library stores.
 std::string setting_text(const Setting& setting);
 /// The inverse of setting_text; `source` names the text in messages.
 Setting parse_setting(std::string_view text, std::string source);
 
+/// All that responses depend on: its text identifies a setting.
+Setting without_strength(Setting setting);
+
 /// In one line, the first difference between two settings ("/section/J: 2.25e-12, where the library
-/// has 2.3e-12"), or "".
+/// has 2.3e-12"), or "". Strengths do not count.
 std::string setting_difference(const Setting& wanted, const Setting& present);
 
 }  // namespace fretwork::reduction

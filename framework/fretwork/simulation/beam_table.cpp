@@ -48,6 +48,7 @@ BeamTable beam_table(const Surface& surface, const mechanics::Result& result) {
     const SurfaceBeams beams = surface_beams(surface);
     const BeamState state = beam_state(surface, result, beams, beam_sections(beams, surface.setting));
     BeamTable table;
+    table.strength = surface.setting.strength;
     for (std::size_t b = 0; b < beams.ends.size(); ++b) {
         BeamRow row{.beam = b, .tile = beams.tiles[b]};
         for (std::size_t end = 0; end < 2; ++end) {

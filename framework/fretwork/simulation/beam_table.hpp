@@ -33,7 +33,8 @@ struct BeamTable {
     [[nodiscard]] std::optional<double> utilization(const BeamRow& row) const;
 };
 
-/// Throws InputError if the result is not one of the surface.
+/// With the strength of the setting's material, if it has one. Throws InputError if the result is not one of
+/// the surface.
 BeamTable beam_table(const Surface& surface, const mechanics::Result& result);
 
 /// The rows with the largest stress first; `count` of them at most.

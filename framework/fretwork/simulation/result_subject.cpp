@@ -5,6 +5,7 @@
 #include <fretwork/reduction/setting_file.hpp>
 #include <fretwork/simulation/load_case_file.hpp>
 #include <fretwork/simulation/result_subject.hpp>
+#include <fretwork/simulation/stages.hpp>
 
 #include <algorithm>
 #include <cstring>
@@ -83,6 +84,15 @@ std::string content_of(const std::string& load_case_text) {
     return simulation::load_case_text(load_case);
 }
 
+bool has_same_stages(const mechanics::ResultSubject& left, const mechanics::ResultSubject& right) {
+    if (left.stages_text.empty() || right.stages_text.empty()) return left.stages_text == right.stages_text;
+    const auto content = [](const std::string& text) {
+        return stages_text(parse_stages(text, "the stages of a result"));
+    };
+    return content(left.stages_text) == content(right.stages_text) &&
+           std::ranges::equal(left.stage_load_cases, right.stage_load_cases, {}, content_of, content_of);
+}
+
 }  // namespace
 
 mechanics::ResultSubject result_subject(const Surface& surface, const LoadCase& load_case,
@@ -122,6 +132,9 @@ void check_subject(const mechanics::ResultSubject& subject, const std::string& s
         throw base::InputError(source, "/subject/full_tiles",
                                "is for mixed models, and this is " + subject.model);
     (void)parse_load_case(subject.load_case_text, source + ": /subject/load_case");
+    if (!subject.stages_text.empty()) (void)parse_stages(subject.stages_text, source + ": /subject/stages");
+    for (const std::string& text : subject.stage_load_cases)
+        (void)parse_load_case(text, source + ": /subject/stage_load_cases");
 }
 
 std::string subject_difference(const mechanics::ResultSubject& left, const mechanics::ResultSubject& right) {
@@ -134,14 +147,16 @@ std::string subject_difference(const mechanics::ResultSubject& left, const mecha
     } else if (content_of(left.load_case_text) != content_of(right.load_case_text)) {
         differences.push_back("what the load case '" + left.load_case + "' holds");
     }
+    if (!has_same_stages(left, right)) differences.emplace_back("the stages");
     return base::join(differences, ", ");
 }
 
 SurfaceIdentity surface_identity(const Surface& surface) {
-    return {.tessellation_hash = tessellation_hash(surface),
-            .painting_hash = painting_hash(surface.tessellation),
-            .setting_hash = base::sha256(reduction::setting_text(surface.setting)),
-            .tiles = surface.tessellation.tiles.size()};
+    return {
+        .tessellation_hash = tessellation_hash(surface),
+        .painting_hash = painting_hash(surface.tessellation),
+        .setting_hash = base::sha256(reduction::setting_text(reduction::without_strength(surface.setting))),
+        .tiles = surface.tessellation.tiles.size()};
 }
 
 std::string subject_difference(const mechanics::ResultSubject& result, const SurfaceIdentity& surface) {

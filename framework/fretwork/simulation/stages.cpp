@@ -123,6 +123,40 @@ class Stages {
     std::map<std::string, double> factors_;
 };
 
+/// The load cases that stages name, as files, in the order of their names.
+std::vector<std::string> named_cases(std::span<const Stage> stages, std::span<const LoadCase> cases,
+                                     const LoadCase& own) {
+    std::map<std::string, std::string> texts;
+    for (const Stage& stage : stages) {
+        for (const LoadCase::Share& share : stage.loads) {
+            const bool is_own = share.load_case == own.name;
+            texts[share.load_case] =
+                load_case_text(is_own ? own : combined(load_case_of(share.load_case, cases), cases));
+        }
+    }
+    std::vector<std::string> result;
+    for (const auto& [name, text] : texts) result.push_back(text);
+    return result;
+}
+
+Json stage_json(const Stage& stage) {
+    Json json = {{"name", stage.name}};
+    for (const LoadCase::Share& share : stage.loads)
+        json["loads"].push_back({{"load_case", share.load_case}, {"factor", share.factor}});
+    const auto lists = [](const std::vector<LoadCase::Support>& supports,
+                          const std::vector<LoadCase::PrescribedDisplacement>& prescribed) {
+        LoadCase holder;
+        holder.name = "stage";
+        holder.supports = supports;
+        holder.prescribed = prescribed;
+        return Json::parse(load_case_text(holder));
+    };
+    if (!stage.prescribed.empty()) json["prescribed"] = lists({}, stage.prescribed).at("prescribed");
+    if (!stage.keep.empty()) json["keep"] = lists(stage.keep, {}).at("supports");
+    if (!stage.free.empty()) json["free"] = lists(stage.free, {}).at("supports");
+    return json;
+}
+
 mechanics::Assembly assembly_of(const Surface& surface, const SimulationOptions& options,
                                 const base::Control& control) {
     const auto tiles = detail::TileBuilder().build_all(surface, model_choice(options),
@@ -140,6 +174,12 @@ std::vector<Stage> parse_stages(std::string_view text, const std::string& source
     for (const JsonReader& stage : json.at("stages").elements()) stages.push_back(read_stage(stage));
     if (stages.empty()) json.at("stages").fail("is empty, where at least one stage is needed");
     return stages;
+}
+
+std::string stages_text(std::span<const Stage> stages) {
+    Json json = {{"format", "fretwork/stages/1"}, {"stages", Json::array()}};
+    for (const Stage& stage : stages) json["stages"].push_back(stage_json(stage));
+    return base::json_text(json);
 }
 
 std::vector<Stage> read_stages(const std::filesystem::path& path) {
@@ -174,6 +214,8 @@ mechanics::Result simulate_stages(const Surface& surface, const LoadCase& load_c
     result.solution = result.load_steps.back();
     result.solver = "newton";
     result.subject = result_subject(surface, load_case, options);
+    result.subject->stages_text = stages_text(stages);
+    result.subject->stage_load_cases = named_cases(stages, cases, load_case);
     result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
     return result;
 }

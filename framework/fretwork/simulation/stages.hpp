@@ -36,14 +36,17 @@ struct Stage {
 ///
 /// Places are picked as in load cases. Throws InputError with source and place.
 std::vector<Stage> parse_stages(std::string_view text, const std::string& source);
+/// The text of a stages file.
+std::string stages_text(std::span<const Stage> stages);
 /// Throws as parse_stages.
 std::vector<Stage> read_stages(const std::filesystem::path& path);
 
 /// Simulate stage after stage, each from the equilibrium that the one before has led to
 /// (mechanics::StagedPath), with a model for large displacements. The supports are those of the load case;
 /// its loads act where a stage names it. `cases` are those that stages may name. Result::load_steps has one
-/// solution for each stage that was begun. Throws InputError for other models, for no stage, for a place that
-/// no node lies at, and for a load case that is not there.
+/// solution for each stage that was begun; its subject names the stages and the load cases that they name.
+/// Throws InputError for other models, for no stage, for a place that no node lies at, and for a load case
+/// that is not there.
 mechanics::Result simulate_stages(const Surface& surface, const LoadCase& load_case,
                                   std::span<const LoadCase> cases, std::span<const Stage> stages,
                                   const SimulationOptions& options, mechanics::Snaps snaps,

@@ -12,7 +12,9 @@ namespace {
 reduction::Setting setting_of(const Project& project, const library::Library* library) {
     if (library == nullptr) return project.setting.value_or(reduction::paper_setting());
     if (project.setting) library->check_setting(*project.setting);
-    return library->setting();
+    reduction::Setting setting = library->setting();
+    if (project.setting && project.setting->strength) setting.strength = project.setting->strength;
+    return setting;
 }
 
 }  // namespace
