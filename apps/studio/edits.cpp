@@ -156,7 +156,8 @@ Edited set_setting(const State& state, const JsonReader& request) {
     const auto setting = reduction::parse_setting(request.at("setting").text(), "message: /setting");
     if (setting == *state.setting) return edit;
     edit.state.setting = std::make_shared<const reduction::Setting>(setting);
-    if (!state.library->path.empty()) edit.state.library = std::make_shared<const LibraryLink>();
+    const bool is_other = !reduction::setting_difference(setting, *state.setting).empty();
+    if (is_other && !state.library->path.empty()) edit.state.library = std::make_shared<const LibraryLink>();
     return edit;
 }
 

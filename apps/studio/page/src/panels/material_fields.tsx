@@ -44,7 +44,8 @@ export function MaterialFields() {
         <Choice label="Material" value={preset?.name ?? ''} options={[...(preset ? [] : [{ value: '', title: 'own' }]), ...PRESETS.map(({ name }) => ({ value: name, title: name }))]}
           onPick={(name) => {
             const row = PRESETS.find((one) => one.name === name);
-            if (row) change({ material: { ...material, young_modulus: row.young_modulus, density: row.density } });
+            // The strength is that of the material before.
+            if (row) change({ material: { ...material, strength: undefined, young_modulus: row.young_modulus, density: row.density } });
           }} />
       </div>
       <label class="field"><span>Young’s modulus</span>

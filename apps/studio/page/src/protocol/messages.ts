@@ -43,7 +43,7 @@ export interface Tile {
   interface: number[];
 }
 export interface Setting {
-  material: { young_modulus: number; poisson_ratio: number; density: number };
+  material: { young_modulus: number; poisson_ratio: number; density: number; strength?: number };
   section: { area: number; I2: number; I3: number; J: number };
   tile_side: number;
   joints?: string;
