@@ -33,6 +33,7 @@ inline constexpr FileKind kTableFile{"a table", ".csv", "", is_our_table};
 inline constexpr FileKind kListFile{"a list", ".txt .csv", "", is_list_of_patterns};
 inline constexpr FileKind kSvgFile{"a drawing", ".svg", "", says_who_made_it};
 inline constexpr FileKind kVtuFile{"a file for ParaView", ".vtu", "", says_who_made_it};
+inline constexpr FileKind kSeriesFile{"a series for ParaView", ".pvd", "", says_who_made_it};
 inline constexpr FileKind kDeckFile{"an input deck", ".inp", "", says_who_made_it};
 /// Drawings, meshes, tables of nodes, and facts of what is made.
 inline constexpr FileKind kExportFile{"a drawing or a mesh", "", "facts", [](std::string_view start) {

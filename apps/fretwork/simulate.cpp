@@ -9,6 +9,7 @@
 #include <fretwork/base/file.hpp>
 #include <fretwork/base/internal/json_text.hpp>
 #include <fretwork/base/text.hpp>
+#include <fretwork/exports/series_files.hpp>
 #include <fretwork/exports/writer_catalogue.hpp>
 #include <fretwork/mechanics/calculix_file.hpp>
 #include <fretwork/mechanics/frame_file.hpp>
@@ -46,6 +47,7 @@ struct Options {
     std::string stages;
     int vibration_modes = 0;
     int buckling_modes = 0;
+    std::string series;
     std::vector<std::string> drawings;  ///< a VTU and an SVG file, where asked for
     bool linear = false;
     bool json = false;
@@ -184,6 +186,22 @@ void add_drawings(const Options& options, const Surface& surface, const mechanic
     for (const std::string& path : options.drawings) files.add(path, exports::find_writer(path).text(scene));
 }
 
+/// The load steps or stages for ParaView. The files beside the named one are ours, or are not there.
+void add_series(const Options& options, const Surface& surface, const mechanics::Result& result,
+                base::FileBatch& files) {
+    if (options.series.empty()) return;
+    const std::filesystem::path path(options.series);
+    for (const exports::NamedFile& file :
+         exports::series_files(surface, result, path.stem().string(), surface.setting.strength)) {
+        const std::filesystem::path place = path.parent_path() / file.name;
+        if (std::filesystem::exists(place) && !says_who_made_it(base::read_text_file(place)))
+            throw base::InputError(place.string(), "",
+                                   "is there, and not made by fretwork: it is not replaced by a step of " +
+                                       path.filename().string());
+        files.add(place, file.text);
+    }
+}
+
 /// Every beam of every tile, whatever models the tiles have.
 mechanics::Frame full_frame(Surface surface, const LoadCase& load_case) {
     surface.tile_models.clear();
@@ -258,6 +276,7 @@ ExitCode run(Options options) {
             simulation::surface_linear_range(surface, load_case, options.simulation.threads, work.control());
     files.add(options.out, mechanics::result_text(result));
     add_drawings(options, surface, result, files);
+    add_series(options, surface, result, files);
     files.commit();
     options.json ? print_json(result) : print(result);
     if (!options.json && !options.stages.empty()) print_steps(result);
@@ -327,10 +346,15 @@ void add_simulate(CLI::App& app, ExitCode& exit_code) {
             "--" + ending, [options](const std::string& path) { options->drawings.push_back(path); },
             "Write the displaced beams as ." + ending + ", too");
     }
+    verb->add_option(
+        "--series", options->series,
+        "Write the load steps or stages as a series for ParaView, too: this .pvd, and a .vtu for "
+        "each beside it");
     verb->add_flag("--json", options->json, "Print JSON");
-    declare_files(*verb, {input("project"), input("--case"), input("--stages"), input("--library"),
-                          output("--out", kResultFile), output("--frame-out", kFrameFile),
-                          output("--deck", kDeckFile), output("--vtu", kVtuFile), output("--svg", kSvgFile)});
+    declare_files(
+        *verb, {input("project"), input("--case"), input("--stages"), input("--library"),
+                output("--out", kResultFile), output("--frame-out", kFrameFile), output("--deck", kDeckFile),
+                output("--vtu", kVtuFile), output("--svg", kSvgFile), output("--series", kSeriesFile)});
     verb->footer(
         "Example: fretwork simulate project.json --case cantilever --model condensed --out reduced.json");
     verb->callback([options, &exit_code] { exit_code = run(*options); });

@@ -145,9 +145,20 @@ TEST_F(ResultTools, StablePathsAndModesAreThereOnRequest) {
                 AllOf(HasSubstr("Name=\"stress\""), HasSubstr("Name=\"radius\""), HasSubstr("pattern_names"),
                       HasSubstr("vibration 2")));
     EXPECT_EQ(run("fretwork simulate p.json --branch stable --model condensed --out x.json").exit_code, 2);
-    ASSERT_EQ(run("fretwork simulate p.json --steps 4 --out st.json --vtu st.vtu").exit_code, 0);
-    EXPECT_THAT(base::read_text_file(folder_.path() / "st.vtu"),
-                AllOf(HasSubstr("TimeValues=\"0.25 0.5 0.75 1\""), HasSubstr("TimeStep=\"3\"")));
+}
+
+TEST_F(ResultTools, LoadStepsAreASeriesForParaviewInFilesOfTheirOwn) {
+    const std::string series = "fretwork simulate p.json --steps 2 --out st.json --series st.pvd";
+    ASSERT_EQ(run(series).exit_code, 0);
+    EXPECT_THAT(base::read_text_file(folder_.path() / "st.pvd"),
+                AllOf(HasSubstr("timestep=\"0.5\" part=\"0\" file=\"st-1.vtu\""),
+                      HasSubstr("timestep=\"1\" part=\"0\" file=\"st-2.vtu\"")));
+    EXPECT_THAT(base::read_text_file(folder_.path() / "st-2.vtu"), HasSubstr("Name=\"stress\""));
+    EXPECT_EQ(run(series).exit_code, 0) << "its own files are replaced";
+    folder_.file("st-2.vtu", "mine");
+    const Outcome refused = run(series);
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_THAT(refused.err, StartsWith("fretwork: st-2.vtu: is there, and not made by fretwork"));
 }
 
 TEST_F(ResultTools, SlipsOfUnitsAndNamesAreRefusedWithWhatIsMeant) {

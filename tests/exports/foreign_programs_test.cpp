@@ -3,12 +3,14 @@
 #include "made_sample.hpp"
 
 #include <fretwork/exports/cut_files.hpp>
+#include <fretwork/exports/series_files.hpp>
 #include <fretwork/exports/solid_files.hpp>
 
 #include <cstdio>
 #include <memory>
 #include <optional>
 #include <regex>
+#include <sstream>
 
 namespace fretwork::exports {
 namespace {
@@ -74,6 +76,41 @@ TEST(ForeignPrograms, InkscapeFindsTheSizeOfTheCut) {
     constexpr double kPixelsPerMillimetre = 96.0 / 25.4;
     constexpr double kHairline = 0.1;  // mm; the line's width counts
     EXPECT_NEAR(std::stod(match[2]) / kPixelsPerMillimetre, 1e3 * box_of(shape()).width() + kHairline, 1e-3);
+}
+
+TEST(ForeignPrograms, VtkReadsTheSeriesOfLoadStepsWithTheirPositions) {
+    if (!succeeds("/usr/bin/python3 -c 'import vtkmodules.vtkIOXML'"))
+        GTEST_SKIP() << "python3-vtk9 is not installed";
+    const simulation::Surface surface = sample_surface();
+    mechanics::Result result = bent(surface, Rows::EveryNode);
+    for (const double factor : {0.25, 0.5, 1.0}) {
+        result.load_steps.push_back(bent(surface, Rows::EveryNode, factor).solution);
+        result.load_steps.back().load_factor = factor;
+    }
+    const TemporaryFolder folder;
+    for (const NamedFile& file : series_files(surface, result, "series")) folder.file(file.name, file.text);
+    std::istringstream told(output_of("/usr/bin/python3 " FRETWORK_SOURCE_DIR "/tests/exports/read_vtu.py " +
+                                      (folder.path() / "series.pvd").string()));
+    const std::size_t beams = surface_lines(surface).lines.size();
+    for (const mechanics::Solution& step : result.load_steps) {
+        std::string word;
+        double time = 0.0;
+        std::size_t cells = 0;
+        std::size_t stresses = 0;
+        ASSERT_TRUE(told >> word >> time >> cells >> stresses) << told.str();
+        EXPECT_EQ(time, step.load_factor);
+        EXPECT_EQ(cells, beams);
+        EXPECT_EQ(stresses, beams);
+        for (std::size_t i = 0; i < result.nodes.size(); ++i) {
+            Eigen::Vector3d place;
+            ASSERT_TRUE(told >> place.x() >> place.y() >> place.z()) << i;
+            const Eigen::Vector3d moved = step.displacements.row(static_cast<Eigen::Index>(i)).head<3>();
+            // Both are sums of two numbers that are written in full.
+            EXPECT_LT((place - result.nodes[i].rest_position - moved).norm(), 1e-15) << i;
+        }
+    }
+    std::string rest;
+    EXPECT_FALSE(told >> rest) << rest;
 }
 
 TEST(ForeignPrograms, AdmeshFindsNothingToRepair) {

@@ -24,10 +24,9 @@ class VtuWriter {
         text_ = "<?xml version=\"1.0\"?>\n<!-- " + std::string(base::kMadeBy) +
                 " -->\n"
                 "<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
-                "<UnstructuredGrid" +
-                time_values() + ">\n" + pattern_names() + "<Piece NumberOfPoints=\"" +
-                std::to_string(lines_.nodes.size()) + "\" NumberOfCells=\"" +
-                std::to_string(lines_.lines.size()) + "\">\n";
+                "<UnstructuredGrid>\n" +
+                pattern_names() + "<Piece NumberOfPoints=\"" + std::to_string(lines_.nodes.size()) +
+                "\" NumberOfCells=\"" + std::to_string(lines_.lines.size()) + "\">\n";
         append_points();
         append_cells();
         append_point_data();
@@ -37,15 +36,6 @@ class VtuWriter {
     }
 
   private:
-    /// Load steps are a series in time: arrays that change say of which step they are.
-    [[nodiscard]] std::string time_values() const {
-        if (lines_.steps.empty()) return "";
-        std::string text = " TimeValues=\"";
-        for (const LineSet::Step& step : lines_.steps)
-            text += (&step == lines_.steps.data() ? "" : " ") + format_number(step.load_factor);
-        return text + "\"";
-    }
-
     /// The ids by index, as VTK writes texts: the numbers of their characters, each text ended by 0.
     [[nodiscard]] std::string pattern_names() const {
         if (lines_.pattern_names.empty()) return "";
@@ -85,13 +75,7 @@ class VtuWriter {
     void append_point_data() {
         if (!lines_.displacements && lines_.fields.empty()) return;
         text_ += lines_.displacements ? "<PointData Vectors=\"displacement\">\n" : "<PointData>\n";
-        for (std::size_t step = 0; step < lines_.steps.size(); ++step) {
-            step_ = " TimeStep=\"" + std::to_string(step) + "\"";
-            append_vectors("displacement", lines_.steps[step].displacements.leftCols<3>());
-            append_vectors("rotation", lines_.steps[step].displacements.rightCols<3>());
-        }
-        step_.clear();
-        if (lines_.displacements && lines_.steps.empty()) {
+        if (lines_.displacements) {
             append_vectors("displacement", lines_.displacements->leftCols<3>());
             append_vectors("rotation", lines_.displacements->rightCols<3>());
         }
@@ -126,12 +110,10 @@ class VtuWriter {
 
     void open(std::string_view type, std::string_view name, int components) {
         text_ += "<DataArray type=\"" + std::string(type) + "\" Name=\"" + std::string(name) +
-                 "\" NumberOfComponents=\"" + std::to_string(components) + "\"" + step_ +
-                 " format=\"ascii\">\n";
+                 "\" NumberOfComponents=\"" + std::to_string(components) + "\" format=\"ascii\">\n";
     }
 
     const LineSet& lines_;
-    std::string step_;  ///< attribute of arrays that change with the load step
     std::string text_;
 };
 

@@ -59,12 +59,6 @@ struct DrawnNodes {
 
 constexpr double kPi = 3.141592653589793;
 
-mechanics::Result at_step(const mechanics::Result& result, std::size_t step) {
-    mechanics::Result there = result;
-    there.solution = result.load_steps[step];
-    return there;
-}
-
 /// At the end where it is larger.
 std::vector<double> largest_of_ends(const simulation::BeamState& state, Eigen::Index column) {
     std::vector<double> values;
@@ -105,9 +99,6 @@ void add_beam_fields(const Surface& surface, const mechanics::Result& result, st
         set.line_fields.push_back({"utilization", set.line_fields.back().values});
         for (double& share : set.line_fields.back().values) share /= *strength;
     }
-    for (std::size_t step = 0; step < result.load_steps.size(); ++step)
-        set.steps.push_back({result.load_steps[step].load_factor,
-                             simulation::beam_state(surface, at_step(result, step), beams, {}).nodes});
     add_modes(result, set);
 }
 

@@ -36,12 +36,6 @@ struct LineSet {
     std::vector<NodeField> fields{};                       ///< more to show beside them
     std::vector<LineField> line_fields{};                  ///< of each line
     std::vector<std::string> pattern_names{};              ///< ids, by index
-    /// Displacements on the way, where there are several load steps: the last are those above.
-    struct Step {
-        double load_factor = 0.0;
-        mechanics::NodeValues displacements;
-    };
-    std::vector<Step> steps{};
 };
 
 /// All beams of a surface, undeformed; tiles that are not painted have none.
@@ -57,7 +51,7 @@ LineSet result_lines(const simulation::Surface& surface, const mechanics::Result
 
 /// The same for programs that show fields: the beams also of condensed tiles, with radius (of a round bar of
 /// the section's area), section forces (at the end where each is larger), stress and, with a strength,
-/// (Pa) utilization; modes; and each load step. Where a tile's model does not tell how its beams move, the
+/// (Pa) utilization; and modes. Where a tile's model does not tell how its beams move, the
 /// lines of result_lines, without forces. Throws as result_lines.
 LineSet beam_lines(const simulation::Surface& surface, const mechanics::Result* result,
                    std::optional<double> strength = {});

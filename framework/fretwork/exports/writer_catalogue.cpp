@@ -98,8 +98,7 @@ constexpr std::array<WriterRow, 17> kWriters = {{
     {".3mf", Content::Solid, "solid for printing: closed, with its unit",
      [](const Scene& scene) { return solid_3mf(solid(scene)); }, Kind::Made},
     {".vtu", Content::Centrelines,
-     "lines for ParaView, with displacements, rotations, section forces and stress of the first result, and "
-     "its load steps as a series in time",
+     "lines for ParaView, with displacements, rotations, section forces and stress of the first result",
      [](const Scene& scene) {
          return vtu_text(beam_lines(scene.surface,
                                     scene.results.empty() ? nullptr : &scene.results.front().result,
