@@ -70,7 +70,7 @@ TEST_P(EveryLayout, IsCalibratedTiledSolvedAndCompared) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Layouts, EveryLayout, testing::ValuesIn(pattern::layout_names()),
-                         [](const auto& info) { return info.param; });
+                         [](const auto& layout) { return layout.param; });
 
 }  // namespace
 }  // namespace fretwork::simulation

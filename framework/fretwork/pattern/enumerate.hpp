@@ -23,7 +23,7 @@ EdgeRange default_edge_range(const NodeLayout& layout);
 
 struct EnumerationOptions {
     EdgeRange edges;  ///< an upper end beyond the number of candidate edges is clipped
-    FilterSettings filters;
+    FilterSettings filters{};
     int threads = 0;  ///< 0: all there are; the result and its order do not depend on it
     /// Patterns that are kept before their turn in a stream, for each of 256 pieces of the search. Less
     /// memory costs time: a piece that holds more is searched again, in parts.

@@ -27,8 +27,8 @@ struct Fan {
     };
     int sides = 0;
     int interface_node_count = 0;  ///< in all: sides times the interface nodes of a side
-    std::vector<Node> nodes;
-    std::vector<std::array<FanNodeIndex, 2>> edges;  ///< each once, sorted, smaller node first
+    std::vector<Node> nodes{};
+    std::vector<std::array<FanNodeIndex, 2>> edges{};  ///< each once, sorted, smaller node first
 };
 
 /// The sectors of the reference fan: angles, valence, connectivity and lengths are those in the regular

@@ -98,8 +98,8 @@ std::string_view Statement::text(int column) const {
 StopWatch::StopWatch(Database& database, const base::Control& control)
     : database_(database), control_(control.silent()) {
     constexpr int kInstructions = 10'000;  // of SQLite's machine: less than a millisecond
-    const auto is_asked_to_stop = [](void* control) {
-        return static_cast<const base::Control*>(control)->stop_wanted() ? 1 : 0;
+    const auto is_asked_to_stop = [](void* asked) {
+        return static_cast<const base::Control*>(asked)->stop_wanted() ? 1 : 0;
     };
     sqlite3_progress_handler(database_.handle(), kInstructions, is_asked_to_stop, &control_);
 }
