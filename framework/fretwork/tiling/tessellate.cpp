@@ -188,8 +188,11 @@ Candidate best_attempt(const Subject& subject, const TessellationOptions& option
 /// The best tiling of all attempts. Those that end with defects begin again with lattices turned otherwise.
 Candidate best_tiling(const Outline& outline, const TessellationOptions& options,
                       std::span<const double> turns, Work& work) {
-    if (is_sliver(outline, smallest_wanted(options)))
-        return {.defects = {{detail::DefectKind::TooNarrow, outline.boundary.front()}}};
+    if (is_sliver(outline, smallest_wanted(options))) {
+        Candidate none;
+        none.defects.push_back({detail::DefectKind::TooNarrow, outline.boundary.front()});
+        return none;
+    }
     const detail::BluntOutline blunt = detail::blunt(outline, options.edge_length / kSideInBand,
                                                      blunt_limits(outline, options), options.control);
     const auto [field, too_narrow] = wanted_sides(blunt.outline, options);
