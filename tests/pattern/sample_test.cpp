@@ -35,7 +35,7 @@ double chi_square_p_value(const std::map<std::string, int>& counts, std::size_t 
 TEST(PatternSampler, StopsAtAnyLookWhileItCountsAndDraws) {
     test::expect_stops_at_any_look(
         [](const base::Control& control) {
-            PatternSampler sampler(paper7(), {.threads = 1, .control = control}, 7);
+            PatternSampler sampler(paper7(), {.edges = {}, .threads = 1, .control = control}, 7);
             (void)sampler.draw(10);
         },
         [] {});
