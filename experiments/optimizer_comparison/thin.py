@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Thin the traces of a table of runs to the points at which a level is first reached, and the last.
 
-Usage: thin.py RESULTS.csv KNOWN.csv OUT.csv.gz     Levels are all targets of the analysis and, above them, a fifth of a decade
+Usage: thin.py RESULTS.csv KNOWN.csv OUT.csv.gz [--ends]     With --ends the last point alone, which is all that summary.py looks at.
+Levels are all targets of the analysis and, above them, a fifth of a decade
 apart: every table of analyse.py comes out the same from what is left, and its figures but for that fifth, high up.
 """
 import csv
@@ -33,9 +34,11 @@ def thinned(trace, gap_of):
 
 
 def main():
-    if len(sys.argv) != 4:
+    arguments = [word for word in sys.argv[1:] if word != "--ends"]
+    if len(arguments) != 3:
         sys.exit(__doc__)
-    source, known_path, target = sys.argv[1:]
+    source, known_path, target = arguments
+    ends_only = "--ends" in sys.argv
     known = measures.read_known(known_path)
     with measures.open_text(source) as file:
         rows = csv.DictReader(file)
@@ -43,7 +46,8 @@ def main():
         writer = csv.DictWriter(text, rows.fieldnames, lineterminator="\n")
         writer.writeheader()
         for row in rows:
-            writer.writerow(row | {"trace": thinned(row["trace"], known[row["problem"]].gap)})
+            trace = " ".join(row["trace"].split()[-1:]) if ends_only else thinned(row["trace"], known[row["problem"]].gap)
+            writer.writerow(row | {"trace": trace})
     with open(target, "wb") as file, gzip.GzipFile(fileobj=file, mode="wb", mtime=0, filename="") as packed:
         packed.write(text.getvalue().encode())
 
