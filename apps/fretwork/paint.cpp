@@ -42,31 +42,30 @@ struct Options {
     bool json = false;
 };
 
-/// Lengths with commas or blanks between, as points.
-std::vector<pattern::Point2> parse_points(const std::string& text) {
-    std::vector<double> numbers;
+/// With commas or blanks between.
+std::vector<double> parse_lengths(const std::string& text) {
+    std::vector<double> lengths;
     std::string words = text;
     for (char& c : words) c = c == ' ' ? ',' : c;
     for (const std::string& word : base::split(words, ','))
-        if (!word.empty()) numbers.push_back(base::parse_length(word));
-    if (numbers.size() % 2 != 0)
-        throw base::InputError("'" + text + "' has " + std::to_string(numbers.size()) +
-                               " numbers, where points need two each");
-    std::vector<pattern::Point2> points;
-    for (std::size_t i = 0; i < numbers.size(); i += 2) points.push_back({numbers[i], numbers[i + 1]});
-    return points;
+        if (!word.empty()) lengths.push_back(base::parse_length(word));
+    return lengths;
 }
 
 tiling::PlaneBox parse_box(const std::string& text) {
-    const auto corners =
-        base::split(text, ',').size() == 4 ? parse_points(text) : std::vector<pattern::Point2>();
-    if (corners.size() != 2 || corners[1].x < corners[0].x || corners[1].y < corners[0].y)
+    const auto sides = parse_lengths(text);
+    if (sides.size() != 4 || sides[2] < sides[0] || sides[3] < sides[1])
         throw base::InputError("'" + text + "' is no box: XMIN,YMIN,XMAX,YMAX is, as 0,0,100mm,50mm");
-    return {corners[0], corners[1]};
+    return {{sides[0], sides[1]}, {sides[2], sides[3]}};
 }
 
 pattern::Polygon parse_polygon(const std::string& text) {
-    auto corners = parse_points(text);
+    const auto numbers = parse_lengths(text);
+    if (numbers.size() % 2 != 0)
+        throw base::InputError("'" + text + "' has " + std::to_string(numbers.size()) +
+                               " numbers, where points need two each");
+    pattern::Polygon corners;
+    for (std::size_t i = 0; i < numbers.size(); i += 2) corners.push_back({numbers[i], numbers[i + 1]});
     if (corners.size() < 3)
         throw base::InputError("'" + text + "' is no polygon: it needs three corners or more");
     return corners;

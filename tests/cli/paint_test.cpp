@@ -133,6 +133,13 @@ TEST_F(PaintCommand, SeveralColoursMayStandForOnePattern) {
     EXPECT_EQ(written.tessellation.patterns, std::vector<std::string>{"0-5+5-6"});
 }
 
+TEST_F(PaintCommand, NumbersOfABoxArePartedByCommasOrBlanks) {
+    for (const std::string box : {"0,0,1,1", "'0,0 1,1'", "'0 0 1 1'"}) {
+        const Outcome painted = run("fretwork paint p.json --patterns 0-5+5-6 --box " + box);
+        EXPECT_EQ(painted.exit_code, 0) << box << painted.err;
+    }
+}
+
 TEST_F(PaintCommand, NoTileThereIsExitOneAndChangesNothing) {
     const auto before = patterns();
     const Outcome none = run("fretwork paint p.json --box 9,9,10,10 --patterns 0-5+5-6");

@@ -106,7 +106,8 @@ std::vector<std::uint8_t> with_legend(std::vector<std::uint8_t> pixels, PixelSiz
     if (size.width < kSmallest || size.height < kSmallest) return pixels;
     const int dot = std::max(1, size.width / 800);
     const ValueRange range = value_range(field.values);
-    const double largest = std::max(-whole_range(field.values).from, whole_range(field.values).to);
+    const ValueRange all = whole_range(field.values);
+    const double largest = std::max(-all.from, all.to);
     std::string title = field.title + " " + field.unit;
     constexpr double kRounding = 1e-4;
     if (largest > (1 + kRounding) * range.to) title += " up to " + number_text(field.factor * largest);
