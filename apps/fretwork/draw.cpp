@@ -22,23 +22,15 @@ struct Options {
     std::string out;
 };
 
-double read_length(const char* option, const std::string& text) {
-    try {
-        const double length = base::parse_length(text);
-        if (length > 0) return length;
-    } catch (const base::InputError& error) {
-        throw base::InputError(option, "", error.what());
-    }
-    throw base::InputError(option, "", "'" + text + "' is not above zero");
-}
-
 void run(const Options& options) {
     const pattern::NodeLayout layout = pattern::find_node_layout(options.layout);
     std::vector<pattern::Pattern> patterns;
     for (const std::string& id : options.ids) patterns.push_back(pattern::parse_pattern_id(layout, id));
     exports::PatternDrawingOptions drawing;
-    if (!options.beam_width.empty()) drawing.beam_width = read_length("--beam-width", options.beam_width);
-    if (!options.tile_side.empty()) drawing.tile_side = read_length("--tile-side", options.tile_side);
+    if (!options.beam_width.empty())
+        drawing.beam_width = base::parse_length_above_zero("--beam-width", options.beam_width);
+    if (!options.tile_side.empty())
+        drawing.tile_side = base::parse_length_above_zero("--tile-side", options.tile_side);
     base::write_file_atomically(options.out, exports::pattern_sheet_svg(layout, patterns, drawing));
 }
 

@@ -40,6 +40,16 @@ double parse_length(std::string_view text) {
     return parse_quantity(text, kLengths, "a length, such as 26mm, 2.6cm or 0.026 (metres)");
 }
 
+double parse_length_above_zero(const std::string& name, std::string_view text) {
+    try {
+        const double length = parse_length(text);
+        if (length > 0.0) return length;
+    } catch (const InputError& error) {
+        throw InputError(name, "", error.what());
+    }
+    throw InputError(name, "", "'" + std::string(text) + "' is not a length above zero, such as 0.5mm");
+}
+
 double parse_angle(std::string_view text) {
     return parse_quantity(text, kAngles, "an angle, such as 15, 15deg or 0.26rad");
 }

@@ -3,6 +3,7 @@
 
 #include <charconv>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <system_error>
 
@@ -11,6 +12,10 @@ namespace fretwork::base {
 /// Read a length as a person writes it: "26mm", "2.6 cm", "0.026m" or "0.026" (metres). Returns metres.
 /// Throws InputError on anything else, NaN and infinity included.
 double parse_length(std::string_view text);
+
+/// A length above zero, metres, that a person wrote as the option or entry `name`. Throws InputError that
+/// names it.
+double parse_length_above_zero(const std::string& name, std::string_view text);
 
 /// Read an angle as a person writes it: "15", "15deg" or "0.26rad"; a bare number is in degrees. Returns
 /// radians. Throws InputError on anything else, NaN and infinity included.

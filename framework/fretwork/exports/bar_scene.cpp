@@ -36,8 +36,8 @@ class Builder {
 
     BarScene build() && {
         const mechanics::Section& section = scene_.surface.setting.section;
-        bars_.width = std::sqrt(12.0 * section.I3 / section.area);
-        bars_.height = std::sqrt(12.0 * section.I2 / section.area);
+        bars_.width = mechanics::rectangle_width(section);
+        bars_.height = mechanics::rectangle_height(section);
         bars_.nodes = beams_.nodes;
         if (!scene_.results.empty()) {
             const auto sections = simulation::beam_sections(beams_, scene_.surface.setting);

@@ -9,18 +9,8 @@
 namespace fretwork::exports {
 namespace {
 
-double read_length(const std::string& name, const std::string& text) {
-    try {
-        const double length = base::parse_length(text);
-        if (length > 0.0) return length;
-    } catch (const base::InputError& error) {
-        throw base::InputError(name, "", error.what());
-    }
-    throw base::InputError(name, "", "'" + text + "' is not a length above zero, such as 0.5mm");
-}
-
 void set_length(double& value, const std::string& name, const std::string& text) {
-    if (!text.empty()) value = read_length(name, text);
+    if (!text.empty()) value = base::parse_length_above_zero(name, text);
 }
 
 fabrication::Bed read_bed(const std::string& name, const std::string& text) {
@@ -29,8 +19,9 @@ fabrication::Bed read_bed(const std::string& name, const std::string& text) {
         throw base::InputError(name, "",
                                "'" + text + "' is not WIDTHxHEIGHT in millimetres, such as 600x400");
     const auto side = [&](const std::string& word) {
-        if (const auto number = base::read_number<double>(word)) return read_length(name, word + "mm");
-        return read_length(name, word);
+        if (const auto number = base::read_number<double>(word))
+            return base::parse_length_above_zero(name, word + "mm");
+        return base::parse_length_above_zero(name, word);
     };
     fabrication::Bed bed;
     bed.width = side(text.substr(0, cross));
@@ -63,7 +54,7 @@ Making read_making(const MakingChoice& choice, const simulation::Conditions* con
         if (!making.bed)
             throw base::InputError(name("fit"), "",
                                    "is for the joints of " + name("bed") + ", which is not given");
-        making.bed->fit = read_length(name("fit"), choice.fit);
+        making.bed->fit = base::parse_length_above_zero(name("fit"), choice.fit);
     }
     if (choice.bolts.empty()) {
         if (!choice.eye.empty())

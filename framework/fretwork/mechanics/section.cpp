@@ -33,6 +33,14 @@ double rectangle_torsion_constant(double width, double height) {
 
 }  // namespace
 
+double rectangle_width(const Section& section) {
+    return std::sqrt(12.0 * section.I3 / section.area);
+}
+
+double rectangle_height(const Section& section) {
+    return std::sqrt(12.0 * section.I2 / section.area);
+}
+
 Section rectangle_section(double width, double height) {
     require_positive(width, "the width of a rectangle");
     require_positive(height, "the height of a rectangle");

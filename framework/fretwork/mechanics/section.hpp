@@ -18,6 +18,10 @@ struct Section {
     friend bool operator==(const Section&, const Section&) = default;
 };
 
+/// The sides of the rectangle that has a section's area and second moments, metres.
+double rectangle_width(const Section& section);   ///< along local axis 2
+double rectangle_height(const Section& section);  ///< along local axis 3
+
 /// `width` lies along local axis 2, `height` along local axis 3 (metres); J is Saint-Venant's series.
 Section rectangle_section(double width, double height);
 Section circle_section(double diameter);

@@ -104,7 +104,7 @@ std::vector<double> joint_reaches(const pattern::Fan& fan, std::span<const patte
 TileMaterial bar_of(const Setting& setting, const BarPlace& place) {
     TileMaterial bar{setting.section, setting.material};
     if (setting.joints == Joints::Centreline) return bar;
-    const double width = std::sqrt(12.0 * bar.section.I3 / bar.section.area);
+    const double width = mechanics::rectangle_width(bar.section);
     const double elastic =
         std::max(1.0 - kStiffShare * place.joint_reach * width / place.length, kLeastElasticShare);
     bar.section.area /= elastic;

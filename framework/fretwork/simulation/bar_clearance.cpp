@@ -108,8 +108,7 @@ class BarGrid {
 }  // namespace
 
 std::vector<CloseBars> close_bars(const Surface& surface, double clearance) {
-    const mechanics::Section& section = surface.setting.section;
-    const double width = std::sqrt(12.0 * section.I3 / section.area);
+    const double width = mechanics::rectangle_width(surface.setting.section);
     // Bars exactly as far apart as they may be are not told, whatever rounding does to them.
     constexpr double kRounding = 1e-9;
     const SurfaceBeams beams = surface_beams(surface);

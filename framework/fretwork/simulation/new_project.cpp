@@ -5,7 +5,6 @@
 #include <fretwork/tiling/tessellate_parts.hpp>
 
 #include <algorithm>
-#include <cmath>
 
 namespace fretwork::simulation {
 namespace {
@@ -31,17 +30,12 @@ tiling::TessellationResult tessellate_named(const std::vector<tiling::Outline>& 
     }
 }
 
-/// The width in the plane of the rectangle that has the section's area and stiffness.
-double width_in_plane(const mechanics::Section& section) {
-    return std::sqrt(12 * section.I3 / section.area);
-}
-
 tiling::TessellationResult new_tiles(const std::vector<tiling::Outline>& parts,
                                      const NewProjectOptions& options, const pattern::NodeLayout& layout,
                                      const reduction::Setting& setting) {
     tiling::TessellationOptions tiles;
     tiles.edge_length = options.edge_length.value_or(setting.tile_side);
-    tiles.smallest_side = std::min(width_in_plane(setting.section), 0.25 * tiles.edge_length);
+    tiles.smallest_side = std::min(mechanics::rectangle_width(setting.section), 0.25 * tiles.edge_length);
     tiles.narrow = options.narrow;
     tiles.control = options.control;
     return tessellate_named(parts, options.outline_name, layout, tiles);

@@ -44,8 +44,8 @@ void check_writable(const Frame& frame) {
 /// Torsion is the other program's own.
 std::string solid_section(const Section& section, std::size_t beam) {
     constexpr double kSame = 1e-6;
-    const double height = std::sqrt(12.0 * section.I2 / section.area);
-    const double width = std::sqrt(12.0 * section.I3 / section.area);
+    const double height = rectangle_height(section);
+    const double width = rectangle_width(section);
     if (std::abs(width * height - section.area) <= kSame * section.area)
         return "RECT\n" + field(height) + "," + field(width);
     const double diameter = std::sqrt(4.0 * section.area / std::numbers::pi);
