@@ -8,6 +8,9 @@
 #include <CGAL/Polygon_mesh_processing/remesh.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <algorithm>
+#include <iterator>
+
 namespace fretwork::tiling::detail {
 namespace {
 
@@ -17,6 +20,8 @@ namespace pmp = CGAL::Polygon_mesh_processing;
 
 /// Sites nearer to the rim than this make needles.
 constexpr double kMargin = 0.2;  // of the edge
+/// The remeshing splits each edge above 4/3 of the wanted one, but may not split the rim.
+constexpr double kLongestOfRim = 1.3;  // of the edge
 
 /// The places of a mesh's vertices, as isotropic_remeshing reads and writes them. Each access looks whether
 /// to stop.
@@ -69,6 +74,11 @@ Mesh surface_mesh(const Triangulation& triangulation) {
 
 std::vector<Point2> remeshed_sites(const Rim& rim, double edge, int iterations, const Work& work) {
     Mesh mesh = surface_mesh(triangulate(rim, {}, work));
+    std::vector<Mesh::Edge_index> border;
+    std::ranges::copy_if(mesh.edges(), std::back_inserter(border),
+                         [&](Mesh::Edge_index e) { return mesh.is_border(e); });
+    pmp::split_long_edges(border, kLongestOfRim * edge, mesh,
+                          CGAL::parameters::vertex_point_map(WatchedPlaces{mesh.points(), &work}));
     auto is_protected = mesh.add_property_map<Mesh::Edge_index, bool>("e:protected", false).first;
     for (const Mesh::Edge_index e : mesh.edges()) is_protected[e] = mesh.is_border(e);
     pmp::isotropic_remeshing(mesh.faces(), edge, mesh,
