@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Run the parts of the test suite one after the other, say how long each took, and end with "N passed, N failed".
-# Usage: scripts/test.sh PART..       parts: release sanitizers format tidy dev check threads
+# Usage: scripts/test.sh PART..       parts: release light-sanitizers format check sanitizers threads tidy
 set -uo pipefail
 cd "$(dirname "$0")/.."
 
@@ -65,11 +65,12 @@ check_tidy() {
 
 run_part() {
   case "$1" in
-    release | check | dev | threads) build_and_ctest "$1" ;;
-    sanitizers) build_and_ctest sanitize-light ;;
+    release | check | threads) build_and_ctest "$1" ;;
+    light-sanitizers) build_and_ctest sanitize-light ;;
+    sanitizers) build_and_ctest sanitize ;;
     format) count_once format check_format ;;
     tidy) count_once tidy check_tidy ;;
-    *) echo "test.sh: unknown part '$1'; there is: release, sanitizers, format, tidy, dev, check, threads" >&2; exit 2 ;;
+    *) echo "test.sh: unknown part '$1'; there is: release, light-sanitizers, format, check, sanitizers, threads, tidy" >&2; exit 2 ;;
   esac
 }
 

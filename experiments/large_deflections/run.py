@@ -113,14 +113,15 @@ def row_of(fretwork, surface, patterns, folder):
 class Study:
     """What the command line of a study says, and the program to run it with."""
 
-    def __init__(self, description):
+    def __init__(self, description, add_options=lambda parser: None):
         parser = argparse.ArgumentParser(description=description)
         parser.add_argument("program", type=pathlib.Path)
         parser.add_argument("patterns", type=pathlib.Path)
         parser.add_argument("out", type=pathlib.Path)
         parser.add_argument("--count", type=int, default=126)
         parser.add_argument("--seed", type=int, default=1)
-        options = parser.parse_args()
+        add_options(parser)
+        self.options = options = parser.parse_args()
         self.out, self.folder = options.out, options.out / "surface"
         self.folder.mkdir(parents=True, exist_ok=True)
         self.patterns = options.patterns.read_text().split()
