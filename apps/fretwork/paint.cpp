@@ -112,9 +112,7 @@ std::vector<TileIndex> paint_project(Project& project, std::vector<TileIndex> ti
                                      const library::Library* library) {
     tiling::Tessellation& tessellation = project.tessellation;
     if (!options.painting.patterns.empty()) {
-        const reduction::Setting setting = project.setting ? *project.setting
-                                           : library       ? library->setting()
-                                                           : reduction::paper_setting();
+        const reduction::Setting setting = simulation::setting_of(project, library);
         tiles = simulation::paint(tessellation, tiles, options.painting, {project.layout, setting, library});
     }
     if (options.mirror) simulation::mirror(tessellation, tiles, project.layout);

@@ -25,10 +25,6 @@ void change(State::Part<Value>& part, Value value) {
     if (*part != value) part = std::make_shared<const Value>(std::move(value));
 }
 
-bool is_same(const LoadCase& a, const LoadCase& b) {
-    return simulation::load_case_text(a) == simulation::load_case_text(b);
-}
-
 std::string counted(std::size_t count, const std::string& noun) {
     return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
 }

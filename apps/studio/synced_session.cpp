@@ -22,10 +22,6 @@ bool have_same_ground(const State& a, const State& b) {
     return a.ground == b.ground && a.library == b.library && a.analysis == b.analysis;
 }
 
-bool is_same(const simulation::LoadCase& a, const simulation::LoadCase& b) {
-    return &a == &b || simulation::load_case_text(a) == simulation::load_case_text(b);
-}
-
 /// The page needs a processor, too, to show what was solved before.
 int live_threads() {
     return std::max(1, base::resolved_thread_count(0) - 1);

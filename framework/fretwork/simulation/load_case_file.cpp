@@ -2,6 +2,7 @@
 #include <fretwork/base/file.hpp>
 #include <fretwork/base/limits.hpp>
 #include <fretwork/simulation/detail/load_case_json.hpp>
+#include <fretwork/simulation/detail/side_names.hpp>
 #include <fretwork/simulation/load_case_file.hpp>
 
 #include <algorithm>
@@ -11,12 +12,13 @@ namespace {
 
 using base::Json;
 using base::JsonReader;
+using detail::kSideNames;
+using detail::side_name;
 using mechanics::Dof;
 using mechanics::kDofNames;
 
 constexpr base::Limits kPerLengthLimits{1e-21, 1e15, "N/m"};
 constexpr base::Limits kPerAreaLimits{1e-24, 1e18, "N/m2"};
-constexpr std::array<const char*, 4> kSideNames = {"left", "right", "bottom", "top"};
 
 double read_number(const JsonReader& json, const base::Limits& limits) {
     const double value = json.number();
@@ -62,7 +64,7 @@ NodesNearest read_points(const JsonReader& json) {
 }
 
 NodesAtSide read_side(const JsonReader& json) {
-    const std::string name = json.choice({"left", "right", "bottom", "top"});
+    const std::string name = json.choice({kSideNames[0], kSideNames[1], kSideNames[2], kSideNames[3]});
     const auto place = std::find(kSideNames.begin(), kSideNames.end(), name);
     return {static_cast<Side>(place - kSideNames.begin())};
 }
@@ -84,8 +86,7 @@ Selection read_selection(const JsonReader& json) {
 void write_selection(const Selection& selection, Json& json) {
     if (const auto* ids = std::get_if<NodesById>(&selection)) json["nodes"] = ids->ids;
     if (const auto* box = std::get_if<NodesInBox>(&selection)) json["box"] = box->box;
-    if (const auto* side = std::get_if<NodesAtSide>(&selection))
-        json["side"] = kSideNames[static_cast<std::size_t>(side->side)];
+    if (const auto* side = std::get_if<NodesAtSide>(&selection)) json["side"] = side_name(side->side);
     if (const auto* nearest = std::get_if<NodesNearest>(&selection)) {
         for (const pattern::Point2& point : nearest->points) json["nearest"].push_back({point.x, point.y});
     }
@@ -293,6 +294,10 @@ LoadCase parse_load_case(std::string_view text, const std::string& source) {
 
 std::string load_case_text(const LoadCase& load_case) {
     return base::json_text(detail::load_case_to_json(load_case));
+}
+
+bool is_same(const LoadCase& left, const LoadCase& right) {
+    return &left == &right || load_case_text(left) == load_case_text(right);
 }
 
 void write_load_case(const LoadCase& load_case, const std::filesystem::path& path) {

@@ -2,6 +2,7 @@
 #include <fretwork/base/text.hpp>
 #include <fretwork/simulation/conditions.hpp>
 #include <fretwork/simulation/detail/line_bearers.hpp>
+#include <fretwork/simulation/detail/side_names.hpp>
 #include <fretwork/simulation/load_case_text.hpp>
 #include <fretwork/tiling/tile_choice.hpp>
 
@@ -16,8 +17,6 @@ namespace {
 
 using pattern::Point2;
 using tiling::Tessellation;
-
-constexpr const char* kSideNames[] = {"left", "right", "bottom", "top"};
 
 std::string number(double value) {
     char text[32];
@@ -46,9 +45,7 @@ struct SelectionText {
         return "nearest to " + point_text(near.points.front()) +
                (near.points.size() > 1 ? " and others" : "");
     }
-    std::string operator()(const NodesAtSide& at) const {
-        return kSideNames[static_cast<std::size_t>(at.side)];
-    }
+    std::string operator()(const NodesAtSide& at) const { return detail::side_name(at.side); }
 };
 
 class EntryTexts {

@@ -30,6 +30,14 @@ std::string library_path_of(const std::string& project_file, const Project& proj
     return (folder / project.library_path).string();
 }
 
+reduction::Setting setting_of(const Project& project, const library::Library* library) {
+    if (library == nullptr) return project.setting.value_or(reduction::paper_setting());
+    if (project.setting) library->check_setting(*project.setting);
+    reduction::Setting setting = library->setting();
+    if (project.setting && project.setting->strength) setting.strength = project.setting->strength;
+    return setting;
+}
+
 std::optional<library::Library> open_project_library(const std::string& project_file, const Project& project,
                                                      const std::string& wanted) {
     if (!wanted.empty()) return library::Library::open(wanted);

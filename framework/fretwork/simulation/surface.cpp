@@ -1,23 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
+#include <fretwork/simulation/project_library.hpp>
 #include <fretwork/simulation/surface.hpp>
 
 #include <algorithm>
 #include <cmath>
 
 namespace fretwork::simulation {
-namespace {
-
-/// The setting of a project, if it has one, must be that of its library.
-reduction::Setting setting_of(const Project& project, const library::Library* library) {
-    if (library == nullptr) return project.setting.value_or(reduction::paper_setting());
-    if (project.setting) library->check_setting(*project.setting);
-    reduction::Setting setting = library->setting();
-    if (project.setting && project.setting->strength) setting.strength = project.setting->strength;
-    return setting;
-}
-
-}  // namespace
 
 Surface make_surface(const Project& project, const library::Library* library) {
     if (library != nullptr) library->check_layout(project.layout);

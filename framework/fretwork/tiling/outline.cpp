@@ -6,11 +6,11 @@
 #include <fretwork/tiling/detail/outline_check.hpp>
 #include <fretwork/tiling/detail/outline_readers.hpp>
 #include <fretwork/tiling/detail/remarks.hpp>
+#include <fretwork/tiling/detail/small_letters.hpp>
 #include <fretwork/tiling/outline.hpp>
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 
 namespace fretwork::tiling {
 namespace {
@@ -94,8 +94,7 @@ OutlineFile scaled_to_width(OutlineFile file, double width) {
 }
 
 OutlineFile read_outline_file(const std::filesystem::path& path) {
-    std::string ending = path.extension().string();
-    for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    const std::string ending = detail::in_small_letters(path.extension().string());
     for (const Reader& reader : kReaders) {
         if (reader.ending != ending) continue;
         // Some readers have named the file already.

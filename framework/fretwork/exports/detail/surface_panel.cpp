@@ -190,7 +190,7 @@ Subject make_subject(const Surface& surface, const Conditions* conditions, const
         points.push_back(mark.from);
         points.push_back(mark.to);
     }
-    subject.box = bounding_box(points, 0.5 * mean_side(surface));
+    subject.box = bounding_box(points, 0.5 * tiling::mean_tile_side(surface.tessellation));
     return subject;
 }
 
@@ -200,14 +200,15 @@ void draw_subject(SvgCanvas& canvas, const Surface& surface, const Subject& subj
     canvas.layer("loads");
     for (const LoadMark& mark : subject.loads) draw_load(canvas, mark);
     canvas.layer("supports");
-    for (const SupportMark& mark : subject.supports) draw_support(canvas, mark, 0.16 * mean_side(surface));
+    for (const SupportMark& mark : subject.supports)
+        draw_support(canvas, mark, 0.16 * tiling::mean_tile_side(surface.tessellation));
 }
 
 }  // namespace
 
 SvgCanvas surface_panel(const Surface& surface, const Conditions* conditions, const DrawnLabels& labels) {
-    const Subject subject =
-        make_subject(surface, conditions, Projection::from_above(), 1.6 * mean_side(surface));
+    const Subject subject = make_subject(surface, conditions, Projection::from_above(),
+                                         1.6 * tiling::mean_tile_side(surface.tessellation));
     const double text = text_height(subject.box.width());
     const PatternLegend legend(surface, subject.box.width() - 2.0 * text);
     const double legend_top = subject.box.ymin - text;
@@ -227,7 +228,8 @@ SvgCanvas surface_panel(const Surface& surface, const Conditions* conditions, co
 }
 
 SvgCanvas setup_panel(const Surface& surface, const Conditions& conditions, const ViewOptions& view) {
-    const Subject subject = make_subject(surface, &conditions, Projection(view), 2.5 * mean_side(surface));
+    const Subject subject = make_subject(surface, &conditions, Projection(view),
+                                         2.5 * tiling::mean_tile_side(surface.tessellation));
     const double text = text_height(subject.box.width());
     Box box = subject.box;
     box.ymin -= 3.0 * text;

@@ -62,13 +62,6 @@ void draw_ground(SvgCanvas& canvas, const Point2& corner, const Point2& size) {
 
 }  // namespace
 
-double mean_side(const Surface& surface) {
-    double sum = 0.0;
-    for (std::size_t t = 0; t < surface.tessellation.tiles.size(); ++t)
-        sum += pattern::mean_side(tiling::tile_polygon(surface.tessellation, tiling::TileIndex(t)));
-    return sum / static_cast<double>(surface.tessellation.tiles.size());
-}
-
 double beam_width(const Surface& surface) {
     return std::sqrt(surface.setting.section.area);
 }
@@ -91,7 +84,7 @@ void draw_tiles(SvgCanvas& canvas, const Surface& surface, const Projection& pro
 
 void draw_labels(SvgCanvas& canvas, const Surface& surface, const DrawnLabels& labels) {
     using Shown = DrawnLabels::Shown;
-    const double height = 0.3 * mean_side(surface);
+    const double height = 0.3 * tiling::mean_tile_side(surface.tessellation);
     if (labels.interface_nodes == Shown::Yes) {
         canvas.layer("numbers of interface nodes");
         const auto& nodes = surface.tessellation.interface_nodes;

@@ -11,8 +11,6 @@
 
 namespace fretwork::exports::detail {
 
-/// The mean side of all tiles, metres.
-double mean_side(const simulation::Surface& surface);
 /// The width of a beam as seen from above: that of a square of the section's area.
 double beam_width(const simulation::Surface& surface);
 

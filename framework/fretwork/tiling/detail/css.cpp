@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/text.hpp>
 #include <fretwork/tiling/detail/css_selector.hpp>
+#include <fretwork/tiling/detail/small_letters.hpp>
 
 #include <algorithm>
 #include <cctype>
@@ -13,13 +14,6 @@ std::string_view trimmed(std::string_view text) {
     const auto first = text.find_first_not_of(kSpace);
     if (first == std::string_view::npos) return {};
     return text.substr(first, text.find_last_not_of(kSpace) - first + 1);
-}
-
-std::string in_small_letters(std::string_view text) {
-    std::string small(text);
-    std::ranges::transform(small, small.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return small;
 }
 
 /// Without /* comments */ and the <!-- --> that hide a sheet from old programs.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/quantity.hpp>
 #include <fretwork/tiling/detail/css_colour.hpp>
+#include <fretwork/tiling/detail/small_letters.hpp>
 
 #include <algorithm>
 #include <array>
@@ -219,9 +220,7 @@ std::optional<std::string> from_components(std::string_view inside) {
 }  // namespace
 
 std::optional<std::string> css_colour(std::string_view text) {
-    std::string small(text);
-    std::ranges::transform(small, small.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const std::string small = in_small_letters(text);
     if (small.starts_with('#')) return from_hex(std::string_view(small).substr(1));
     const std::size_t open = small.find('(');
     if (open != std::string::npos && small.ends_with(')') &&

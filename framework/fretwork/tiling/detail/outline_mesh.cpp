@@ -3,12 +3,12 @@
 #include <fretwork/base/text.hpp>
 #include <fretwork/tiling/detail/mesh_text.hpp>
 #include <fretwork/tiling/detail/outline_readers.hpp>
+#include <fretwork/tiling/detail/small_letters.hpp>
 
 #include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 
 namespace fretwork::tiling::detail {
@@ -126,8 +126,7 @@ std::vector<Loop> read_ply_loops(const std::filesystem::path& path) {
 }
 
 MeshFile read_flat_mesh(const std::filesystem::path& path) {
-    std::string ending = path.extension().string();
-    for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    const std::string ending = in_small_letters(path.extension().string());
     if (ending != ".obj" && ending != ".ply" && ending != ".off")
         throw base::InputError(path.string(), "",
                                "a mesh is an .obj, .ply or .off file, and this ends in '" + ending + "'");

@@ -1,22 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/text.hpp>
 #include <fretwork/tiling/detail/css_colour.hpp>
+#include <fretwork/tiling/detail/small_letters.hpp>
 #include <fretwork/tiling/detail/svg_style.hpp>
 #include <fretwork/tiling/detail/svg_text.hpp>
 
 #include <algorithm>
-#include <cctype>
 #include <optional>
 
 namespace fretwork::tiling::detail {
 namespace {
-
-std::string in_small_letters(std::string_view text) {
-    std::string small(text);
-    std::ranges::transform(small, small.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return small;
-}
 
 /// A number or a percentage, at least 0 and at most 1; nothing if it is none.
 std::optional<double> share_of(std::string_view text) {
