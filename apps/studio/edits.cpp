@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edits.hpp"
+#include "painting_request.hpp"
 
 #include <fretwork/base/error.hpp>
 #include <fretwork/reduction/setting_file.hpp>
@@ -8,10 +9,8 @@
 #include <fretwork/simulation/conditions.hpp>
 #include <fretwork/simulation/load_case_file.hpp>
 #include <fretwork/simulation/simulation_options.hpp>
-#include <fretwork/tiling/painting.hpp>
 
 #include <algorithm>
-#include <map>
 
 namespace fretwork::studio {
 namespace {
@@ -29,70 +28,10 @@ std::string counted(std::size_t count, const std::string& noun) {
     return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
 }
 
-std::vector<std::size_t> read_tiles(const JsonReader& json, const State& state) {
-    std::vector<std::size_t> tiles;
-    const long long last = static_cast<long long>(state.tile_count()) - 1;
-    for (const JsonReader& tile : json.elements())
-        tiles.push_back(static_cast<std::size_t>(tile.integer(0, last)));
-    if (tiles.empty()) json.fail("is empty, where at least one tile is needed");
-    return tiles;
-}
-
-/// The places of patterns in a palette, which grows by those that are new.
-class PaletteWriter {
-  public:
-    PaletteWriter(Painting& painting, const pattern::NodeLayout& layout)
-        : painting_(painting), layout_(layout) {}
-
-    int place_of(const JsonReader& json) {
-        const std::string text = json.string();
-        const auto [known, is_new] = places_.try_emplace(text, 0);
-        if (is_new) known->second = find_or_add(json, text);
-        return known->second;
-    }
-
-  private:
-    int find_or_add(const JsonReader& json, const std::string& text) {
-        std::string id;
-        try {
-            id = tiling::make_palette(layout_, std::vector{text}).front();
-        } catch (const base::InputError& error) {
-            json.fail(error.what());
-        }
-        const auto found = std::ranges::find(painting_.palette, id);
-        const auto place = found - painting_.palette.begin();
-        if (found == painting_.palette.end()) painting_.palette.push_back(id);
-        return static_cast<int>(place);
-    }
-
-    Painting& painting_;
-    const pattern::NodeLayout& layout_;
-    std::map<std::string, int> places_;
-};
-
 Edited paint(const State& state, const JsonReader& request) {
-    request.allow_only({"id", "do", "merge", "tiles", "pattern", "patterns"});
-    Edited edit{state, ""};
-    Painting painting = *state.painting;
-    PaletteWriter palette(painting, state.ground->layout);
-    std::size_t count = 0;
-    if (const auto patterns = request.find("patterns")) {
-        if (request.find("tiles") || request.find("pattern"))
-            request.fail("has either tiles and a pattern, or patterns");
-        const auto ids = patterns->elements(state.tile_count());
-        for (std::size_t t = 0; t < ids.size(); ++t) {
-            const int place = palette.place_of(ids[t]);
-            count += place != painting.patterns[t] ? 1 : 0;
-            painting.patterns[t] = place;
-        }
-    } else {
-        const auto tiles = read_tiles(request.at("tiles"), state);
-        const int place = palette.place_of(request.at("pattern"));
-        for (const std::size_t tile : tiles) painting.patterns[tile] = place;
-        count = tiles.size();
-    }
-    change(edit.state.painting, std::move(painting));
-    edit.label = "paint " + counted(count, "tile");
+    Painted result = painted(state, request);
+    Edited edit{state, "paint " + counted(result.tiles, "tile")};
+    change(edit.state.painting, std::move(result.painting));
     return edit;
 }
 

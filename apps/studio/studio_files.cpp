@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Documents from files and outlines, and files from documents.
 #include "examples.hpp"
+#include "painting_request.hpp"
 #include "pattern_list.hpp"
+#include "sent_file.hpp"
 #include "studio_impl.hpp"
 #include "words.hpp"
 
@@ -9,7 +11,6 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/file.hpp>
 #include <fretwork/base/quantity.hpp>
-#include <fretwork/base/scratch.hpp>
 #include <fretwork/exports/making_choice.hpp>
 #include <fretwork/exports/picture_options.hpp>
 #include <fretwork/exports/writer_catalogue.hpp>
@@ -28,41 +29,21 @@ using simulation::Project;
 
 namespace {
 
-/// What `read` makes of a file that was dropped onto the page. Its name says what kind of file it is, and
-/// stands in what is said of it.
-template <class Read>
-auto read_dropped(const std::string& name, std::string_view content, const Read& read) {
-    const auto temporary = std::filesystem::temp_directory_path();
-    const base::Scratch folder(temporary / "outline", base::Scratch::Kind::Folder);
-    const std::string ending = std::filesystem::path(name).extension().string();
-    const auto path = folder.path() / ("outline" + ending);
-    base::write_file_atomically(path, content);
-    try {
-        return read(path);
-    } catch (const base::GeometryError& error) {
-        throw base::GeometryError(name + std::string(error.what()).substr(path.string().size()));
-    } catch (const base::InputError& error) {
-        throw base::InputError(name + std::string(error.what()).substr(path.string().size()));
-    }
-}
-
 /// An outline that comes in a message.
 struct SentOutline {
-    std::string name;
-    std::string content{};          ///< of the file
+    SentFile file;
     std::optional<double> width{};  ///< m, that it is to have
 };
 
 SentOutline read_sent_outline(const base::JsonReader& json) {
     json.allow_only({"name", "text_base64", "width"});
-    SentOutline sent{.name = json.at("name").string()};
-    sent.content = base::decode_base64(json.at("text_base64").string(), sent.name);
+    SentOutline sent{parse_sent_file(json)};
     if (const auto width = json.find("width")) sent.width = width->positive_number();
     return sent;
 }
 
 tiling::OutlineFile outline_of(const SentOutline& sent) {
-    tiling::OutlineFile file = read_dropped(sent.name, sent.content, [](const std::filesystem::path& path) {
+    tiling::OutlineFile file = read_sent(sent.file, [](const std::filesystem::path& path) {
         return tiling::take_parts(tiling::read_outline_file(path), "largest");
     });
     return sent.width ? tiling::scaled_to_width(std::move(file), *sent.width) : file;
@@ -127,11 +108,10 @@ simulation::NewProject make_from(const SentOutline& sent, const tiling::OutlineF
                                  simulation::NewProjectOptions options) {
     if (options.tiles == simulation::TilesFrom::Outline)
         return simulation::make_project(file.parts, options, nullptr);
-    simulation::NewProject made =
-        read_dropped(sent.name, sent.content, [&](const std::filesystem::path& path) {
-            options.outline_name = path.string();
-            return simulation::make_project(file.parts, options, nullptr);
-        });
+    simulation::NewProject made = read_sent(sent.file, [&](const std::filesystem::path& path) {
+        options.outline_name = path.string();
+        return simulation::make_project(file.parts, options, nullptr);
+    });
     const double drawn = width_of(made.project.tessellation.vertices);
     scale(made.project.tessellation, sent.width.value_or(drawn) / drawn);
     return made;
@@ -145,13 +125,13 @@ NamedProject make(const NewRequest& wanted, const base::Control& control) {
     tiling::OutlineFile file = outline_of(wanted.outline);
     simulation::NewProject made = make_from(wanted.outline, file, options);
     add_remarks(made, file.remarks);
-    return {std::filesystem::path(wanted.outline.name).stem().string(), std::move(made.project),
+    return {std::filesystem::path(wanted.outline.file.name).stem().string(), std::move(made.project),
             std::move(file.remarks)};
 }
 
 NewRequest read_new(const base::JsonReader& json) {
-    json.allow_only(
-        {"id", "do", "outline", "example", "tile_size", "tiles", "patterns", "palette", "layout", "discard"});
+    json.allow_only({"id", "do", "outline", "example", "tile_size", "tiles", "patterns", "palette",
+                     "property", "range", "dither", "layout", "discard"});
     NewRequest wanted;
     if (const auto example = json.find("example")) {
         json.allow_only({"id", "do", "example", "discard"});
@@ -159,16 +139,8 @@ NewRequest read_new(const base::JsonReader& json) {
         return wanted;
     }
     wanted.outline = read_sent_outline(json.at("outline"));
-    const auto text_of = [&](const char* key) {
-        const auto value = json.find(key);
-        return value ? value->string() : std::string();
-    };
-    wanted.options.outline_name = wanted.outline.name;
-    wanted.options.layout = text_of("layout");
-    wanted.options.painting = {
-        .patterns = text_of("patterns"),
-        .palette = text_of("palette"),
-        .names = {.patterns = "patterns", .palette = "palette", .library = "a library"}};
+    if (const auto layout = json.find("layout")) wanted.options.layout = layout->string();
+    wanted.options.painting = read_painting_choice(json);
     const auto tiles = json.find("tiles");
     if (tiles && tiles->choice({"new", "faces"}) == "faces")
         wanted.options.tiles = simulation::TilesFrom::Mesh;

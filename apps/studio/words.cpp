@@ -38,6 +38,10 @@ constexpr KeyRow kKeys[] = {
     {"pattern", "pattern"},
     {"patterns", "patterns"},
     {"palette", "palette"},
+    {"property", "property"},
+    {"range", "range"},
+    {"dither", "dither"},
+    {"file", "file"},
     {"tiles", "tile"},
 };
 

@@ -5,11 +5,10 @@ import type { Load, LoadCase, Prescribed, Support } from '../protocol/messages';
 import { Latest } from '../protocol/latest';
 import { ask, tryAsk } from './studio';
 import { documentNow, loadCase, working } from './store';
-import { tilePatterns } from './patterns_now';
 import { timeUntil } from './latency';
 import { settled, shownAnew } from './settled';
 import { tell } from './tell';
-import { pending } from './ui';
+import { pending, selectedTiles } from './ui';
 
 export const undo = (): void => void tryAsk('undo');
 export const redo = (): void => void tryAsk('redo');
@@ -18,43 +17,29 @@ export const redo = (): void => void tryAsk('redo');
 let gestures = 0;
 export const newGesture = (what: string): string => `${what}-${++gestures}`;
 
-export interface Paint {
-  tiles: number[];
-  patterns: string[];
-}
-
-/** The patterns of all tiles, with new ones on some. */
-function withPainted(tiles: readonly number[], patterns: readonly string[]): string[] {
-  const all = [...tilePatterns.peek()];
-  tiles.forEach((tile, i) => (all[tile] = patterns[i]));
-  return all;
-}
-
-/** Resolves to whether the surface is another one now. */
-export async function paint({ tiles, patterns }: Paint, merge = newGesture('paint')): Promise<boolean> {
-  if (tiles.length === 0) return false;
-  const all = withPainted(tiles, patterns);
-  const same = patterns.every((pattern) => pattern === patterns[0]);
-  if (!same && all.every((pattern) => pattern)) return sendPaint({ patterns: all, merge });
-  let isChanged = false;
-  for (const [pattern, some] of grouped(tiles, patterns)) isChanged = (await sendPaint({ tiles: some, pattern, merge })) || isChanged;
-  return isChanged;
-}
-
 /** An edit that changes nothing is answered, and no event follows. */
 const hasChanged = (answer: { unchanged?: boolean } | null): boolean => answer !== null && !answer.unchanged;
 
+/** Resolves to whether the surface is another one now. */
 async function sendPaint(request: object): Promise<boolean> {
   const isChanged = hasChanged(await tryAsk('paint', request));
   if (!isChanged) pending.value = new Map();
   return isChanged;
 }
 
-/** Tiles by the pattern that they get: how paint is sent while some tiles have none yet. */
-function grouped(tiles: readonly number[], patterns: readonly string[]): Map<string, number[]> {
-  const groups = new Map<string, number[]>();
-  tiles.forEach((tile, i) => groups.set(patterns[i], [...(groups.get(patterns[i]) ?? []), tile]));
-  return groups;
+export const paint = (tiles: readonly number[], pattern: string): void => void sendPaint({ tiles, pattern });
+
+/** In the words of `fretwork paint`; which pattern each tile gets is the program's to say. */
+export interface PaintingChoice {
+  patterns: string;
+  palette: readonly string[];
+  /** What `image:` reads. */
+  file?: { name: string; text_base64: string };
+}
+/** The selected tiles, or all. */
+export function paintBy({ patterns, palette, file }: PaintingChoice): void {
+  const chosen = [...selectedTiles.peek()];
+  void sendPaint({ tiles: chosen.length ? chosen : undefined, patterns, palette: palette.join(','), file });
 }
 
 export const turn = (tiles: number[], by: number): void => void tryAsk('turn', { tiles, by });
@@ -112,15 +97,27 @@ const drag = new Latest<{ change: (present: LoadCase) => Partial<LoadCase>; merg
 /** As editLoadCase, while something is dragged: the next one is sent when the last one is seen, be it provisionally. */
 export const dragLoadCase = (change: (present: LoadCase) => Partial<LoadCase>, merge: string): void => drag.push({ change, merge });
 
-const strokes = new Latest<{ paint: Paint; merge: string }>(async (stroke) => {
+const strokes = new Latest<{ merge: string }>(async ({ merge }) => {
+  const groups = byPattern(pendingPaint);
   pendingPaint.clear();
-  await seen(() => paint(stroke.paint, stroke.merge));
+  await seen(async () => {
+    let isChanged = false;
+    for (const [pattern, tiles] of groups) isChanged = (await sendPaint({ tiles, pattern, merge })) || isChanged;
+    return isChanged;
+  });
 });
 const pendingPaint = new Map<number, string>();
 /** Tiles of one stroke; those not sent yet go together. */
-export function strokeTo(tiles: number[], pattern: string, merge: string): void {
+export function strokeTo(tiles: readonly number[], pattern: string, merge: string): void {
   for (const tile of tiles) pendingPaint.set(tile, pattern);
-  strokes.push({ paint: { tiles: [...pendingPaint.keys()], patterns: [...pendingPaint.values()] }, merge });
+  strokes.push({ merge });
+}
+
+/** The brush may have changed between two strokes that wait. */
+function byPattern(painted: ReadonlyMap<number, string>): Map<string, number[]> {
+  const groups = new Map<string, number[]>();
+  painted.forEach((pattern, tile) => groups.set(pattern, [...(groups.get(pattern) ?? []), tile]));
+  return groups;
 }
 
 const replaced = <T>(list: readonly T[] | undefined, index: number, entry: T): T[] =>

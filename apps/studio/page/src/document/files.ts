@@ -7,7 +7,7 @@ import { makingQuery, type Made } from './making';
 import { documentNow, hello } from './store';
 import { tell } from './tell';
 
-export async function base64(file: File): Promise<string> {
+export async function base64(file: Blob): Promise<string> {
   const bytes = new Uint8Array(await file.arrayBuffer());
   let text = '';
   const piece = 0x8000;

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 import { Dices, ImageDown, PaintBucket, RotateCw, X } from 'lucide-preact';
-import { paint, setTileModel, turn } from '../document/edits';
+import { paint, paintBy, setTileModel, turn } from '../document/edits';
 import { documentNow, hello } from '../document/store';
 import { surface } from '../document/surface';
 import { tell } from '../document/tell';
 import { brushOrFirst, selectedTiles } from '../document/ui';
 import { Gallery } from '../gallery/gallery';
 import { orderedPalette } from '../gallery/order';
-import { byChance, byImage } from '../painting/assign';
-import { readImage } from '../painting/read_image';
+import { pngInBase64 } from '../painting/read_image';
 import { Button, Choice } from '../widgets/widgets';
 import { obstacle } from './models';
 
@@ -21,12 +20,8 @@ const targets = (): number[] => {
 let seed = 1;
 
 async function paintImage(file: File): Promise<void> {
-  const now = surface.peek();
-  if (!now) return;
   try {
-    const image = await readImage(file);
-    const tiles = targets();
-    void paint({ tiles, patterns: byImage(tiles.map((tile) => now.centers[tile]), orderedPalette.peek(), image, now.box) });
+    paintBy({ patterns: 'image:', palette: orderedPalette.peek(), file: { name: file.name, text_base64: await pngInBase64(file) } });
   } catch (error) {
     tell((error as Error).message, 'error');
   }
@@ -52,9 +47,9 @@ export function PaintPanel() {
         </div>
         <div class="row">
           <Button title="Paint them with the pattern above" icon={PaintBucket} label="Fill"
-            onPress={() => { const pattern = brushOrFirst.value; if (pattern) void paint({ tiles: targets(), patterns: targets().map(() => pattern) }); }} />
+            onPress={() => { const pattern = brushOrFirst.value; if (pattern) paint(targets(), pattern); }} />
           <Button title="Patterns of the palette by chance; again for another chance" icon={Dices} label="Random"
-            onPress={() => void paint({ tiles: targets(), patterns: byChance(targets(), orderedPalette.value, seed++) })} />
+            onPress={() => paintBy({ patterns: `random:${seed++}`, palette: orderedPalette.value })} />
           <Button title="By a picture: dark places get the stiffest patterns of the palette" icon={ImageDown} label="Image" onPress={chooseImage} />
           <Button title="Turn the patterns by one vertex" shortcut="T" icon={RotateCw} onPress={() => turn(targets(), 1)} />
         </div>

@@ -5,7 +5,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
-import { drop, edit, makeProject, openPage, picture, pictures, read, solved, startStudio } from './studio.mjs';
+import { drop, makeProject, openPage, picture, pictures, read, solved, startStudio } from './studio.mjs';
 
 const WIDTH = 10;
 const HEIGHT = 6;
@@ -175,35 +175,4 @@ test('a picture has a transparent ground and a surface on it', async (t) => {
   }, readFileSync(file).toString('base64'));
   assert.equal(alpha.corner, 0);
   assert.ok(alpha.solid > 0.005, `${alpha.solid} of the picture is solid`);
-});
-
-test('a picture paints: dark places get the stiffest patterns', async (t) => {
-  const { address } = await startStudio(t, makeProject('26mm'));
-  const page = await openPage(t, address);
-  await page.waitForSelector('[data-pattern]');
-  // Black at the left, white at the right.
-  const black = '<svg xmlns="http://www.w3.org/2000/svg" width="20" height="10"><rect width="20" height="10" fill="white"/><rect width="10" height="10" fill="black"/></svg>';
-  const png = await page.evaluate(async (text) => {
-    const image = Object.assign(new Image(), { src: `data:image/svg+xml,${encodeURIComponent(text)}` });
-    await image.decode();
-    const canvas = Object.assign(document.createElement('canvas'), { width: 20, height: 10 });
-    canvas.getContext('2d').drawImage(image, 0, 0);
-    return canvas.toDataURL('image/png').split(',')[1];
-  }, black);
-  const chooser = page.waitForEvent('filechooser');
-  await page.click('text=Image');
-  await edit(page, async () => (await chooser).setFiles({ name: 'halves.png', mimeType: 'image/png', buffer: Buffer.from(png, 'base64') }));
-  const painted = await page.evaluate(() => {
-    const { documentNow, patternTable } = window.fretwork.store;
-    const { tiles, vertices, palette, painting } = documentNow.value;
-    const stiffness = new Map(patternTable.value.patterns.map(({ id, bending }) => [id, bending?.young]));
-    return tiles.map(({ vertices: corners }, tile) => [
-      corners.reduce((sum, corner) => sum + vertices[corner][0], 0) / corners.length,
-      stiffness.get(palette[painting[tile]]),
-    ]);
-  });
-  const middle = (Math.min(...painted.map(([x]) => x)) + Math.max(...painted.map(([x]) => x))) / 2;
-  const mean = (rows) => rows.reduce((sum, [, value]) => sum + value, 0) / rows.length;
-  const [left, right] = [painted.filter(([x]) => x < middle - 0.03), painted.filter(([x]) => x > middle + 0.03)];
-  assert.ok(mean(left) > 1.5 * mean(right), `${mean(left)} N m at the left, ${mean(right)} N m at the right`);
 });

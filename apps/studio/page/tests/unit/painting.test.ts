@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { describe, expect, it } from 'vitest';
-import { alongLine, atShare, byChance, byImage } from '../../src/painting/assign';
+import { alongLine } from '../../src/painting/gradient';
 import { allWith, inBox, ringsAround, sameRegion, within } from '../../src/painting/regions';
 
 // Five tiles in a row.
@@ -22,21 +22,13 @@ describe('regions', () => {
   });
 });
 
-describe('assignment', () => {
-  it('the same seed gives the same painting', () => {
-    const tiles = [...Array(50).keys()];
-    expect(byChance(tiles, ['a', 'b', 'c'], 7)).toEqual(byChance(tiles, ['a', 'b', 'c'], 7));
-    expect(new Set(byChance(tiles, ['a', 'b', 'c'], 7)).size).toBe(3);
-  });
-  it('shares outside of 0 to 1 get the first and the last pattern', () => {
-    expect(atShare(['a', 'b'], -1)).toBe('a');
-    expect(atShare(['a', 'b'], 1)).toBe('b');
-  });
-  it('a gradient runs from the first pattern to the last along its line', () => {
-    expect(alongLine([[0, 5], [1, 0], [2, -3]], ['soft', 'middle', 'stiff'], [0, 0], [2, 0])).toEqual(['soft', 'middle', 'stiff']);
-  });
-  it('dark places of an image get the last patterns, and its upper row is the upper part of the surface', () => {
-    const image = { width: 1, height: 2, grey: new Float32Array([0, 1]) };
-    expect(byImage([[0, 1], [0, 0]], ['soft', 'stiff'], image, { min: [0, 0], max: [1, 1] })).toEqual(['stiff', 'soft']);
+describe('a gradient', () => {
+  it('is a field that is 0 where its line begins and 1 where it ends, whatever lies beside the line', () => {
+    const text = alongLine([-0.01, 0.02], [0.03, 0.05]);
+    expect(text).toMatch(/^field:/);
+    const field = new Function('x', 'y', `return ${text.slice('field:'.length)}`) as (x: number, y: number) => number;
+    expect(field(-0.01, 0.02)).toBe(0);
+    expect(field(0.03, 0.05)).toBeCloseTo(1, 12);
+    expect(field(0.01 + 0.03, 0.035 - 0.04)).toBeCloseTo(0.5, 12);
   });
 });

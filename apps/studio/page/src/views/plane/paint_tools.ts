@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-import { newGesture, paint, strokeTo } from '../../document/edits';
+import { newGesture, paint, paintBy, strokeTo } from '../../document/edits';
 import { markInput } from '../../document/latency';
 import { tilePatterns } from '../../document/patterns_now';
 import { neighbours, surface, tileAt } from '../../document/surface';
 import { brush, brushOrFirst, brushRings, paintTool, pending, selectedTiles } from '../../document/ui';
-import { documentNow } from '../../document/store';
 import { orderedPalette } from '../../gallery/order';
-import { alongLine } from '../../painting/assign';
+import { alongLine } from '../../painting/gradient';
 import { allWith, ringsAround, sameRegion } from '../../painting/regions';
 import { areaGesture } from './area_gesture';
 import type { Gesture, PlanePointer, Tool } from './gesture';
@@ -68,7 +67,7 @@ function paintOnce(pointer: PlanePointer): null {
   if (!pattern || tiles.length === 0) return null;
   showAhead(tiles, pattern);
   markInput(pointer.when);
-  void paint({ tiles, patterns: tiles.map(() => pattern) });
+  paint(tiles, pattern);
   return null;
 }
 
@@ -77,11 +76,8 @@ function gradient(start: PlanePointer): Gesture {
     move: (pointer) => (drawing.value = { kind: 'line', from: start.at, to: pointer.at }),
     end(pointer) {
       drawing.value = null;
-      const now = surface.peek();
-      if (!now || !documentNow.peek() || Math.hypot(pointer.at[0] - start.at[0], pointer.at[1] - start.at[1]) < pointer.reach) return;
-      const chosen = [...selectedTiles.peek()];
-      const tiles = chosen.length ? chosen : now.centers.map((_, tile) => tile);
-      void paint({ tiles, patterns: alongLine(tiles.map((tile) => now.centers[tile]), orderedPalette.peek(), start.at, pointer.at) });
+      if (Math.hypot(pointer.at[0] - start.at[0], pointer.at[1] - start.at[1]) < pointer.reach) return;
+      paintBy({ patterns: alongLine(start.at, pointer.at), palette: orderedPalette.peek() });
     },
   };
 }
