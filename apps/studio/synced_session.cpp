@@ -3,6 +3,7 @@
 
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/parallel.hpp>
+#include <fretwork/reduction/setting_file.hpp>
 #include <fretwork/simulation/combination.hpp>
 #include <fretwork/simulation/load_case_file.hpp>
 
@@ -20,6 +21,11 @@ using TilesBy = std::map<Change, std::vector<TileIndex>>;
 
 bool have_same_ground(const State& a, const State& b) {
     return a.ground == b.ground && a.library == b.library && a.analysis == b.analysis;
+}
+
+/// What the material bears has no part in what is solved.
+bool is_solved_alike(const reduction::Setting& a, const reduction::Setting& b) {
+    return reduction::without_strength(a) == reduction::without_strength(b);
 }
 
 /// The page needs a processor, too, to show what was solved before.
@@ -83,7 +89,8 @@ void SyncedSession::begin(const Situation& wanted) {
 
 void SyncedSession::edit(const State& before, const Situation& wanted) {
     const State& now = *wanted.state;
-    if (before.setting != now.setting && *before.setting != *now.setting) session_->set_setting(*now.setting);
+    if (before.setting != now.setting && !is_solved_alike(*before.setting, *now.setting))
+        session_->set_setting(*now.setting);
     if (before.painting != now.painting) paint(*before.painting, *now.painting);
     if (before.model != now.model && *before.model != *now.model) session_->set_model(*now.model);
     if (before.tile_models != now.tile_models) {

@@ -3,6 +3,7 @@
 #include "running_studio.hpp"
 
 #include <fretwork/base/base64.hpp>
+#include <fretwork/reduction/setting_file.hpp>
 #include <fretwork/tiling/rim_loops.hpp>
 
 #include <gmock/gmock.h>
@@ -100,6 +101,23 @@ TEST(StudioState, AProjectComesBackAsItWas) {
     const State state = make_state(project, "/folder");
     EXPECT_EQ(simulation::project_text(make_project(state, "/folder")), simulation::project_text(project));
     EXPECT_EQ(make_project(state, "/folder/other").library_path, "../sub/library.db");
+}
+
+TEST(StudioState, ADocumentWithAnotherStrengthKeepsItsLibraryAndWithAnotherMaterialLeavesIt) {
+    simulation::Project project = test::studio_project();
+    project.library_path = "library.db";
+    project.library_hash = "00";
+    const State state = make_state(project, "/folder");
+    const auto library_with = [&](const reduction::Setting& setting) {
+        const auto request = base::JsonReader::from_text(
+            R"({"do": "set_setting", "setting": )" + reduction::setting_text(setting) + "}", "test");
+        return edited(state, "set_setting", request)->state.library->path.string();
+    };
+    reduction::Setting setting = *state.setting;
+    setting.strength = 40e6;
+    EXPECT_EQ(library_with(setting), "/folder/library.db");
+    setting.material.young_modulus *= 2;
+    EXPECT_EQ(library_with(setting), "");
 }
 
 TEST(StudioBackground, StopsWhatIsUnderWayAndForgetsWhatWaits) {

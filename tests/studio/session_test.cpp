@@ -301,6 +301,29 @@ TEST(StudioMessages, StiffJointsMakeTheSurfaceStiffer) {
     EXPECT_LT(next_solution(client).event["largest_displacement"].get<double>(), 0.99 * before);
 }
 
+TEST(StudioMessages, AStrengthGoesWithTheProjectAndChangesNothingThatIsSolved) {
+    const RunningStudio studio(test::studio_project());
+    Client client(studio.address());
+    client.hello();
+    Json setting = client.event({"document"})["setting"];
+    const Json before = next_solution(client).event["largest_displacement"];
+    setting["format"] = "fretwork/setting/2";
+    setting["material"]["strength"] = 40e6;
+    ASSERT_TRUE(client.ask("set_setting", {{"setting", setting}})["ok"].get<bool>());
+    const Json changed = client.event({"changed"});
+    EXPECT_EQ(changed["setting"]["material"]["strength"], 40e6);
+    EXPECT_EQ(solution_of(client, changed["revision"]).event["largest_displacement"], before);
+    EXPECT_EQ(simulation::parse_project(text_of(client), "download").setting->strength, 40e6);
+    for (const Json& wrong : {Json(0), Json(-1e6), Json("much")}) {
+        setting["material"]["strength"] = wrong;
+        const Json answer = client.ask("set_setting", {{"setting", setting}});
+        ASSERT_FALSE(answer["ok"].get<bool>()) << wrong;
+        EXPECT_THAT(answer["error"].get<std::string>(), HasSubstr("material, strength")) << wrong;
+    }
+    ASSERT_TRUE(client.ask("undo")["ok"].get<bool>());
+    EXPECT_EQ(simulation::parse_project(text_of(client), "download").setting->strength, std::nullopt);
+}
+
 TEST(StudioMessages, MixedModelsTakeTheShareOfTilesInFull) {
     const RunningStudio studio(test::studio_project());
     Client client(studio.address());
@@ -599,8 +622,9 @@ TEST(StudioFiles, ExportsAreThoseOfTheCommandWithItsOptions) {
     const auto size_of_cut = [&](const std::string& more) { return get("cut.dxf" + more).size(); };
     EXPECT_NE(size_of_cut("&frame=4mm"), size_of_cut(""));
     EXPECT_THAT(get("cut.dxf&kerf=wide"), HasSubstr("kerf"));
-    for (const char* wrong : {"picture.png&size=huge", "cut.dxf&bed=600", "solid.stl&fillet=-1mm",
-                              "picture.png&view=up", "picture.png&colour=red", "view.html&scale=x", "x.step"})
+    for (const char* wrong :
+         {"picture.png&size=huge", "cut.dxf&bed=600", "solid.stl&fillet=-1mm", "picture.png&view=up",
+          "picture.png&colour=red", "picture.png&colour=utilization", "view.html&scale=x", "x.step"})
         EXPECT_EQ(test::status_of(get(wrong)), 422) << wrong;
 }
 

@@ -25,8 +25,6 @@ export const showFull = signal(true);
 export const showRest = signal(false);
 export const showMarks = signal(true);
 export const shadows = signal(true);
-/** What the material bears, N/m2, for utilization. Not part of the document. */
-export const strength = signal(30e6);
 
 /** Playback of a load path or of a mode: which shape, and the phase within it. */
 export const playing = signal(false);

@@ -63,6 +63,8 @@ export const loadCase = computed<LoadCase | null>(() => {
 
 export const setting = computed(() => documentNow.value?.setting ?? null);
 /** The section of the bars, in metres: across in the plane, and out of it. */
+/** What the material bears, N/m2; null where the document does not say it. */
+export const strength = computed<number | null>(() => setting.value?.material.strength ?? null);
 export const barSection = computed(() => {
   const { area, I2, I3 } = setting.value?.section ?? { area: 4e-6, I2: 4e-12 / 3, I3: 4e-12 / 3 };
   return { width: Math.sqrt((12 * I3) / area), height: Math.sqrt((12 * I2) / area) };

@@ -2,7 +2,7 @@
 
 import { Gauge, Play, Scale } from 'lucide-preact';
 import { cancelWork, solveFull } from '../document/edits';
-import { field, scale, shadows, showFull, showMarks, showRest, strength } from '../document/look';
+import { field, scale, shadows, showFull, showMarks, showRest } from '../document/look';
 import { shapeIndex } from '../document/look';
 import { stop } from '../document/shown';
 import { compared, documentNow, live, notTheAnswer, others, problem, shapes, working } from '../document/store';
@@ -10,7 +10,6 @@ import { tryAsk } from '../document/studio';
 import { probed } from '../document/ui';
 import { digits, inShownUnits, shown } from '../document/units';
 import { Button, Check } from '../widgets/widgets';
-import { NumberField } from '../widgets/number';
 import { MaterialFields } from './material_fields';
 import { Models } from './models';
 
@@ -38,11 +37,6 @@ export function LookPanel() {
       <Check label="Shadows" value={shadows.value} onChange={(value) => (shadows.value = value)} />
       <h2>Material and bars</h2>
       <MaterialFields />
-      {field.value === 'utilization' && (
-        <label class="field"><span>Strength, for utilization</span>
-          <NumberField label="Strength of the material" least={1} value={strength.value} quantity="stress" onChange={(value) => (strength.value = value)} />
-        </label>
-      )}
     </div>
   );
 }

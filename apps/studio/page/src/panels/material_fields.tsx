@@ -36,7 +36,9 @@ export function MaterialFields() {
   const { material } = setting;
   const { area, I2, I3 } = setting.section;
   const [width, height] = [Math.sqrt((12 * I3) / area), Math.sqrt((12 * I2) / area)];
-  const change = (part: Partial<Setting>) => setSetting({ ...setting, ...part });
+  // The format that has joints and strength; the server keeps the first that a setting needs.
+  const change = (part: Partial<Setting>) => setSetting({ ...setting, format: 'fretwork/setting/2', ...part });
+  const bears = (strength: number | undefined) => change({ material: { ...material, strength } });
   const preset = PRESETS.find((row) => row.young_modulus === material.young_modulus && row.density === material.density);
   return (
     <>
@@ -51,6 +53,9 @@ export function MaterialFields() {
       <label class="field"><span>Young’s modulus</span>
         <NumberField label="Young's modulus" least={1} value={material.young_modulus} quantity="stress" onChange={(young_modulus) => change({ material: { ...material, young_modulus } })} />
       </label>
+      <label class="field" title="The stress that the material bears: utilization is a share of it"><span>Strength</span>
+        <NumberField label="Strength of the material" least={1} value={material.strength} quantity="stress" onChange={bears} onClear={() => bears(undefined)} />
+      </label>
       <label class="field"><span>Bar width, in the plane</span>
         <NumberField label="Bar width" least={1e-5} value={width} quantity="length" onChange={(value) => change({ section: section(value, height) })} />
       </label>
@@ -59,7 +64,7 @@ export function MaterialFields() {
       </label>
       <div class="field" title="Real bars merge in joints that have a size: stiff joints are nearer to what is printed or cut, centrelines are the paper’s model"><span>Joints</span>
         <Choice label="Joints" value={setting.joints ?? 'centreline'} options={[{ value: 'centreline', title: 'points' }, { value: 'stiff', title: 'stiff' }]}
-          onPick={(joints) => change({ format: 'fretwork/setting/2', joints })} />
+          onPick={(joints) => change({ joints })} />
       </div>
     </>
   );

@@ -8,9 +8,12 @@ const short = (value: number): string => digits(value, MOST_DIGITS).replace(/(\.
 
 interface NumberProps {
   label: string;
-  value: number;
+  /** undefined: there is none. */
+  value: number | undefined;
   quantity: Quantity;
   onChange: (value: number) => void;
+  /** The field may be empty, and was emptied. */
+  onClear?: () => void;
   narrow?: boolean;
   least?: number;
   most?: number;
@@ -19,38 +22,43 @@ interface NumberProps {
   id?: string;
 }
 
+const isBeyond = (read: number | undefined, least = -Infinity, most = Infinity): boolean => read !== undefined && (read < least || read > most);
+
 /** A number with its unit. Enter or leaving the field takes it; what cannot be taken stays, and is told. Escape puts the old one back, arrow keys change it by a tenth. */
-export function NumberField({ label, value, quantity, onChange, narrow, least, most, onReadable, id }: NumberProps) {
+export function NumberField({ label, value, quantity, onChange, onClear, narrow, least, most, onReadable, id }: NumberProps) {
   const [draft, setDraft] = useState<string | null>(null);
   const unit = unitOf(quantity);
-  const text = draft ?? short(value * unit.per);
-  const read = draft === null ? value : typed(draft, quantity);
-  const wrong = read === null || (least !== undefined && read < least) || (most !== undefined && read > most);
+  const inUnit = (one: number | undefined) => (one === undefined ? '' : short(one * unit.per));
+  const text = draft ?? inUnit(value);
+  const isEmptied = onClear !== undefined && draft?.trim() === '';
+  const read = draft === null ? value : isEmptied ? undefined : typed(draft, quantity);
+  const wrong = read === null || isBeyond(read, least, most);
   useLayoutEffect(() => onReadable?.(!wrong), [wrong]); // before anything else can be pressed
   const commit = () => {
     if (wrong) return;
-    if (draft !== null && read !== value) onChange(read as number);
+    if (isEmptied && value !== undefined) onClear();
+    if (draft !== null && typeof read === 'number' && read !== value) onChange(read);
     setDraft(null);
   };
   const bound = (limit: number) => `${short(limit * unit.per)} ${unit.name}`;
-  const advice = read === null ? `This is no number${unit.name ? ` in ${unit.name}` : ''}.` : most !== undefined && read > most ? `${bound(most)} or less, please.` : `${bound(least ?? 0)} or more, please.`;
+  const advice = typeof read !== 'number' ? `This is no number${unit.name ? ` in ${unit.name}` : ''}.` : most !== undefined && read > most ? `${bound(most)} or less, please.` : `${bound(least ?? 0)} or more, please.`;
   const keys = (event: KeyboardEvent) => {
     if (event.key === 'Enter') commit();
     if (event.key === 'Escape') setDraft(null);
-    if ((event.key === 'ArrowUp' || event.key === 'ArrowDown') && !wrong) {
+    if ((event.key === 'ArrowUp' || event.key === 'ArrowDown') && !wrong && read !== undefined) {
       event.preventDefault();
-      const step = 10 ** Math.floor(Math.log10(Math.abs((read as number) * unit.per) || 1)) / 10 / unit.per;
+      const step = 10 ** Math.floor(Math.log10(Math.abs(read * unit.per) || 1)) / 10 / unit.per;
       setDraft(null);
-      onChange(Math.min(Math.max((read as number) + (event.key === 'ArrowUp' ? step : -step), least ?? -Infinity), most ?? Infinity));
+      onChange(Math.min(Math.max(read + (event.key === 'ArrowUp' ? step : -step), least ?? -Infinity), most ?? Infinity));
     }
     event.stopPropagation();
   };
   return (
     <span class={`number${narrow ? ' narrow' : ''}`}>
-      <input id={id} inputMode="decimal" aria-label={`${label}${unit.name ? `, in ${unit.name}` : ''}`} class={wrong ? 'wrong' : ''} aria-invalid={wrong} value={text} style={{ width: `${(narrow ? 52 : 66) + 8 * unit.name.length + 12}px`, paddingRight: `${17 + 8 * unit.name.length}px` }}
+      <input id={id} inputMode="decimal" aria-label={`${label}${unit.name ? `, in ${unit.name}` : ''}`} class={wrong ? 'wrong' : ''} aria-invalid={wrong} value={text} placeholder={onClear && 'none'} style={{ width: `${(narrow ? 52 : 66) + 8 * unit.name.length + 12}px`, paddingRight: `${17 + 8 * unit.name.length}px` }}
         onFocus={(event) => event.currentTarget.select()} onInput={(event) => setDraft(event.currentTarget.value)} onBlur={commit} onKeyDown={keys} />
       <i>{unit.name}</i>
-      {wrong && <b class="number-advice" role="alert">{advice} Escape puts {short(value * unit.per)} back.</b>}
+      {wrong && <b class="number-advice" role="alert">{advice} Escape {value === undefined ? 'empties the field' : `puts ${inUnit(value)} back`}.</b>}
     </span>
   );
 }

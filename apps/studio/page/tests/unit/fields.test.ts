@@ -2,13 +2,19 @@
 
 import { expect, test } from 'vitest';
 import type { Solution } from '../../src/protocol/binary';
-import { fieldRow, FieldValues } from '../../src/views/space/fields';
+import { fieldRow, FieldValues, utilization } from '../../src/views/space/fields';
 
 const solution = (values: number[]): Solution => ({
   kind: 'solution', revision: 1, of: 1, nodes: 0, beams: values.length / 2,
   displacement: new Float32Array(), rotation: new Float32Array(), nodeFields: [], beamFields: [Float32Array.from(values)],
 });
 const taken = (values: number[]) => new FieldValues().take(fieldRow('stress'), solution(values), ['stress'], { error: null, strength: 1 });
+
+test('utilization is the share of the strength at each end of a bar; without a strength there is none', () => {
+  expect([...(utilization(solution([-20e6, 10e6]), ['stress'], 40e6) ?? [])]).toEqual([0.5, 0.25]);
+  expect(utilization(solution([1, 2]), ['stress'], null)).toBeNull();
+  expect(utilization(solution([1, 2]), ['M2'], 40e6)).toBeNull();
+});
 
 test('a few peaks do not take the colours from all others', () => {
   const values = Array.from({ length: 1000 }, (_, i) => i / 1000);

@@ -50,11 +50,17 @@ function lengths(vectors: Float32Array, into: Float32Array): void {
   for (let i = 0, at = 0; i < into.length; ++i, at += 3) into[i] = Math.hypot(vectors[at], vectors[at + 1], vectors[at + 2]);
 }
 
+/** How much of its strength the material bears at both ends of each bar; null where one of both is not known. */
+export function utilization(solution: Solution, names: readonly string[], strength: number | null): Float32Array | null {
+  const stress = solution.beamFields[names.indexOf('stress')];
+  return stress && strength !== null ? stress.map((value) => Math.abs(value) / strength) : null;
+}
+
 /** Room that is used again and again, so that a frame makes no garbage. */
 export class FieldValues {
   private room = new Float32Array(0);
 
-  take(row: FieldRow, solution: Solution, names: readonly string[], extra: { error: Float32Array | null; strength: number }): Values | null {
+  take(row: FieldRow, solution: Solution, names: readonly string[], extra: { error: Float32Array | null; strength: number | null }): Values | null {
     if (row.on === 'none') return null;
     if (row.on === 'bars') return this.bars(row, solution, names, extra.strength);
     if (this.room.length !== solution.nodes) this.room = new Float32Array(solution.nodes);
@@ -67,12 +73,13 @@ export class FieldValues {
     return range('nodes', room, row.map);
   }
 
-  private bars(row: FieldRow, solution: Solution, names: readonly string[], strength: number): Values | null {
-    const name = row.name === 'utilization' ? 'stress' : row.name;
-    const values = solution.beamFields[names.indexOf(name)];
-    if (!values) return null;
-    if (row.name !== 'utilization') return withoutPeaks(range('bars', values, row.map));
-    return range('bars', values.map((value) => Math.abs(value) / strength), row.map);
+  private bars(row: FieldRow, solution: Solution, names: readonly string[], strength: number | null): Values | null {
+    if (row.name === 'utilization') {
+      const shares = utilization(solution, names, strength);
+      return shares && range('bars', shares, row.map);
+    }
+    const values = solution.beamFields[names.indexOf(row.name)];
+    return values ? withoutPeaks(range('bars', values, row.map)) : null;
   }
 }
 

@@ -2,12 +2,12 @@
 // What a node does: where it went, how it turned, what holds it. What a bar bears, at both of its ends.
 
 import { X } from 'lucide-preact';
-import { shown } from '../../document/shown';
-import { beams, live, shapes } from '../../document/store';
+import { shown, type Shown } from '../../document/shown';
+import { beams, live, shapes, strength } from '../../document/store';
 import { heldNodes } from '../../document/marks';
 import { probed } from '../../document/ui';
 import { shown as inUnits } from '../../document/units';
-import { FIELDS } from './fields';
+import { FIELDS, utilization, type FieldRow } from './fields';
 
 const AXES = ['x', 'y', 'z'];
 
@@ -24,11 +24,14 @@ const Head = ({ title }: { title: string }) => (
   </header>
 );
 
+const valuesOf = (row: FieldRow, { solution, fields }: Shown): Float32Array | null =>
+  row.name === 'utilization' ? utilization(solution, fields, strength.value) : (solution.beamFields[fields.indexOf(row.name)] ?? null);
+
 function BarCard({ bar }: { bar: number }) {
   const now = shown.value;
   const tile = beams.value?.tile[bar];
-  const rows = FIELDS.filter(({ on, name }) => on === 'bars' && name !== 'utilization').flatMap((row) => {
-    const values = now?.solution.beamFields[now.fields.indexOf(row.name)];
+  const rows = FIELDS.filter(({ on }) => on === 'bars').flatMap((row) => {
+    const values = now && valuesOf(row, now);
     return values && 2 * bar + 1 < values.length ? [{ row, ends: [values[2 * bar], values[2 * bar + 1]] }] : [];
   });
   return (

@@ -3,10 +3,10 @@
 
 import { effect } from '@preact/signals';
 import { Box3, Vector3 } from 'three';
-import { field, scale, shadows, showFull, showMarks, showRest, strength, type FieldName } from '../../document/look';
+import { field, scale, shadows, showFull, showMarks, showRest, type FieldName } from '../../document/look';
 import { heldNodes, loadMarks, prescribedMarks } from '../../document/marks';
 import { shown } from '../../document/shown';
-import { barSection, beams, compared, live, others, shapes } from '../../document/store';
+import { barSection, beams, compared, live, others, shapes, strength } from '../../document/store';
 import { surface } from '../../document/surface';
 import { activeEntry, mode, selectedNodes } from '../../document/ui';
 import { theme, themeColour } from '../../manners/theme';
@@ -115,7 +115,7 @@ export class SceneView {
   }
 
   private colourMode(name: FieldName, now: NonNullable<typeof shown.value>): void {
-    const values = name === 'plain' ? null : this.values.take(MODE_ROW, now.solution, [], { error: null, strength: 1 });
+    const values = name === 'plain' ? null : this.values.take(MODE_ROW, now.solution, [], { error: null, strength: null });
     this.main.setColours(values, MODE_ROW.map);
     legend.value = values && { row: MODE_ROW, low: 0, high: 1, isCut: false };
   }
