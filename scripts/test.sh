@@ -60,7 +60,7 @@ check_tidy() {
   cmake --preset check -DCMAKE_EXPORT_COMPILE_COMMANDS=ON -DFRETWORK_BUILD_BENCH=ON >/dev/null &&
     cmake --build --preset check >/dev/null &&
     git ls-files '*.cpp' | grep -v -e '^tests/install/' -e '/data/' |
-    xargs -P "$(nproc)" -n 4 clang-tidy-16 --quiet --extra-arg=-Wno-unknown-warning-option -p build/check
+    xargs -P "$(nproc)" -n 4 clang-tidy-16 --quiet -p build/check
 }
 
 run_part() {
