@@ -75,8 +75,10 @@ const Lattice& lattice_of(int tiles) {
     const int columns = static_cast<int>(std::lround(std::sqrt(tiles)));
     std::map<std::pair<long, long>, int> numbers;
     for (int t = 0; t < tiles; ++t) {
-        const double x = kApothem * std::sqrt(3.0) * (t % columns);
-        const double y = kApothem * (2.0 * (t / columns) + (t % columns) % 2);
+        const int row = t / columns;
+        const int column = t % columns;
+        const double x = kApothem * std::sqrt(3.0) * column;
+        const double y = kApothem * (2.0 * row + column % 2);
         lattice.tiles.emplace_back();
         for (const Eigen::Vector3d& tip : ring(kApothem, 270.0)) {
             const Eigen::Vector3d node = tip + Eigen::Vector3d(x, y, 0.0);

@@ -37,6 +37,8 @@ if(FRETWORK_SANITIZE)
   target_compile_options(fretwork_flags INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=undefined
                                                   -fno-omit-frame-pointer)
   target_link_options(fretwork_flags INTERFACE -fsanitize=address,undefined)
+  # An empty optional, a place behind the end of a vector: the library stops there.
+  target_compile_definitions(fretwork_flags INTERFACE _GLIBCXX_ASSERTIONS)
   # Under the address sanitizer Eigen keeps room of its own before each block, and libraries of the system that share
   # its matrices (pagmo) do not: free() would miss the start. The sanitizer's malloc is aligned to 16 bytes, as any.
   target_compile_definitions(fretwork_flags INTERFACE EIGEN_MALLOC_ALREADY_ALIGNED=1)

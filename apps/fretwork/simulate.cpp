@@ -116,8 +116,9 @@ base::Json buckled_tiles_json(const mechanics::Result& result) {
 
 void print_json(const mechanics::Result& result) {
     const auto& solution = result.solution;
-    const base::Json json = {{"model", result.subject->model},
-                             {"load_case", result.subject->load_case},
+    const mechanics::ResultSubject& subject = result.subject.value();
+    const base::Json json = {{"model", subject.model},
+                             {"load_case", subject.load_case},
                              {"solver", result.solver},
                              {"converged", solution.converged()},
                              {"stable", solution.stable},
@@ -126,7 +127,7 @@ void print_json(const mechanics::Result& result) {
                              {"largest_rotation", largest_rotation(result)},
                              {"iterations", solution.iterations},
                              {"discretization_error", discretization_json(result)},
-                             {"full_tiles", result.subject->full_tiles},
+                             {"full_tiles", subject.full_tiles},
                              {"model_error_estimate", model_error_json(result)},
                              {"buckled_tiles", buckled_tiles_json(result)},
                              {"linear_range", linear_range_json(result)},
@@ -153,8 +154,9 @@ void print_steps(const mechanics::Result& result) {
 
 void print(const mechanics::Result& result) {
     const auto& solution = result.solution;
-    std::printf("%s model, load case '%s', %s: %s%s\n", base::printable(result.subject->model).c_str(),
-                base::printable(result.subject->load_case).c_str(), result.solver.c_str(),
+    const mechanics::ResultSubject& subject = result.subject.value();
+    std::printf("%s model, load case '%s', %s: %s%s\n", base::printable(subject.model).c_str(),
+                base::printable(subject.load_case).c_str(), result.solver.c_str(),
                 std::string(mechanics::termination_name(solution.termination)).c_str(),
                 solution.stable ? "" : ", unstable");
     if (!solution.converged())
@@ -165,8 +167,8 @@ void print(const mechanics::Result& result) {
     print_losses_and_modes(result);
     if (const auto& error = result.discretization_error)
         std::printf("%s\n", discretization_text(*error).c_str());
-    if (!result.subject->full_tiles.empty())
-        std::printf("tiles in full: %s\n", numbers_text(result.subject->full_tiles).c_str());
+    if (!subject.full_tiles.empty())
+        std::printf("tiles in full: %s\n", numbers_text(subject.full_tiles).c_str());
     if (const auto& error = result.model_error)
         std::printf(
             "error of the model, estimated: %.2g %% of the largest displacement on average, %.2g %% at "

@@ -15,8 +15,7 @@
 #include <stop_token>
 #include <studio/page.hpp>
 #include <studio/studio.hpp>
-
-extern char** environ;
+#include <unistd.h>
 
 namespace fretwork::app {
 namespace {

@@ -54,7 +54,7 @@ std::string autosave_text(const State& state, const AutosaveLabel& label, const 
 }
 
 JsonReader open_autosave(const fs::path& file) {
-    const auto json = JsonReader::from_file(file);
+    auto json = JsonReader::from_file(file);
     json.expect_format("autosave");
     json.allow_only({"format", "name", "document", "tiles", "project"});
     return json;

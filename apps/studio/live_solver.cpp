@@ -70,11 +70,11 @@ void LiveSolver::submit(SolverInput input) {
 
 bool LiveSolver::is_to_be_stopped(Clock::time_point now) const {
     if (!began_) return false;
-    const auto silence = now - *unanswered_since_;
+    const auto silence = now - unanswered_since_.value();
     if (is_shown_) return silence <= kLongestApproximation;
     if (silence > kLongestSilence) return false;
     const auto patience = std::clamp<Clock::duration>(last_took_ * 3 / 2, kLeastPatience, kMostPatience);
-    return now - *began_ > patience;
+    return now - began_.value() > patience;
 }
 
 std::optional<LiveSolver::Attempt> LiveSolver::next_attempt(const std::stop_token& ending) {
@@ -113,19 +113,21 @@ void LiveSolver::end_attempt(Clock::time_point began) {
 }
 
 void LiveSolver::run(const std::stop_token& ending) {
-    while (const auto attempt = next_attempt(ending)) {
-        const auto began = Clock::now();
-        try {
-            solve(*attempt);
-        } catch (const base::Stopped&) {
-            continue;  // newer input is there
-        } catch (const base::Error& error) {
-            listener_.failed(attempt->input, error.what());
-        } catch (const std::bad_alloc&) {
-            listener_.failed(attempt->input, "out of memory");
-        }
-        end_attempt(began);
+    while (const auto attempt = next_attempt(ending)) answer(*attempt);
+}
+
+void LiveSolver::answer(const Attempt& attempt) {
+    const auto began = Clock::now();
+    try {
+        solve(attempt);
+    } catch (const base::Stopped&) {
+        return;  // newer input is there
+    } catch (const base::Error& error) {
+        listener_.failed(attempt.input, error.what());
+    } catch (const std::bad_alloc&) {
+        listener_.failed(attempt.input, "out of memory");
     }
+    end_attempt(began);
 }
 
 void LiveSolver::update_beams(const SolverInput& input) {

@@ -84,6 +84,7 @@ class LiveSolver {
     void let_overtake();
     void end_attempt(Clock::time_point began);
     [[nodiscard]] bool is_to_be_stopped(Clock::time_point now) const;
+    void answer(const Attempt& attempt);
     void solve(const Attempt& attempt);
     [[nodiscard]] mechanics::Result result_of(const Attempt& attempt);
     [[nodiscard]] std::shared_ptr<SolvedSurface> shown_as(const SolverInput& input, mechanics::Result result);

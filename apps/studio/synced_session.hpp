@@ -29,7 +29,7 @@ class SyncedSession {
     /// next call begins anew.
     simulation::Session& follow(const Situation& wanted);
     /// As follow() left it.
-    [[nodiscard]] const simulation::Session& operator*() const { return *session_; }
+    [[nodiscard]] const simulation::Session& operator*() const { return session_.value(); }
 
   private:
     void begin(const Situation& wanted);
