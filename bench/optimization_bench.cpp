@@ -23,7 +23,7 @@ class Valley final : public Problem {
     [[nodiscard]] ResidualEvaluation residuals(const Eigen::VectorXd& x, double) const override {
         Eigen::VectorXd r(10);
         Eigen::MatrixXd J = Eigen::MatrixXd::Zero(10, 6);
-        for (int i = 0; i < 5; ++i) {
+        for (Eigen::Index i = 0; i < 5; ++i) {
             r[2 * i] = 10.0 * (x[i + 1] - x[i] * x[i]);
             r[2 * i + 1] = 1.0 - x[i];
             J(2 * i, i) = -20.0 * x[i];

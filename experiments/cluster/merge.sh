@@ -6,6 +6,6 @@ set -euo pipefail
 program=$1 folder=$2 count=$3
 shards=()
 for i in $(seq "$count"); do shards+=("$folder/shard_$i.db"); done
-rm -f "$folder/library.db.part"
-"$program" library merge "$folder/library.db.part" "${shards[@]}"
-mv "$folder/library.db.part" "$folder/library.db"
+rm -f "$folder/library.part.db"
+"$program" library merge "$folder/library.part.db" "${shards[@]}"
+mv "$folder/library.part.db" "$folder/library.db"

@@ -16,8 +16,8 @@ shift 2
 
 # A shard's setting is that of its patterns.db, or what --setting says; its patterns are fixed here.
 [[ -e $folder/patterns.db ]] || {
-  "$program" enumerate --library "$folder/patterns.db.part" >/dev/null
-  mv "$folder/patterns.db.part" "$folder/patterns.db"
+  "$program" enumerate --library "$folder/patterns.part.db" >/dev/null
+  mv "$folder/patterns.part.db" "$folder/patterns.db"
 }
 array=$(sbatch --parsable --job-name=fretwork-shards --array="1-$count" --cpus-per-task="${CPUS:-1}" \
   --output="$folder/shard_%a.log" "$here/shard.sh" "$program" "$folder" array "$@")
