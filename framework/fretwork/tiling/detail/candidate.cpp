@@ -7,6 +7,7 @@
 #include <fretwork/tiling/detail/merging.hpp>
 #include <fretwork/tiling/detail/plane.hpp>
 #include <fretwork/tiling/detail/regularize.hpp>
+#include <fretwork/tiling/detail/rim_sides.hpp>
 #include <fretwork/tiling/detail/short_sides.hpp>
 #include <fretwork/tiling/detail/sites.hpp>
 
@@ -27,6 +28,7 @@ constexpr double kGoodGradedError = 0.06;
 constexpr int kRegularizingIterations = 60;
 constexpr int kRepairs = 4;  // of short sides
 constexpr int kRepairIterations = 30;
+constexpr int kEveningIterations = 40;
 constexpr std::size_t kMostToRemove = 12;  // more defects are left to smaller tiles
 constexpr double kRemovedShare = 1e-3;     // of the outline's area: so much may one removed tile uncover
 /// Distance of sites over wanted side: between where the searches for lattices and meshes end.
@@ -90,6 +92,7 @@ class Tiler {
             while (remove_cell(candidate, rim)) {
             }
         }
+        if (candidate.defects.empty()) even(candidate, rim);
         return candidate;
     }
     /// Merge the small tiles of narrow parts, if that makes no defects.
@@ -126,6 +129,7 @@ class Tiler {
         flip_ears(triangulation);
         Dual dual = dual_of(rim, triangulation, work_);
         std::erase_if(dual.cells, [](const std::vector<int>& cell) { return cell.size() < 3; });
+        divide_long_rim_sides(dual, rim, {task_.field, task_.limits.smallest_side}, work_.control());
         return dual;
     }
 
@@ -148,6 +152,14 @@ class Tiler {
             if (repaired.defects.size() >= candidate.defects.size()) return;
             candidate = std::move(repaired);
         }
+    }
+
+    /// Make the sides more even, if that makes no defects.
+    void even(Candidate& candidate, const Rim& rim) const {
+        Candidate evened = candidate;
+        even_out(evened.dual, rim, task_.field, kEveningIterations, work_);
+        judge(evened, rim);
+        if (evened.defects.empty()) candidate = std::move(evened);
     }
 
     /// Take away a cell that has a defect, if that leaves fewer defects. Returns whether one was.

@@ -24,6 +24,11 @@ Point2 ClosedCurve::at(double place) const {
     return between(points_[i], points_[(i + 1) % points_.size()], std::clamp(share, 0.0, 1.0));
 }
 
+double ClosedCurve::way(double from, double to) const {
+    const double apart = to - from;
+    return apart - length() * std::floor(apart / length());
+}
+
 Polygon ClosedCurve::stretch(double from, double to) const {
     Polygon points{at(from)};
     const double turns = std::floor(from / length());

@@ -18,6 +18,8 @@ class ClosedCurve {
     [[nodiscard]] double length() const { return starts_.back(); }
     /// The point at a place along the curve; any number, since the curve is closed.
     [[nodiscard]] pattern::Point2 at(double place) const;
+    /// How far it is forward from one place to another: from 0 to less than length().
+    [[nodiscard]] double way(double from, double to) const;
     /// The place between two places (the second behind the first, or equal) whose point is nearest to
     /// `point`.
     [[nodiscard]] double nearest_between(double from, double to, pattern::Point2 point) const;

@@ -77,7 +77,7 @@ class Comparison {
         for (std::size_t i = 0; i < polygon.size(); ++i) {
             const Point2 here = polygon[(i + 1) % polygon.size()];
             const Point2 next = polygon[(i + 2) % polygon.size()];
-            if (turn(next - here, polygon[i] - here) < limits_.smallest_angle)
+            if (std::abs(turn(next - here, polygon[i] - here)) < limits_.smallest_angle)
                 return note(DefectKind::SharpAngle, here, {cell});
         }
     }
@@ -131,13 +131,16 @@ class Comparison {
         if (line.size() < 3 || !seen.insert(loop).second)
             return note(DefectKind::Torn, vertex(line.front()).place);
         const ClosedCurve& curve = rim_.curves[static_cast<std::size_t>(loop)];
+        std::vector<int> on_curve;  // others are on the straight line between their neighbours
+        std::ranges::copy_if(line, std::back_inserter(on_curve), [&](int v) {
+            return !vertex(v).divides_side || distance(curve.at(vertex(v).along), vertex(v).place) == 0;
+        });
         double way_around = 0.0;
-        for (std::size_t i = 0; i < line.size(); ++i) {
-            const double from = vertex(line[i]).along;
-            const double apart = vertex(line[(i + 1) % line.size()]).along - from;
-            const double way = apart - curve.length() * std::floor(apart / curve.length());
+        for (std::size_t i = 0; i < on_curve.size(); ++i) {
+            const double from = vertex(on_curve[i]).along;
+            const double way = curve.way(from, vertex(on_curve[(i + 1) % on_curve.size()]).along);
             way_around += way;
-            measure(curve.stretch(from, from + way), vertex(line[i]).place);
+            measure(curve.stretch(from, from + way), vertex(on_curve[i]).place);
         }
         if (way_around > 1.5 * curve.length()) note(DefectKind::Torn, vertex(line.front()).place);
     }

@@ -15,6 +15,9 @@ struct DualVertex {
     int loop = -1;          ///< the loop of the outline on which it lies; -1: inside
     bool is_fixed = false;  ///< on a corner of the outline
     double along = 0.0;     ///< its place on the loop's curve
+    /// It divides a long side on the rim: on the outline or, where that runs inside of the tile, on the
+    /// straight line between its neighbours.
+    bool divides_side = false;
 };
 
 /// The tiles of a triangulation, one for each site: polygons that share vertices and whole sides, closed

@@ -4,6 +4,7 @@
 #include <fretwork/tiling/detail/plane.hpp>
 
 #include <algorithm>
+#include <iterator>
 #include <numbers>
 #include <optional>
 #include <tuple>
@@ -66,9 +67,13 @@ class Merger {
 
     bool merge(const CellSide& side, std::size_t other) {
         std::vector<int> merged = union_of(dual_.cells[side.cell], dual_.cells[other], side);
-        for (const int end : {side.from, side.to}) {
-            if (std::ranges::count(merged, end) != 1) return false;
-            if (may_go(end, merged)) std::erase(merged, end);
+        std::vector<int> superfluous{side.from, side.to};
+        std::ranges::copy_if(merged, std::back_inserter(superfluous), [&](int v) {
+            return dual_.vertices[static_cast<std::size_t>(v)].divides_side;
+        });
+        for (const int v : superfluous) {
+            if (std::ranges::count(merged, v) != 1) return false;
+            if (may_go(v, merged)) std::erase(merged, v);
         }
         if (!is_good(merged)) return false;
         for (const std::size_t cell : {side.cell, other}) {

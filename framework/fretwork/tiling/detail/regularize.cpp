@@ -2,6 +2,7 @@
 #include <fretwork/tiling/detail/cell_sides.hpp>
 #include <fretwork/tiling/detail/plane.hpp>
 #include <fretwork/tiling/detail/regularize.hpp>
+#include <fretwork/tiling/detail/rim_sides.hpp>
 
 #include <algorithm>
 #include <complex>
@@ -50,8 +51,14 @@ Polygon nearest_regular_polygon(const Polygon& polygon, const std::vector<Comple
 
 constexpr double kPullingAngle = 40 * std::numbers::pi / 180;  // cells with a sharper one pull harder
 constexpr double kPullingSide = 0.4;                           // of the cell's mean, the same
-constexpr double kHarder = 1.2;                                // by so much each time
+/// Angles beyond count as straight: rounding may make them reflex.
+constexpr double kStraight = 170 * std::numbers::pi / 180;
+constexpr double kHarder = 1.2;  // by so much each time
 constexpr double kHardest = 10;
+/// How hard a side pulls beside its cell, where sides are made even. Inside, they are even nearly of
+/// themselves, and the angles would pay for more.
+constexpr double kSidesAtRim = 2;
+constexpr double kSidesInside = 0.5;
 constexpr double kSlide = 0.9;  // of the way to the neighbour along the rim, at most
 
 /// Whether a cell has a reflex or sharp angle or a short side.
@@ -60,7 +67,8 @@ bool is_far_from_regular(const Polygon& polygon) {
     for (std::size_t i = 0; i < polygon.size(); ++i) {
         const Point2 here = polygon[(i + 1) % polygon.size()];
         const Point2 side = polygon[(i + 2) % polygon.size()] - here;
-        const double angle = turn(side, polygon[i] - here);
+        double angle = turn(side, polygon[i] - here);
+        if (angle < -kStraight) angle += 2 * std::numbers::pi;
         if (angle < kPullingAngle || length(side) < kPullingSide * mean) return true;
     }
     return false;
@@ -68,8 +76,8 @@ bool is_far_from_regular(const Polygon& polygon) {
 
 class Regularizer {
   public:
-    Regularizer(Dual& dual, const Rim& rim, const Work& work)
-        : dual_(dual), rim_(rim), work_(work), weights_(dual.cells.size(), 1.0) {
+    Regularizer(Dual& dual, const Rim& rim, const SizeField* field, const Work& work)
+        : dual_(dual), rim_(rim), field_(field), work_(work), weights_(dual.cells.size(), 1.0) {
         find_neighbors_on_rim();
     }
 
@@ -81,6 +89,9 @@ class Regularizer {
             work_.check();
             if (weight_sums_[v] > 0 && !dual_.vertices[v].is_fixed)
                 move(v, (1.0 / weight_sums_[v]) * sums_[v]);
+        }
+        for (std::size_t v = 0; v < dual_.vertices.size(); ++v) {
+            if (dual_.vertices[v].divides_side && next_[v] >= 0) keep_convex(v);
         }
     }
 
@@ -102,12 +113,31 @@ class Regularizer {
         double& weight = weights_[cell];
         weight = is_far_from_regular(polygon) ? std::min(kHardest, kHarder * weight)
                                               : std::max(1.0, weight / kHarder);
+        if (field_) pull_sides(cell, polygon);
         const Polygon wanted = nearest_regular_polygon(polygon, roots_.of(polygon.size()));
-        for (std::size_t i = 0; i < wanted.size(); ++i) {
-            const auto vertex = static_cast<std::size_t>(dual_.cells[cell][i]);
-            sums_[vertex] = sums_[vertex] + weight * wanted[i];
-            weight_sums_[vertex] += weight;
+        for (std::size_t i = 0; i < wanted.size(); ++i) add(dual_.cells[cell][i], wanted[i], weight);
+    }
+
+    /// Each side pulls or pushes its ends to its wanted length.
+    void pull_sides(std::size_t cell, const Polygon& polygon) {
+        const std::vector<int>& vertices = dual_.cells[cell];
+        const bool is_at_rim = std::ranges::any_of(
+            vertices, [&](int v) { return dual_.vertices[static_cast<std::size_t>(v)].loop >= 0; });
+        const double weight = is_at_rim ? kSidesAtRim : kSidesInside;
+        for (std::size_t i = 0; i < polygon.size(); ++i) {
+            const std::size_t next = (i + 1) % polygon.size();
+            const double side = distance(polygon[i], polygon[next]);
+            if (!(side > 0)) continue;
+            const Point2 middle = between(polygon[i], polygon[next], 0.5);
+            const Point2 half = (0.5 * field_->at(middle) / side) * (polygon[next] - polygon[i]);
+            add(vertices[i], middle - half, weight);
+            add(vertices[next], middle + half, weight);
         }
+    }
+    void add(int vertex, Point2 wanted, double weight) {
+        const auto v = static_cast<std::size_t>(vertex);
+        sums_[v] = sums_[v] + weight * wanted;
+        weight_sums_[v] += weight;
     }
 
     void move(std::size_t v, Point2 wanted) {
@@ -122,20 +152,27 @@ class Regularizer {
         vertex.along = curve.nearest_between(vertex.along - back, vertex.along + forth, wanted);
         vertex.place = curve.at(vertex.along);
     }
+    /// Its neighbours have moved, too.
+    void keep_convex(std::size_t v) {
+        DualVertex& vertex = dual_.vertices[v];
+        const auto place = [&](int other) { return dual_.vertices[static_cast<std::size_t>(other)].place; };
+        const ClosedCurve& curve = rim_.curves[static_cast<std::size_t>(vertex.loop)];
+        vertex.place = convex_place(curve.at(vertex.along), {place(previous_[v]), place(next_[v])});
+    }
     /// Along the outline from one vertex to another in front of it; 0 if it is not in front.
     [[nodiscard]] double way(int from, int to) const {
         if (from < 0 || to < 0) return 0.0;
         const DualVertex& a = dual_.vertices[static_cast<std::size_t>(from)];
         const DualVertex& b = dual_.vertices[static_cast<std::size_t>(to)];
         if (a.loop != b.loop) return 0.0;
-        const double all = rim_.curves[static_cast<std::size_t>(a.loop)].length();
-        const double apart = b.along - a.along;
-        const double forward = apart - all * std::floor(apart / all);
-        return forward < 0.9 * all ? forward : 0.0;
+        const ClosedCurve& curve = rim_.curves[static_cast<std::size_t>(a.loop)];
+        const double forward = curve.way(a.along, b.along);
+        return forward < 0.9 * curve.length() ? forward : 0.0;
     }
 
     Dual& dual_;
     const Rim& rim_;
+    const SizeField* field_;  // of the sides that pull; null: they do not
     const Work& work_;
     RootsOfUnity roots_;
     std::vector<double> weights_;
@@ -148,7 +185,12 @@ class Regularizer {
 }  // namespace
 
 void regularize(Dual& dual, const Rim& rim, int iterations, const Work& work) {
-    Regularizer regularizer(dual, rim, work);
+    Regularizer regularizer(dual, rim, nullptr, work);
+    for (int iteration = 0; iteration < iterations; ++iteration) regularizer.iterate();
+}
+
+void even_out(Dual& dual, const Rim& rim, const SizeField& field, int iterations, const Work& work) {
+    Regularizer regularizer(dual, rim, &field, work);
     for (int iteration = 0; iteration < iterations; ++iteration) regularizer.iterate();
 }
 

@@ -82,8 +82,11 @@ class Collapser {
         auto& from = cells_of_[static_cast<std::size_t>(side.from)];
         auto& to = cells_of_[static_cast<std::size_t>(side.to)];
         if (from.empty() || to.empty() || !is_allowed(side)) return false;
-        // Of a vertex on the rim and one inside, or a corner and another: the first stays.
-        const auto rank = [&](int v) { return vertex(v).is_fixed ? 2 : vertex(v).loop >= 0 ? 1 : 0; };
+        // A corner stays, or else a vertex on the rim, and rather one at which a side ends.
+        const auto rank = [&](int v) {
+            if (vertex(v).loop < 0) return 0;
+            return vertex(v).is_fixed ? 3 : vertex(v).divides_side ? 1 : 2;
+        };
         const bool keeps_to = rank(side.to) > rank(side.from);
         const int kept = keeps_to ? side.to : side.from;
         const int gone = keeps_to ? side.from : side.to;
