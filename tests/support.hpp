@@ -47,7 +47,7 @@ std::string complaint_of(Action&& action) {
     try {
         action();
     } catch (const base::Error& error) {
-        const std::string message = error.what();
+        std::string message = error.what();
         EXPECT_EQ(message.find('\n'), std::string::npos) << "a complaint is one line: " << message;
         return message;
     }

@@ -88,7 +88,7 @@ std::optional<LoadCase> find_load(const Surface& surface, const Kind& kind, doub
     double below = 0.0;
     double above = std::numeric_limits<double>::infinity();
     for (int trial = 0; trial < kTrials; ++trial) {
-        const LoadCase loads = load_case(kind.name, amount, shape);
+        LoadCase loads = load_case(kind.name, amount, shape);
         const auto found = solved(surface, loads, "corotational");
         const double share = found ? largest_displacement(*found) / (wanted * shape.width) : 2.0;
         if (found && std::abs(share - 1.0) < 0.02) return loads;

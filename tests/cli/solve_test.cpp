@@ -23,8 +23,7 @@ class Solve : public testing::Test {
             "loads": [{"node": 1, "force": [0.01, 0, -1]}]})");
     }
     test::Outcome run(const std::string& options) {
-        const auto outcome =
-            run_command("fretwork solve column.json --out r.json " + options, folder_.path());
+        auto outcome = run_command("fretwork solve column.json --out r.json " + options, folder_.path());
         EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
         return outcome;
     }

@@ -109,7 +109,7 @@ std::filesystem::path grey_ramp(const TemporaryFolder& folder, unsigned pixels) 
     image.width = pixels;
     image.height = 1;
     image.format = PNG_FORMAT_GRAY;
-    const std::filesystem::path path = folder.path() / "ramp.png";
+    std::filesystem::path path = folder.path() / "ramp.png";
     EXPECT_NE(png_image_write_to_file(&image, path.c_str(), 0, grey.data(), 0, nullptr), 0) << image.message;
     return path;
 }

@@ -27,7 +27,7 @@ Outline read(const std::string& text) {
     return read_outline(folder.file("o.dxf", text));
 }
 std::string refuse(const std::string& text) {
-    const std::string message = complaint_of([&] { read(text); });
+    std::string message = complaint_of([&] { read(text); });
     EXPECT_THAT(message, HasSubstr("o.dxf"));
     return message;
 }

@@ -28,7 +28,7 @@ TEST(OutlineMesh, ComplaintsNameTheFileAndTheVertex) {
     const TemporaryFolder folder;
     const auto refuse = [&](const std::string& content) {
         const auto path = folder.file("o.obj", content);
-        const std::string message = complaint_of([&] { read_outline(path); });
+        std::string message = complaint_of([&] { read_outline(path); });
         EXPECT_THAT(message, HasSubstr("o.obj"));
         return message;
     };
@@ -43,7 +43,7 @@ TEST(OutlineMesh, ComplaintsNameTheFileAndTheVertex) {
 std::string refuse(const std::string& name, const std::string& content) {
     const TemporaryFolder folder;
     const auto path = folder.file(name, content);
-    const std::string message = complaint_of([&] { read_outline(path); });
+    std::string message = complaint_of([&] { read_outline(path); });
     EXPECT_THAT(message, HasSubstr(name + ": "));
     return message;
 }

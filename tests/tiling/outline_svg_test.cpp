@@ -33,7 +33,7 @@ Outline read_path(const std::string& d) {
     return read(drawing(R"(<path d=")" + d + R"("/>)"));
 }
 std::string refuse(const std::string& svg) {
-    const std::string message = complaint_of([&] { read(svg); });
+    std::string message = complaint_of([&] { read(svg); });
     EXPECT_THAT(message, HasSubstr("o.svg"));
     return message;
 }

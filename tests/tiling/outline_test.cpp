@@ -114,7 +114,7 @@ TEST(OutlineJson, ComplaintsNameFileAndPlace) {
     const TemporaryFolder folder;
     const auto refuse = [&](const std::string& content) {
         const auto path = folder.file("o.json", content);
-        const std::string message = complaint_of([&] { read_outline(path); });
+        std::string message = complaint_of([&] { read_outline(path); });
         EXPECT_THAT(message, HasSubstr("o.json"));
         return message;
     };

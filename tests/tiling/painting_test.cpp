@@ -119,7 +119,7 @@ TEST(PaintingFile, ComplaintsNameFileAndPlace) {
     const TemporaryFolder folder;
     const auto refuse = [&](const std::string& members) {
         const auto path = folder.file("p.json", R"({"format":"fretwork/painting/1",)" + members + "}");
-        const std::string message = complaint_of([&] { read_painting(path, paper_layout()); });
+        std::string message = complaint_of([&] { read_painting(path, paper_layout()); });
         EXPECT_THAT(message, HasSubstr("p.json"));
         return message;
     };

@@ -240,7 +240,7 @@ Result::Node read_node(const JsonReader& reader) {
 }
 
 std::string read_solver(const JsonReader& reader) {
-    const std::string name = reader.string();
+    std::string name = reader.string();
     const auto names = solver_names();
     const std::vector<std::string> known(names.begin(), names.end());
     if (std::ranges::find(known, name) == known.end())

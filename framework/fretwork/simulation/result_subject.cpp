@@ -164,7 +164,7 @@ std::string subject_difference(const mechanics::ResultSubject& result, const Sur
     own.tessellation_hash = surface.tessellation_hash;
     own.painting_hash = surface.painting_hash;
     own.setting_hash = surface.setting_hash;
-    const std::string difference = subject_difference(result, own);
+    std::string difference = subject_difference(result, own);
     const auto& full = result.full_tiles;
     if (!difference.empty() || full.empty() || static_cast<std::size_t>(full.back()) < surface.tiles)
         return difference;
