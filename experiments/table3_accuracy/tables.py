@@ -10,6 +10,7 @@ import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
 MODELS = ("paper6", "condensed", "full linear", "corotational", "mixed:0.05")
+WORDS = ("example", "model", "full_is_unstable")  # columns that are no numbers
 PAPERS_MODEL = "paper6"
 QUANTITIES = {"displacement": ("max_translation_error_m", "max_displacement_m"),
               "rotation": ("max_rotation_error_rad", "max_rotation_rad")}
@@ -18,7 +19,7 @@ QUANTITIES = {"displacement": ("max_translation_error_m", "max_displacement_m"),
 def read(path):
     rows = []
     for row in csv.DictReader(open(path)):
-        rows.append({key: float(value) if key not in ("example", "model") else value for key, value in row.items()})
+        rows.append({key: float(value) if key not in WORDS else value for key, value in row.items()})
     return rows
 
 
