@@ -63,7 +63,8 @@ std::string surfaces_csv(const std::vector<SurfaceRow>& rows) {
 
 std::string provenance_text() {
     std::string text;
-    for (const auto& [name, value] : base::provenance()) text += name + ": " + value + "\n";
+    for (const auto& [name, value] : base::provenance())
+        text.append(name).append(": ").append(value).append("\n");
     return text;
 }
 

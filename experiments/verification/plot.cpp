@@ -128,9 +128,10 @@ std::string plot_svg(const std::vector<Panel>& panels) {
                       "\" font-family=\"DejaVu Sans, sans-serif\" font-size=\"10\">\n"
                       "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n";
     for (std::size_t i = 0; i < panels.size(); ++i) {
-        svg += "<g transform=\"translate(" + coordinate(kWidth * static_cast<double>(i % kPanelsInRow)) +
-               " " + coordinate(kHeight * static_cast<double>(i / kPanelsInRow)) + ")\">\n" +
-               draw(panels[i]) + "</g>\n";
+        const std::size_t column = i % kPanelsInRow;
+        const std::size_t row = i / kPanelsInRow;
+        svg += "<g transform=\"translate(" + coordinate(kWidth * static_cast<double>(column)) + " " +
+               coordinate(kHeight * static_cast<double>(row)) + ")\">\n" + draw(panels[i]) + "</g>\n";
     }
     return svg + "</svg>\n";
 }
