@@ -72,7 +72,8 @@ std::string pattern_sheet_svg(const NodeLayout& layout, std::span<const Pattern>
     draw_layout(canvas, layout, options.tile_side);
     for (int i = 0; i < count; ++i) {
         const int cell = i + 1;
-        const Point2 center{(cell % columns) * step_x, -(cell / columns) * step_y};
+        const int row = cell / columns;
+        const Point2 center{(cell % columns) * step_x, -row * step_y};
         const Pattern& pattern = patterns[static_cast<std::size_t>(i)];
         detail::draw_fan(canvas, layout, pattern, {center, pattern_colour(pattern.edge_count())}, options);
         const std::string id = pattern_id(layout, pattern);

@@ -145,8 +145,8 @@ DepthMap::DepthMap(const Mesh& mesh, const Vector3f& to_light, int texels)
 }
 
 bool DepthMap::is_lit(const Vector3f& place) const {
-    const auto x = static_cast<int>((across_.dot(place) - x0_) * texels_per_metre_ + 0.5F);
-    const auto y = static_cast<int>((up_.dot(place) - y0_) * texels_per_metre_ + 0.5F);
+    const auto x = static_cast<int>(std::floor((across_.dot(place) - x0_) * texels_per_metre_ + 0.5F));
+    const auto y = static_cast<int>(std::floor((up_.dot(place) - y0_) * texels_per_metre_ + 0.5F));
     if (x < 0 || y < 0 || x >= texels_ || y >= texels_) return true;
     return depth_[static_cast<std::size_t>(y) * static_cast<std::size_t>(texels_) +
                   static_cast<std::size_t>(x)] <= to_light_.dot(place) + 0.5F * texel_size();

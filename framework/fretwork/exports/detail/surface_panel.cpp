@@ -48,14 +48,15 @@ class PatternLegend {
         columns_ = std::max(1, static_cast<int>(width / column_width_));
     }
     [[nodiscard]] double height() const {
-        const int count = static_cast<int>(ids_.size());
-        return row_height() * ((count + columns_ - 1) / columns_);
+        const int rows = (static_cast<int>(ids_.size()) + columns_ - 1) / columns_;
+        return row_height() * rows;
     }
     void draw(SvgCanvas& canvas, const Point2& top_left) const {
         canvas.layer("legend of patterns");
         for (int i = 0; i < static_cast<int>(ids_.size()); ++i) {
+            const int row = i / columns_;
             const Point2 middle{top_left.x + (i % columns_) * column_width_ + 1.7 * text_,
-                                top_left.y - (i / columns_ + 0.5) * row_height()};
+                                top_left.y - (row + 0.5) * row_height()};
             draw_icon(canvas, used_[static_cast<std::size_t>(i)], middle);
             draw_id(canvas, ids_[static_cast<std::size_t>(i)], {middle.x + 2.2 * text_, middle.y});
         }
