@@ -64,7 +64,7 @@ std::string surfaces_csv(const std::vector<SurfaceRow>& rows) {
 std::string provenance_text() {
     std::string text;
     for (const auto& [name, value] : base::provenance())
-        text.append(name).append(": ").append(value).append("\n");
+        text += name + ": " + value + "\n";
     return text;
 }
 

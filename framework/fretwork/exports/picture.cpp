@@ -13,7 +13,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 
 namespace fretwork::exports {
@@ -24,8 +23,6 @@ using detail::Mesh;
 using detail::Sample;
 using Eigen::Vector3d;
 using Eigen::Vector3f;
-
-constexpr double kPi = std::numbers::pi;
 
 float linear(double screen) {
     return static_cast<float>(screen <= 0.04045 ? screen / 12.92 : std::pow((screen + 0.055) / 1.055, 2.4));
@@ -248,8 +245,9 @@ class Picture {
         std::vector<Receiver> receivers;
         std::vector<std::size_t> at;
         for (std::size_t p = 0; p < ground_grid_.size(); ++p) {
+            const std::size_t row = p / grid_width_;
             const auto x = static_cast<double>(p % grid_width_);
-            const auto y = static_cast<double>(p / grid_width_);
+            const auto y = static_cast<double>(row);
             const Vector3d ray = camera_.ray(4.0 * x / size_.width - 1.0, 1.0 - 4.0 * y / size_.height);
             const double distance = (ground_ - camera_.eye().z()) / ray.z();
             if (!(distance > 0.0)) continue;
@@ -278,8 +276,9 @@ class Picture {
 
     [[nodiscard]] float ground_shadow(std::size_t pixel) const {
         const auto width = static_cast<std::size_t>(size_.width);
+        const std::size_t row = pixel / width;
         const float x = 0.5F * (static_cast<float>(pixel % width) + 0.5F);
-        const float y = 0.5F * (static_cast<float>(pixel / width) + 0.5F);
+        const float y = 0.5F * (static_cast<float>(row) + 0.5F);
         const std::size_t first = static_cast<std::size_t>(y) * grid_width_ + static_cast<std::size_t>(x);
         const float sx = x - std::floor(x);
         const float sy = y - std::floor(y);

@@ -78,8 +78,7 @@ void draw_tiles(SvgCanvas& canvas, const Surface& surface, const Projection& pro
         const Style style = pattern < 0
                                 ? Style{"#f4f6f8", "#8fa3b5", 0.2 * beam_width(surface), 1.0}
                                 : Style{pattern_colour(pattern), "#ffffff", 0.2 * beam_width(surface), 1.0};
-        canvas.named_polygon(polygon, style, "tile" + number,
-                             std::string("tile ").append(number).append(": ").append(id));
+        canvas.named_polygon(polygon, style, "tile" + number, "tile " + number + ": " + id);
     }
 }
 
