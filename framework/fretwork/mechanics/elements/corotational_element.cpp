@@ -122,7 +122,7 @@ class CorotationalElement final : public Element {
             q.template segment<3>(kDofsPerNode * i) = pose.arm(i) - pose.rest_arm(i);
             q.template segment<3>(kDofsPerNode * i + 3) = pose.rotation(i);
         }
-        const Vector stress = body_->stiffness() * q;
+        Vector stress = body_->stiffness() * q;
         response.energy = 0.5 * q.dot(stress);
         return stress;
     }

@@ -69,7 +69,7 @@ Eigen::Vector3d logarithm(const Eigen::Quaterniond& rotation) {
 
 Eigen::Vector3d logarithm_near(const Eigen::Quaterniond& rotation, const Eigen::Vector3d& reference) {
     constexpr double kTurn = 2.0 * std::numbers::pi;
-    const Eigen::Vector3d least = logarithm(rotation);
+    Eigen::Vector3d least = logarithm(rotation);
     const double reference_angle = reference.norm();
     if (reference_angle < 1.0) return least;
     const double angle = least.norm();

@@ -118,45 +118,71 @@ MixedNewton::FirstStep MixedNewton::depart(Configuration& configuration) {
     return first;
 }
 
+/// Whether the factors are those of the configuration, but for a move that changes nothing.
+bool MixedNewton::has_own_factors(const Iteration& iteration) const {
+    return way_.turned <= kSame && way_.moved <= kSameShare * iteration.travelled;
+}
+
+/// Whether the factors that are needed at the end anyway are to be made now.
+bool MixedNewton::wants_own_factors(const Iteration& iteration) const {
+    const bool is_approach = iteration.goal == Goal::Approach;
+    if (!is_approach && !options_.classify_stability) return false;
+    return iteration.turn <= (is_approach ? kApproach : kNear) && !has_own_factors(iteration);
+}
+
+/// Finds the next step, unless the iteration ends.
+std::optional<Termination> MixedNewton::step_with_new_factors(Iteration& iteration,
+                                                              const Configuration& configuration) {
+    if (!factorize(configuration, iteration.load_factor)) return Termination::Diverged;
+    if (outcome_.negative_pivots != iteration.negative_pivots) return Termination::LimitLoad;
+    const bool ends = iteration.goal == Goal::Equilibrium
+                          ? newton_.is_converged(configuration, iteration.step)
+                          : iteration.turn <= kApproach;
+    if (ends) return Termination::Converged;
+    iteration.step = newton_.solve_tangent(system_.unbalanced());
+    return std::nullopt;
+}
+
+/// The same.
+std::optional<Termination> MixedNewton::step_with_old_factors(Iteration& iteration,
+                                                              const Configuration& configuration) {
+    system_.evaluate_mixed(configuration, iteration.load_factor, Demand::Force, stresses_);
+    if (!std::isfinite(system_.relative_residual())) return Termination::Diverged;
+    if (iteration.goal == Goal::Equilibrium && newton_.is_converged(configuration, iteration.step))
+        return end_at_equilibrium(iteration, configuration);
+    iteration.step = newton_.solve_tangent(system_.mixed_unbalanced());
+    return std::nullopt;
+}
+
+/// With factors that tell its stability, where that is asked for.
+Termination MixedNewton::end_at_equilibrium(const Iteration& iteration, const Configuration& configuration) {
+    if (has_own_factors(iteration) || !options_.classify_stability) return Termination::Converged;
+    stresses_.give_own();
+    if (!factorize(configuration, iteration.load_factor)) return Termination::Diverged;
+    return outcome_.negative_pivots == iteration.negative_pivots ? Termination::Converged
+                                                                 : Termination::LimitLoad;
+}
+
 Termination MixedNewton::solve(double load_factor, Goal goal, const Eigen::VectorXd& first,
                                Configuration& configuration) {
-    const int negative = outcome_.negative_pivots;
-    Eigen::VectorXd step = first;
-    double size = size_of(step);
-    double turn = unknowns_.largest_rotation(step);
-    double travelled = size;
-    bool anew = turn > kLongStep;
-    const auto is_same = [&] { return way_.turned <= kSame && way_.moved <= kSameShare * travelled; };
-    for (int iteration = 0; iteration < kMostIterations; ++iteration) {
-        const bool is_near = turn <= (goal == Goal::Approach ? kApproach : kNear) && !is_same();
-        if (anew || (is_near && (goal == Goal::Approach || options_.classify_stability))) {
-            if (!factorize(configuration, load_factor)) return Termination::Diverged;
-            if (outcome_.negative_pivots != negative) return Termination::LimitLoad;
-            if (goal == Goal::Equilibrium && newton_.is_converged(configuration, step))
-                return Termination::Converged;
-            if (goal == Goal::Approach && turn <= kApproach) return Termination::Converged;
-            anew = true;
-            step = newton_.solve_tangent(system_.unbalanced());
-        } else {
-            system_.evaluate_mixed(configuration, load_factor, Demand::Force, stresses_);
-            if (!std::isfinite(system_.relative_residual())) return Termination::Diverged;
-            if (goal == Goal::Equilibrium && newton_.is_converged(configuration, step)) {
-                if (is_same() || !options_.classify_stability) return Termination::Converged;
-                stresses_.give_own();
-                if (!factorize(configuration, load_factor)) return Termination::Diverged;
-                return outcome_.negative_pivots == negative ? Termination::Converged : Termination::LimitLoad;
-            }
-            step = newton_.solve_tangent(system_.mixed_unbalanced());
-        }
-        const double ratio = size_of(step) / size;
-        turn = unknowns_.largest_rotation(step);
+    double size = size_of(first);
+    Iteration iteration{goal,  load_factor, outcome_.negative_pivots,
+                        first, size,        unknowns_.largest_rotation(first)};
+    bool anew = iteration.turn > kLongStep;
+    for (int i = 0; i < kMostIterations; ++i) {
+        anew = anew || wants_own_factors(iteration);
+        const auto ended = anew ? step_with_new_factors(iteration, configuration)
+                                : step_with_old_factors(iteration, configuration);
+        if (ended) return *ended;
+        const double ratio = size_of(iteration.step) / size;
+        iteration.turn = unknowns_.largest_rotation(iteration.step);
         const bool is_useless = !anew && !(ratio <= kUseless);
-        anew = anew ? turn > kLongStep : !(ratio <= kShrink) || is_slow(ratio);
+        anew = anew ? iteration.turn > kLongStep : !(ratio <= kShrink) || is_slow(ratio);
         if (is_useless) continue;
-        if (!(turn < kTooFar)) return Termination::Diverged;
+        if (!(iteration.turn < kTooFar)) return Termination::Diverged;
         size *= ratio;
-        travelled += size;
-        move(step, 0.0, configuration);
+        iteration.travelled += size;
+        move(iteration.step, 0.0, configuration);
     }
     return Termination::IterationsSpent;
 }

@@ -63,6 +63,22 @@ class MixedNewton {
     bool restore(const Configuration& configuration, double load_factor, const std::vector<double>& stresses);
 
   private:
+    /// What solve() looks for, and how far it is.
+    struct Iteration {
+        Goal goal;
+        double load_factor;
+        int negative_pivots;  ///< of the path
+        Eigen::VectorXd step;
+        double travelled;  ///< sum of the sizes of all steps
+        double turn;       ///< rad, the largest of a node in the step
+    };
+    [[nodiscard]] bool has_own_factors(const Iteration& iteration) const;
+    [[nodiscard]] bool wants_own_factors(const Iteration& iteration) const;
+    std::optional<Termination> step_with_new_factors(Iteration& iteration,
+                                                     const Configuration& configuration);
+    std::optional<Termination> step_with_old_factors(Iteration& iteration,
+                                                     const Configuration& configuration);
+    Termination end_at_equilibrium(const Iteration& iteration, const Configuration& configuration);
     bool factorize(const Configuration& configuration, double load_factor);
     void give_own_stresses(const Configuration& configuration, double load_factor);
     [[nodiscard]] bool is_slow(double ratio) const;
