@@ -63,8 +63,7 @@ std::string surfaces_csv(const std::vector<SurfaceRow>& rows) {
 
 std::string provenance_text() {
     std::string text;
-    for (const auto& [name, value] : base::provenance())
-        text += name + ": " + value + "\n";
+    for (const auto& [name, value] : base::provenance()) text += name + ": " + value + "\n";
     return text;
 }
 

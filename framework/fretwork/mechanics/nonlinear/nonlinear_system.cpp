@@ -155,9 +155,9 @@ void NonlinearSystem::evaluate_element(std::size_t index, const Configuration& c
     } else {
         element.evaluate_mixed(states, pass.demand, pass.stresses->of(index), answer.response);
     }
-    if (pass.has_lag()) {
+    if (StressWorkspace* const lagging = pass.lagging_stresses()) {
         answer.lag.setZero(answer.response.force.size());
-        pass.stresses->add_lag(index, answer.lag);
+        lagging->add_lag(index, answer.lag);
     } else if (pass.demand == Demand::Tangent && !unknowns_.vector_nodes().empty()) {
         map_to_unknowns(element.nodes(), answer.response.tangent);
         if (pass.stresses != nullptr) map_columns(element.nodes(), pass.stresses->slopes(index));

@@ -94,7 +94,11 @@ class NonlinearSystem {
     struct Pass {
         Demand demand;
         StressWorkspace* stresses = nullptr;
-        [[nodiscard]] bool has_lag() const { return stresses != nullptr && demand == Demand::Force; }
+        /// Those whose lag behind the elements' own is asked for, with forces alone; null: none.
+        [[nodiscard]] StressWorkspace* lagging_stresses() const {
+            return demand == Demand::Force ? stresses : nullptr;
+        }
+        [[nodiscard]] bool has_lag() const { return lagging_stresses() != nullptr; }
     };
     struct Answer {
         MixedResponse response;

@@ -103,6 +103,7 @@ FRETWORK_INLINE void subtract_rows(const Columns& columns, Index first, Product 
     const auto tile = [&]<class Strip>(Strip*) __attribute__((always_inline)) {
         product.left = left + i;
         subtract_tile<Strip>(columns.values + i, columns.stride, product, columns.count, solve);
+        // NOLINTNEXTLINE(bugprone-sizeof-expression): a vector of doubles
         i += static_cast<Index>(sizeof(Strip) / sizeof(double));
     };
     while (i + 8 <= columns.rows) tile(static_cast<Strip8*>(nullptr));

@@ -100,8 +100,7 @@ struct Group {
 bool worth_merging(const Group& merged) {
     constexpr long kNarrow = 24;
     constexpr long kMiddling = 48;
-    const auto entries =
-        static_cast<double>(merged.width * (merged.width + 1) / 2 + merged.width * merged.rows);
+    const auto entries = 0.5 * static_cast<double>(merged.width * (merged.width + 1 + 2 * merged.rows));
     const double share = static_cast<double>(merged.zeros) / entries;
     if (merged.width <= kNarrow) return share < 0.2;
     return share < (merged.width <= kMiddling ? 0.10 : 0.05);

@@ -68,9 +68,8 @@ class Merger {
     bool merge(const CellSide& side, std::size_t other) {
         std::vector<int> merged = union_of(dual_.cells[side.cell], dual_.cells[other], side);
         std::vector<int> superfluous{side.from, side.to};
-        std::ranges::copy_if(merged, std::back_inserter(superfluous), [&](int v) {
-            return dual_.vertices[static_cast<std::size_t>(v)].divides_side;
-        });
+        std::ranges::copy_if(merged, std::back_inserter(superfluous),
+                             [&](int v) { return dual_.vertices[static_cast<std::size_t>(v)].divides_side; });
         for (const int v : superfluous) {
             if (std::ranges::count(merged, v) != 1) return false;
             if (may_go(v, merged)) std::erase(merged, v);
