@@ -238,9 +238,9 @@ mechanics::Result simulate(const Options& options, const Surface& surface, const
         if (!options.stages.empty()) {
             const auto snaps =
                 options.branch == "snapping" ? mechanics::Snaps::Cross : mechanics::Snaps::Stop;
-            return simulation::simulate_stages(surface, load_case, cases,
-                                               simulation::read_stages(options.stages), options.simulation,
-                                               snaps, control);
+            const std::vector<simulation::Stage> stages = simulation::read_stages(options.stages);
+            return simulation::simulate_stages(surface, {load_case, cases, stages, snaps}, options.simulation,
+                                               control);
         }
         if (options.branch == "primary")
             return simulation::simulate(surface, load_case, options.simulation, control);

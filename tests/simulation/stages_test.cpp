@@ -26,8 +26,8 @@ LoadCase named(const char* name, double force) {
 }
 
 mechanics::Result staged(const std::vector<LoadCase>& cases, const char* stages) {
-    return simulate_stages(strip(), cases.front(), cases, parse_stages(stages, "stages.json"),
-                           {.model = "corotational"}, Snaps::Stop);
+    const std::vector<Stage> parsed = parse_stages(stages, "stages.json");
+    return simulate_stages(strip(), {cases.front(), cases, parsed}, {.model = "corotational"});
 }
 
 /// What a stage applies is what the load case alone would.
@@ -99,8 +99,7 @@ TEST(Stages, AreAPartOfWhatAResultIsAResultOf) {
 TEST(Stages, NoneIsRefused) {
     const std::vector<LoadCase> cases = {named("tip", -0.01)};
     EXPECT_THAT(complaint_of([&] {
-                    (void)simulate_stages(strip(), cases.front(), cases, {}, {.model = "corotational"},
-                                          Snaps::Stop);
+                    (void)simulate_stages(strip(), {cases.front(), cases, {}}, {.model = "corotational"});
                 }),
                 HasSubstr("no stage"));
 }

@@ -186,12 +186,10 @@ std::vector<Stage> read_stages(const std::filesystem::path& path) {
     return parse_stages(base::read_text_file(path), path.string());
 }
 
-mechanics::Result simulate_stages(const Surface& surface, const LoadCase& load_case,
-                                  std::span<const LoadCase> cases, std::span<const Stage> stages,
-                                  const SimulationOptions& options, mechanics::Snaps snaps,
-                                  const base::Control& control) {
+mechanics::Result simulate_stages(const Surface& surface, const StagePlan& plan,
+                                  const SimulationOptions& options, const base::Control& control) {
     options.validate(surface);
-    if (stages.empty()) throw base::InputError("there is no stage to simulate");
+    if (plan.stages.empty()) throw base::InputError("there is no stage to simulate");
     if (!is_nonlinear(surface, options) || mixed_share(options.model) || options.load_steps > 1 ||
         options.estimate_error || options.estimate_model_error)
         throw base::InputError(
@@ -202,20 +200,20 @@ mechanics::Result simulate_stages(const Surface& surface, const LoadCase& load_c
     mechanics::Result result;
     for (int i = 0; i < assembly.reported_nodes; ++i)
         result.nodes.push_back({i, assembly.nodes[static_cast<std::size_t>(i)], i < interface_count});
-    Stages state(surface, load_case, cases, assembly.nodes.size());
-    mechanics::StagedPath path(assembly, snaps, {.threads = options.threads, .control = control});
+    Stages state(surface, plan.supports, plan.cases, assembly.nodes.size());
+    mechanics::StagedPath path(assembly, plan.snaps, {.threads = options.threads, .control = control});
     mechanics::NodeValues displacements =
         mechanics::NodeValues::Zero(assembly.reported_nodes, mechanics::kDofsPerNode);
-    for (const Stage& stage : stages) {
+    for (const Stage& stage : plan.stages) {
         result.load_steps.push_back(path.advance(state.target(stage, displacements)));
         if (!result.load_steps.back().converged()) break;
         displacements = result.load_steps.back().displacements;
     }
     result.solution = result.load_steps.back();
     result.solver = "newton";
-    result.subject = result_subject(surface, load_case, options);
-    result.subject->stages_text = stages_text(stages);
-    result.subject->stage_load_cases = named_cases(stages, cases, load_case);
+    result.subject = result_subject(surface, plan.supports, options);
+    result.subject->stages_text = stages_text(plan.stages);
+    result.subject->stage_load_cases = named_cases(plan.stages, plan.cases, plan.supports);
     result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
     return result;
 }

@@ -41,15 +41,20 @@ std::string stages_text(std::span<const Stage> stages);
 /// Throws as parse_stages.
 std::vector<Stage> read_stages(const std::filesystem::path& path);
 
+/// Stages, and what they are made of.
+struct StagePlan {
+    const LoadCase& supports;         ///< its supports hold the surface; its loads act where a stage names it
+    std::span<const LoadCase> cases;  ///< those that stages may name
+    std::span<const Stage> stages;
+    mechanics::Snaps snaps = mechanics::Snaps::Stop;
+};
+
 /// Simulate stage after stage, each from the equilibrium that the one before has led to
-/// (mechanics::StagedPath), with a model for large displacements. The supports are those of the load case;
-/// its loads act where a stage names it. `cases` are those that stages may name. Result::load_steps has one
-/// solution for each stage that was begun; its subject names the stages and the load cases that they name.
-/// Throws InputError for other models, for no stage, for a place that no node lies at, and for a load case
-/// that is not there.
-mechanics::Result simulate_stages(const Surface& surface, const LoadCase& load_case,
-                                  std::span<const LoadCase> cases, std::span<const Stage> stages,
-                                  const SimulationOptions& options, mechanics::Snaps snaps,
-                                  const base::Control& control = {});
+/// (mechanics::StagedPath), with a model for large displacements. Result::load_steps has one solution for
+/// each stage that was begun; its subject names the stages and the load cases that they name. Throws
+/// InputError for other models, for no stage, for a place that no node lies at, and for a load case that is
+/// not there.
+mechanics::Result simulate_stages(const Surface& surface, const StagePlan& plan,
+                                  const SimulationOptions& options, const base::Control& control = {});
 
 }  // namespace fretwork::simulation
