@@ -164,9 +164,12 @@ ExitCode run(const Options& options) {
     Project project = simulation::read_checked_project(options.project);
     const auto library = open_library(project, options);
     const library::Library* given = library ? &*library : nullptr;
-    const auto tiles = paint_project(project, chosen_tiles(options, project.tessellation), options, given);
+    const auto chosen = chosen_tiles(options, project.tessellation);
+    const auto tiles = paint_project(project, chosen, options, given);
     if (tiles.empty()) {
-        std::fputs("fretwork: no tile lies there; nothing is painted\n", stderr);
+        std::fprintf(
+            stderr, "fretwork: %s; nothing is painted\n",
+            chosen.empty() ? "no tile lies there" : "none of the palette's colours lies on these tiles");
         return ExitCode::DidNotSucceed;
     }
     simulation::write_project(project, target);

@@ -83,6 +83,20 @@ void expect_sound(const TessellationResult& result, const Outline& outline, std:
     EXPECT_NEAR(sum, share * area_of(outline), 1e-9 * sum);
 }
 
+/// Where a corner cuts a row of tiles, it may leave a triangle that is a tenth of a tile: a knot of bars.
+TEST(Tessellate, LeavesNoTinyTilesAtTheCornersOfARectangle) {
+    constexpr std::array<std::array<double, 2>, 4> kSizes = {
+        {{0.310, 0.265}, {0.271, 0.401}, {0.909, 0.517}, {0.574, 0.260}}};
+    for (const auto& [width, height] : kSizes) {
+        const TessellationResult result =
+            tile(make_outline({{0, 0}, {width, 0}, {width, height}, {0, height}}, {}));
+        const double hexagon = 1.5 * std::numbers::sqrt3 * kPaperSide * kPaperSide;
+        for (std::size_t t = 0; t < result.tessellation.tiles.size(); ++t)
+            EXPECT_GT(pattern::signed_area(tile_polygon(result.tessellation, TileIndex(t))), 0.25 * hexagon)
+                << width << " x " << height << ", tile " << t;
+    }
+}
+
 class Examples : public testing::TestWithParam<const char*> {};
 
 TEST_P(Examples, AreTiledSoundlyWithTheWantedMeanSideAndNearlyAllHexagonsInside) {

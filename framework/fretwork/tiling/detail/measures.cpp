@@ -10,6 +10,10 @@
 namespace fretwork::tiling::detail {
 namespace {
 
+/// Of the area of a regular hexagon: a smaller tile, mostly at a corner of the outline, is a knot of bars.
+constexpr double kSmall = 0.25;
+constexpr double kHexagon = 1.5 * std::numbers::sqrt3;  // its area, with sides of 1
+
 /// Mean and standard deviation of what is added.
 class Spread {
   public:
@@ -78,6 +82,7 @@ Measures measure(const Dual& dual, const SizeField& field, const base::Control& 
     int inner_hexagons = 0;
     int misfits = 0;
     int refined = 0;
+    int small = 0;
     Spread areas;
     for (std::size_t cell = 0; cell < dual.cells.size(); ++cell) {
         control.check();
@@ -90,7 +95,9 @@ Measures measure(const Dual& dual, const SizeField& field, const base::Control& 
         misfits += is_hexagon || (at_rim && polygon.size() == 5) ? 0 : 1;
         const double wanted = field.at(polygon.front());
         refined += wanted < field.largest() ? 1 : 0;
-        areas.add(pattern::signed_area(polygon) / (wanted * wanted));
+        const double area = pattern::signed_area(polygon) / (wanted * wanted);
+        areas.add(area);
+        small += area < kSmall * kHexagon ? 1 : 0;
         report.smallest_angle = std::min(report.smallest_angle, smallest_angle(polygon));
     }
     const auto count = static_cast<double>(report.tiles);
@@ -98,7 +105,7 @@ Measures measure(const Dual& dual, const SizeField& field, const base::Control& 
     report.inner_hexagon_share = inner > 0 ? static_cast<double>(inner_hexagons) / inner : 0.0;
     report.refined_share = refined / count;
     result.mean_ratio = sides.mean();
-    result.irregularity = misfits / count + sides.relative() + areas.relative();
+    result.irregularity = small + misfits / count + sides.relative() + areas.relative();
     return result;
 }
 
