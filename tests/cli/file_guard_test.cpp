@@ -17,7 +17,6 @@ namespace fs = std::filesystem;
 using test::complaint_of;
 using test::run_command;
 using test::TemporaryFolder;
-using testing::AnyOf;
 using testing::HasSubstr;
 
 /// Options whose value is a text and no file. One that is in neither list is a mistake: declare it with

@@ -60,8 +60,8 @@ TEST_F(MakingOptions, BoltsAreHolesAtTheSupportsInEyesOfTwiceTheirDiameter) {
     const auto middles = holes(drilled, 3.0);
     ASSERT_EQ(middles.size(), 2U);
     const json project = json::parse(base::read_text_file(folder_.path() / "p.json"));
-    for (const auto& [x, y] : {std::pair{0.0, 130.0}, {180.0, 130.0}}) {
-        const auto from_support = [&](double nx, double ny) { return std::hypot(nx - x, ny - y); };
+    for (const double x : {0.0, 180.0}) {
+        const auto from_support = [x](double nx, double ny) { return std::hypot(nx - x, ny - 130.0); };
         double nearest_node = 1e9;
         for (const json& node : project.at("tessellation").at("interface_nodes"))
             nearest_node = std::min(

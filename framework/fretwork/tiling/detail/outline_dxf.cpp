@@ -188,12 +188,13 @@ class DxfReader {
         if (columns > kMostEntities || rows > kMostEntities || columns * rows > kMostEntities)
             file_.fail(insert.line, "INSERT has more than " + std::to_string(kMostEntities) + " copies");
         for (long copy = 0; copy < columns * rows; ++copy) {
+            const long row = copy / columns;
             const Affine moved{1,
                                0,
                                0,
                                1,
                                static_cast<double>(copy % columns) * file_.value_or(insert, 44, 0),
-                               static_cast<double>(copy / columns) * file_.value_or(insert, 45, 0)};
+                               static_cast<double>(row) * file_.value_or(insert, 45, 0)};
             read(block->entities,
                  {turned.after(moved).after(scaled).after({1, 0, 0, 1, -block->base_x, -block->base_y}),
                   place.layer, place.depth});

@@ -97,7 +97,7 @@ std::string with_entities_replaced(std::string text) {
     if (begin == std::string::npos) return text;
     const std::size_t bracket = text.find_first_of("[>", begin);
     if (bracket == std::string::npos || text[bracket] == '>') return text;
-    const std::size_t end = text.find("]", bracket);
+    const std::size_t end = text.find(']', bracket);
     if (end == std::string::npos) return text;
     const std::string_view all(text);
     const Entities entities = declared_in(all.substr(bracket, end - bracket));
