@@ -2,10 +2,13 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/tiling/detail/svg_text.hpp>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 #include <numbers>
+#include <optional>
 
 namespace fretwork::tiling::detail {
 namespace {
@@ -44,34 +47,49 @@ std::vector<double> arguments(SvgText& text) {
     return values;
 }
 
-Affine rotation(const std::vector<double>& v) {
-    const Affine turn{std::cos(v[0] * kDegree),
-                      std::sin(v[0] * kDegree),
-                      -std::sin(v[0] * kDegree),
-                      std::cos(v[0] * kDegree),
-                      0,
-                      0};
-    if (v.size() == 1) return turn;
-    return Affine{1, 0, 0, 1, v[1], v[2]}.after(turn).after(Affine{1, 0, 0, 1, -v[1], -v[2]});
+using Numbers = std::vector<double>;
+
+Affine rotation(const Numbers& v) {
+    const double angle = v[0] * kDegree;
+    return {std::cos(angle), std::sin(angle), -std::sin(angle), std::cos(angle), 0, 0};
 }
 
-/// The map of a function, or the identity with `is_known` false.
-Affine function_map(std::string_view name, const std::vector<double>& v, bool& is_known) {
-    is_known = true;
-    if (name == "matrix" && v.size() == 6) return {v[0], v[1], v[2], v[3], v[4], v[5]};
-    if (name == "translate" && (v.size() == 1 || v.size() == 2))
-        return {1, 0, 0, 1, v[0], v.size() == 2 ? v[1] : 0};
-    if (name == "translateX" && v.size() == 1) return {1, 0, 0, 1, v[0], 0};
-    if (name == "translateY" && v.size() == 1) return {1, 0, 0, 1, 0, v[0]};
-    if (name == "scaleX" && v.size() == 1) return {v[0], 0, 0, 1, 0, 0};
-    if (name == "scaleY" && v.size() == 1) return {1, 0, 0, v[0], 0, 0};
-    if (name == "skew" && v.size() == 1) return {1, 0, std::tan(v[0] * kDegree), 1, 0, 0};
-    if (name == "scale" && (v.size() == 1 || v.size() == 2)) return {v[0], 0, 0, v.back(), 0, 0};
-    if (name == "rotate" && (v.size() == 1 || v.size() == 3)) return rotation(v);
-    if (name == "skewX" && v.size() == 1) return {1, 0, std::tan(v[0] * kDegree), 1, 0, 0};
-    if (name == "skewY" && v.size() == 1) return {1, std::tan(v[0] * kDegree), 0, 1, 0, 0};
-    is_known = false;
-    return {};
+Affine shift(double x, double y) {
+    return {1, 0, 0, 1, x, y};
+}
+
+/// A function of a transform with so many arguments.
+struct TransformFunction {
+    std::string_view name;
+    std::size_t count;
+    Affine (*map)(const Numbers& v);
+};
+
+constexpr TransformFunction kFunctions[] = {
+    {"matrix", 6, [](const Numbers& v) { return Affine{v[0], v[1], v[2], v[3], v[4], v[5]}; }},
+    {"translate", 1, [](const Numbers& v) { return shift(v[0], 0); }},
+    {"translate", 2, [](const Numbers& v) { return shift(v[0], v[1]); }},
+    {"translateX", 1, [](const Numbers& v) { return shift(v[0], 0); }},
+    {"translateY", 1, [](const Numbers& v) { return shift(0, v[0]); }},
+    {"scale", 1, [](const Numbers& v) { return Affine{v[0], 0, 0, v[0], 0, 0}; }},
+    {"scale", 2, [](const Numbers& v) { return Affine{v[0], 0, 0, v[1], 0, 0}; }},
+    {"scaleX", 1, [](const Numbers& v) { return Affine{v[0], 0, 0, 1, 0, 0}; }},
+    {"scaleY", 1, [](const Numbers& v) { return Affine{1, 0, 0, v[0], 0, 0}; }},
+    {"rotate", 1, rotation},
+    {"rotate", 3,
+     [](const Numbers& v) { return shift(v[1], v[2]).after(rotation(v)).after(shift(-v[1], -v[2])); }},
+    {"skew", 1, [](const Numbers& v) { return Affine{1, 0, std::tan(v[0] * kDegree), 1, 0, 0}; }},
+    {"skewX", 1, [](const Numbers& v) { return Affine{1, 0, std::tan(v[0] * kDegree), 1, 0, 0}; }},
+    {"skewY", 1, [](const Numbers& v) { return Affine{1, std::tan(v[0] * kDegree), 0, 1, 0, 0}; }},
+};
+
+/// The map of a function; nothing if there is none of that name with so many arguments.
+std::optional<Affine> function_map(std::string_view name, const Numbers& v) {
+    const auto* const found = std::ranges::find_if(kFunctions, [&](const TransformFunction& function) {
+        return function.name == name && function.count == v.size();
+    });
+    if (found == std::end(kFunctions)) return std::nullopt;
+    return found->map(v);
 }
 
 }  // namespace
@@ -146,11 +164,11 @@ Affine parse_svg_transform(std::string_view text) {
         std::string name(1, walk.letter());
         name += walk.word();
         const std::vector<double> values = arguments(walk);
-        bool is_known = false;
-        map = map.after(function_map(name, values, is_known));
-        if (!is_known)
+        const auto function = function_map(name, values);
+        if (!function)
             walk.fail("'" + name + "' with " + std::to_string(values.size()) +
                       " numbers is no transformation, before");
+        map = map.after(*function);
     }
     return map;
 }
