@@ -9,7 +9,6 @@ namespace fretwork::library {
 namespace {
 
 using namespace test;
-using testing::HasSubstr;
 
 std::vector<PatternData> whole_batch() {
     std::vector<PatternData> batch;

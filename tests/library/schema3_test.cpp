@@ -19,7 +19,6 @@ namespace {
 using fretwork::test::TemporaryFolder;
 using reduction::NamedValue;
 using test::sample_calibration;
-using testing::ElementsAre;
 using testing::IsEmpty;
 
 const std::filesystem::path kOld =

@@ -9,7 +9,6 @@
 namespace fretwork::simulation {
 namespace {
 
-using mechanics::Snaps;
 using test::cantilever;
 using test::complaint_of;
 using test::honeycomb;

@@ -11,8 +11,6 @@
 namespace fretwork::simulation {
 namespace {
 
-using mechanics::NodeValues;
-
 const std::vector<std::string> kPatterns = {"0-1+1-6", "0-6", "0-1+1-5+1-6+5-6"};
 
 Surface sample_surface() {

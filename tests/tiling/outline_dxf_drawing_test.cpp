@@ -12,7 +12,6 @@ namespace {
 using test::complaint_of;
 using test::TemporaryFolder;
 using testing::AllOf;
-using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;

@@ -8,7 +8,6 @@
 namespace fretwork::tiling {
 namespace {
 
-using pattern::Point2;
 using pattern::Polygon;
 using test::complaint_of;
 using test::TemporaryFolder;

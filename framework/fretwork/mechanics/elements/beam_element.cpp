@@ -10,7 +10,6 @@ namespace fretwork::mechanics::elements {
 namespace {
 
 using Eigen::Matrix3d;
-using Eigen::Vector3d;
 
 /// The chord's vector is the difference of the end displacements.
 void expand_force(const MotionVector& motion, Eigen::VectorXd& force) {
