@@ -56,10 +56,11 @@ sources() { git ls-files '*.cpp' '*.hpp'; }
 
 check_format() { sources | xargs clang-format --dry-run --Werror; }
 
+# Clang does not know the levels of x86-64 that one test asks the processor for.
 check_tidy() {
   cmake --preset check -DCMAKE_EXPORT_COMPILE_COMMANDS=ON -DFRETWORK_BUILD_BENCH=ON >/dev/null &&
     cmake --build --preset check >/dev/null &&
-    git ls-files '*.cpp' | grep -v -e '^tests/install/' -e '/data/' |
+    git ls-files '*.cpp' | grep -v -e '^tests/install/' -e '/data/' -e instruction_sets_test |
     xargs -P "$(nproc)" -n 4 clang-tidy-16 --quiet -p build/check
 }
 

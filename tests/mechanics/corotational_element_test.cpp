@@ -379,7 +379,7 @@ TEST(CorotationalElement, KnowsTheLargestTurnOfANodeAgainstTheOthers) {
 TEST(CorotationalElement, TurnsItsMassIntoTheStructuresAxes) {
     const Tile tile = std::move(every_shape()[0]);
     const MatrixXd own = VectorXd::LinSpaced(36, 1.0, 2.0).asDiagonal();
-    CorotationalBody::Parts parts{sample::flat_wheel().nodes, tile.stiffness, [&] { return own; }};
+    CorotationalBody::Parts parts{sample::flat_wheel().nodes, tile.stiffness, [&] { return MatrixXd(own); }};
     parts.nodes.resize(6);
     const auto nodes = tile.element->nodes();
     const Eigen::Matrix3d turn = elements::exponential({0.1, 0.7, -0.4}).toRotationMatrix();

@@ -26,8 +26,9 @@ Frame grid(Extent extent) {
     sample::Random random(3);
     Frame frame;
     for (int i = 0; i < kColumns * kRows; ++i) {
-        frame.nodes.push_back(random.vector(0.002) +
-                              Eigen::Vector3d(0.01 * (i % kColumns), 0.01 * (i / kColumns), 0.0));
+        const int column = i % kColumns;
+        const int row = i / kColumns;
+        frame.nodes.push_back(random.vector(0.002) + Eigen::Vector3d(0.01 * column, 0.01 * row, 0.0));
         if (extent == Extent::Flat) frame.nodes.back().z() = 0.0;
         if (i % kColumns > 0) frame.beams.push_back(sample::beam_between(i - 1, i));
         if (i >= kColumns) frame.beams.push_back(sample::beam_between(i - kColumns, i));
@@ -175,7 +176,7 @@ TEST(LinearSolverEdits, ARefusedEditChangesNothing) {
 
 TEST(LinearSolverEdits, AnElementThatCouplesTheHalvesAndItsRemovalAreNewStructures) {
     EditedGrid grid(Extent::Flat);
-    const Assembly flat = grid.assembly();
+    const Assembly& flat = grid.assembly();
     Frame turned_frame = grid.frame();
     turned_frame.beams[5].section = rectangle_section(0.002, 0.004);
     turned_frame.beams[5].normal = Eigen::Vector3d(0.3, 0.4, 1.0);
