@@ -5,6 +5,7 @@
 #include <fretwork/base/internal/json_text.hpp>
 #include <fretwork/simulation/comparison.hpp>
 #include <fretwork/simulation/load_case_file.hpp>
+#include <fretwork/simulation/mixed_model.hpp>
 #include <fretwork/simulation/project_library.hpp>
 #include <fretwork/simulation/session.hpp>
 #include <fretwork/simulation/simulate.hpp>
@@ -12,7 +13,6 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <numeric>
 
@@ -40,14 +40,14 @@ simulation::SimulationOptions with_model(const std::string& model) {
     return options;
 }
 
-/// The surface with that share of its tiles in full, those of the largest scores.
+/// The surface with so many of its tiles in full, those of the largest scores.
 simulation::Surface with_full_tiles(simulation::Surface surface, const std::vector<TileDeformation>& tiles,
-                                    const Ranking& ranking, double share) {
+                                    const Ranking& ranking, std::size_t count) {
     std::vector<std::size_t> order(tiles.size());
     std::iota(order.begin(), order.end(), 0);
     std::ranges::stable_sort(order, std::greater(),
                              [&](std::size_t tile) { return ranking.score(tiles[tile]); });
-    order.resize(static_cast<std::size_t>(std::ceil(share * static_cast<double>(tiles.size()))));
+    order.resize(count);
     surface.tile_models.assign(tiles.size(), "");
     for (const std::size_t tile : order) surface.tile_models[tile] = "full";
     return surface;
@@ -64,10 +64,11 @@ base::Json mean_errors(const simulation::Surface& surface, const simulation::Loa
     simulation::Session session(surface, load_case, with_model("corotational"));
     mechanics::Result corotational = session.solve();
     const std::vector<TileDeformation> tiles = session.tile_deformations(corotational.solution);
+    const std::size_t count = simulation::worst_tiles(tiles, share).size();
     base::Json errors = {{"corotational", error(corotational)}};
     for (const Ranking& ranking : kRankings)
         errors[ranking.name] = error(
-            simulate(with_full_tiles(surface, tiles, ranking, share), load_case, with_model("corotational")));
+            simulate(with_full_tiles(surface, tiles, ranking, count), load_case, with_model("corotational")));
     return errors;
 }
 

@@ -108,7 +108,8 @@ TEST_P(Examples, AreTiledSoundlyWithTheWantedMeanSideAndNearlyAllHexagonsInside)
     EXPECT_LE(result.report.covered_share, 1.0 + 1e-12);
     EXPECT_LT(result.report.outside_share, 0.01);
     EXPECT_EQ(result.report.refined_share, 0.0);
-    EXPECT_GT(result.report.inner_hexagon_share, 0.8);  // example A has a hole, and 62 tiles inside
+    // Around the hole of example A, which has 62 tiles inside, rows of hexagons have to end.
+    EXPECT_GT(result.report.inner_hexagon_share, outline.holes.empty() ? 0.9 : 0.8);
     EXPECT_GT(result.report.smallest_side, 0.5 * kPaperSide);
     EXPECT_GT(result.report.smallest_angle, 40 * std::numbers::pi / 180);
 }

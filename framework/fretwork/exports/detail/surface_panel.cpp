@@ -201,8 +201,8 @@ void draw_subject(SvgCanvas& canvas, const Surface& surface, const Subject& subj
     canvas.layer("loads");
     for (const LoadMark& mark : subject.loads) draw_load(canvas, mark);
     canvas.layer("supports");
-    for (const SupportMark& mark : subject.supports)
-        draw_support(canvas, mark, 0.16 * tiling::mean_tile_side(surface.tessellation));
+    const double radius = 0.16 * tiling::mean_tile_side(surface.tessellation);
+    for (const SupportMark& mark : subject.supports) draw_support(canvas, mark, radius);
 }
 
 }  // namespace
