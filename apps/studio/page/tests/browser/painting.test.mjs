@@ -41,6 +41,14 @@ function paintedByCommand({ place, project }, ...words) {
   return tiles.map(({ pattern }) => patterns[pattern]);
 }
 
+/** Save a picture that came as base64, and choose it on the page. */
+async function paintByPicture(page, file, content) {
+  writeFileSync(file, Buffer.from(content, 'base64'));
+  const chooser = page.waitForEvent('filechooser');
+  await page.click('text=Image');
+  await edit(page, async () => (await chooser).setFiles(file));
+}
+
 test('one seed is one painting, on the page and on the command line, and one step of undo', async (t) => {
   const opened = await openPainted(t);
   const { page } = opened;
@@ -94,10 +102,7 @@ test('a picture paints as on the command line: dark places get the stiffest patt
     return canvas.toDataURL('image/png').split(',')[1];
   });
   const file = join(place, 'ramp.png');
-  writeFileSync(file, Buffer.from(png, 'base64'));
-  const chooser = page.waitForEvent('filechooser');
-  await page.click('text=Image');
-  await edit(page, async () => (await chooser).setFiles(file));
+  await paintByPicture(page, file, png);
   const list = await painted(page);
   assert.deepEqual(list, paintedByCommand(opened, '--patterns', `image:${file}`, '--palette', palette.join(',')));
   const xs = await Promise.all(list.map(async (_, tile) => (await tilePlace(page, tile))[0]));
@@ -113,10 +118,6 @@ test('a picture that is no PNG paints, too', async (t) => {
     canvas.getContext('2d').fillRect(0, 0, 600, 30);
     return canvas.toDataURL('image/jpeg').split(',')[1];
   });
-  const file = join(place, 'black.jpg');
-  writeFileSync(file, Buffer.from(jpeg, 'base64'));
-  const chooser = page.waitForEvent('filechooser');
-  await page.click('text=Image');
-  await edit(page, async () => (await chooser).setFiles(file));
+  await paintByPicture(page, join(place, 'black.jpg'), jpeg);
   assert.deepEqual([...new Set(await painted(page))], [palette.at(-1)]);
 });
