@@ -10,6 +10,18 @@
 namespace fretwork::pattern::detail {
 namespace {
 
+/// nauty keeps memory of its own for each thread, and gives it back only when asked.
+struct MemoryOfThread {
+    MemoryOfThread() = default;
+    MemoryOfThread(const MemoryOfThread&) = delete;
+    MemoryOfThread& operator=(const MemoryOfThread&) = delete;
+    ~MemoryOfThread() {
+        nauty_freedyn();
+        nautil_freedyn();
+        naugraph_freedyn();
+    }
+};
+
 /// What nauty's interface asks for, each of the right length.
 struct Workspace {
     explicit Workspace(int node_count, int words)
@@ -36,6 +48,7 @@ void colour(Workspace& work, int interface_node_count) {
 }  // namespace
 
 std::string canonical_form(const Fan& fan) {
+    [[maybe_unused]] thread_local const MemoryOfThread memory;
     const int node_count = static_cast<int>(fan.nodes.size());
     const int words = SETWORDSNEEDED(node_count);
     Workspace work(node_count, words);
