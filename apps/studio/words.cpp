@@ -114,6 +114,10 @@ std::optional<std::string> between(const std::string& text, std::string_view bef
 }  // namespace
 
 std::string in_words(const std::string& error) {
+    if (error.find("nothing holds the structure") != std::string::npos)
+        return "Nothing holds the surface. Select nodes and hold them.";
+    if (const auto where = between(error, "nothing holds the part of the structure with ", ":"))
+        return "Nothing holds the part of the surface near " + *where + ". Select nodes of it and hold them.";
     if (const auto where = between(error, "the structure, as held, can move without strain at ", ":"))
         return "The surface is not held firmly: near " + *where +
                " it still moves or turns freely. Hold more nodes, or hold them in more directions.";

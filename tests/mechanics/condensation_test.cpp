@@ -152,7 +152,8 @@ Frame random_frame(sample::Random& random, Extent extent) {
     const int nodes = 8 + below(12);
     for (int i = 0; i < nodes; ++i) {
         // Beside a grid: next to a beam of no length, all others would be rounding.
-        frame.nodes.push_back(random.vector(0.004) + Eigen::Vector3d(0.01 * (i % 5), 0.01 * (i / 5), 0.0));
+        const int row = i / 5;
+        frame.nodes.push_back(random.vector(0.004) + Eigen::Vector3d(0.01 * (i % 5), 0.01 * row, 0.0));
         if (extent == Extent::Flat) frame.nodes.back().z() = 0.0;
     }
     for (int i = 1; i < nodes; ++i) frame.beams.push_back(sample::beam_between(below(i), i));

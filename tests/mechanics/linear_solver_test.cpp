@@ -263,6 +263,34 @@ TEST(LinearSolver, MechanismIsNamedByItsNode) {
     }
 }
 
+std::string refusal_of(const Frame& frame) {
+    try {
+        solve_linear(assemble(frame));
+        return "";
+    } catch (const base::NumericalError& error) {
+        return error.what();
+    }
+}
+
+TEST(LinearSolver, TellsThatNothingIsHeld) {
+    Frame frame = sample::cantilever({.divisions = 3});
+    frame.supports.clear();
+    EXPECT_EQ(refusal_of(frame), "nothing holds the structure: it needs supports");
+}
+
+TEST(LinearSolver, TellsThePartThatIsNotHeld) {
+    Frame frame = sample::cantilever({.divisions = 3});
+    const Beam beam = frame.beams.front();
+    const auto first = static_cast<int>(frame.nodes.size());
+    frame.nodes.insert(frame.nodes.end(), {{5, 5, 0}, {6, 5, 0}});
+    frame.beams.push_back(beam);
+    frame.beams.back().nodes = {NodeIndex(first), NodeIndex(first + 1)};
+    EXPECT_THAT(
+        refusal_of(frame),
+        testing::MatchesRegex(
+            "nothing holds the part of the structure with .*node [23], .5.*, 5, 0.: it needs supports.*"));
+}
+
 // Neither is it taken for a mechanism, nor has rounding eaten more than frame.hpp tells: P L^3 / 3 E I under
 // a force at the tip, and q L^4 / 8 E I under its own weight.
 TEST(LinearSolver, CantileverOfMostDivisionsIsAsStiffAsOneElement) {

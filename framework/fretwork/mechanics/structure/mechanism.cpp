@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
 #include <fretwork/mechanics/sparse/arbitrary.hpp>
+#include <fretwork/mechanics/structure/connected_nodes.hpp>
 #include <fretwork/mechanics/structure/constraints.hpp>
 #include <fretwork/mechanics/structure/mechanism.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 
 namespace fretwork::mechanics::structure {
 namespace {
@@ -14,9 +17,43 @@ namespace {
 /// cantilever of as many elements as may be 1e-5, very stiff elements beside soft ones 1e-3.
 constexpr double kUnbalancedShare = 1e-2;
 
+/// For each node, whether elements lead from it to `from`.
+std::vector<bool> connected_to(const Assembly& assembly, NodeIndex from) {
+    ConnectedNodes nodes(assembly.nodes.size());
+    for (const auto& element : assembly.elements) {
+        const auto first = static_cast<std::size_t>(element->nodes().front().value);
+        for (const NodeIndex node : element->nodes())
+            nodes.connect(first, static_cast<std::size_t>(node.value));
+    }
+    const std::size_t wanted = nodes.first_of(static_cast<std::size_t>(from.value));
+    std::vector<bool> connected;
+    for (std::size_t node = 0; node < assembly.nodes.size(); ++node)
+        connected.push_back(nodes.first_of(node) == wanted);
+    return connected;
+}
+
+std::string place_text(const Eigen::Vector3d& place) {
+    std::array<char, 80> text{};
+    std::snprintf(text.data(), text.size(), "(%.4g, %.4g, %.4g)", place.x(), place.y(), place.z());
+    return text.data();
+}
+
+/// Most often nothing is held at all, or not a part that was forgotten: that is said first.
 [[noreturn]] void refuse(const Assembly& assembly, NodeIndex node) {
-    throw base::NumericalError("the structure, as held, can move without strain at " +
-                               node_text(assembly, node) +
+    const std::string where =
+        node_text(assembly, node) + ", " + place_text(assembly.nodes[static_cast<std::size_t>(node.value)]);
+    const std::vector<bool> connected = connected_to(assembly, node);
+    const auto is_beside = [&](const auto& held) {
+        return connected[static_cast<std::size_t>(held.node.value)];
+    };
+    if (std::ranges::none_of(assembly.supports, is_beside) &&
+        std::ranges::none_of(assembly.prescribed, is_beside)) {
+        const bool is_all = std::ranges::find(connected, false) == connected.end();
+        throw base::NumericalError(is_all ? "nothing holds the structure: it needs supports"
+                                          : "nothing holds the part of the structure with " + where +
+                                                ": it needs supports, or beams between it and what is held");
+    }
+    throw base::NumericalError("the structure, as held, can move without strain at " + where +
                                ": hold it more, or release less of its beams (or stiffnesses differ by "
                                "more than double precision tells apart)");
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/text.hpp>
+#include <fretwork/mechanics/structure/connected_nodes.hpp>
 #include <fretwork/mechanics/structure/rigid_motion.hpp>
 
 #include <Eigen/Eigenvalues>
@@ -7,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <optional>
 
 namespace fretwork::mechanics::structure {
@@ -15,19 +15,12 @@ namespace {
 
 /// The nodes of each connected part, parts in the order of their first nodes.
 std::vector<std::vector<std::size_t>> connected_parts(const Frame& frame) {
-    std::vector<std::size_t> parent(frame.nodes.size());
-    std::iota(parent.begin(), parent.end(), 0);
-    const auto root = [&parent](std::size_t i) {
-        while (parent[i] != i) i = parent[i] = parent[parent[i]];
-        return i;
-    };
-    for (const Beam& beam : frame.beams) {
-        const std::size_t a = root(static_cast<std::size_t>(beam.nodes[0].value));
-        const std::size_t b = root(static_cast<std::size_t>(beam.nodes[1].value));
-        parent[std::max(a, b)] = std::min(a, b);
-    }
+    ConnectedNodes nodes(frame.nodes.size());
+    for (const Beam& beam : frame.beams)
+        nodes.connect(static_cast<std::size_t>(beam.nodes[0].value),
+                      static_cast<std::size_t>(beam.nodes[1].value));
     std::vector<std::vector<std::size_t>> members(frame.nodes.size());
-    for (std::size_t i = 0; i < frame.nodes.size(); ++i) members[root(i)].push_back(i);
+    for (std::size_t i = 0; i < frame.nodes.size(); ++i) members[nodes.first_of(i)].push_back(i);
     std::erase_if(members, [](const auto& part) { return part.empty(); });
     return members;
 }
