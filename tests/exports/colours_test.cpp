@@ -5,6 +5,7 @@
 
 #include <regex>
 #include <set>
+#include <vector>
 
 namespace fretwork::exports {
 namespace {
@@ -37,6 +38,21 @@ TEST(ScaleColour, GetsBrighterMonotonicallyAndIsClamped) {
         EXPECT_LT(brightness(scale_colour(i / 100.0)), brightness(scale_colour((i + 1) / 100.0)) + 0.5) << i;
     EXPECT_EQ(scale_colour(-1.0), scale_colour(0.0));
     EXPECT_EQ(scale_colour(2.0), scale_colour(1.0));
+}
+
+TEST(ValueColour, OfValuesBeyondTheRangeIsInNeitherScale) {
+    std::vector<double> values(1000, 1.0);
+    values[7] = 50.0;
+    const ValueRange range = value_range(values);
+    EXPECT_EQ(value_colour(50.0, range), kBeyondColour);
+    EXPECT_EQ(value_colour(1.0, range), scale_colour(1.0));
+    EXPECT_EQ(largest_beyond(values, range), 50.0);
+    values[8] = -60.0;
+    const ValueRange both = value_range(values);
+    EXPECT_EQ(value_colour(-60.0, both), kBeyondColour);
+    EXPECT_EQ(value_colour(-1.0, both), signed_colour(0.0));
+    EXPECT_EQ(largest_beyond(values, both), 60.0);
+    EXPECT_EQ(largest_beyond(std::vector<double>{1.0, 2.0}, {0.0, 2.0}), std::nullopt);
 }
 
 }  // namespace

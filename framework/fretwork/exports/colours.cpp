@@ -51,6 +51,11 @@ std::string mixed(const std::array<Rgb, 9>& samples, double share) {
     return hex(colour);
 }
 
+bool is_beyond(double value, const ValueRange& range) {
+    const double rounding = 1e-4 * (range.to - range.from);
+    return value > range.to + rounding || value < range.from - rounding;
+}
+
 }  // namespace
 
 std::string pattern_colour(int index) {
@@ -119,8 +124,16 @@ ValueRange value_range(std::span<const double> values) {
     return {is_signed ? -to : 0.0, to};
 }
 
+std::optional<double> largest_beyond(std::span<const double> values, const ValueRange& range) {
+    std::optional<double> largest;
+    for (const double value : values)
+        if (is_beyond(value, range)) largest = std::max(largest.value_or(0.0), std::abs(value));
+    return largest;
+}
+
 std::string value_colour(double value, const ValueRange& range) {
     if (std::isnan(value)) return "#999999";
+    if (is_beyond(value, range)) return kBeyondColour;
     const double share = range.to > range.from ? (value - range.from) / (range.to - range.from) : 0.0;
     return range.from < 0.0 ? signed_colour(share) : scale_colour(share);
 }

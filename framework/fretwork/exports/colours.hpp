@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 
@@ -29,6 +30,11 @@ ValueRange whole_range(std::span<const double> values);
 /// From zero, or evenly around zero where values have both signs. A few values that are far above all others
 /// are left out, or they alone would be seen.
 ValueRange value_range(std::span<const double> values);
+/// What lies beyond a range has this colour, which is in neither scale: the worst bars are to be seen.
+/// The page of views has the same.
+inline constexpr const char* kBeyondColour = "#f018b4";
+/// The largest size of the values beyond a range; nothing if none is there.
+std::optional<double> largest_beyond(std::span<const double> values, const ValueRange& range);
 /// scale_colour(), or signed_colour() where the range goes below zero. Grey for NaN.
 std::string value_colour(double value, const ValueRange& range);
 

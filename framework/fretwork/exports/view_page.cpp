@@ -52,9 +52,11 @@ Json field_json(const BarScene::Field& field) {
         steps.push_back(std::isnan(value)
                             ? kUnknown
                             : static_cast<std::uint16_t>(std::lround((value - all.from) / span * kSteps)));
-    return {{"name", field.name},     {"title", field.title}, {"unit", field.unit},
-            {"factor", field.factor}, {"low", all.from},      {"high", all.from + span},
-            {"from", shown.from},     {"to", shown.to},       {"values", packed(steps)}};
+    Json json = {{"name", field.name},     {"title", field.title}, {"unit", field.unit},
+                 {"factor", field.factor}, {"low", all.from},      {"high", all.from + span},
+                 {"from", shown.from},     {"to", shown.to},       {"values", packed(steps)}};
+    if (const auto beyond = largest_beyond(field.values, shown)) json["beyond"] = *beyond;
+    return json;
 }
 
 Json scene_json(const Scene& scene) {

@@ -106,11 +106,9 @@ std::vector<std::uint8_t> with_legend(std::vector<std::uint8_t> pixels, PixelSiz
     if (size.width < kSmallest || size.height < kSmallest) return pixels;
     const int dot = std::max(1, size.width / 800);
     const ValueRange range = value_range(field.values);
-    const ValueRange all = whole_range(field.values);
-    const double largest = std::max(-all.from, all.to);
+    const auto beyond = largest_beyond(field.values, range);
     std::string title = field.title + " " + field.unit;
-    constexpr double kRounding = 1e-4;
-    if (largest > (1 + kRounding) * range.to) title += " up to " + number_text(field.factor * largest);
+    if (beyond) title += " up to " + number_text(field.factor * *beyond) + "  ";
     const std::string from = number_text(field.factor * range.from);
     const std::string to = number_text(field.factor * range.to);
     const int margin = 8 * dot;
@@ -122,6 +120,11 @@ std::vector<std::uint8_t> with_legend(std::vector<std::uint8_t> pixels, PixelSiz
     Pixels drawn(std::move(pixels), size);
     drawn.fill(x - margin, y - margin, {width + 2 * margin, 2 * line + bar + 2 * margin}, {0xff, 0xff, 0xff});
     drawn.write(x, y, title, dot);
+    if (beyond) {
+        const int square = kHeight * dot;
+        drawn.fill(x + kLetter * dot * static_cast<int>(title.size()) - square, y, {square, square},
+                   rgb(kBeyondColour));
+    }
     for (int column = 0; column < width; ++column) {
         const double share = (column + 0.5) / width;
         drawn.fill(x + column, y + line, {1, bar},

@@ -10,8 +10,8 @@
 namespace fretwork::exports::detail {
 
 /// A picture of pixels (red, green, blue and opacity, a byte each) with a legend in its lower left corner:
-/// the field's title, its unit, the colours, and the values at both ends. Pictures too small for it stay as
-/// they are.
+/// the field's title, its unit, the colours, the values at both ends, and the largest of those beyond with
+/// their colour. Pictures too small for it stay as they are.
 std::vector<std::uint8_t> with_legend(std::vector<std::uint8_t> pixels, PixelSize size,
                                       const BarScene::Field& field);
 
