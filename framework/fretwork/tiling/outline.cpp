@@ -85,10 +85,12 @@ OutlineFile scaled_to_width(OutlineFile file, double width) {
     const double factor = width / (upper.x - lower.x);
     const auto scale = [factor](pattern::Polygon& loop) {
         for (Point2& point : loop) point = {factor * point.x, factor * point.y};
+        detail::remove_repeated_points(loop, 0.0);
     };
     for (Outline& part : file.parts) {
         scale(part.boundary);
         std::ranges::for_each(part.holes, scale);
+        part = make_outline(std::move(part.boundary), std::move(part.holes));
     }
     return file;
 }

@@ -291,7 +291,8 @@ void refuse_narrow(const Outline& outline, const TessellationOptions& options) {
     const auto works = side_that_works(outline, silent, kSideInBand * place.width, work);
     throw base::GeometryError("the outline is " + metres(place.width) + " wide near " +
                               detail::place_text(place.place) + ", narrower than tiles with sides of " +
-                              metres(options.edge_length) + advice(works));
+                              metres(options.edge_length) + advice(works) +
+                              "; or refine the tiles where it is narrow");
 }
 
 }  // namespace

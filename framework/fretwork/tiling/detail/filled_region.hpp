@@ -11,6 +11,10 @@ namespace fretwork::tiling::detail {
 
 enum class FillRule { Nonzero, Evenodd };
 
+/// Slits and needles narrower than this share of the tolerance are closed and cut off: where lines nearly
+/// meet there are such. Less than the width to which points that touch are opened.
+inline constexpr double kWeldShare = 0.25;
+
 /// Closed polygons that are filled together, in metres. They may cross themselves and each other.
 struct FilledShape {
     std::vector<pattern::Polygon> loops;
@@ -35,6 +39,7 @@ struct Region {
     std::vector<Outline> parts;          ///< the largest first
     int touches = 0;                     ///< points where a part touched itself, now opened by the tolerance
     int slits = 0;                       ///< holes narrower than the tolerance, now filled
+    bool is_welded = false;              ///< slits were closed, or needles cut off: kWeldShare
     std::optional<std::size_t> cover{};  ///< the shape that covers all others, if one does
 };
 

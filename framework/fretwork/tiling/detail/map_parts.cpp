@@ -2,7 +2,9 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/tiling/detail/map_parts.hpp>
 #include <fretwork/tiling/detail/outline_check.hpp>
+#include <fretwork/tiling/detail/outline_readers.hpp>
 #include <fretwork/tiling/detail/plane.hpp>
+#include <fretwork/tiling/detail/welding.hpp>
 
 #include <algorithm>
 #include <limits>
@@ -59,17 +61,43 @@ void mark_parts(PlanarMap& map) {
     }
 }
 
-/// Where the loop comes to a point again, each of its corners there moves into what is filled.
-Polygon opened(const Polygon& points, const std::vector<bool>& is_touch, double tolerance) {
-    Polygon apart = points;
-    const std::size_t n = points.size();
+struct Corner {
+    Point2 place;
+    bool is_touch;  // the loop comes to it again
+};
+
+/// Corners so near to a touch that nothing could be opened between them are left out.
+void leave_room_at_touches(std::vector<Corner>& corners, double room) {
+    const auto is_beside = [&](std::size_t i) {
+        const std::size_t n = corners.size();
+        const auto is_near = [&](const Corner& other) {
+            return other.is_touch && distance(other.place, corners[i].place) < room;
+        };
+        return !corners[i].is_touch && (is_near(corners[(i + n - 1) % n]) || is_near(corners[(i + 1) % n]));
+    };
+    for (std::size_t i = 0; i < corners.size();) {
+        if (!is_beside(i)) {
+            ++i;
+            continue;
+        }
+        corners.erase(corners.begin() + static_cast<std::ptrdiff_t>(i));
+        i -= std::min<std::size_t>(i, 1);  // the one before may be beside it now
+    }
+}
+
+/// The corners; at a touch, each of them moves into what is filled.
+Polygon opened(std::vector<Corner> corners, double tolerance) {
+    leave_room_at_touches(corners, 4 * tolerance);
+    const std::size_t n = corners.size();
+    Polygon apart;
     for (std::size_t i = 0; i < n; ++i) {
-        if (!is_touch[i]) continue;
-        const Point2 in = points[i] - points[(i + n - 1) % n];
-        const Point2 out = points[(i + 1) % n] - points[i];
+        apart.push_back(corners[i].place);
+        if (!corners[i].is_touch) continue;
+        const Point2 in = corners[i].place - corners[(i + n - 1) % n].place;
+        const Point2 out = corners[(i + 1) % n].place - corners[i].place;
         const double left = std::atan2(out.y, out.x) + 0.5 * (std::numbers::pi - turn(in, out));
         const double reach = std::min({tolerance, 0.3 * length(in), 0.3 * length(out)});
-        apart[i] = points[i] + reach * Point2{std::cos(left), std::sin(left)};
+        apart[i] = corners[i].place + reach * Point2{std::cos(left), std::sin(left)};
     }
     return apart;
 }
@@ -104,13 +132,11 @@ Loop loop_of(const Row& row, double tolerance) {
     std::unordered_map<const void*, int> visits;
     for (const Halfedge halfedge : row.along) ++visits[&*halfedge->target()];
     Loop loop{.points = {}, .first_side = row.first_side};
-    std::vector<bool> is_touch;
-    for (const Halfedge halfedge : row.along) {
-        loop.points.push_back(place_of(halfedge->target()));
-        is_touch.push_back(visits[&*halfedge->target()] > 1);
-    }
     for (const auto& [vertex, count] : visits) loop.touches += count > 1 ? 1 : 0;
-    if (loop.touches > 0) loop.points = opened(loop.points, is_touch, tolerance);
+    std::vector<Corner> corners;
+    for (const Halfedge halfedge : row.along)
+        corners.push_back({place_of(halfedge->target()), visits[&*halfedge->target()] > 1});
+    loop.points = opened(std::move(corners), tolerance);
     return loop;
 }
 
@@ -140,6 +166,8 @@ Collected collect(LineMap& lines, double tolerance) {
         const Row row = row_from(halfedge, lines.sides);
         for (const Halfedge next : row.along) done.insert(&*next);
         Loop loop = loop_of(row, tolerance);
+        // Lines that nearly run along each other cross beside points of the file.
+        remove_repeated_points(loop.points, kClosingShare * tolerance);
         PartLoops& loops = collected.parts[part];
         const bool is_boundary = pattern::signed_area(loop.points) > 0;
         if (is_thin(loop.points, tolerance)) {
@@ -154,6 +182,15 @@ Collected collect(LineMap& lines, double tolerance) {
     }
     std::erase_if(collected.parts, [](const auto& part) { return part.second.boundary.empty(); });
     return collected;
+}
+
+int weld_parts(std::map<int, PartLoops>& parts, double width) {
+    std::vector<Polygon*> loops;
+    for (auto& [number, part] : parts) {
+        loops.push_back(&part.boundary);
+        for (auto& [side, hole] : part.holes) loops.push_back(&hole);
+    }
+    return weld(loops, width);
 }
 
 /// The parts as outlines; nothing if rounding has made one of them cross itself.
@@ -187,11 +224,16 @@ LineMap map_of(const std::map<int, PartLoops>& parts) {
 Region region_of_map(LineMap& lines, double tolerance) {
     Collected collected = collect(lines, tolerance);
     Region region = collected.counts;
-    auto outlines = outlines_of(collected.parts);
-    for (int round = 1; !outlines && round < kMostRounds; ++round) {
+    std::optional<std::vector<Outline>> outlines;
+    for (int round = 1;; ++round) {
+        const bool is_last = round == kMostRounds;
+        const int welded = is_last ? 0 : weld_parts(collected.parts, kWeldShare * tolerance);
+        region.is_welded = region.is_welded || welded > 0;
+        if (welded == 0) outlines = outlines_of(collected.parts);
+        if (outlines || is_last) break;
         LineMap again = map_of(collected.parts);
         collected = collect(again, tolerance);
-        outlines = outlines_of(collected.parts);
+        region.touches += collected.counts.touches;
     }
     if (!outlines)
         throw base::GeometryError("its curves cross at places too near to each other to tell apart");

@@ -8,7 +8,7 @@
 namespace fretwork::tiling::detail {
 void remove_repeated_points(pattern::Polygon& points, double nearest) {
     const auto is_near = [&](const pattern::Point2& a, const pattern::Point2& b) {
-        return std::hypot(a.x - b.x, a.y - b.y) < nearest;
+        return a == b || std::hypot(a.x - b.x, a.y - b.y) < nearest;
     };
     points.erase(std::unique(points.begin(), points.end(), is_near), points.end());
     while (points.size() > 1 && is_near(points.front(), points.back())) points.pop_back();

@@ -6,7 +6,9 @@
 #include <fretwork/tiling/detail/sites.hpp>
 #include <fretwork/tiling/detail/triangulation.hpp>
 
+#include <optional>
 #include <span>
+#include <vector>
 
 namespace fretwork::tiling::detail {
 namespace {
@@ -29,34 +31,46 @@ Point2 weighted_centroid(const Polygon& polygon, std::span<const double> sides) 
     return weights > 0 ? (1 / weights) * sum : middle;
 }
 
+/// Where the sites of a dual's tiles move to.
+class Centroids {
+  public:
+    Centroids(const Dual& dual, const SizeField& field) : dual_(dual) {
+        if (field.is_uniform()) return;
+        for (const DualVertex& vertex : dual.vertices) wanted_.push_back(field.at(vertex.place));
+    }
+
+    /// Nothing for a tile that is turned over.
+    std::optional<Point2> of(std::size_t site) {
+        const Polygon polygon = polygon_of(dual_, site);
+        if (polygon.size() < 3 || !(pattern::signed_area(polygon) > 0)) return std::nullopt;
+        if (wanted_.empty()) return pattern::centroid(polygon);
+        sides_.clear();
+        for (const int v : dual_.cells[site]) sides_.push_back(wanted_[static_cast<std::size_t>(v)]);
+        return weighted_centroid(polygon, sides_);
+    }
+
+  private:
+    const Dual& dual_;
+    std::vector<double> wanted_;  // sides at the vertices; empty: the same everywhere
+    std::vector<double> sides_;
+};
+
 }  // namespace
 
 std::vector<Point2> relax(const Rim& rim, const SizeField& field, std::vector<Point2> sites, int iterations,
                           Work& work) {
     const InsideTest is_inside(rim, 0.0);
-    std::vector<double> wanted;
-    std::vector<double> sides;
     for (int i = 0; i < iterations; ++i) {
         work.advance();
         if (sites.empty()) continue;
         Triangulation triangulation = triangulate(rim, sites, work);
         flip_ears(triangulation);
         const Dual dual = dual_of(rim, triangulation, work);
-        wanted.clear();
-        if (!field.is_uniform()) {
-            for (const DualVertex& vertex : dual.vertices) wanted.push_back(field.at(vertex.place));
-        }
+        Centroids centroids(dual, field);
         for (std::size_t site = 0; site < sites.size(); ++site) {
             work.check();
-            const Polygon polygon = polygon_of(dual, site);
-            if (polygon.size() < 3 || !(pattern::signed_area(polygon) > 0)) continue;
-            sides.clear();
-            if (!field.is_uniform()) {
-                for (const int v : dual.cells[site]) sides.push_back(wanted[static_cast<std::size_t>(v)]);
-            }
-            const Point2 target =
-                field.is_uniform() ? pattern::centroid(polygon) : weighted_centroid(polygon, sides);
-            if (is_inside(target, 0.0)) sites[site] = target;
+            const auto target = centroids.of(site);
+            if (target && is_inside(*target, 0.0)) sites[site] = *target;
         }
     }
     return sites;

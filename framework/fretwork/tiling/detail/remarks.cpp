@@ -19,6 +19,9 @@ void Remarks::tell(const Region& region, double tolerance) {
     if (region.touches > 0)
         say(counted(region.touches, "point") + " where the shape touches itself opened by " + width);
     if (region.slits > 0) say(counted(region.slits, "hole") + " narrower than " + width + " filled");
+    if (region.is_welded)
+        say("slits and needles narrower than " + roughly_in_millimetres(kWeldShare * tolerance) +
+            " mm closed or cut off");
 }
 
 std::vector<std::string> Remarks::list() const {

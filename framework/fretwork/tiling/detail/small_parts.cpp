@@ -2,10 +2,11 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/tiling/detail/message_text.hpp>
 #include <fretwork/tiling/detail/outline_check.hpp>
+#include <fretwork/tiling/detail/outline_readers.hpp>
 #include <fretwork/tiling/detail/plane.hpp>
+#include <fretwork/tiling/detail/segment_box.hpp>
 #include <fretwork/tiling/detail/small_parts.hpp>
 
-#include <CGAL/Bbox_2.h>
 #include <CGAL/box_intersection_d.h>
 
 #include <algorithm>
@@ -59,9 +60,7 @@ class NearPlaces {
         boxes.reserve(pieces_.size());
         const double reach = 0.5 * kNarrowest * edge_;
         for (const Piece& piece : pieces_) {
-            const auto [left, right] = std::minmax(piece.from.x, piece.to.x);
-            const auto [low, high] = std::minmax(piece.from.y, piece.to.y);
-            boxes.emplace_back(CGAL::Bbox_2(left - reach, low - reach, right + reach, high + reach), &piece);
+            boxes.emplace_back(box_around(piece.from, piece.to, reach), &piece);
         }
         CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
             control_.check();
@@ -123,9 +122,7 @@ class NearPlaces {
 /// Leave out the points too near to the one before them, or to the first. Returns how many.
 int remove_negligible_points(Polygon& points, double tolerance) {
     const std::size_t before = points.size();
-    const auto is_near = [&](Point2 a, Point2 b) { return std::hypot(a.x - b.x, a.y - b.y) < tolerance; };
-    points.erase(std::unique(points.begin(), points.end(), is_near), points.end());
-    while (points.size() > 1 && is_near(points.front(), points.back())) points.pop_back();
+    remove_repeated_points(points, tolerance);
     return static_cast<int>(before - points.size());
 }
 
