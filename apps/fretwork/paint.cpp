@@ -54,8 +54,12 @@ std::vector<double> parse_lengths(const std::string& text) {
 
 tiling::PlaneBox parse_box(const std::string& text) {
     const auto sides = parse_lengths(text);
-    if (sides.size() != 4 || sides[2] < sides[0] || sides[3] < sides[1])
+    if (sides.size() != 4)
         throw base::InputError("'" + text + "' is no box: XMIN,YMIN,XMAX,YMAX is, as 0,0,100mm,50mm");
+    for (const auto& [most, name] : {std::pair(2U, "XMAX"), std::pair(3U, "YMAX")})
+        if (sides[most] < sides[most - 2])
+            throw base::InputError("'" + text + "' is no box: its " + name +
+                                   " is less than its minimum (XMIN,YMIN,XMAX,YMAX)");
     return {{sides[0], sides[1]}, {sides[2], sides[3]}};
 }
 

@@ -150,7 +150,7 @@ std::string unknown_name_message(std::string_view kind, std::string_view word,
     const std::string start = "unknown " + std::string(kind) + " '" + shortened(word, kMostShown) + "'; ";
     if (const auto nearest = nearest_name(word, candidates))
         return start + "did you mean '" + *nearest + "'?";
-    return start + "there is: " + join(candidates, ", ");
+    return start + (candidates.empty() ? "there is none" : "there is: " + join(candidates, ", "));
 }
 
 }  // namespace fretwork::base
