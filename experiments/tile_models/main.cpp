@@ -20,7 +20,7 @@ using namespace fretwork::tile_models;
 
 struct Options {
     std::size_t patterns = 60;
-    int repeats = 4;
+    int repeats = 5;
     int threads = 0;
     std::string out = ".";
 };
