@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/disjoint_sets.hpp>
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/fabrication/detail/parts.hpp>
@@ -65,12 +66,7 @@ bool all_fit(const std::vector<Box>& boxes, const std::vector<std::size_t>& cell
 /// Split cells into groups of tiles that have sides in common; number the groups by their first tile.
 std::vector<std::size_t> connected_groups(const tiling::Tessellation& tessellation,
                                           const std::vector<std::size_t>& cells) {
-    std::vector<std::size_t> parent(cells.size());
-    std::iota(parent.begin(), parent.end(), std::size_t{0});
-    const auto root = [&](std::size_t t) {
-        while (parent[t] != t) t = parent[t] = parent[parent[t]];
-        return t;
-    };
+    base::DisjointSets connected(cells.size());
     std::map<std::pair<int, int>, std::size_t> tile_of_side;
     for (std::size_t t = 0; t < cells.size(); ++t) {
         const auto& vertices = tessellation.tiles[t].vertices;
@@ -81,16 +77,14 @@ std::vector<std::size_t> connected_groups(const tiling::Tessellation& tessellati
             if (neighbor == tile_of_side.end()) {
                 tile_of_side[{from, to}] = t;
             } else if (cells[neighbor->second] == cells[t]) {
-                const std::pair<std::size_t, std::size_t> roots =
-                    std::minmax({root(neighbor->second), root(t)});
-                parent[roots.second] = roots.first;
+                connected.unite(neighbor->second, t);
             }
         }
     }
     std::map<std::size_t, std::size_t> number;
     std::vector<std::size_t> parts;
     for (std::size_t t = 0; t < cells.size(); ++t)
-        parts.push_back(number.emplace(root(t), number.size()).first->second);
+        parts.push_back(number.emplace(connected.first_of(t), number.size()).first->second);
     return parts;
 }
 

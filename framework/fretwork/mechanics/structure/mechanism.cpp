@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/disjoint_sets.hpp>
 #include <fretwork/base/error.hpp>
 #include <fretwork/mechanics/sparse/arbitrary.hpp>
-#include <fretwork/mechanics/structure/connected_nodes.hpp>
 #include <fretwork/mechanics/structure/constraints.hpp>
 #include <fretwork/mechanics/structure/mechanism.hpp>
 
@@ -19,11 +19,11 @@ constexpr double kUnbalancedShare = 1e-2;
 
 /// For each node, whether elements lead from it to `from`.
 std::vector<bool> connected_to(const Assembly& assembly, NodeIndex from) {
-    ConnectedNodes nodes(assembly.nodes.size());
+    base::DisjointSets nodes(assembly.nodes.size());
     for (const auto& element : assembly.elements) {
         const auto first = static_cast<std::size_t>(element->nodes().front().value);
         for (const NodeIndex node : element->nodes())
-            nodes.connect(first, static_cast<std::size_t>(node.value));
+            nodes.unite(first, static_cast<std::size_t>(node.value));
     }
     const std::size_t wanted = nodes.first_of(static_cast<std::size_t>(from.value));
     std::vector<bool> connected;

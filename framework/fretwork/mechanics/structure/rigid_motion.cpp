@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/disjoint_sets.hpp>
 #include <fretwork/base/text.hpp>
-#include <fretwork/mechanics/structure/connected_nodes.hpp>
 #include <fretwork/mechanics/structure/rigid_motion.hpp>
 
 #include <Eigen/Eigenvalues>
@@ -15,10 +15,10 @@ namespace {
 
 /// The nodes of each connected part, parts in the order of their first nodes.
 std::vector<std::vector<std::size_t>> connected_parts(const Frame& frame) {
-    ConnectedNodes nodes(frame.nodes.size());
+    base::DisjointSets nodes(frame.nodes.size());
     for (const Beam& beam : frame.beams)
-        nodes.connect(static_cast<std::size_t>(beam.nodes[0].value),
-                      static_cast<std::size_t>(beam.nodes[1].value));
+        nodes.unite(static_cast<std::size_t>(beam.nodes[0].value),
+                    static_cast<std::size_t>(beam.nodes[1].value));
     std::vector<std::vector<std::size_t>> members(frame.nodes.size());
     for (std::size_t i = 0; i < frame.nodes.size(); ++i) members[nodes.first_of(i)].push_back(i);
     std::erase_if(members, [](const auto& part) { return part.empty(); });

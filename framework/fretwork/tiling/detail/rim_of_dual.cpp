@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/disjoint_sets.hpp>
 #include <fretwork/tiling/detail/cell_sides.hpp>
 #include <fretwork/tiling/detail/rim_of_dual.hpp>
 
 #include <algorithm>
-#include <numeric>
 
 namespace fretwork::tiling::detail {
 
@@ -49,18 +49,13 @@ std::vector<pattern::Polygon> loops_of(const Dual& dual, const DualRim& rim) {
 }
 
 Pieces pieces_of(const Dual& dual, const base::Control& control) {
-    std::vector<std::size_t> parent(dual.cells.size());
-    std::iota(parent.begin(), parent.end(), 0);
-    const auto root = [&](std::size_t cell) {
-        while (parent[cell] != cell) cell = parent[cell] = parent[parent[cell]];
-        return cell;
-    };
+    base::DisjointSets connected(dual.cells.size());
     const auto sides = sides_of_cells(dual, control);
     for_each_side(sides, control, [&](std::span<const CellSide> same) {
-        for (const CellSide& other : same.subspan(1)) parent[root(other.cell)] = root(same.front().cell);
+        for (const CellSide& other : same.subspan(1)) connected.unite(other.cell, same.front().cell);
     });
     std::vector<std::size_t> sizes(dual.cells.size(), 0);
-    for (std::size_t cell = 0; cell < sizes.size(); ++cell) ++sizes[root(cell)];
+    for (std::size_t cell = 0; cell < sizes.size(); ++cell) ++sizes[connected.first_of(cell)];
     Pieces pieces;
     std::size_t smallest = dual.cells.size() + 1;
     for (std::size_t cell = 0; cell < sizes.size(); ++cell) {
