@@ -2,6 +2,7 @@
 #include "sample.hpp"
 
 #include <fretwork/base/text.hpp>
+#include <fretwork/reduction/setting_file.hpp>
 
 #include <algorithm>
 #include <limits>
@@ -92,6 +93,18 @@ TEST_F(LibraryTest, AdoptsAnotherSettingOnlyBeforeAnythingIsComputed) {
     EXPECT_THAT(complaint_of([&] { library.adopt_setting(reduction::paper_setting()); }),
                 HasSubstr("setting"));
     EXPECT_EQ(library.setting(), other);
+}
+
+TEST_F(LibraryTest, AdoptsAStrengthAlsoAfterSomethingIsComputed) {
+    Library library = make_library(path());
+    library.store(std::vector{sample_data("0-1+1-6", 2.0)});
+    reduction::Setting other = library.setting();
+    other.strength = 4e7;
+    library.adopt_setting(other);
+    EXPECT_EQ(library.setting(), other);
+    EXPECT_EQ(Library::open(path()).setting(), other);
+    library.adopt_setting(reduction::without_strength(other));
+    EXPECT_EQ(library.setting(), other) << "a setting without a strength says nothing of it";
 }
 
 TEST_F(LibraryTest, SummariesCountWhatThereIsOfEachPattern) {

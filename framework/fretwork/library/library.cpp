@@ -192,19 +192,27 @@ void Library::check_setting(const reduction::Setting& wanted) const {
         throw base::InputError(path().string(), "", "is of another setting: " + difference);
 }
 
+void Library::Impl::replace_setting(detail::Transaction& transaction, const reduction::Setting& wanted) {
+    Statement(database, "UPDATE setting SET json = ?").bind_all(reduction::setting_text(wanted)).run();
+    commit(transaction);
+    setting = wanted;
+}
+
 void Library::adopt_setting(const reduction::Setting& wanted) {
     const auto transaction = impl_->begin_writing();
     if (detail::query_integer(impl_->database,
                               "SELECT 1 FROM response_state UNION SELECT 1 FROM calibration "
                               "UNION SELECT 1 FROM property UNION SELECT 1 FROM failure")) {
         check_setting(wanted);
+        if (!wanted.strength || wanted.strength == impl_->setting.strength) return;
+        reduction::Setting stronger = impl_->setting;
+        stronger.strength = wanted.strength;
+        impl_->replace_setting(*transaction, stronger);
         return;
     }
     Statement(impl_->database, "DELETE FROM scenario").run();
-    Statement(impl_->database, "UPDATE setting SET json = ?").bind_all(reduction::setting_text(wanted)).run();
     insert_scenarios(impl_->database, wanted);
-    impl_->commit(*transaction);
-    impl_->setting = wanted;
+    impl_->replace_setting(*transaction, wanted);
 }
 
 void Library::check_layout(const pattern::NodeLayout& wanted) const {

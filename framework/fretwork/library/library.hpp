@@ -113,8 +113,8 @@ class Library {
     /// Throws InputError that names the first difference.
     void check_setting(const reduction::Setting& wanted) const;
     void check_layout(const pattern::NodeLayout& wanted) const;
-    /// Take another setting while nothing has been computed under the present one; afterwards the same as
-    /// check_setting.
+    /// Take another setting while nothing has been computed under the present one; afterwards its strength
+    /// alone, if it has one, and the rest is as with check_setting.
     void adopt_setting(const reduction::Setting& wanted);
 
     /// Add patterns; those that are there already are left alone. Returns how many are new. Stopped, it adds

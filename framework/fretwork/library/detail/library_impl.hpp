@@ -23,6 +23,8 @@ struct Library::Impl {
     /// cannot be written.
     [[nodiscard]] std::unique_ptr<detail::Transaction> begin_writing();
     void commit(detail::Transaction& transaction);
+    /// Ends the transaction. Scenarios have tables of their own, which stay.
+    void replace_setting(detail::Transaction& transaction, const reduction::Setting& wanted);
 
     /// Throws InputError that names the nearest id.
     void require_pattern(std::string_view id) const;
