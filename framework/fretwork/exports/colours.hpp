@@ -31,7 +31,6 @@ ValueRange whole_range(std::span<const double> values);
 /// are left out, or they alone would be seen.
 ValueRange value_range(std::span<const double> values);
 /// What lies beyond a range has this colour, which is in neither scale: the worst bars are to be seen.
-/// The page of views has the same.
 inline constexpr const char* kBeyondColour = "#f018b4";
 /// The largest size of the values beyond a range; nothing if none is there.
 std::optional<double> largest_beyond(std::span<const double> values, const ValueRange& range);

@@ -83,6 +83,7 @@ Json scene_json(const Scene& scene) {
                  {"scale", scene.displacement_scale},
                  {"view", {view.azimuth, view.elevation}},
                  {"colour", scene.picture.colour},
+                 {"beyond", kBeyondColour},
                  {"fields", Json::array()},
                  {"supports", Json::array()},
                  {"loads", Json::array()}};
