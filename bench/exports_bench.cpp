@@ -41,7 +41,7 @@ const Scene& scene_of(int tiles) {
 void write_text(benchmark::State& state, const WriterRow& writer) {
     const Scene& scene = scene_of(static_cast<int>(state.range(0)));
     std::size_t bytes = 0;
-    for (auto _ : state) bytes = writer.text(scene).size();
+    for (auto _ : state) bytes = writer.write(scene).text.size();
     state.counters["MB"] = static_cast<double>(bytes) * 1e-6;
 }
 

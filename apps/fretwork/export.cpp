@@ -191,18 +191,23 @@ void run(const Options& options) {
     const exports::Scene scene = make_scene(options, control);
     base::FileBatch files;
     base::Json report = {{"files", base::Json::array()}};
+    std::vector<std::string> remarks;
     for (const std::string& path : options.to) {
         control.check();
         const exports::WriterRow& writer = writer_of(options, path);
-        const std::string text = writer.text(scene);
-        files.add(path, text);
+        const exports::Written written = writer.write(scene);
+        files.add(path, written.text);
+        for (const std::string& remark : written.remarks)
+            if (std::ranges::find(remarks, remark) == remarks.end()) remarks.push_back(remark);
         report["files"].push_back({{"path", path},
                                    {"content", exports::content_name(writer.content)},
                                    {"unit", exports::unit_of(writer)},
-                                   {"bytes", text.size()}});
+                                   {"bytes", written.text.size()},
+                                   {"remarks", written.remarks}});
     }
     control.check();
     files.commit();
+    for (const std::string& remark : remarks) std::fprintf(stderr, "fretwork: %s\n", remark.c_str());
     if (options.json) std::fputs(base::json_text(report).c_str(), stdout);
 }
 

@@ -185,7 +185,8 @@ void add_drawings(const Options& options, const Surface& surface, const mechanic
     if (options.drawings.empty()) return;
     exports::Scene scene{surface};
     scene.results.push_back({options.simulation.model, result});
-    for (const std::string& path : options.drawings) files.add(path, exports::find_writer(path).text(scene));
+    for (const std::string& path : options.drawings)
+        files.add(path, exports::find_writer(path).write(scene).text);
 }
 
 /// The load steps or stages for ParaView. The files beside the named one are ours, or are not there.

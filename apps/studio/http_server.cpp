@@ -72,6 +72,7 @@ Response response_to(const Request& request, HttpAnswer answer) {
     if (!answer.download_name.empty())
         response.set(http::field::content_disposition,
                      "attachment; filename=\"" + safe_name(answer.download_name) + "\"");
+    if (!answer.remark.empty()) response.set("Fretwork-Remark", answer.remark);
     response.keep_alive(false);
     response.content_length(answer.body.size());
     if (request.method() != http::verb::head) response.body() = std::move(answer.body);

@@ -21,6 +21,7 @@ struct HttpAnswer {
     std::string type = "text/plain; charset=utf-8";
     std::string body;
     std::string download_name{};  ///< of a file to be stored; empty: to be shown
+    std::string remark{};         ///< one line of plain letters on the file, for who stores it
 };
 
 /// What the server is for. All calls come on the server's thread, and only for requests that may be made.

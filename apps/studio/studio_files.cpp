@@ -11,6 +11,7 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/file.hpp>
 #include <fretwork/base/quantity.hpp>
+#include <fretwork/base/text.hpp>
 #include <fretwork/exports/making_choice.hpp>
 #include <fretwork/exports/picture_options.hpp>
 #include <fretwork/exports/writer_catalogue.hpp>
@@ -179,8 +180,8 @@ const exports::WriterRow& find_target_writer(const Target& target) {
     return exports::find_writer(target.value("to"), wanted);
 }
 
-/// A file as `fretwork export` writes it. `solved` may be null.
-std::string exported(const Target& target, const Situation& situation, const SolvedPtr& solved) {
+/// A file as `fretwork export` writes it, with its remarks. `solved` may be null.
+HttpAnswer exported(const Target& target, const Situation& situation, const SolvedPtr& solved) {
     const exports::WriterRow& writer = find_target_writer(target);
     const State& state = *situation.state;
     exports::Scene scene{open_surface(state).surface};
@@ -196,7 +197,11 @@ std::string exported(const Target& target, const Situation& situation, const Sol
         }
     }
     if (writer.is_made()) scene.making = read_making(target, scene.conditions);
-    return writer.text(scene);
+    exports::Written written = writer.write(scene);
+    return {.type = "application/octet-stream",
+            .body = std::move(written.text),
+            .download_name = target.value("to"),
+            .remark = base::join(written.remarks, "; ")};
 }
 
 /// Where there is a file already, it must be a project: others are not to be lost.
@@ -312,9 +317,7 @@ void Studio::Impl::export_file(const Target& target, std::function<void(HttpAnsw
                      return tell({.type = "application/json",
                                   .body = simulation::project_text(make_project(*state, folder)),
                                   .download_name = name});
-                 tell({.type = "application/octet-stream",
-                       .body = exported(target, input.situation, solved),
-                       .download_name = name});
+                 tell(exported(target, input.situation, solved));
              },
          .failed =
              [tell](const std::string& error) { tell({.status = 422, .body = in_words(error) + "\n"}); }});

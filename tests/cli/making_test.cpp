@@ -137,6 +137,22 @@ TEST_F(MakingOptions, TheReportNamesEveryFileWithContentUnitAndSize) {
     }
 }
 
+TEST_F(MakingOptions, WhatDoesNotFitIsTold) {
+    const std::string command = "fretwork export p.json --json --to a.dxf --to b.stl --to c.vtu ";
+    for (const json& file : json::parse(succeed(command + "--kerf 0.2mm")).at("files"))
+        EXPECT_THAT(file.at("remarks"), testing::IsEmpty());
+    const auto outcome = run_command(command + "--kerf 5cm --fillet 9mm", folder_.path());
+    EXPECT_EQ(outcome.exit_code, 0);
+    const json files = json::parse(outcome.out).at("files");
+    const json& remarks = files[0].at("remarks");
+    ASSERT_EQ(remarks.size(), 2U);
+    EXPECT_EQ(files[1].at("remarks"), remarks) << "the solid";
+    EXPECT_THAT(files[2].at("remarks"), testing::IsEmpty()) << "centrelines";
+    EXPECT_THAT(remarks[0].get<std::string>(), HasSubstr("the kerf of 50 mm closes "));
+    EXPECT_THAT(remarks[1].get<std::string>(), HasSubstr("the fillet of 9 mm does not fit in "));
+    EXPECT_EQ(std::ranges::count(outcome.err, '\n'), 2) << "each once: " << outcome.err;
+}
+
 TEST_F(MakingOptions, SolidIsTheCutExtruded) {
     for (const std::string options : {"", "--frame 5mm --fillet 1mm", "--case held --bolts 3mm"}) {
         const Measured solid = measured_obj(exported("solid.obj", "--content solid " + options));

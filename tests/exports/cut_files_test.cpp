@@ -94,7 +94,7 @@ TEST(CutSvg, HasAnArcForEveryBulge) {
 TEST(CutFiles, ABedGivesSheetsBesideEachOther) {
     Scene scene{sample_surface(6, 4)};
     scene.making.bed = fabrication::Bed{.width = 0.15, .height = 0.12};
-    const std::string dxf = find_writer("a.dxf").text(scene);
+    const std::string dxf = find_writer("a.dxf").write(scene).text;
     const auto beds = polylines(dxf, "guides");
     EXPECT_THAT(dxf, HasSubstr("Sheet 2"));
     EXPECT_THAT(dxf, HasSubstr("Assembly"));

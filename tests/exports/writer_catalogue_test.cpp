@@ -30,8 +30,8 @@ TEST(WriterCatalogue, EveryWriterWritesEverySceneDeterministically) {
         EXPECT_FALSE(writer.description.empty());
         std::set<std::string> texts;
         for (const Scene& scene : scenes()) {
-            const std::string text = writer.text(scene);
-            EXPECT_EQ(text, writer.text(scene));
+            const std::string text = writer.write(scene).text;
+            EXPECT_EQ(text, writer.write(scene).text);
             EXPECT_GT(text.size(), 500U);
             if (!writer.is_picture() && writer.content != Content::Solid) {
                 EXPECT_EQ(text.find("nan"), std::string::npos) << writer.ending;
@@ -86,7 +86,7 @@ TEST(WriterCatalogue, AnUnknownEndingListsWhatThereIs) {
 TEST(WriterCatalogue, AResultOfAnotherSurfaceIsRefused) {
     const Scene scene{
         sample_surface(4, 3), std::nullopt, {{"wrong", bent(sample_surface(), Rows::EveryNode)}}};
-    for (const WriterRow& writer : writer_catalogue()) EXPECT_THROW(writer.text(scene), base::InputError);
+    for (const WriterRow& writer : writer_catalogue()) EXPECT_THROW(writer.write(scene), base::InputError);
 }
 
 }  // namespace

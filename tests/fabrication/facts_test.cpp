@@ -50,6 +50,12 @@ TEST(Facts, AKerfThatClosesOpeningsIsTold) {
     EXPECT_THAT(facts(sample(), {.kerf = 0.06}, {}).warnings, told);
 }
 
+TEST(Facts, AFilletThatDoesNotFitIsTold) {
+    const auto told = Contains(Field(&Warning::message, HasSubstr("mm does not fit in ")));
+    EXPECT_THAT(facts(sample(), {.fillet = 1e-4}, {}).warnings, testing::Not(told));
+    EXPECT_THAT(facts(sample(), {.fillet = 0.01}, {}).warnings, told);
+}
+
 TEST(Facts, SmallestRadiusIsTheFilletOrZero) {
     EXPECT_DOUBLE_EQ(facts(sample(), {}, {}).smallest_radius, 0.0);
     EXPECT_NEAR(facts(sample(), {.fillet = 3e-4}, {}).smallest_radius, 3e-4, 1e-4);

@@ -23,12 +23,6 @@ double star_area(int bars) {
     return bars * (kLength * kWidth + 0.125 * kPi * kWidth * kWidth - kite);
 }
 
-std::size_t opening_count(const Shape& shape) {
-    std::size_t count = 0;
-    for (const Piece& piece : shape.pieces) count += piece.openings.size();
-    return count;
-}
-
 TEST(Shape, OneBarIsAStadium) {
     const BarPlan plan = plan_of({{0.0, 0.0}, {kLength, 0.0}}, {{0, 1}});
     const Shape shape = make_shape(plan, {});

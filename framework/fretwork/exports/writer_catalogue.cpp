@@ -9,6 +9,7 @@
 #include <fretwork/exports/surface_drawing.hpp>
 #include <fretwork/exports/view_page.hpp>
 #include <fretwork/exports/writer_catalogue.hpp>
+#include <fretwork/fabrication/shape_remarks.hpp>
 
 #include <algorithm>
 #include <array>
@@ -54,10 +55,19 @@ fabrication::ShapeOptions making(const Scene& scene) {
     return options;
 }
 
-fabrication::CutSheet cut_sheet(const Scene& scene) {
+Written cut_sheets(const Scene& scene, std::string (*text)(const fabrication::CutSheet&)) {
     const fabrication::ShapeOptions options = making(scene);
-    if (!scene.making.bed) return fabrication::whole_sheet(scene.surface, options);
-    return side_by_side(cut_into_sheets(scene.surface, options, *scene.making.bed), *scene.making.bed);
+    const fabrication::Bed& bed = *scene.making.bed;
+    Written written{text(side_by_side(cut_into_sheets(scene.surface, options, bed), bed))};
+    if (options.kerf > 0.0 || options.fillet > 0.0)
+        written.remarks = fabrication::make_remarked_shape(scene.surface, options).remarks;
+    return written;
+}
+
+Written cut(const Scene& scene, std::string (*text)(const fabrication::CutSheet&)) {
+    if (scene.making.bed) return cut_sheets(scene, text);
+    auto [shape, remarks] = fabrication::make_remarked_shape(scene.surface, making(scene));
+    return {text(fabrication::sheet_of_shape(scene.surface, shape)), std::move(remarks)};
 }
 
 fabrication::Facts scene_facts(const Scene& scene) {
@@ -71,9 +81,11 @@ fabrication::Facts scene_facts(const Scene& scene) {
 /// Chords of a print may be off by a twentieth of a nozzle: files are a third as large as with 5 micrometres.
 constexpr double kPrintTolerance = 2e-5;  // m
 
-fabrication::Solid solid(const Scene& scene) {
-    return fabrication::make_solid(fabrication::make_shape(scene.surface, making(scene)),
-                                   {.chord_tolerance = kPrintTolerance, .control = scene.control});
+Written solid(const Scene& scene, std::string (*text)(const fabrication::Solid&)) {
+    auto [shape, remarks] = fabrication::make_remarked_shape(scene.surface, making(scene));
+    const fabrication::Solid solid =
+        fabrication::make_solid(shape, {.chord_tolerance = kPrintTolerance, .control = scene.control});
+    return {text(solid), std::move(remarks)};
 }
 
 using Kind = WriterRow::Kind;
@@ -82,53 +94,54 @@ constexpr std::array<WriterRow, 17> kWriters = {{
     {".svg", Content::Drawing,
      "drawing: the surface from above; with one result its displacements in colour; with several, these over "
      "each other; with a load case and results all of it on one sheet",
-     svg_text, Kind::Drawing},
+     [](const Scene& scene) { return Written{svg_text(scene)}; }, Kind::Drawing},
     {".png", Content::Drawing,
      "picture: the bars as the first result bends them, lit and in perspective, on transparent ground; with "
      "a load case "
      "its supports",
-     picture_png, Kind::Picture},
+     [](const Scene& scene) { return Written{picture_png(scene)}; }, Kind::Picture},
     {".html", Content::Drawing,
      "one page for any browser, without anything else: the same to turn, zoom, and see at rest or deformed",
-     view_html, Kind::Picture},
+     [](const Scene& scene) { return Written{view_html(scene)}; }, Kind::Picture},
     {".dxf", Content::Cut, "outline for cutting: closed lines with true arcs, in millimetres, in layers",
-     [](const Scene& scene) { return cut_dxf(cut_sheet(scene)); }, Kind::Made},
+     [](const Scene& scene) { return cut(scene, cut_dxf); }, Kind::Made},
     {".stl", Content::Solid, "solid for printing: closed, in millimetres (binary)",
-     [](const Scene& scene) { return solid_stl(solid(scene)); }, Kind::Made},
+     [](const Scene& scene) { return solid(scene, solid_stl); }, Kind::Made},
     {".3mf", Content::Solid, "solid for printing: closed, with its unit",
-     [](const Scene& scene) { return solid_3mf(solid(scene)); }, Kind::Made},
+     [](const Scene& scene) { return solid(scene, solid_3mf); }, Kind::Made},
     {".vtu", Content::Centrelines,
      "lines for ParaView, with displacements, rotations, section forces and stress of the first result",
      [](const Scene& scene) {
-         return vtu_text(beam_lines(scene.surface,
-                                    scene.results.empty() ? nullptr : &scene.results.front().result,
-                                    scene.known_strength()));
+         return Written{vtu_text(beam_lines(scene.surface,
+                                            scene.results.empty() ? nullptr : &scene.results.front().result,
+                                            scene.known_strength()))};
      }},
     {".obj", Content::Centrelines, "line elements, displaced by the first result",
-     [](const Scene& scene) { return obj_text(main_lines(scene)); }},
+     [](const Scene& scene) { return Written{obj_text(main_lines(scene))}; }},
     {".ply", Content::Centrelines, "vertices and edges, displaced by the first result",
-     [](const Scene& scene) { return ply_text(main_lines(scene)); }},
+     [](const Scene& scene) { return Written{ply_text(main_lines(scene))}; }},
     {".csv", Content::Centrelines, "table of nodes with displacements and rotations of the first result",
-     [](const Scene& scene) { return csv_text(main_lines(scene)); }},
+     [](const Scene& scene) { return Written{csv_text(main_lines(scene))}; }},
     {".svg", Content::Cut, "outline for cutting, as in .dxf",
-     [](const Scene& scene) { return cut_svg(cut_sheet(scene)); }, Kind::Made},
+     [](const Scene& scene) { return cut(scene, cut_svg); }, Kind::Made},
     {".obj", Content::Solid, "solid, as in .stl; millimetres",
-     [](const Scene& scene) { return solid_obj(solid(scene)); }, Kind::Made},
+     [](const Scene& scene) { return solid(scene, solid_obj); }, Kind::Made},
     {".ply", Content::Solid, "solid, as in .stl; millimetres",
-     [](const Scene& scene) { return solid_ply(solid(scene)); }, Kind::Made},
+     [](const Scene& scene) { return solid(scene, solid_ply); }, Kind::Made},
     {".3mf", Content::Centrelines, "beam lattice of round bars with the area of the section",
      [](const Scene& scene) {
-         return lattice_3mf(fabrication::bar_plan(scene.surface, making(scene).frame_width));
+         return Written{lattice_3mf(fabrication::bar_plan(scene.surface, making(scene).frame_width))};
      },
      Kind::Made},
     {".txt", Content::Facts,
      "what a maker asks: mass, cut, print, narrow places, sag and stresses of a load case; with warnings",
-     [](const Scene& scene) { return facts_text(scene_facts(scene)); }, Kind::Made},
+     [](const Scene& scene) { return Written{facts_text(scene_facts(scene))}; }, Kind::Made},
     {".json", Content::Facts, "the same for programs, SI",
-     [](const Scene& scene) { return facts_json(scene_facts(scene)); }, Kind::Made},
+     [](const Scene& scene) { return Written{facts_json(scene_facts(scene))}; }, Kind::Made},
     {".html", Content::Facts, "the same as a page with a picture of where the warnings are",
      [](const Scene& scene) {
-         return facts_html({scene_facts(scene), fabrication::whole_sheet(scene.surface, making(scene))});
+         return Written{
+             facts_html({scene_facts(scene), fabrication::whole_sheet(scene.surface, making(scene))})};
      },
      Kind::Made},
 }};

@@ -72,12 +72,18 @@ std::string_view content_name(Content content);
 /// Throws InputError that lists what there is.
 Content parse_content(const std::string& name);
 
+/// A file's content, and what is to be said of it, one line each: options for making that could not be had.
+struct Written {
+    std::string text;
+    std::vector<std::string> remarks{};
+};
+
 /// A kind of file.
 struct WriterRow {
     std::string_view ending;  ///< with its dot
     Content content;
     std::string_view description;
-    std::string (*text)(const Scene&);
+    Written (*write)(const Scene&);
     /// What of a scene it looks at besides surface and results.
     enum class Kind { Data, Drawing, Picture, Made } kind = Kind::Data;
     [[nodiscard]] bool is_drawing() const {

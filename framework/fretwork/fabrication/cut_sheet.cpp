@@ -15,11 +15,14 @@ std::vector<Label> tile_labels(const tiling::Tessellation& tessellation) {
 }
 
 CutSheet whole_sheet(const simulation::Surface& surface, const ShapeOptions& options) {
-    CutSheet sheet{.title = "Surface of " + std::to_string(surface.tessellation.tiles.size()) + " tiles",
-                   .pieces = make_shape(surface, options).pieces,
-                   .engraved = {},
-                   .labels = tile_labels(surface.tessellation)};
-    return sheet;
+    return sheet_of_shape(surface, make_shape(surface, options));
+}
+
+CutSheet sheet_of_shape(const simulation::Surface& surface, const Shape& shape) {
+    return {.title = "Surface of " + std::to_string(surface.tessellation.tiles.size()) + " tiles",
+            .pieces = shape.pieces,
+            .engraved = {},
+            .labels = tile_labels(surface.tessellation)};
 }
 
 Box box_of(const CutSheet& sheet) {

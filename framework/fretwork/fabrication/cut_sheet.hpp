@@ -27,6 +27,8 @@ struct CutSheet {
 
 /// The whole surface in one sheet, with the numbers of its tiles as labels.
 CutSheet whole_sheet(const simulation::Surface& surface, const ShapeOptions& options);
+/// The same of the surface's shape.
+CutSheet sheet_of_shape(const simulation::Surface& surface, const Shape& shape);
 
 /// The numbers of tiles, in their middles.
 std::vector<Label> tile_labels(const tiling::Tessellation& tessellation);

@@ -2,15 +2,17 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/fabrication/detail/bar_angles.hpp>
+#include <fretwork/fabrication/detail/inner_corners.hpp>
+#include <fretwork/fabrication/detail/length_text.hpp>
 #include <fretwork/fabrication/detail/plane.hpp>
 #include <fretwork/fabrication/facts.hpp>
+#include <fretwork/fabrication/shape_remarks.hpp>
 #include <fretwork/simulation/result_subject.hpp>
 #include <fretwork/simulation/simulate.hpp>
 #include <fretwork/simulation/surface_beams.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 
 namespace fretwork::fabrication {
@@ -31,51 +33,9 @@ void require_positive(double value, const char* what) {
                            ", where a number above zero is needed");
 }
 
-std::string short_number(double value) {
-    char buffer[32];
-    std::snprintf(buffer, sizeof(buffer), "%.4g", value);
-    return buffer;
-}
-std::string millimetres(double metres) {
-    return short_number(1e3 * metres) + " mm";
-}
-
 std::string where(TileIndex tile, TessellationNodeIndex node, const pattern::Point2& place) {
     return "tile " + std::to_string(tile) + ", node " + std::to_string(node) + " at " + place_text(place) +
            ": ";
-}
-
-/// Inner corners of the material, which lies on the left: where a contour turns right.
-double smallest_inner_radius(const Shape& shape) {
-    double smallest = 0.0;
-    bool any = false;
-    const auto take = [&](double radius) {
-        smallest = any ? std::min(smallest, radius) : radius;
-        any = true;
-    };
-    const auto look_at = [&](const Contour& contour) {
-        for (std::size_t i = 0; i < contour.size(); ++i) {
-            const ContourPoint& before = contour[(i + contour.size() - 1) % contour.size()];
-            const Point2& after = contour[(i + 1) % contour.size()].place;
-            if (contour[i].bulge < 0.0) take(arc_between(contour[i], after).radius);
-            constexpr double kLeastTurn = 0.01;  // rad
-            if (contour[i].bulge != 0.0 || before.bulge != 0.0) continue;
-            const Point2 in = contour[i].place - before.place;
-            const Point2 out = after - contour[i].place;
-            if (std::atan2(cross(in, out), dot(in, out)) < -kLeastTurn) take(0.0);
-        }
-    };
-    for (const Piece& piece : shape.pieces) {
-        look_at(piece.outer);
-        for (const Contour& opening : piece.openings) look_at(opening);
-    }
-    return smallest;
-}
-
-std::size_t opening_count(const Shape& shape) {
-    std::size_t count = 0;
-    for (const Piece& piece : shape.pieces) count += piece.openings.size();
-    return count;
 }
 
 /// The surface's supports and its weight, and nothing else.
@@ -98,10 +58,9 @@ class FactFinder {
   public:
     FactFinder(const Surface& surface, const ShapeOptions& shape, const FactsOptions& options)
         : surface_(surface), options_(options), plan_(bar_plan(surface, shape.frame_width)) {
-        ShapeOptions nominal = shape;
-        nominal.kerf = 0.0;  // what is left, and not where the cutter runs
-        shape_ = make_shape(plan_, nominal);
-        if (shape.kerf > 0.0) judge_kerf(make_shape(plan_, shape), shape.kerf);
+        shape_ = make_shape(plan_, shape.without_kerf());
+        const Shape cut = shape.kerf > 0.0 ? make_shape(plan_, shape) : shape_;
+        for (const std::string& remark : shape_remarks(shape_, cut, shape)) warn(remark, {});
     }
 
     Facts run(const FactsLoads& loads) {
@@ -131,7 +90,8 @@ class FactFinder {
         facts_.pierces = facts_.pieces + facts_.openings;
         facts_.layers = static_cast<std::size_t>(std::ceil(shape_.height / options_.layer_height - 1e-9));
         facts_.wall_length = facts_.cut_length * static_cast<double>(facts_.layers);
-        facts_.smallest_radius = smallest_inner_radius(shape_);
+        const auto radii = inner_corner_radii(shape_);
+        facts_.smallest_radius = radii.empty() ? 0.0 : std::ranges::min(radii);
         facts_.strength = options_.strength ? options_.strength : surface_.setting.strength;
     }
 
@@ -141,15 +101,6 @@ class FactFinder {
     void warn_of_more(std::size_t count, const std::string& what) {
         if (count > kMostOfOneKind)
             warn("and " + std::to_string(count - kMostOfOneKind) + " more " + what, {});
-    }
-
-    /// Where the cutter is wider than an opening there is no line to follow.
-    void judge_kerf(const Shape& cut, double kerf) {
-        const std::size_t made = opening_count(cut), wanted = opening_count(shape_);
-        if (made < wanted)
-            warn("the kerf of " + millimetres(kerf) + " closes " + std::to_string(wanted - made) + " of " +
-                     std::to_string(wanted) + " openings: they are not cut",
-                 {});
     }
 
     void judge_places() {

@@ -181,6 +181,12 @@ double ShapeOptions::contour_fillet() const {
     return std::max(0.0, fillet - 0.5 * kerf);
 }
 
+ShapeOptions ShapeOptions::without_kerf() const {
+    ShapeOptions options = *this;
+    options.kerf = 0.0;
+    return options;
+}
+
 Shape make_shape(const simulation::Surface& surface, const ShapeOptions& options) {
     options.validate();
     return make_shape(bar_plan(surface, options.frame_width), options);
@@ -190,6 +196,12 @@ Shape make_shape(const BarPlan& plan, const ShapeOptions& options) {
     options.validate();
     require_below_surface(plan, options);
     return ShapeMaker(plan, options).run();
+}
+
+std::size_t opening_count(const Shape& shape) {
+    std::size_t count = 0;
+    for (const Piece& piece : shape.pieces) count += piece.openings.size();
+    return count;
 }
 
 double area(const Shape& shape) {

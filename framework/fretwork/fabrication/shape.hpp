@@ -38,6 +38,8 @@ struct ShapeOptions {
     [[nodiscard]] double hole_radius() const { return 0.5 * (bolt_diameter - kerf); }
     /// Of the contour that the cutter follows, m.
     [[nodiscard]] double contour_fillet() const;
+    /// Of what is left, and not of where the cutter runs.
+    [[nodiscard]] ShapeOptions without_kerf() const;
 };
 
 /// The outline of a surface's bars: all places within half a width of a bar's line, so joints and free ends
@@ -47,6 +49,8 @@ Shape make_shape(const simulation::Surface& surface, const ShapeOptions& options
 /// The same of a plan, which has its frame already.
 Shape make_shape(const BarPlan& plan, const ShapeOptions& options);
 
+/// Between bars, and for bolts.
+std::size_t opening_count(const Shape& shape);
 /// m2
 double area(const Shape& shape);
 /// Of all contours, m.

@@ -82,6 +82,8 @@ export async function exportTo({ ending, made }: ExportRow): Promise<void> {
     const answer = await fetch(`/export?${query}`);
     if (!answer.ok) throw new Error((await answer.text()).trim() || `The export failed (${answer.status}).`);
     offer(await answer.blob(), `${stem()}.${ending}`);
+    const remark = answer.headers.get('Fretwork-Remark');
+    if (remark) tell(`${remark[0]!.toUpperCase()}${remark.slice(1)}.`, 'warning');
   } catch (error) {
     tell((error as Error).message, 'error');
   }

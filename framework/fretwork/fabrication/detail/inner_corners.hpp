@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/fabrication/shape.hpp>
+
+#include <vector>
+
+namespace fretwork::fabrication::detail {
+
+/// The radius of each inner corner of the material between two straight lines, m; 0: sharp. Holes for bolts
+/// are no corners.
+std::vector<double> inner_corner_radii(const Shape& shape);
+
+}  // namespace fretwork::fabrication::detail
