@@ -143,6 +143,19 @@ test('what is cut has the frame and the kerf that are written in the menu', asyn
   await page.waitForFunction(() => /kerf/.test(document.querySelector('.notes')?.textContent ?? ''));
 });
 
+test('a fillet that does not fit is told beside the file', async (t) => {
+  const { address, place } = await startStudio(t, makeProject('40mm'));
+  const page = await openPage(t, address);
+  await solved(page);
+  await page.click('#export');
+  await page.click('.making summary');
+  await page.fill('[data-making=fillet]', '9');
+  await page.keyboard.press('Escape');
+  const text = readFileSync(await exported(page, 'dxf', place), 'latin1');
+  assert.match(text, BEGINNINGS.dxf);
+  await page.waitForFunction(() => /The fillet of 9 mm does not fit/.test(document.querySelector('.notes')?.textContent ?? ''));
+});
+
 test('the exported page shows supports and loads, and needs nothing else', async (t) => {
   const { address, place } = await startStudio(t, makeProject('40mm'));
   const page = await openPage(t, address);
