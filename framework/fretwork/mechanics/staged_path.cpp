@@ -13,7 +13,7 @@ using nonlinear::Configuration;
 
 /// Shares of a stage.
 constexpr double kFirstStep = 0.1;
-constexpr double kShortestStep = 1.0 / 2048.0;
+constexpr double kShortestStep = 1.0 / 65536.0;
 /// A stage begins, and goes on after a jump, with a short step: only then is it known how fast things move.
 constexpr double kProbingStep = 1.0 / 256.0;
 /// Newton's method may find an equilibrium far away, to which the structure would snap. A step that moves so
