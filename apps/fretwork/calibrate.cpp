@@ -67,7 +67,7 @@ struct Result {
     std::vector<FailureReason> failures{};  ///< of this run and of earlier ones, most patterns first
     double seconds = 0.0;
     bool is_stopped = false;
-    bool is_papers_layout = false;
+    bool is_papers = false;  ///< layout and setting, whatever the policy
 };
 
 void adopt_setting(Library& library, const Options& options) {
@@ -77,7 +77,27 @@ void adopt_setting(Library& library, const Options& options) {
     if (!options.policy.empty())
         setting.sample_policy =
             options.policy == "paper" ? reduction::SamplePolicy::Paper : reduction::SamplePolicy::Stable;
+    const auto before = library.setting().strength;
     library.adopt_setting(setting);
+    const auto after = library.setting().strength;
+    if (before != after)
+        std::fprintf(stderr, "fretwork: the library's strength is %s MPa now\n",
+                     base::format_number(after.value_or(0.0) / 1e6).c_str());
+}
+
+/// Whether its numbers are to be compared with the paper's.
+bool is_papers(const Library& library) {
+    reduction::Setting papers = reduction::paper_setting();
+    papers.sample_policy = library.setting().sample_policy;
+    return library.layout().name() == "paper7" &&
+           reduction::setting_difference(papers, library.setting()).empty();
+}
+
+/// What looks like a slip of units.
+void tell_doubts(const reduction::Setting& setting) {
+    const std::vector<std::string> doubts = reduction::doubts_about(setting);
+    if (!doubts.empty())
+        std::fprintf(stderr, "fretwork: is that meant? %s\n", base::join(doubts, "; ").c_str());
 }
 
 /// Why patterns lack this calibration, of those that were asked for.
@@ -118,7 +138,7 @@ void print_text(const Result& result) {
     std::printf("%zu calibrated with model %s, optimizer %s\n", s.calibrated, result.key.model.c_str(),
                 result.key.optimizer.c_str());
     const char* published =
-        result.key.model == "paper6" && result.is_papers_layout
+        result.key.model == "paper6" && result.is_papers
             ? " (paper: 9.7 and 9.9, with magnitudes whose number and sizes it does not print)"
             : "";
     std::printf("objective E: mean %.2f, standard deviation %.2f, median %.2f%s\n", s.mean, s.deviation,
@@ -195,12 +215,13 @@ ExitCode calibrate(Options options) {
     options.fill.validate();
     auto library = Library::open(options.library_path, library::Access::ReadWrite);
     adopt_setting(library, options);
+    tell_doubts(library.setting());
     const auto patterns = in_shard(wanted_patterns(library, options.patterns), options.shard);
     if (options.retry) library.forget_failures();
     Result result;
     result.key = options.fill.key();
     result.policy = sample_policy_name(library.setting().sample_policy);
-    result.is_papers_layout = library.layout().name() == "paper7";
+    result.is_papers = is_papers(library);
     const auto start = std::chrono::steady_clock::now();
     result.report = library::fill(library, patterns, options.fill);
     result.is_stopped = work.is_stopped();

@@ -264,6 +264,8 @@ ExitCode run(Options options) {
     const Surface surface = simulation::make_surface(project, library ? &*library : nullptr);
     options.simulation.validate(surface);
     simulation::check_calibrations(options.project, project, surface, choice);
+    if (const std::string foreign = simulation::foreign_size_text(surface, choice); !foreign.empty())
+        std::fprintf(stderr, "fretwork: %s\n", foreign.c_str());
     const LoadCase load_case = chosen_load_case(project, options.load_case);
     base::FileBatch files;
     if (!options.frame_out.empty() || !options.deck.empty()) {

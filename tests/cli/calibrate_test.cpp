@@ -99,5 +99,39 @@ TEST_F(Calibrate, KeepsToTheSettingOfTheLibrary) {
     EXPECT_THAT(refused.err, HasSubstr("young_modulus"));
 }
 
+TEST_F(Calibrate, AsksAboutSlipsOfUnitsAndTellsAnotherStrength) {
+    make("lib.db");
+    const auto setting = [&](const std::string& material) {
+        return folder_
+            .file("setting.json", R"({"format": "fretwork/setting/2", "material": {"poisson_ratio": 0.3,
+            "density": 1240, )" + material +
+                                      "}}")
+            .string();
+    };
+    const std::string command =
+        "fretwork calibrate --library lib.db --patterns 0-1+1-6 --starts 1 --setting ";
+    EXPECT_EQ(run(command + setting(R"("young_modulus": 1e9, "strength": 4e7)")).err,
+              "fretwork: the library's strength is 40 MPa now\n");
+    EXPECT_EQ(run(command + setting(R"("young_modulus": 1e9, "strength": 40)")).err,
+              "fretwork: the library's strength is 4e-05 MPa now\n"
+              "fretwork: is that meant? the strength is 40 Pa, less than any solid bears (40 MPa is 4e7)\n");
+    make("soft.db");
+    EXPECT_THAT(run("fretwork calibrate --library soft.db --patterns 0-1+1-6 --starts 1 --setting " +
+                    setting(R"("young_modulus": 2.3)"))
+                    .err,
+                HasSubstr("is that meant? Young's modulus is 2.3 Pa"));
+}
+
+TEST_F(Calibrate, ThePapersNumbersStandBesideThoseOfItsSettingAlone) {
+    make("lib.db");
+    EXPECT_THAT(run("fretwork calibrate --library lib.db --patterns 0-1+1-6 --starts 1").out,
+                HasSubstr("(paper: 9.7"));
+    make("pla.db");
+    EXPECT_THAT(run("fretwork calibrate --library pla.db --patterns 0-1+1-6 --starts 1 --setting "
+                    "experiments/settings/pla.json")
+                    .out,
+                testing::Not(HasSubstr("(paper:")));
+}
+
 }  // namespace
 }  // namespace fretwork::app

@@ -51,6 +51,51 @@ TEST_F(CalibratedModels, AreShownWithAllParametersAndUnits) {
     }
 }
 
+TEST_F(CalibratedModels, ADamagedOneIsRefusedByItsName) {
+    succeed(
+        "fretwork tile experiments/outlines/specimen.svg --edge-length 60mm --patterns 0-5+5-6 --library "
+        "all.db "
+        "--out p.json && fretwork case add p.json experiments/cases/cantilever.json");
+    succeed("sqlite3 all.db \"UPDATE calibration_parameter SET value = -1 WHERE name = 'A'\"");
+    const Outcome outcome =
+        run_command("fretwork simulate p.json --case cantilever --model paper6 --library all.db --out r.json",
+                    folder_.path());
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_THAT(outcome.err, HasSubstr("calibration of pattern 0-5+5-6 with paper6 is damaged: A is -1"));
+}
+
+TEST_F(CalibratedModels, TilesOfAnotherSizeAreTold) {
+    for (const auto& [edge_length, told] : {std::pair("30mm", false), std::pair("60mm", true)}) {
+        succeed(
+            std::string("fretwork tile experiments/outlines/specimen.svg --patterns 0-5+5-6 --library all.db "
+                        "--out p.json --edge-length ") +
+            edge_length);
+        const Outcome outcome = run_command(
+            "fretwork simulate p.json --case experiments/cases/cantilever.json --model paper6 --out r.json",
+            folder_.path());
+        EXPECT_EQ(outcome.exit_code, 0);
+        EXPECT_EQ(
+            outcome.err.find("paper6 is calibrated for tiles with sides of 26 mm; those of this surface") !=
+                std::string::npos,
+            told)
+            << outcome.err;
+    }
+}
+
+TEST_F(CalibratedModels, AProjectTellsWhichLibraryItLacks) {
+    succeed(
+        "fretwork tile experiments/outlines/specimen.svg --edge-length 60mm --patterns 0-5+5-6 --library "
+        "all.db "
+        "--out p.json && fretwork case add p.json experiments/cases/cantilever.json && mv all.db other.db");
+    const std::string command = "fretwork simulate p.json --case cantilever --model paper6 --out r.json";
+    const Outcome outcome = run_command(command, folder_.path());
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_EQ(outcome.err,
+              "fretwork: p.json: /library/path: the library all.db is not there; bring it back, or name "
+              "it with --library\n");
+    succeed(command + " --library other.db");
+}
+
 TEST_F(CalibratedModels, AreExportedAsTablesAndMeshes) {
     succeed("fretwork library export --library all.db --csv tables --meshes meshes --svg sheet.svg");
     for (const reduction::TileModel& model : calibrated_models()) {

@@ -96,6 +96,25 @@ TEST_F(Merge, SettingsThatDifferAreRefused) {
     EXPECT_THAT(complaint_of([&] { merge(path("ab.db"), Paths{a, path("b.db")}); }), HasSubstr("tile_side"));
 }
 
+TEST_F(Merge, AStrengthThatOneInputTellsIsTakenAndTwoMustAgree) {
+    reduction::Setting strong = reduction::paper_setting();
+    strong.strength = 4e7;
+    const auto a = shard("a.db", {sample_data("0-1+1-6", 1.0)});
+    const auto b = shard("b.db", {sample_data("1-6+3-6", 2.0)});
+    const auto c = shard("c.db", {sample_data("1-6+3-6", 2.0)});
+    Library::open(b, Access::ReadWrite).adopt_setting(strong);
+    merge(path("ab.db"), Paths{a, b});
+    EXPECT_EQ(Library::open(path("ab.db")).setting().strength, 4e7);
+    merge(path("ba.db"), Paths{b, a});
+    EXPECT_EQ(Library::open(path("ba.db")).setting().strength, 4e7);
+    strong.strength = 6e7;
+    Library::open(c, Access::ReadWrite).adopt_setting(strong);
+    EXPECT_THAT(complaint_of([&] {
+                    merge(path("abc.db"), Paths{a, b, c});
+                }),
+                HasSubstr("has a strength of 60 MPa, where an earlier input has 40 MPa"));
+}
+
 TEST_F(Merge, AnOutputCreatedMeanwhileIsNotOverwritten) {
     const detail::Draft draft(path("out.db"));
     base::write_file_atomically(draft.path(), "draft");

@@ -87,7 +87,7 @@ void attach_and_copy(Database& output, const std::filesystem::path& input) {
     {
         Transaction transaction(output, Transaction::Kind::Write);
         for (const Table& table : detail::content_tables()) {
-            check_agreement(output, table, input);
+            if (table.name != "setting") check_agreement(output, table, input);  // common_setting() has
             copy_rows(output, table);
         }
         copy_provenance(output);
@@ -123,6 +123,31 @@ void merge_into(const std::filesystem::path& path, std::span<const std::filesyst
     transaction.commit();
 }
 
+/// A library without a strength gets that of the others.
+void adopt_strength(reduction::Setting& setting, const Library& other) {
+    const auto strength = other.setting().strength;
+    if (!strength) return;
+    const auto text = [](double pascals) { return base::format_number(pascals / 1e6) + " MPa"; };
+    if (setting.strength && *setting.strength != *strength)
+        throw base::InputError(other.path().string(), "",
+                               "has a strength of " + text(*strength) + ", where an earlier input has " +
+                                   text(*setting.strength) +
+                                   "; 'fretwork calibrate --setting' gives a library another one");
+    setting.strength = strength;
+}
+
+/// Layouts and settings must be the same, but for strengths that are not told.
+reduction::Setting common_setting(const Library& first, std::span<const std::filesystem::path> others) {
+    reduction::Setting setting = first.setting();
+    for (const auto& input : others) {
+        const Library other = Library::open(input);
+        other.check_layout(first.layout());
+        other.check_setting(first.setting());
+        adopt_strength(setting, other);
+    }
+    return setting;
+}
+
 }  // namespace
 
 void merge(const std::filesystem::path& output, std::span<const std::filesystem::path> inputs,
@@ -132,14 +157,10 @@ void merge(const std::filesystem::path& output, std::span<const std::filesystem:
         throw base::InputError(output.string(), "", "exists already");
     if (inputs.empty()) throw base::InputError("nothing to merge: name at least one library");
     const Library first = Library::open(inputs.front());
-    for (const auto& input : inputs.subspan(1)) {
-        const Library other = Library::open(input);
-        other.check_layout(first.layout());
-        other.check_setting(first.setting());
-    }
+    const reduction::Setting setting = common_setting(first, inputs.subspan(1));
     const detail::Draft draft(output);
     draft.fill([&] {
-        Library::create(draft.path(), first.layout(), first.setting());
+        Library::create(draft.path(), first.layout(), setting);
         merge_into(draft.path(), inputs, control);
     });
     if (!draft.move_into_place())

@@ -60,6 +60,23 @@ void check_quantities(const Setting& setting, const std::string& source) {
 
 }  // namespace
 
+std::vector<std::string> doubts_about(const Setting& setting) {
+    constexpr double kSoftest = 1e4;  // Pa; foams are stiffer
+    constexpr double kWeakest = 1e3;  // Pa
+    constexpr double kLargest = 10;   // m
+    std::vector<std::string> doubts;
+    const auto doubt = [&](const char* what, double value, const char* why) {
+        doubts.push_back(what + base::format_number(value) + why);
+    };
+    if (setting.material.young_modulus < kSoftest)
+        doubt("Young's modulus is ", setting.material.young_modulus,
+              " Pa, less than any solid has (2 GPa is 2e9)");
+    if (setting.strength && *setting.strength < kWeakest)
+        doubt("the strength is ", *setting.strength, " Pa, less than any solid bears (40 MPa is 4e7)");
+    if (setting.tile_side > kLargest) doubt("tiles have sides of ", setting.tile_side, " m (15 mm is 0.015)");
+    return doubts;
+}
+
 std::string_view sample_policy_name(SamplePolicy policy) {
     return policy == SamplePolicy::Paper ? "paper" : "stable";
 }

@@ -54,6 +54,9 @@ struct Setting {
     friend bool operator==(const Setting&, const Setting&) = default;
 };
 
+/// What of a setting looks like a slip of units, one line each.
+std::vector<std::string> doubts_about(const Setting& setting);
+
 /// The paper's: hexagon inscribed in a circle of diameter 0.03 sqrt(3) m, 2 x 2 mm, 1 GPa, nu 0.3, the five
 /// scenarios; but two elements a beam, where the paper takes one.
 Setting paper_setting();

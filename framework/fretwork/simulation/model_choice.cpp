@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
+#include <fretwork/base/text.hpp>
 #include <fretwork/simulation/detail/calibrated_parameters.hpp>
 #include <fretwork/simulation/model_choice.hpp>
+
+#include <cmath>
 
 namespace fretwork::simulation {
 
@@ -29,6 +32,28 @@ std::vector<double> tile_parameters(const Surface& surface, tiling::TileIndex ti
     const auto index = static_cast<std::size_t>(pattern);
     return detail::calibrated_parameters(surface.calibrations[index], surface.tessellation.patterns[index],
                                          model);
+}
+
+std::string foreign_size_text(const Surface& surface, const ModelChoice& choice) {
+    constexpr double kMost = 1.5;
+    const reduction::TileModel* calibrated = nullptr;
+    double sides = 0.0;
+    int count = 0;
+    for (std::size_t t = 0; t < surface.tessellation.tiles.size(); ++t) {
+        const auto& model = tile_model(surface, choice, tiling::TileIndex(t));
+        if (model.parameters.empty()) continue;
+        calibrated = &model;
+        sides += pattern::mean_side(tiling::tile_polygon(surface.tessellation, tiling::TileIndex(t)));
+        ++count;
+    }
+    if (count == 0) return "";
+    const double own = sides / count, theirs = surface.setting.tile_side;
+    if (own <= kMost * theirs && theirs <= kMost * own) return "";
+    const auto millimetres = [](double metres) {
+        return base::format_number(std::round(1e4 * metres) / 10.0) + " mm";
+    };
+    return calibrated->name + " is calibrated for tiles with sides of " + millimetres(theirs) +
+           "; those of this surface have " + millimetres(own);
 }
 
 }  // namespace fretwork::simulation

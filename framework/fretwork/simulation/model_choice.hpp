@@ -28,4 +28,8 @@ reduction::Displacements displacements(const Surface& surface, const ModelChoice
 std::vector<double> tile_parameters(const Surface& surface, tiling::TileIndex tile,
                                     const reduction::TileModel& model);
 
+/// One line where tiles are half as large again as those for which their models are calibrated, or smaller
+/// than two thirds of them; "" else.
+std::string foreign_size_text(const Surface& surface, const ModelChoice& choice);
+
 }  // namespace fretwork::simulation

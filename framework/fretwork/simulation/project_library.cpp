@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
+#include <fretwork/base/text.hpp>
 #include <fretwork/reduction/tile_model.hpp>
 #include <fretwork/simulation/project_file.hpp>
 #include <fretwork/simulation/project_library.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 namespace fretwork::simulation {
@@ -17,6 +19,21 @@ std::string place_of_model(const Project& project, tiling::TileIndex tile) {
             return "/tile_models/" + std::to_string(i);
     }
     return "";
+}
+
+/// A library that another program has changed, or a disk.
+void check_values(std::span<const double> values, const std::string& pattern,
+                  const reduction::TileModel& model) {
+    constexpr double kLeast = 1e-100, kMost = 1e100;  // of what any calibration gives
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const reduction::TileParameter& parameter = model.parameters[i];
+        const bool must_be_positive = parameter.scale == reduction::TileParameter::Scale::Logarithmic;
+        const bool is_sound = std::abs(values[i]) < kMost && (!must_be_positive || values[i] > kLeast);
+        if (!is_sound)
+            throw base::InputError("the library's calibration of pattern " + pattern + " with " + model.name +
+                                   " is damaged: " + parameter.name + " is " +
+                                   base::format_number(values[i]) + "; calibrate it again in a new library");
+    }
 }
 
 }  // namespace
@@ -43,6 +60,11 @@ std::optional<library::Library> open_project_library(const std::string& project_
     if (!wanted.empty()) return library::Library::open(wanted);
     if (project.library_path.empty()) return std::nullopt;
     const std::string path = library_path_of(project_file, project);
+    std::error_code ignored;
+    if (!std::filesystem::exists(path, ignored))
+        throw base::InputError(
+            project_file, "/library/path",
+            "the library " + path + " is not there; bring it back, or name it with --library");
     library::Library library = library::Library::open(path);
     if (!library.has_content(project.library_hash)) {
         throw base::InputError(
@@ -78,7 +100,10 @@ void check_calibrations(const std::string& file, const Project& project, const S
     for (std::size_t t = 0; t < surface.tessellation.tiles.size(); ++t) {
         const tiling::TileIndex tile(t);
         try {
-            (void)tile_parameters(surface, tile, tile_model(surface, choice, tile));
+            const auto& model = tile_model(surface, choice, tile);
+            const std::vector<double> values = tile_parameters(surface, tile, model);
+            const auto pattern = static_cast<std::size_t>(surface.tessellation.tiles[t].pattern);
+            check_values(values, surface.tessellation.patterns[pattern], model);
         } catch (const base::InputError& error) {
             throw base::InputError(file, place_of_model(project, tile), error.what());
         }

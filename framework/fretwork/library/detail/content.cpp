@@ -6,6 +6,7 @@
 #include <fretwork/library/detail/content.hpp>
 #include <fretwork/library/detail/schema.hpp>
 #include <fretwork/library/detail/schema3.hpp>
+#include <fretwork/reduction/setting_file.hpp>
 
 #include <bit>
 #include <system_error>
@@ -53,6 +54,18 @@ void update(base::Sha256& hash, const Database& database, std::string_view table
     }
 }
 
+/// As a table, but without the strength, on which no result depends.
+void update_setting(base::Sha256& hash, const Database& database) {
+    update(hash, "setting");
+    Statement row(database, "SELECT id, json FROM setting");
+    if (!row.step()) return;
+    update(hash, row, 0);
+    const reduction::Setting setting = reduction::parse_setting(row.text(1), "setting");
+    hash.update("t");
+    update(hash, setting.strength ? reduction::setting_text(reduction::without_strength(setting))
+                                  : std::string(row.text(1)));
+}
+
 std::string csv_cell(const Statement& row, int column) {
     switch (row.type(column)) {
         case SQLITE_INTEGER:
@@ -94,7 +107,12 @@ bool is_json_table(const Table& table) {
 std::string content_hash(Database& database) {
     const Transaction snapshot(database, Transaction::Kind::Read);
     base::Sha256 hash;
-    for (const Table& table : content_tables()) update(hash, database, table.name, sorted_rows_query(table));
+    for (const Table& table : content_tables()) {
+        if (table.name == "setting")
+            update_setting(hash, database);
+        else
+            update(hash, database, table.name, sorted_rows_query(table));
+    }
     return hash.hexadecimal();
 }
 
