@@ -91,9 +91,30 @@ const exports::WriterRow& writer_of(const Options& options, const std::string& p
     return exports::find_writer(path, content);
 }
 
+using Writers = std::vector<const exports::WriterRow*>;
+
+/// A drawing in .svg is from above where there is no result; with a result and a case it is beside the
+/// others.
+void refuse_ignored_in_drawings(const CLI::App& verb, const Options& options, const Writers& writers) {
+    const bool has_svg = std::ranges::any_of(
+        writers, [](const auto* writer) { return writer->is_drawing() && !writer->is_picture(); });
+    const bool has_picture =
+        std::ranges::any_of(writers, [](const auto* writer) { return writer->is_picture(); });
+    const bool is_from_above = options.results.empty() || !options.load_case.empty();
+    if (!has_svg || !is_from_above)
+        refuse_given(verb, {"--labels"},
+                     "is for drawings from above, which are .svg without --result, or with --case, too");
+    if (!has_picture && options.results.empty())
+        refuse_given(verb, {"--view"}, "is for bent surfaces (--result) and pictures (.png, .html)");
+    const bool tells_strength = std::ranges::any_of(writers, [](const auto* writer) {
+        return writer->is_picture() || writer->content == exports::Content::Facts || writer->ending == ".vtu";
+    });
+    if (!tells_strength) refuse_given(verb, {"--strength"}, "is for pictures, facts and .vtu");
+}
+
 /// Options that only some kinds of files look at.
 void refuse_ignored_options(const CLI::App& verb, const Options& options) {
-    std::vector<const exports::WriterRow*> writers;
+    Writers writers;
     for (const std::string& path : options.to) writers.push_back(&writer_of(options, path));
     refuse_ignored_making(verb, writers);
     const auto has = [&](bool (exports::WriterRow::*is)() const) {
@@ -107,6 +128,7 @@ void refuse_ignored_options(const CLI::App& verb, const Options& options) {
         if (options.making.bolts.empty() && !has_facts)
             refuse_given(verb, {"--case"}, "is for drawings, facts and --bolts, and there is none of them");
     }
+    refuse_ignored_in_drawings(verb, options, writers);
     if (!has(&exports::WriterRow::is_picture))
         refuse_given(verb, {"--colour"}, "is for pictures, and no --to names one (.png, .html)");
     if (options.results.empty() && options.colour != "plain")

@@ -12,7 +12,8 @@ void add_making_options(CLI::App& verb, exports::MakingChoice& texts) {
         return verb.add_option(name, text, words)->type_name("LENGTH")->group(group);
     };
     add("--fillet", texts.fillet, "Radius of inner corners between bars (default: sharp)");
-    add("--kerf", texts.kerf, "Width that the cutter takes away; lines run half of it outside");
+    add("--kerf", texts.kerf,
+        "Width that the cutter takes away; lines run half of it outside (solids have the true width)");
     add("--frame", texts.frame, "Width of a frame along the rim");
     add("--bolts", texts.bolts, "Diameter of holes at the supports of --case");
     add("--eye", texts.eye, "Diameter of the discs around these holes (default: twice theirs)");
@@ -30,11 +31,13 @@ void refuse_ignored_making(const CLI::App& verb, std::span<const exports::Writer
     };
     if (std::ranges::none_of(writers, [](const auto* writer) { return writer->is_made(); }))
         refuse_given(
-            verb, {"--fillet", "--kerf", "--frame", "--bolts", "--eye"},
+            verb, {"--fillet", "--frame", "--bolts", "--eye"},
             "is for what is cut or printed, and no --to names such a file (.dxf, .stl, .3mf, or --content)");
     if (!has_content(exports::Content::Cut))
         refuse_given(verb, {"--bed", "--fit"},
                      "is for what is cut, and no --to names such a file (.dxf, --content cut)");
+    if (!has_content(exports::Content::Cut) && !has_content(exports::Content::Facts))
+        refuse_given(verb, {"--kerf"}, "is for what is cut and for facts, and no --to names such a file");
     if (!has_content(exports::Content::Facts))
         refuse_given(verb, {"--clearance", "--layer"}, "is for --content facts");
 }

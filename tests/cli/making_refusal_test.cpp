@@ -18,9 +18,11 @@ TEST_F(RefusedMaking, LengthsThatAreNone) {
 }
 
 TEST_F(RefusedMaking, LengthsThatTheSurfaceHasNoRoomFor) {
-    refuse("--to x.dxf --kerf 5", "the kerf is 5 m");
-    refuse("--to x.dxf --frame 5", "the width of the frame is 5 m");
-    refuse("--to x.stl --case held --bolts 3mm --eye 5", "the diameter of eyes is 5 m");
+    refuse("--to x.dxf --kerf 5", "did you mean 5mm?");
+    refuse("--to x.dxf --fillet 0.5", "did you mean 0.5mm?");
+    refuse("--to x.dxf --kerf 5m", "the kerf is 5 m");
+    refuse("--to x.dxf --frame 5m", "the width of the frame is 5 m");
+    refuse("--to x.stl --case held --bolts 3mm --eye 5m", "the diameter of eyes is 5 m");
     refuse("--to x.dxf --case held --bolts 3mm --eye 2mm", "the diameter of eyes");
     refuse("--to x.dxf --case held --bolts 3mm --kerf 4mm", "kerf");
     refuse("--to x.dxf --case held --bolts 179.9mm --eye 181mm --bed 150x150", "bed");
@@ -38,7 +40,8 @@ TEST_F(RefusedMaking, OptionsWithoutAnEffect) {
     refuse("--to x.dxf --eye 3mm", "--bolts");
     refuse("--to x.dxf --fit 0.1mm", "--bed");
     refuse("--to x.stl --bed 200x200", "is for what is cut");
-    refuse("--to x.vtu --kerf 0.1mm", "is for what is cut or printed");
+    refuse("--to x.vtu --fillet 0.1mm", "is for what is cut or printed");
+    refuse("--to x.stl --kerf 0.1mm", "is for what is cut");
     refuse("--to x.svg --frame 3mm", "is for what is cut or printed");
     refuse("--to x.dxf --layer 0.1mm", "is for --content facts");
     refuse("--to x.dxf --clearance 1mm", "is for --content facts");

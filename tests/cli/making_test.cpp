@@ -146,11 +146,17 @@ TEST_F(MakingOptions, WhatDoesNotFitIsTold) {
     const json files = json::parse(outcome.out).at("files");
     const json& remarks = files[0].at("remarks");
     ASSERT_EQ(remarks.size(), 2U);
-    EXPECT_EQ(files[1].at("remarks"), remarks) << "the solid";
+    EXPECT_EQ(files[1].at("remarks"), json({remarks[1]})) << "a solid has no kerf";
     EXPECT_THAT(files[2].at("remarks"), testing::IsEmpty()) << "centrelines";
     EXPECT_THAT(remarks[0].get<std::string>(), HasSubstr("the kerf of 50 mm closes "));
     EXPECT_THAT(remarks[1].get<std::string>(), HasSubstr("the fillet of 9 mm does not fit in "));
     EXPECT_EQ(std::ranges::count(outcome.err, '\n'), 2) << "each once: " << outcome.err;
+}
+
+TEST_F(MakingOptions, ASolidBesideACutHasNoKerf) {
+    const std::string plain = exported("plain.stl");
+    succeed("fretwork export p.json --to a.dxf --to a.stl --kerf 0.3mm");
+    EXPECT_EQ(base::read_text_file(folder_.path() / "a.stl"), plain);
 }
 
 TEST_F(MakingOptions, SolidIsTheCutExtruded) {

@@ -9,8 +9,19 @@
 namespace fretwork::exports {
 namespace {
 
+/// A bare number is in metres, and people mean millimetres where nothing made is so large.
+double read_length(const std::string& name, const std::string& text) {
+    constexpr double kLarge = 0.05;  // m
+    const auto bare = base::read_number<double>(text);
+    if (bare && *bare >= kLarge)
+        throw base::InputError(
+            name, "",
+            text + " would be " + text + " m; did you mean " + text + "mm? Metres are written " + text + "m");
+    return base::parse_length_above_zero(name, text);
+}
+
 void set_length(double& value, const std::string& name, const std::string& text) {
-    if (!text.empty()) value = base::parse_length_above_zero(name, text);
+    if (!text.empty()) value = read_length(name, text);
 }
 
 fabrication::Bed read_bed(const std::string& name, const std::string& text) {
@@ -54,7 +65,7 @@ Making read_making(const MakingChoice& choice, const simulation::Conditions* con
         if (!making.bed)
             throw base::InputError(name("fit"), "",
                                    "is for the joints of " + name("bed") + ", which is not given");
-        making.bed->fit = base::parse_length_above_zero(name("fit"), choice.fit);
+        making.bed->fit = read_length(name("fit"), choice.fit);
     }
     if (choice.bolts.empty()) {
         if (!choice.eye.empty())

@@ -82,7 +82,7 @@ fabrication::Facts scene_facts(const Scene& scene) {
 constexpr double kPrintTolerance = 2e-5;  // m
 
 Written solid(const Scene& scene, std::string (*text)(const fabrication::Solid&)) {
-    auto [shape, remarks] = fabrication::make_remarked_shape(scene.surface, making(scene));
+    auto [shape, remarks] = fabrication::make_remarked_shape(scene.surface, making(scene).without_kerf());
     const fabrication::Solid solid =
         fabrication::make_solid(shape, {.chord_tolerance = kPrintTolerance, .control = scene.control});
     return {text(solid), std::move(remarks)};

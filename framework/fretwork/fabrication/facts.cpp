@@ -7,6 +7,7 @@
 #include <fretwork/fabrication/detail/plane.hpp>
 #include <fretwork/fabrication/facts.hpp>
 #include <fretwork/fabrication/shape_remarks.hpp>
+#include <fretwork/simulation/bar_clearance.hpp>
 #include <fretwork/simulation/result_subject.hpp>
 #include <fretwork/simulation/simulate.hpp>
 #include <fretwork/simulation/surface_beams.hpp>
@@ -67,6 +68,7 @@ class FactFinder {
         measure();
         judge_places();
         judge_angles();
+        judge_overlaps();
         judge_pieces();
         options_.control.check();
         if (loads.load_case != nullptr) estimate_sag(*loads.load_case);
@@ -132,6 +134,12 @@ class FactFinder {
                  place);
         }
         warn_of_more(count, "sharp angles");
+    }
+
+    /// They are one piece in what is made, and two bars in the model: a slit may be closed so.
+    void judge_overlaps() {
+        const auto close = simulation::close_bars(surface_, 0.0);
+        if (!close.empty()) warn(simulation::close_bars_text(close), {});
     }
 
     void judge_pieces() {

@@ -14,6 +14,10 @@
 namespace fretwork::exports::detail {
 namespace {
 
+std::string force_text(double newtons) {
+    return newtons < 0.1 ? short_number(1e3 * newtons) + " mN" : short_number(newtons) + " N";
+}
+
 using pattern::Point2;
 using simulation::Conditions;
 using simulation::Surface;
@@ -127,7 +131,7 @@ class ConditionLegend {
         using Kind = LoadMark::Kind;
         if (largest_force_ > 0)
             place = draw_load_entries(canvas, place, Kind::Force,
-                                      "forces, the largest " + short_number(largest_force_) + " N");
+                                      "forces, the largest " + force_text(largest_force_));
         if (largest_moment_ > 0)
             draw_load_entries(canvas, place, Kind::Moment,
                               "moments, the largest " + short_number(1e3 * largest_moment_) + " N mm");

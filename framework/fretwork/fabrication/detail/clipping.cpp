@@ -252,10 +252,6 @@ std::vector<Polygon> united(std::span<const Polygon> polygons) {
     return polygons_of(execute({counterclockwise(polygons, grid), {}}, ClipperLib::ctUnion), grid);
 }
 
-std::vector<Polygon> intersection(std::span<const Polygon> left, std::span<const Polygon> right) {
-    return combined(left, right, ClipperLib::ctIntersection);
-}
-
 std::vector<Polygon> merged(std::span<const Polygon> left, std::span<const Polygon> right) {
     return combined(left, right, ClipperLib::ctUnion);
 }

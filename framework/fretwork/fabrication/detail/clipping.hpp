@@ -20,11 +20,7 @@ std::vector<pattern::Polygon> difference(const pattern::Polygon& whole,
 /// clockwise.
 std::vector<pattern::Polygon> united(std::span<const pattern::Polygon> polygons);
 
-/// The parts that polygons with openings (as united() gives them) have in common with others.
-std::vector<pattern::Polygon> intersection(std::span<const pattern::Polygon> left,
-                                           std::span<const pattern::Polygon> right);
-
-/// The union of polygons with openings.
+/// The union of polygons with openings (as united() gives them).
 std::vector<pattern::Polygon> merged(std::span<const pattern::Polygon> left,
                                      std::span<const pattern::Polygon> right);
 
