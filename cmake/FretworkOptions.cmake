@@ -24,7 +24,8 @@ endif()
 # Linked privately by every target: it never reaches a user of the installed library.
 add_library(fretwork_flags INTERFACE)
 target_compile_features(fretwork_flags INTERFACE cxx_std_20)
-# Exact predicates and printed tables must not depend on whether a machine contracts a*b+c.
+# Exact predicates and printed tables must not depend on whether a machine contracts a*b+c. One kernel of the
+# factorization does contract (framework/fretwork/mechanics/CMakeLists.txt), the same way on every x86-64.
 target_compile_options(fretwork_flags INTERFACE -ffp-contract=off -Wall -Wextra -Wpedantic -Wshadow -Wconversion
                                                 -Wno-sign-conversion -Wnon-virtual-dtor -Woverloaded-virtual)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)

@@ -11,7 +11,10 @@ import math
 import pathlib
 import sys
 
-import numpy as np
+try:
+    import numpy as np
+except ModuleNotFoundError as missing:
+    sys.exit(f"analyse.py needs {missing.name}: Debian's packages python3-numpy, python3-scipy and python3-matplotlib")
 
 import figures
 import measures

@@ -10,7 +10,7 @@ mkdir -p "$out"
 
 # Row by row: the counts of each number of edges, the paper's and ours.
 paste -d'|' "$here/expected.csv" "$out/table1.csv" | awk -F'|' '
-  NR == 1 { header_equal = ($1 == $2); next }
+  NR == 1 { print "Table 1 | " $1 " | the same | "; header_equal = ($1 == $2); next }
   { split($1, paper, ","); total_paper += paper[9]; split($2, ours, ","); total_ours += ours[9]
     printf "Table 1, %2d edges | %s | %s | %s\n", paper[1], $1, $2, ($1 == $2) ? "equal" : "DIFFERS" }
   END { printf "Table 1, valid patterns | %d | %d | %s\n", total_paper, total_ours,

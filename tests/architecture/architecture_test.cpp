@@ -52,7 +52,7 @@ const std::map<std::string, std::set<std::string>> kFences = {
     {"pagmo/", {"optimization"}},
     {"sqlite3", {"library"}},
     {"nettle/", {"base"}},
-    {"pugixml", {"tiling", "exports"}},
+    {"pugixml", {"tiling"}},
     {"png.h", {"tiling", "exports"}},
     {"muParser", {"tiling"}},
     {"polyclipping/", {"fabrication"}},

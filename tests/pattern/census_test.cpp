@@ -16,11 +16,12 @@ EnumerationOptions options_of(const NodeLayout& layout) {
     return options;
 }
 
-// data/table1.csv is the paper's Table 1.
+// experiments/table1_enumeration/expected.csv is the paper's Table 1.
 TEST(Census, IsThePapersTable1ByteForByte) {
     const NodeLayout layout = find_node_layout("paper7");
     const Census census = take_census(layout, options_of(layout));
-    EXPECT_EQ(census_csv(census), base::read_text_file(FRETWORK_SOURCE_DIR "/tests/pattern/data/table1.csv"));
+    EXPECT_EQ(census_csv(census),
+              base::read_text_file(FRETWORK_SOURCE_DIR "/experiments/table1_enumeration/expected.csv"));
     EXPECT_EQ(census.valid(), 1824u);
 }
 

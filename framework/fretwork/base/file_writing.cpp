@@ -110,7 +110,7 @@ struct FolderBatch::Impl {
         std::filesystem::path base = std::filesystem::absolute(target);
         while (base.has_relative_path() && !std::filesystem::is_directory(base, ignored))
             base = base.parent_path();
-        scratch.emplace(base / "files", Scratch::Kind::Folder);
+        scratch.emplace(base / target.filename(), Scratch::Kind::Folder);
     }
 
     /// One wait for the disk, however many files there are.

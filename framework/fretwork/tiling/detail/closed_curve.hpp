@@ -29,8 +29,6 @@ class ClosedCurve {
     /// way) within reach(point) (metres) to both sides; one corner in each stretch of that length.
     [[nodiscard]] std::vector<double> corners(const std::function<double(pattern::Point2)>& reach,
                                               double smallest_turn) const;
-    /// The places of the points that it is made of, ascending from 0.
-    [[nodiscard]] std::span<const double> point_places() const { return {starts_.data(), points_.size()}; }
 
   private:
     /// The side on which a place within one turn of the curve lies.
