@@ -93,13 +93,16 @@ const exports::WriterRow& writer_of(const Options& options, const std::string& p
 
 using Writers = std::vector<const exports::WriterRow*>;
 
+bool any_is(const Writers& writers, bool (exports::WriterRow::*is)() const) {
+    return std::ranges::any_of(writers, [&](const auto* writer) { return (writer->*is)(); });
+}
+
 /// A drawing in .svg is from above where there is no result; with a result and a case it is beside the
 /// others.
 void refuse_ignored_in_drawings(const CLI::App& verb, const Options& options, const Writers& writers) {
     const bool has_svg = std::ranges::any_of(
         writers, [](const auto* writer) { return writer->is_drawing() && !writer->is_picture(); });
-    const bool has_picture =
-        std::ranges::any_of(writers, [](const auto* writer) { return writer->is_picture(); });
+    const bool has_picture = any_is(writers, &exports::WriterRow::is_picture);
     const bool is_from_above = options.results.empty() || !options.load_case.empty();
     if (!has_svg || !is_from_above)
         refuse_given(verb, {"--labels"},
@@ -117,19 +120,16 @@ void refuse_ignored_options(const CLI::App& verb, const Options& options) {
     Writers writers;
     for (const std::string& path : options.to) writers.push_back(&writer_of(options, path));
     refuse_ignored_making(verb, writers);
-    const auto has = [&](bool (exports::WriterRow::*is)() const) {
-        return std::ranges::any_of(writers, [&](const auto* writer) { return (writer->*is)(); });
-    };
     const bool has_facts = std::ranges::any_of(
         writers, [](const auto* writer) { return writer->content == exports::Content::Facts; });
-    if (!has(&exports::WriterRow::is_drawing)) {
+    if (!any_is(writers, &exports::WriterRow::is_drawing)) {
         refuse_given(verb, {"--scale", "--view", "--labels"},
                      "is for drawings, and no --to names one (.svg, .png, .html)");
         if (options.making.bolts.empty() && !has_facts)
             refuse_given(verb, {"--case"}, "is for drawings, facts and --bolts, and there is none of them");
     }
     refuse_ignored_in_drawings(verb, options, writers);
-    if (!has(&exports::WriterRow::is_picture))
+    if (!any_is(writers, &exports::WriterRow::is_picture))
         refuse_given(verb, {"--colour"}, "is for pictures, and no --to names one (.png, .html)");
     if (options.results.empty() && options.colour != "plain")
         refuse_given(verb, {"--colour"},

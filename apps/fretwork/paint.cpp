@@ -136,12 +136,6 @@ std::map<std::string, int> pattern_counts(const tiling::Tessellation& tessellati
     return counts;
 }
 
-std::size_t unpainted_count(const tiling::Tessellation& tessellation) {
-    std::size_t count = 0;
-    for (const tiling::Tile& tile : tessellation.tiles) count += tile.pattern < 0 ? 1 : 0;
-    return count;
-}
-
 void print(const Project& project, const std::vector<TileIndex>& tiles, const Options& options) {
     const auto counts = pattern_counts(project.tessellation, tiles);
     const std::size_t unpainted = unpainted_count(project.tessellation);

@@ -32,4 +32,10 @@ void add_painting_options(CLI::App& verb, simulation::PaintingChoice& choice) {
         "By field and image: mix patterns so that their mean goes with the field");
 }
 
+std::size_t unpainted_count(const tiling::Tessellation& tessellation) {
+    std::size_t count = 0;
+    for (const tiling::Tile& tile : tessellation.tiles) count += tile.pattern < 0 ? 1 : 0;
+    return count;
+}
+
 }  // namespace fretwork::app

@@ -223,8 +223,8 @@ void print(const tiling::TessellationReport& report, const Project& project, con
     if (report.refined_share > 0)
         std::printf("%.0f %% of the tiles are smaller, since the outline is narrow near them\n",
                     std::max(1.0, 100 * report.refined_share));
-    const auto unpainted = std::ranges::count(project.tessellation.tiles, -1, &tiling::Tile::pattern);
-    if (unpainted > 0 && patterns > 0) std::printf("not painted yet: %td\n", unpainted);
+    const std::size_t unpainted = unpainted_count(project.tessellation);
+    if (unpainted > 0 && patterns > 0) std::printf("not painted yet: %zu\n", unpainted);
     if (!project.load_cases.empty())
         std::printf("the project keeps its load cases: %zu\n", project.load_cases.size());
     if (options.library.empty() && !project.library_path.empty())

@@ -60,8 +60,9 @@ class FactFinder {
     FactFinder(const Surface& surface, const ShapeOptions& shape, const FactsOptions& options)
         : surface_(surface), options_(options), plan_(bar_plan(surface, shape.frame_width)) {
         shape_ = make_shape(plan_, shape.without_kerf());
-        const Shape cut = shape.kerf > 0.0 ? make_shape(plan_, shape) : shape_;
-        for (const std::string& remark : shape_remarks(shape_, cut, shape)) warn(remark, {});
+        const auto remarks = shape.kerf > 0.0 ? shape_remarks(shape_, make_shape(plan_, shape), shape)
+                                              : shape_remarks(shape_, shape_, shape);
+        for (const std::string& remark : remarks) warn(remark, {});
     }
 
     Facts run(const FactsLoads& loads) {
