@@ -6,6 +6,11 @@
 #include <fretwork/exports/detail/panels.hpp>
 #include <fretwork/exports/surface_drawing.hpp>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
 #include <set>
 
 namespace fretwork::exports {
@@ -153,6 +158,44 @@ TEST_F(SurfaceDrawing, LinesNearerToTheViewerAreDrawnOverThoseBehindThemWithAWhi
     const auto edge = lines[1].previous_sibling("path");
     EXPECT_STREQ(edge.attribute("stroke").value(), "#ffffff");
     EXPECT_GT(edge.attribute("stroke-width").as_double(), lines[1].attribute("stroke-width").as_double());
+}
+
+/// The ends of a path of one line, mm.
+std::array<double, 4> ends_of(const pugi::xml_node& path) {
+    std::array<double, 4> ends{};
+    EXPECT_EQ(
+        std::sscanf(path.attribute("d").value(), "M%lf,%lfL%lf,%lf", &ends[0], &ends[1], &ends[2], &ends[3]),
+        4);
+    return ends;
+}
+
+// A fan of lines from one node, and none lies in front of another: no white reaches what is drawn before it.
+TEST_F(SurfaceDrawing, NoWhiteEdgeCutsIntoALineThatMeetsItsOwn) {
+    for (const double degrees : {10.0, 25.0, 60.0, 90.0, 120.0, 180.0}) {
+        const double angle = degrees * std::numbers::pi / 180.0;
+        DeformedLayer layer{"joint", "#000000", {}};
+        layer.lines.nodes = {{0, 0, 0}, {1, 0, 0}, {std::cos(angle), std::sin(angle), 0}};
+        layer.lines.lines = {{0, 1}, {2, 0}};
+        DeformedViewOptions options;
+        options.view = {.azimuth = 0.0, .elevation = 0.5 * std::numbers::pi};
+        const Svg svg(displacement_svg(layer, options));
+        const auto lines = coloured_lines(svg.layer("joint"));
+        ASSERT_EQ(lines.size(), 2U);
+        const auto edge = lines[1].previous_sibling("path");
+        if (std::string(edge.attribute("stroke").value()) != "#ffffff") continue;  // all of it would cut
+        const auto drawn = ends_of(lines[0]);
+        const auto white = ends_of(edge);
+        const Eigen::Vector2d start(drawn[0], drawn[1]);
+        const Eigen::Vector2d along = Eigen::Vector2d(drawn[2], drawn[3]) - start;
+        const double clear = 0.5 * (edge.attribute("stroke-width").as_double() +
+                                    lines[0].attribute("stroke-width").as_double());
+        for (const Eigen::Vector2d& end :
+             {Eigen::Vector2d(white[0], white[1]), Eigen::Vector2d(white[2], white[3])}) {
+            const double share = std::clamp((end - start).dot(along) / along.squaredNorm(), 0.0, 1.0);
+            constexpr double kDigits = 0.02;  // mm: what drawings round to, a few times over
+            EXPECT_GE((end - start - share * along).norm(), clear - kDigits) << degrees;
+        }
+    }
 }
 
 TEST_F(SurfaceDrawing, EachTileHasOneShapeAndOnePathOfBeamsInLayersOfInkscape) {

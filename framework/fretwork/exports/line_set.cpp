@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <numbers>
 
 namespace fretwork::exports {
 namespace {
@@ -56,8 +57,6 @@ struct DrawnNodes {
     std::vector<int> nodes;
     std::vector<int> place;  ///< of each of the assembly's nodes in `nodes`, or -1
 };
-
-constexpr double kPi = 3.141592653589793;
 
 /// At the end where it is larger.
 std::vector<double> largest_of_ends(const simulation::BeamState& state, Eigen::Index column) {
@@ -146,7 +145,8 @@ LineSet beam_lines(const Surface& surface, const mechanics::Result* result, std:
     if (result != nullptr) add_beam_fields(surface, *result, strength, set);
     set.pattern_names = surface.tessellation.patterns;
     set.line_fields.push_back(
-        {"radius", std::vector<double>(set.lines.size(), std::sqrt(surface.setting.section.area / kPi))});
+        {"radius",
+         std::vector<double>(set.lines.size(), std::sqrt(surface.setting.section.area / std::numbers::pi))});
     return set;
 }
 

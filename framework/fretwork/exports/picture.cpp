@@ -178,8 +178,9 @@ constexpr float kShadowOnGround = 0.62F;
 class Picture {
   public:
     Picture(const Scene& scene, const BarScene& bars)
-        : size_(scene.picture.size),
-          colour_(scene.picture.colour),
+        : whole_(scene.picture.size),
+          field_(shown_field(bars, scene.picture.colour)),
+          size_{whole_.width, whole_.height - (field_ == nullptr ? 0 : detail::legend_height(whole_))},
           mesh_(make_mesh(bars, scene)),
           places_(places_of(mesh_)),
           ground_(ground_height()),
@@ -189,12 +190,11 @@ class Picture {
           ground_grid_(grid_width_ * (static_cast<std::size_t>(size_.height) / 2 + 2)),
           pixels_(static_cast<std::size_t>(size_.width) * static_cast<std::size_t>(size_.height)) {}
 
-    std::string text(const BarScene& bars) && {
+    std::string text() && {
         draw_bars();
         draw_ground();
-        const auto field = std::ranges::find(bars.fields, colour_, &BarScene::Field::name);
-        return detail::png_text(
-            size_, field == bars.fields.end() ? bytes() : detail::with_legend(bytes(), size_, *field));
+        return detail::png_text(whole_,
+                                field_ == nullptr ? bytes() : detail::with_legend(bytes(), whole_, *field_));
     }
 
   private:
@@ -204,6 +204,11 @@ class Picture {
         float ground = 0.0F;  ///< opacity of the shadow
     };
 
+    /// Null: the bars are plain.
+    static const BarScene::Field* shown_field(const BarScene& bars, const std::string& name) {
+        const auto field = std::ranges::find(bars.fields, name, &BarScene::Field::name);
+        return field == bars.fields.end() ? nullptr : &*field;
+    }
     static std::vector<Vector3d> places_of(const Mesh& mesh) {
         std::vector<Vector3d> places;
         for (const Mesh::Vertex& vertex : mesh.vertices) places.push_back(vertex.place.cast<double>());
@@ -314,8 +319,9 @@ class Picture {
         return bytes;
     }
 
-    PixelSize size_;
-    std::string colour_;  ///< the field that is shown
+    PixelSize whole_;
+    const BarScene::Field* field_;  ///< that is shown; null: none
+    PixelSize size_;                ///< of the surface's picture, above the legend
     Mesh mesh_;
     std::vector<Vector3d> places_;
     float ground_;
@@ -331,7 +337,7 @@ class Picture {
 std::string picture_png(const Scene& scene) {
     const BarScene bars = make_bar_scene(scene);
     if (bars.bars.empty()) throw base::InputError("there is nothing to draw: no tile is painted");
-    return Picture(scene, bars).text(bars);
+    return Picture(scene, bars).text();
 }
 
 }  // namespace fretwork::exports

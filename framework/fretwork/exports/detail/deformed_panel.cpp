@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <numeric>
 
 namespace fretwork::exports::detail {
@@ -18,8 +19,6 @@ using Segments = std::vector<std::array<Point2, 2>>;
 
 constexpr int kBands = 16;     ///< colours of a scale
 constexpr double kEdge = 2.4;  ///< of a line's width: the white below it, which hides what is behind
-constexpr double kShort =
-    2.0;  ///< of a line's width: the white ends so far before its ends, where lines meet
 
 Segments segments_of(const LineSet& lines, const std::vector<Point2>& points) {
     Segments segments;
@@ -117,17 +116,61 @@ void draw_colour_bar(SvgCanvas& canvas, const Point2& start, double width) {
     }
 }
 
-/// The white below a line of a given width.
-void draw_edge(SvgCanvas& canvas, const std::array<Point2, 2>& line, double width) {
-    const double length = std::hypot(line[1].x - line[0].x, line[1].y - line[0].y);
-    const double share = kShort * width / std::max(length, std::numeric_limits<double>::min());
-    if (share >= 0.5) return;
-    const auto at = [&](double t) {
-        return Point2{line[0].x + t * (line[1].x - line[0].x), line[0].y + t * (line[1].y - line[0].y)};
-    };
-    const Segments edge = {{at(share), at(1 - share)}};
-    canvas.segments(edge, {"none", "#ffffff", kEdge * width, 1.0});
-}
+/// The white below the lines of a net. Where lines meet, it begins only where it touches none of those that
+/// are drawn already: it would cut wedges out of them.
+class WhiteEdges {
+  public:
+    WhiteEdges(const LineSet& lines, const Segments& segments, double width)
+        : lines_(lines), segments_(segments), width_(width), drawn_at_(lines.nodes.size()) {}
+
+    void draw(SvgCanvas& canvas, std::size_t line) {
+        const auto& [start, end] = segments_[line];
+        const double length = std::hypot(end.x - start.x, end.y - start.y);
+        const double first = gap(line, 0);
+        const double last = gap(line, 1);
+        for (const int node : lines_.lines[line]) drawn_at_[static_cast<std::size_t>(node)].push_back(line);
+        if (!(first + last < length)) return;
+        const auto at = [&, from = start, to = end](double t) {
+            return Point2{from.x + t * (to.x - from.x), from.y + t * (to.y - from.y)};
+        };
+        const Segments edge = {{at(first / length), at(1.0 - last / length)}};
+        canvas.segments(edge, {"none", "#ffffff", kEdge * width_, 1.0});
+    }
+
+  private:
+    /// From an end of a line outwards: where its white is clear of the lines that are drawn there.
+    [[nodiscard]] double gap(std::size_t line, std::size_t end) const {
+        const int node = lines_.lines[line][end];
+        double gap = 0.0;
+        for (const std::size_t other : drawn_at_[static_cast<std::size_t>(node)])
+            gap = std::max(gap, parting(away_from(line, node), away_from(other, node)));
+        return gap;
+    }
+
+    [[nodiscard]] Point2 away_from(std::size_t line, int node) const {
+        const std::size_t here = lines_.lines[line][0] == node ? 0 : 1;
+        const Point2& from = segments_[line][here];
+        const Point2& to = segments_[line][1 - here];
+        return {to.x - from.x, to.y - from.y};
+    }
+
+    /// How far along a line its white meets another line that leaves the same node; no farther than that
+    /// reaches.
+    [[nodiscard]] double parting(const Point2& line, const Point2& other) const {
+        const double clear =
+            0.5 * (kEdge + 1.0) * width_;  // between the axes of white and line, whose ends are round
+        const double angle =
+            std::abs(std::atan2(line.x * other.y - line.y * other.x, line.x * other.x + line.y * other.y));
+        if (angle >= 0.5 * std::numbers::pi) return clear;
+        const double reach = std::hypot(other.x, other.y) + clear;
+        return clear < reach * std::sin(angle) ? clear / std::sin(angle) : reach;
+    }
+
+    const LineSet& lines_;
+    const Segments& segments_;
+    double width_;
+    std::vector<std::vector<std::size_t>> drawn_at_;  ///< by node
+};
 
 /// Lines that are nearer to the viewer hide those behind them: the farthest are drawn first, by their
 /// middles.
@@ -143,9 +186,10 @@ void draw_coloured_lines(SvgCanvas& canvas, const LineSet& lines, const View& vi
     std::ranges::stable_sort(order, {}, [&](std::size_t i) { return of_ends(nearnesses, i); });
     const Segments segments = segments_of(lines, view.points.front());
     const double width = 1.6 * line_width(canvas.box());
+    WhiteEdges edges(lines, segments, width);
     for (const std::size_t i : order) {
         const int band = std::min(static_cast<int>(kBands * of_ends(sizes, i) / largest), kBands - 1);
-        draw_edge(canvas, segments[i], width);
+        edges.draw(canvas, i);
         canvas.segments(std::span(&segments[i], 1),
                         {"none", scale_colour((band + 0.5) / kBands), width, 1.0});
     }

@@ -64,22 +64,33 @@ class Pixels {
 
     /// @param dot  how many pixels a dot of the letters is wide
     void write(int x, int y, std::string_view text, int dot) {
-        constexpr Rgb kInk{0x22, 0x28, 0x2e};
-        for (const char letter : text) {
-            const auto* glyph = std::ranges::find(kGlyphs, letter, &Glyph::letter);
-            for (int column = 0; glyph != std::end(kGlyphs) && column < 5; ++column) {
-                for (int row = 0; row < kHeight; ++row) {
-                    if ((glyph->columns[static_cast<std::size_t>(column)] >> row & 1) != 0)
-                        fill(x + dot * column, y + dot * row, {dot, dot}, kInk);
-                }
-            }
-            x += kLetter * dot;
-        }
+        write_letters(x, y, text, {dot, dot, {0xff, 0xff, 0xff}});
+        write_letters(x, y, text, {dot, 0, {0x22, 0x28, 0x2e}});
     }
 
     std::vector<std::uint8_t> bytes() && { return std::move(bytes_); }
 
   private:
+    struct Pen {
+        int dot;  ///< how many pixels a dot of the letters is wide
+        int rim;  ///< pixels around it
+        Rgb colour;
+    };
+    void write_letters(int x, int y, std::string_view text, const Pen& pen) {
+        const int side = pen.dot + 2 * pen.rim;
+        for (const char letter : text) {
+            const auto* glyph = std::ranges::find(kGlyphs, letter, &Glyph::letter);
+            for (int column = 0; glyph != std::end(kGlyphs) && column < 5; ++column) {
+                for (int row = 0; row < kHeight; ++row) {
+                    if ((glyph->columns[static_cast<std::size_t>(column)] >> row & 1) != 0)
+                        fill(x + pen.dot * column - pen.rim, y + pen.dot * row - pen.rim, {side, side},
+                             pen.colour);
+                }
+            }
+            x += kLetter * pen.dot;
+        }
+    }
+
     std::vector<std::uint8_t> bytes_;
     PixelSize size_;
 };
@@ -98,27 +109,41 @@ Rgb rgb(const std::string& colour) {
     return {byte(1), byte(3), byte(5)};
 }
 
+/// The lengths of a legend, pixels.
+struct Measures {
+    explicit Measures(PixelSize size) : dot(std::max(1, size.width / 800)) {}
+    int dot;
+    int margin = 8 * dot;
+    int bar = 10 * dot;
+    int line = (kHeight + 4) * dot;
+    int height = 2 * line + bar + 2 * margin;
+};
+
 }  // namespace
+
+int legend_height(PixelSize size) {
+    constexpr int kSmallest = 300;  // pixels wide; below, the legend would be as large as the surface
+    return size.width < kSmallest || size.height < kSmallest ? 0 : Measures(size).height;
+}
 
 std::vector<std::uint8_t> with_legend(std::vector<std::uint8_t> pixels, PixelSize size,
                                       const BarScene::Field& field) {
-    constexpr int kSmallest = 300;  // pixels wide; below, letters would cover the surface
-    if (size.width < kSmallest || size.height < kSmallest) return pixels;
-    const int dot = std::max(1, size.width / 800);
+    if (legend_height(size) == 0) return pixels;
+    const Measures measures(size);
+    const int dot = measures.dot;
     const ValueRange range = value_range(field.values);
     const auto beyond = largest_beyond(field.values, range);
     std::string title = field.title + " " + field.unit;
     if (beyond) title += " up to " + number_text(field.factor * *beyond) + "  ";
     const std::string from = number_text(field.factor * range.from);
     const std::string to = number_text(field.factor * range.to);
-    const int margin = 8 * dot;
     const int width = kLetter * dot * static_cast<int>(std::max<std::size_t>(title.size(), 24));
-    const int bar = 10 * dot;
-    const int line = (kHeight + 4) * dot;
-    const int x = 2 * margin;
-    const int y = size.height - 3 * margin - 2 * line - bar;
+    const int line = measures.line;
+    const int x = 2 * measures.margin;
+    const int y = size.height - measures.height + measures.margin;
+    pixels.resize(std::size_t{4} * static_cast<std::size_t>(size.width) *
+                  static_cast<std::size_t>(size.height));
     Pixels drawn(std::move(pixels), size);
-    drawn.fill(x - margin, y - margin, {width + 2 * margin, 2 * line + bar + 2 * margin}, {0xff, 0xff, 0xff});
     drawn.write(x, y, title, dot);
     if (beyond) {
         const int square = kHeight * dot;
@@ -127,10 +152,10 @@ std::vector<std::uint8_t> with_legend(std::vector<std::uint8_t> pixels, PixelSiz
     }
     for (int column = 0; column < width; ++column) {
         const double share = (column + 0.5) / width;
-        drawn.fill(x + column, y + line, {1, bar},
+        drawn.fill(x + column, y + line, {1, measures.bar},
                    rgb(value_colour(range.from + share * (range.to - range.from), range)));
     }
-    const int below = y + line + bar + 4 * dot;
+    const int below = y + line + measures.bar + 4 * dot;
     drawn.write(x, below, from, dot);
     drawn.write(x + width - kLetter * dot * static_cast<int>(to.size()), below, to, dot);
     return std::move(drawn).bytes();

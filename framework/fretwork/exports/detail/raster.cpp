@@ -13,6 +13,28 @@ namespace {
 using Eigen::Vector2f;
 using Eigen::Vector3f;
 
+constexpr int kBlock = 16;  ///< texels, along a side
+
+/// In a square map of this width.
+std::size_t at(int x, int y, int width) {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+}
+
+/// What a row of the grid crosses of a triangle: from and to. Thin triangles across the picture fill little
+/// of their boxes.
+std::array<float, 2> crossing(const std::array<Vector2f, 3>& corners, float y) {
+    std::array<float, 2> range = {std::numeric_limits<float>::max(), std::numeric_limits<float>::lowest()};
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Vector2f& p = corners[k];
+        const Vector2f& q = corners[(k + 1) % 3];
+        if (y < std::min(p.y(), q.y()) || y > std::max(p.y(), q.y())) continue;
+        const float share = p.y() == q.y() ? 0.0F : (y - p.y()) / (q.y() - p.y());
+        const float x = p.x() + share * (q.x() - p.x());
+        range = {std::min(range[0], x), std::max(range[1], x)};
+    }
+    return range;
+}
+
 /// Calls body(x, y, weights) for every grid point inside of a triangle; the weights are those of its corners.
 template <class Body>
 void for_each_point(const std::array<Vector2f, 3>& corners, PixelSize size, const Body& body) {
@@ -25,10 +47,17 @@ void for_each_point(const std::array<Vector2f, 3>& corners, PixelSize size, cons
     const auto last = [](float p, float q, float r, int count) {
         return static_cast<int>(std::floor(std::min(std::max({p, q, r}), static_cast<float>(count - 1))));
     };
+    const int x0 = first(a.x(), b.x(), c.x());
     const int x1 = last(a.x(), b.x(), c.x(), size.width);
     const int y1 = last(a.y(), b.y(), c.y(), size.height);
     for (int y = first(a.y(), b.y(), c.y()); y <= y1; ++y) {
-        for (int x = first(a.x(), b.x(), c.x()); x <= x1; ++x) {
+        const auto [from, to] = crossing(corners, static_cast<float>(y));
+        // A column more on each side, for rounding: what is inside is decided below.
+        const auto start = static_cast<int>(
+            std::clamp(std::floor(from) - 1.0F, static_cast<float>(x0), static_cast<float>(x1 + 1)));
+        const auto end = static_cast<int>(
+            std::clamp(std::ceil(to) + 1.0F, static_cast<float>(x0 - 1), static_cast<float>(x1)));
+        for (int x = start; x <= end; ++x) {
             const Vector2f p(static_cast<float>(x), static_cast<float>(y));
             const float wb = ((p - a).x() * (c - a).y() - (p - a).y() * (c - a).x()) / area;
             const float wc = ((b - a).x() * (p - a).y() - (b - a).y() * (p - a).x()) / area;
@@ -120,7 +149,10 @@ DepthMap::DepthMap(const Mesh& mesh, const Vector3f& to_light, int texels)
       to_light_(to_light),
       texels_(texels),
       depth_(static_cast<std::size_t>(texels) * static_cast<std::size_t>(texels),
-             -std::numeric_limits<float>::infinity()) {
+             -std::numeric_limits<float>::infinity()),
+      blocks_((texels + kBlock - 1) / kBlock),
+      block_depth_(static_cast<std::size_t>(blocks_) * static_cast<std::size_t>(blocks_),
+                   -std::numeric_limits<float>::infinity()) {
     Eigen::AlignedBox2f box;
     for (const Mesh::Vertex& vertex : mesh.vertices)
         box.extend(Vector2f(across_.dot(vertex.place), up_.dot(vertex.place)));
@@ -137,19 +169,24 @@ DepthMap::DepthMap(const Mesh& mesh, const Vector3f& to_light, int texels)
             depths[static_cast<Eigen::Index>(k)] = to_light_.dot(place);
         }
         for_each_point(corners, {texels, texels}, [&](int x, int y, const Vector3f& weights) {
-            float& depth = depth_[static_cast<std::size_t>(y) * static_cast<std::size_t>(texels_) +
-                                  static_cast<std::size_t>(x)];
-            depth = std::max(depth, weights.dot(depths));
+            const float found = weights.dot(depths);
+            float& depth = depth_[at(x, y, texels_)];
+            float& block = block_depth_[at(x / kBlock, y / kBlock, blocks_)];
+            depth = std::max(depth, found);
+            block = std::max(block, found);
         });
     }
 }
 
 bool DepthMap::is_lit(const Vector3f& place) const {
-    const auto x = static_cast<int>(std::floor((across_.dot(place) - x0_) * texels_per_metre_ + 0.5F));
-    const auto y = static_cast<int>(std::floor((up_.dot(place) - y0_) * texels_per_metre_ + 0.5F));
-    if (x < 0 || y < 0 || x >= texels_ || y >= texels_) return true;
-    return depth_[static_cast<std::size_t>(y) * static_cast<std::size_t>(texels_) +
-                  static_cast<std::size_t>(x)] <= to_light_.dot(place) + 0.5F * texel_size();
+    const float across = (across_.dot(place) - x0_) * texels_per_metre_ + 0.5F;
+    const float up = (up_.dot(place) - y0_) * texels_per_metre_ + 0.5F;
+    const auto end = static_cast<float>(texels_);
+    if (!(across >= 0.0F && up >= 0.0F && across < end && up < end)) return true;
+    const auto x = static_cast<int>(across);
+    const auto y = static_cast<int>(up);
+    const float depth = to_light_.dot(place) + 0.5F * texel_size();
+    return block_depth_[at(x / kBlock, y / kBlock, blocks_)] <= depth || depth_[at(x, y, texels_)] <= depth;
 }
 
 }  // namespace fretwork::exports::detail

@@ -35,6 +35,8 @@ class DepthMap {
     float x0_ = 0.0F, y0_ = 0.0F, texels_per_metre_ = 1.0F;
     int texels_;
     std::vector<float> depth_;  ///< the largest along to_light
+    int blocks_;
+    std::vector<float> block_depth_;  ///< of blocks of texels: most places are lit by them alone
 };
 
 }  // namespace fretwork::exports::detail
