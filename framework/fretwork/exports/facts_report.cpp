@@ -33,6 +33,13 @@ std::string place_of(int tile, int node) {
     return "tile " + std::to_string(tile) + ", node " + std::to_string(node);
 }
 
+std::string mass_text(const Facts& facts) {
+    if (facts.mass <= 0.0) return "the setting has no density";
+    return shown(1e3 * facts.mass) + " g (the model's beams: " + shown(1e3 * facts.beam_mass) +
+           (facts.mass < facts.beam_mass ? " g; they overlap in joints)"
+                                         : " g; round ends, fillets and a frame add to them)");
+}
+
 std::vector<Row> rows(const Facts& facts) {
     const auto mm = [](double metres) { return shown(1e3 * metres) + " mm"; };
     std::vector<Row> table = {
@@ -41,9 +48,7 @@ std::vector<Row> rows(const Facts& facts) {
         {"size", mm(facts.box.width()) + " x " + mm(facts.box.height()) + " x " + mm(facts.height)},
         {"area of material", shown(1e4 * facts.area) + " cm2"},
         {"volume", shown(1e6 * facts.volume) + " cm3"},
-        {"mass", facts.mass > 0.0 ? shown(1e3 * facts.mass) + " g (the model's beams: " +
-                                        shown(1e3 * facts.beam_mass) + " g; they overlap in joints)"
-                                  : "the setting has no density"},
+        {"mass", mass_text(facts)},
         {"length of cut", shown(facts.cut_length) + " m, " + std::to_string(facts.pierces) + " contours"},
         {"print", std::to_string(facts.layers) + " layers, walls of " + shown(facts.wall_length) + " m"},
         {"sharpest angle", shown(facts.sharpest_angle * kDegrees) + " degrees"},
@@ -55,10 +60,11 @@ std::vector<Row> rows(const Facts& facts) {
              mm(facts.narrowest->width) + ", " + place_of(facts.narrowest->tile, facts.narrowest->node)});
     if (facts.sag)
         table.push_back(
-            {"sag, own weight", mm(facts.sag->deflection) + " under " + shown(facts.sag->weight) +
-                                    " N on the supports of " + facts.sag->load_case +
-                                    " (small displacements; weight of the outline: all beams' times " +
-                                    shown(facts.mass / facts.beam_mass) + ")"});
+            {"sag, own weight",
+             mm(facts.sag->deflection) + " under " + shown(facts.sag->weight) + " N on the supports of " +
+                 facts.sag->load_case +
+                 " (large displacements of corotational tiles; weight of the outline: all beams' times " +
+                 shown(facts.mass / facts.beam_mass) + ")"});
     if (facts.stress)
         table.push_back({"largest stress", shown(1e-6 * facts.stress->value) + " MPa, " +
                                                facts.stress->source + ", " +
@@ -155,7 +161,9 @@ std::string facts_json(const Facts& facts) {
 std::string facts_html(const FactsOfScene& scene) {
     std::string page =
         "<!doctype html>\n<!-- " + std::string(base::kMadeBy) +
-        " -->\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>Facts for making</title><style>\n"
+        " -->\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
+        "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src "
+        "'unsafe-inline'\"><title>Facts for making</title><style>\n"
         "body{font:16px/1.5 system-ui,sans-serif;margin:2rem auto;max-width:70rem;padding:0 "
         "1rem;color:#222}\n"
         "td,th{text-align:left;padding:.2rem 1.2rem .2rem 0;vertical-align:top;border-bottom:1px solid "

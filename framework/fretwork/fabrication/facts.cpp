@@ -7,6 +7,7 @@
 #include <fretwork/fabrication/detail/plane.hpp>
 #include <fretwork/fabrication/facts.hpp>
 #include <fretwork/fabrication/shape_remarks.hpp>
+#include <fretwork/mechanics/standard_gravity.hpp>
 #include <fretwork/simulation/bar_clearance.hpp>
 #include <fretwork/simulation/result_subject.hpp>
 #include <fretwork/simulation/simulate.hpp>
@@ -23,10 +24,11 @@ using namespace detail;
 using simulation::LoadCase;
 using simulation::Surface;
 
-constexpr double kGravity = 9.80665;  // m/s2
 /// So many warnings of one kind are told one by one.
 constexpr std::size_t kMostOfOneKind = 30;
-const std::string kEstimateModel = "condensed";
+/// Stresses are those of small displacements, of which every beam's are known; a sheet that hangs moves far.
+const std::string kStressModel = "condensed";
+const std::string kSagModel = "corotational";
 
 void require_positive(double value, const char* what) {
     if (std::isfinite(value) && value > 0.0) return;
@@ -44,12 +46,13 @@ LoadCase own_weight(const LoadCase& load_case) {
     LoadCase weight;
     weight.name = load_case.name;
     weight.supports = load_case.supports;
-    weight.gravity = {0.0, 0.0, -kGravity};
+    weight.gravity = {0.0, 0.0, -mechanics::kStandardGravity};
     return weight;
 }
 
-mechanics::Result estimate(const Surface& surface, const LoadCase& load_case, const base::Control& control) {
-    const simulation::SimulationOptions options{.model = kEstimateModel};
+mechanics::Result estimate(const Surface& surface, const LoadCase& load_case, const std::string& model,
+                           const base::Control& control) {
+    const simulation::SimulationOptions options{.model = model};
     mechanics::Result result = simulation::simulate(surface, load_case, options, control.silent());
     result.subject = simulation::result_subject(surface, load_case, options);
     return result;
@@ -163,14 +166,18 @@ class FactFinder {
     }
 
     /// Gravity as it pulls on the outline: beams count the material of joints more than once.
-    [[nodiscard]] mechanics::Result estimate_outline(LoadCase load_case) const {
+    [[nodiscard]] mechanics::Result estimate_outline(LoadCase load_case, const std::string& model) const {
         if (facts_.beam_mass > 0.0) load_case.gravity *= facts_.mass / facts_.beam_mass;
-        return estimate(surface_, load_case, options_.control);
+        return estimate(surface_, load_case, model, options_.control);
     }
 
     void estimate_sag(const LoadCase& load_case) {
         if (load_case.supports.empty() || surface_.setting.material.density <= 0.0) return;
-        const mechanics::Result result = estimate_outline(own_weight(load_case));
+        const mechanics::Result result = estimate_outline(own_weight(load_case), kSagModel);
+        if (!result.solution.converged())
+            return warn("the sag under its own weight is not known: its path ends at " +
+                            short_number(100.0 * result.solution.load_factor) + " % of the weight",
+                        {});
         Facts::Sag sag{load_case.name, result.solution.reactions.col(2).sum(), 0.0, {}};
         for (std::size_t n = 0; n < surface_.tessellation.interface_nodes.size(); ++n) {
             const double down = std::abs(result.solution.displacements(static_cast<Eigen::Index>(n), 2));
@@ -179,9 +186,7 @@ class FactFinder {
             sag.place = surface_.tessellation.interface_nodes[n];
         }
         if (sag.deflection > 0.1 * std::max(facts_.box.width(), facts_.box.height()))
-            warn("the sag under its own weight is large: " + millimetres(sag.deflection) +
-                     " for small displacements; simulate it with large ones",
-                 sag.place);
+            warn("the sag under its own weight is large: " + millimetres(sag.deflection), sag.place);
         facts_.sag = sag;
     }
 
@@ -189,7 +194,8 @@ class FactFinder {
         if (loads.result != nullptr)
             take_stress(*loads.result, "the result");
         else if (loads.load_case != nullptr)
-            take_stress(estimate_outline(*loads.load_case), "load case " + loads.load_case->name);
+            take_stress(estimate_outline(*loads.load_case, kStressModel),
+                        "load case " + loads.load_case->name);
         if (!facts_.stress || !facts_.strength || facts_.stress->value <= *facts_.strength) return;
         const Point2& place = plan_.nodes[static_cast<std::size_t>(facts_.stress->node)];
         warn(where(facts_.stress->tile, facts_.stress->node, place) + "a stress of " +

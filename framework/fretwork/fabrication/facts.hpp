@@ -50,7 +50,8 @@ struct Facts {
     double sharpest_angle = 0.0;             ///< rad, between bars of a node
     std::optional<NarrowPlace> narrowest{};  ///< of all gaps and openings up to twice a bar's width
     double smallest_radius = 0.0;            ///< m, of inner corners; 0: sharp
-    /// Under its own weight on the supports of a load case, by condensed tiles and small displacements.
+    /// Under its own weight on the supports of a load case, by corotational tiles and large displacements;
+    /// none, and a warning, where their path does not reach the whole weight.
     struct Sag {
         std::string load_case;
         double weight = 0.0;      ///< N, what the supports bear: `mass` times 9.80665 m/s2

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/text.hpp>
+#include <fretwork/mechanics/standard_gravity.hpp>
 #include <fretwork/simulation/conditions.hpp>
 #include <fretwork/simulation/detail/line_bearers.hpp>
 #include <fretwork/simulation/detail/side_names.hpp>
@@ -164,8 +165,7 @@ class Doubts {
 
     /// Against the surface's own weight, where it has one.
     void look_at_loads() {
-        constexpr double kEarth = 9.81;
-        constexpr double kMostGravity = 10.0 * kEarth;
+        constexpr double kMostGravity = 10.0 * mechanics::kStandardGravity;
         constexpr double kMostWeights = 300.0;
         const double gravity = load_case_.gravity.norm();
         if (gravity > kMostGravity)
@@ -175,7 +175,8 @@ class Doubts {
             !std::ranges::all_of(surface_.tessellation.tiles, is_painted))
             return;
         const auto masses = tile_masses(surface_);
-        const double weight = kEarth * std::accumulate(masses.begin(), masses.end(), 0.0);
+        const double weight =
+            mechanics::kStandardGravity * std::accumulate(masses.begin(), masses.end(), 0.0);
         LoadCase applied = load_case_;
         applied.gravity.setZero();
         double force = 0.0;

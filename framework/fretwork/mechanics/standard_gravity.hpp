@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace fretwork::mechanics {
+
+/// The standard acceleration of free fall, m/s2, by definition (3rd General Conference on Weights and
+/// Measures, 1901). Load cases have numbers of their own.
+inline constexpr double kStandardGravity = 9.80665;
+
+}  // namespace fretwork::mechanics
