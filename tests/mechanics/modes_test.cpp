@@ -107,6 +107,39 @@ TEST(Modes, HingedColumnHasBucklingLoadOfPinnedColumn) {
     EXPECT_NEAR(modes[1].value, kPi * kPi * 2e3, 1e-3 * modes[1].value);
 }
 
+// Nothing loads it: no loads, a load on a node that is held, a displacement of zero.
+TEST(Modes, StructureAtRestHasNoBucklingLoad) {
+    Frame frame = sample::cantilever({.divisions = 4});
+    EXPECT_TRUE(buckling_modes(assemble(frame), 1).empty());
+    frame.loads.push_back({NodeIndex(0), {-1.0, 2.0, 3.0}});
+    EXPECT_TRUE(buckling_modes(assemble(frame), 8).empty());
+    frame.prescribed.push_back({NodeIndex(1), Dof::ux, 0.0});
+    EXPECT_TRUE(buckling_modes(assemble(frame), 1000).empty());
+}
+
+// Both ends of a beam in one piece.
+TEST(Modes, StructureWithAllNodesHeldHasNoModes) {
+    Frame frame = sample::cantilever({.divisions = 1});
+    sample::clamp(frame, 1);
+    EXPECT_TRUE(vibration_modes(assemble(frame), 3).empty());
+    EXPECT_TRUE(buckling_modes(assemble(frame), 3).empty());
+    frame.beams[0].material.density = 0.0;
+    EXPECT_THROW(vibration_modes(assemble(frame), 3), base::InputError);
+}
+
+TEST(Modes, AreNoMoreThanFreeComponents) {
+    EXPECT_EQ(vibration_modes(assemble(sample::cantilever({.divisions = 1})), 50).size(), 6u);
+}
+
+// Supports that move as a rigid body strain nothing.
+TEST(Modes, StructureThatIsMovedAsAWholeHasNoBucklingLoad) {
+    Frame frame = sample::cantilever({.divisions = 4});
+    frame.supports.clear();
+    for (int d = 0; d < kDofsPerNode; ++d)
+        frame.prescribed.push_back({NodeIndex(0), static_cast<Dof>(d), d == 0 ? 0.5 : 0.0});
+    EXPECT_TRUE(buckling_modes(assemble(frame), 2).empty());
+}
+
 TEST(Modes, ColumnInTensionHasNoBucklingLoad) {
     Frame frame = sample::cantilever({.divisions = 4});
     frame.loads.push_back({NodeIndex(1), {1.0, 0.0, 0.0}});

@@ -58,13 +58,15 @@ void check_count(int count) {
 std::vector<double> mass_values(const nonlinear::NonlinearSystem& system, const base::Control& control) {
     std::vector<double> values(system.unknowns().layout().row().size(), 0.0);
     MatrixXd mass;
+    bool has_mass = false;
     const Assembly& assembly = system.unknowns().assembly();
     for (std::size_t e = 0; e < assembly.elements.size(); ++e) {
         control.check();
         assembly.elements[e]->mass(mass);
+        has_mass = has_mass || !mass.isZero(0.0);
         system.unknowns().layout().add(e, mass, values);
     }
-    if (std::all_of(values.begin(), values.end(), [](double value) { return value == 0.0; }))
+    if (!has_mass)
         throw base::InputError("the structure has no mass to vibrate: give its materials a density");
     return values;
 }
@@ -127,6 +129,21 @@ std::vector<Mode> buckling_modes(const Assembly& assembly, int count, const Mode
     for (Eigen::Index i = 0; i < pairs.values.size(); ++i)
         modes.push_back(make_mode(system, 1.0 / pairs.values[i], pairs.vectors.col(i)));
     return modes;
+}
+
+std::string missing_vibration_modes_text(std::ptrdiff_t found, int wanted) {
+    if (found >= wanted) return "";
+    if (found == 0) return "no natural frequency: everything that has mass is held";
+    return "no more than " + std::to_string(found) +
+           " natural frequencies: no more components with mass are free";
+}
+
+std::string missing_buckling_modes_text(std::ptrdiff_t found, int wanted) {
+    if (found >= wanted) return "";
+    if (found == 0)
+        return "no buckling load: nothing is loaded, or only the reversed load makes anything buckle";
+    return "no more than " + std::to_string(found) +
+           " buckling loads: the others, if any, are of reversed loads";
 }
 
 }  // namespace fretwork::mechanics

@@ -4,6 +4,8 @@
 #include <fretwork/base/control.hpp>
 #include <fretwork/mechanics/assembly.hpp>
 
+#include <cstddef>
+#include <string>
 #include <vector>
 
 namespace fretwork::mechanics {
@@ -23,14 +25,19 @@ struct ModeOptions {
 };
 
 /// The modes of the lowest natural frequencies, ascending: consistent masses, prescribed components held. At
-/// most as many as there are equations. Throws InputError if nothing has mass, NumericalError and
-/// Stopped as LinearSolver.
+/// most as many as there are free components with mass, and none if all of them are held. Throws InputError
+/// if no element has mass, NumericalError and Stopped as LinearSolver.
 std::vector<Mode> vibration_modes(const Assembly& assembly, int count, const ModeOptions& options = {});
 
 /// The modes of linearized buckling, ascending in the factor on the loads at which the stiffness, with the
 /// geometric stiffness of the linear solution, becomes singular; positive factors only, so there may be fewer
-/// than wanted, or none. Moments count as if they had a potential (as semi-tangential ones): of moments of
-/// fixed direction the factors are those of the stiffness' symmetric part. Throws as vibration_modes.
+/// than wanted, or none, as where nothing is loaded. Moments count as if they had a potential (as
+/// semi-tangential ones): of moments of fixed direction the factors are those of the stiffness' symmetric
+/// part. Throws as vibration_modes.
 std::vector<Mode> buckling_modes(const Assembly& assembly, int count, const ModeOptions& options = {});
+
+/// Why fewer modes were found than wanted, for people; empty if all were found.
+std::string missing_vibration_modes_text(std::ptrdiff_t found, int wanted);
+std::string missing_buckling_modes_text(std::ptrdiff_t found, int wanted);
 
 }  // namespace fretwork::mechanics

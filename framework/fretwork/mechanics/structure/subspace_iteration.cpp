@@ -199,7 +199,7 @@ SubspaceIteration::Pairs SubspaceIteration::step(const MatrixXd& basis, double s
 }
 
 /// Rayleigh and Ritz: the best approximations in the span of `vectors`, first those that grow most. Where the
-/// operand has a low rank, so has the span, and there are fewer.
+/// operand has a low rank, so has the span, and there are fewer; none where the operand vanishes.
 SubspaceIteration::Pairs SubspaceIteration::project(MatrixXd vectors, double shift) const {
     const VectorXd sizes = vectors.cwiseAbs().colwise().maxCoeff().cwiseMax(kNothing);
     vectors *= sizes.cwiseInverse().asDiagonal();
@@ -214,6 +214,8 @@ SubspaceIteration::Pairs SubspaceIteration::project(MatrixXd vectors, double shi
     images *= scale.asDiagonal();
     const Eigen::SelfAdjointEigenSolver<MatrixXd> span(vectors.transpose() * images);
     const Eigen::Index rank = (span.eigenvalues().array() > kDependent).count();
+    // Eigen does not take matrices without rows.
+    if (rank == 0) return {VectorXd(0), MatrixXd(vectors.rows(), 0)};
     const MatrixXd basis = vectors * span.eigenvectors().rightCols(rank) *
                            span.eigenvalues().tail(rank).cwiseSqrt().cwiseInverse().asDiagonal();
     const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(basis.transpose() * times(operand_, basis));

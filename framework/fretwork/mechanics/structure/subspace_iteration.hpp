@@ -31,7 +31,7 @@ class SubspaceIteration {
     SubspaceIteration(const sparse::SystemLayout& layout, Matrices matrices, sparse::Ldlt factors,
                       const base::Control& control = {});
 
-    /// The `count` eigenvalues of largest size, largest first; fewer if there are fewer equations.
+    /// The `count` eigenvalues of largest size, largest first; fewer if A has a lower rank.
     Pairs largest(int count);
 
     /// The `count` largest of the positive eigenvalues, largest first; fewer if there are fewer that are more
