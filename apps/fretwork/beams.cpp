@@ -22,8 +22,6 @@
 namespace fretwork::app {
 namespace {
 
-constexpr FileKind kBeamTableFile{"a table of beams", ".csv .json", "beams", is_our_table};
-
 struct Options {
     std::string project;
     std::string result;

@@ -214,9 +214,9 @@ void add_files(CLI::App& verb, Options& options) {
         ->needs(svg);
     verb.add_option("--classes", options.classes_path,
                     "Write symmetry, mirror partner and isomorphism class of each pattern to this CSV file");
-    declare_files(verb, {input("--layout"), output("--census", kTableFile), output("--list", kListFile),
+    declare_files(verb, {input("--layout"), output("--census", kCensusFile), output("--list", kListFile),
                          update("--library", kLibraryFile), output("--svg", kSvgFile),
-                         output("--classes", kTableFile)});
+                         output("--classes", kClassesFile)});
 }
 
 /// Whether all patterns are found, or some, or only their number.

@@ -56,6 +56,14 @@ std::vector<NamedFile> named_files(const Program& program) {
     return files;
 }
 
+/// The file that a link leads to has the ending of the link: else it is of another kind.
+void check_link(const NamedFile& file) {
+    const fs::path target = base::link_target(file.path);
+    if (file.role == FileRole::Update || target.extension() == file.path.extension()) return;
+    throw base::InputError(file.path.string(), "",
+                           "is a link to " + target.string() + ", whose name has another ending");
+}
+
 /// A file that is there keeps its name, whatever it is.
 void check_ending(const NamedFile& file) {
     if (file.kind.endings.empty() || (file.role == FileRole::Update && is_there(file.path))) return;
@@ -87,19 +95,23 @@ std::string other_kind(const FileContent& present, const FileKind& kind) {
     return (present.format == "outline" ? "an " : "a ") + present.format;
 }
 
-/// Whether nothing is lost that a person has made: an older output of ours, or an empty file.
-bool may_be_replaced(const FileContent& present, const FileKind& kind) {
+/// Whether nothing is lost: an older output of the same kind, or an empty file.
+bool may_be_replaced(const fs::path& path, const FileContent& present, const FileKind& kind) {
     if (present.start.empty()) return true;
     if (present.is_database) return kind.name == kLibraryFile.name;
-    if (!present.format.empty()) return present.format == kind.format;
+    if (!present.format.empty())
+        return present.format == kind.format && (kind.is_as_written == nullptr || kind.is_as_written(path));
     return kind.is_ours != nullptr && kind.is_ours(present.start);
 }
 
 void check_replaced(const fs::path& path, const FileKind& kind) {
     const FileContent present = content_of(path);
-    if (may_be_replaced(present, kind)) return;
+    if (may_be_replaced(path, present, kind)) return;
     const std::string other = other_kind(present, kind);
-    const std::string what = other.empty() ? "no file that fretwork has made" : other;
+    const bool is_other_table = kind.is_ours != nullptr && is_our_table(present.start);
+    const std::string what = !other.empty()   ? other
+                             : is_other_table ? "a table of another kind"
+                                              : "no file that fretwork has made";
     throw base::InputError(path.string(), "",
                            "is " + what + ", and would be replaced by " + std::string(kind.name) +
                                "; name another file" + (other.empty() ? ", or remove it first" : ""));
@@ -113,9 +125,14 @@ void check_updated(const fs::path& path, const FileKind& kind) {
 }
 
 void check_output(const NamedFile& file) {
+    if (is_device(file.path) && file.kind.is_several)
+        throw base::InputError(file.path.string(), "",
+                               "is a device, which takes one file; " + std::string(file.kind.name) +
+                                   " is several, and its name ends in " + std::string(file.kind.endings));
     if (is_device(file.path)) return;
     check_place(file);
     check_ending(file);
+    check_link(file);
     file.role == FileRole::Update ? check_updated(file.path, file.kind)
                                   : check_replaced(file.path, file.kind);
 }

@@ -2,7 +2,10 @@
 #include "file_options.hpp"
 #include "program.hpp"
 
+#include <fretwork/base/error.hpp>
+#include <fretwork/base/file.hpp>
 #include <fretwork/base/provenance.hpp>
+#include <fretwork/mechanics/frame_file.hpp>
 
 #include <algorithm>
 
@@ -30,6 +33,14 @@ bool says_who_made_it(std::string_view start) {
 bool is_our_table(std::string_view start) {
     return std::ranges::any_of(kTableStarts,
                                [&](std::string_view header) { return start.starts_with(header); });
+}
+
+bool is_frame_as_written(const std::filesystem::path& path) {
+    try {
+        return mechanics::frame_text(mechanics::read_frame(path)) == base::read_text_file(path);
+    } catch (const base::InputError&) {
+        return false;  // no frame at all
+    }
 }
 
 bool is_list_of_patterns(std::string_view start) {

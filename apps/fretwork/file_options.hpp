@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <filesystem>
 #include <initializer_list>
 #include <string_view>
 
@@ -16,28 +17,43 @@ struct FileKind {
     /// Whether a text that begins like this was made by this program; null: texts of this kind are JSON, or
     /// none.
     bool (*is_ours)(std::string_view start) = nullptr;
+    /// Of JSON that people write, too: whether a file is, byte for byte, as this program writes it.
+    bool (*is_as_written)(const std::filesystem::path& path) = nullptr;
+    bool is_several = false;  ///< further files are made beside it
 };
 
 /// Drawings, meshes and decks say so.
 bool says_who_made_it(std::string_view start);
 /// Tables have one of our headers.
 bool is_our_table(std::string_view start);
+bool is_frame_as_written(const std::filesystem::path& path);
 /// Lists begin with the id of a pattern.
 bool is_list_of_patterns(std::string_view start);
 
 inline constexpr FileKind kProjectFile{"a project", ".json", "project"};
 inline constexpr FileKind kResultFile{"a result", ".json", "result"};
-inline constexpr FileKind kFrameFile{"a frame", ".json", "frame"};
+inline constexpr FileKind kFrameFile{"a frame", ".json", "frame", nullptr, is_frame_as_written};
 inline constexpr FileKind kLibraryFile{"a pattern library", ".db .sqlite .sqlite3", ""};
-inline constexpr FileKind kTableFile{"a table", ".csv", "", is_our_table};
+/// Each kind of table has a header of its own; tables of other kinds may hold hours of work.
+inline constexpr FileKind kCensusFile{
+    "a census", ".csv", "", [](std::string_view start) { return start.starts_with("edges,patterns,"); }};
+inline constexpr FileKind kClassesFile{"a table of classes", ".csv", "", [](std::string_view start) {
+                                           return start.starts_with("id,edges,symmetry,");
+                                       }};
+inline constexpr FileKind kKnownFile{"a table of best known values", ".csv", "", [](std::string_view start) {
+                                         return start.starts_with("problem,best_value,");
+                                     }};
+inline constexpr FileKind kBeamTableFile{
+    "a table of beams", ".csv .json", "beams",
+    [](std::string_view start) { return start.starts_with("beam,tile,"); }};
 inline constexpr FileKind kListFile{"a list", ".txt .csv", "", is_list_of_patterns};
 inline constexpr FileKind kSvgFile{"a drawing", ".svg", "", says_who_made_it};
 inline constexpr FileKind kVtuFile{"a file for ParaView", ".vtu", "", says_who_made_it};
-inline constexpr FileKind kSeriesFile{"a series for ParaView", ".pvd", "", says_who_made_it};
+inline constexpr FileKind kSeriesFile{"a series for ParaView", ".pvd", "", says_who_made_it, nullptr, true};
 inline constexpr FileKind kDeckFile{"an input deck", ".inp", "", says_who_made_it};
 /// Drawings, meshes, tables of nodes, and facts of what is made.
 inline constexpr FileKind kExportFile{"a drawing or a mesh", "", "facts", [](std::string_view start) {
-                                          return says_who_made_it(start) || is_our_table(start);
+                                          return says_who_made_it(start) || start.starts_with("node,x_m,");
                                       }};
 
 /// What a command does to a file that an option names.

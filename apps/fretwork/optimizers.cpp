@@ -221,7 +221,7 @@ void add_known(CLI::App& verb, const std::shared_ptr<Options>& options, ExitCode
     add_threads(*action, *options)->excludes("--from");
     action->add_flag("--json", options->json, "Print JSON");
     declare_files(*action,
-                  {output("--out", kTableFile), input("--ids"), input("--from"), input("--results")});
+                  {output("--out", kKnownFile), input("--ids"), input("--from"), input("--results")});
     action->footer("Example: fretwork optimizers known --patterns 12 --starts 10 --out known.csv");
     action->callback([options, &exit_code] { exit_code = known(*options); });
 }

@@ -307,6 +307,31 @@ TEST_F(DataLoss, WhatAPersonHasMadeIsNeverReplaced) {
     EXPECT_EQ(run("grep -l 'drawn by hand' a.* | wc -l").out, "5\n");
 }
 
+// Tables of hours of work, decks, frames: each is of another kind than what would be written.
+TEST_F(DataLoss, OutputsOfAnotherKindAreNeverReplaced) {
+    run("fretwork tile outline.svg --edge-length 60mm --patterns 0-1+1-6 --out p.json && "
+        "fretwork simulate p.json --case experiments/cases/cantilever.json --model full --out r.json "
+        "--frame-out made.json --deck made.inp && ln -s made.inp link.svg && mkdir study");
+    (void)folder_.file("known.csv", "problem,best_value,scale,found_by\nbranin,0.4,1,closed form\n");
+    (void)folder_.file("study/results.csv", "problem,optimizer,repetition\nbranin,slsqp,1\n");
+    (void)folder_.file("frame.json", base::read_text_file(folder_.path() / "made.json") + "\n");
+    for (const auto& [command, complaint] : std::vector<std::pair<std::string, std::string>>{
+             {"fretwork beams p.json r.json --out known.csv", "known.csv: is a table of another kind"},
+             {"fretwork export p.json --result r.json --to study/results.csv",
+              "results.csv: is a table of another kind"},
+             {"fretwork enumerate --edges 2 --census known.csv", "known.csv: is a table of another kind"},
+             {"fretwork draw 0-1+1-6 --out link.svg",
+              "link.svg: is a link to made.inp, whose name has another ending"},
+             {"fretwork simulate p.json --case experiments/cases/cantilever.json --model full --out r.json "
+              "--frame-out frame.json",
+              "frame.json: is no file that fretwork has made"}}) {
+        const auto outcome = run(command);
+        EXPECT_EQ(outcome.exit_code, 2) << command;
+        EXPECT_THAT(outcome.err, HasSubstr(complaint)) << command;
+    }
+    EXPECT_THAT(base::read_text_file(folder_.path() / "made.inp"), testing::StartsWith("*HEADING"));
+}
+
 TEST_F(DataLoss, OldOutputsAndEmptyFilesAreReplacedAsPeopleExpect) {
     run("fretwork tile outline.svg --edge-length 60mm --patterns 0-1+1-6 --out p.json");
     run("touch s.svg c.csv e.obj");
