@@ -167,6 +167,15 @@ bool needs_library(const Options& options, const simulation::Project& project,
     });
 }
 
+/// What is wrong with the project's load cases names its file.
+simulation::LoadCase load_case_of(const simulation::Project& project, const Options& options) {
+    try {
+        return simulation::find_load_case(project, options.load_case);
+    } catch (const base::InputError& error) {
+        throw base::InputError(options.project, "", error.what());
+    }
+}
+
 exports::Scene make_scene(const Options& options, const base::Control& control) {
     const simulation::Project project = simulation::read_checked_project(options.project);
     std::vector<exports::Scene::LabelledResult> results;
@@ -186,7 +195,7 @@ exports::Scene make_scene(const Options& options, const base::Control& control) 
     }
     scene.results = std::move(results);
     if (!options.load_case.empty()) {
-        const simulation::LoadCase load_case = simulation::find_load_case(project, options.load_case);
+        const simulation::LoadCase load_case = load_case_of(project, options);
         check_load_case(load_case, options, scene);
         scene.conditions = simulation::resolve(load_case, scene.surface);
         scene.load_case = load_case;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
@@ -34,21 +35,46 @@ void flush_output() {
 
 /// CLI11 would only say that a subcommand is required.
 void check_verb(const Program& program, int argc, char** argv) {
-    if (argc < 2 || argv[1][0] == '-') return;
+    if (argv[1][0] == '-') return;
     std::vector<std::string> names;
     for (const CLI::App* verb : program.get_subcommands({})) names.push_back(verb->get_name());
     if (std::ranges::find(names, argv[1]) != names.end()) return;
     throw base::InputError(base::unknown_name_message("verb", argv[1], names));
 }
 
+/// How the verb is called that was begun.
+std::string usage_of(const CLI::App& program) {
+    const CLI::App* verb = &program;
+    std::string words = program.get_name();
+    while (!verb->get_subcommands().empty()) {
+        verb = verb->get_subcommands().front();
+        words += " " + verb->get_name();
+    }
+    if (!verb->get_subcommands({}).empty()) return "; usage: " + words + " VERB";
+    for (const CLI::Option* option : verb->get_options()) {
+        if (option->get_positional())
+            words += option->get_required() ? " " + option->get_name() : " [" + option->get_name() + "]";
+        else if (option->get_required())
+            words += " " + option->get_name() + " " + option->get_type_name();
+    }
+    return "; usage: " + words + " [OPTIONS]";
+}
+
 ExitCode run(int argc, char** argv) {
     ExitCode exit_code = ExitCode::Done;
     Program program(exit_code);
+    if (argc < 2) {
+        std::fputs(program.help().c_str(), stdout);
+        return ExitCode::BadInput;
+    }
     check_verb(program, argc, argv);
     try {
         program.parse(argc, argv);
     } catch (const CLI::Success& success) {
         program.exit(success);
+    } catch (const CLI::RequiredError& error) {
+        complain(error.what() + usage_of(program));
+        return ExitCode::BadInput;
     } catch (const CLI::ParseError& error) {
         complain(error.what());
         return ExitCode::BadInput;
@@ -61,6 +87,9 @@ ExitCode run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
     using namespace fretwork;
+    // A limit on the size of files (ulimit -f) would end the program without a word. Ignored, it makes
+    // write() fail, which is told like a full disk.
+    std::signal(SIGXFSZ, SIG_IGN);
     try {
         const app::ExitCode exit_code = app::run(argc, argv);
         app::flush_output();
@@ -71,7 +100,7 @@ int main(int argc, char** argv) {
     } catch (const base::Error& error) {
         app::complain(error.what());
     } catch (const std::filesystem::filesystem_error& error) {
-        app::complain(error.what());
+        app::complain(error.path1().string() + ": " + error.code().message());
     } catch (const std::bad_alloc&) {
         app::complain("out of memory");
     }

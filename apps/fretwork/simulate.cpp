@@ -14,6 +14,7 @@
 #include <fretwork/mechanics/calculix_file.hpp>
 #include <fretwork/mechanics/frame_file.hpp>
 #include <fretwork/simulation/combination.hpp>
+#include <fretwork/simulation/comparison.hpp>
 #include <fretwork/simulation/load_case_file.hpp>
 #include <fretwork/simulation/project_library.hpp>
 #include <fretwork/simulation/simulate.hpp>
@@ -54,23 +55,27 @@ struct Options {
     simulation::SimulationOptions simulation;
 };
 
+/// What is wrong with a project's load cases or frame names its file.
+template <class Work>
+auto of_project(const Options& options, const Work& work) {
+    try {
+        return work();
+    } catch (const base::InputError& error) {
+        throw base::InputError(options.project, "", error.what());
+    }
+}
+
 /// The name of a load case of the project; else a file is one by its ending or its folder.
-LoadCase chosen_load_case(const Project& project, const std::string& name_or_file) {
+LoadCase chosen_load_case(const Project& project, const Options& options) {
+    const std::string& name_or_file = options.load_case;
     for (const LoadCase& own : project.load_cases) {
-        if (own.name == name_or_file) return simulation::find_load_case(project, name_or_file);
+        if (own.name == name_or_file)
+            return of_project(options, [&] { return simulation::find_load_case(project, name_or_file); });
     }
     const std::filesystem::path path(name_or_file);
     if (path.extension() == ".json" || path.has_parent_path())
         return simulation::combined(simulation::read_load_case(path), project.load_cases);
-    return simulation::find_load_case(project, name_or_file);
-}
-
-double largest_displacement(const mechanics::Result& result) {
-    return result.solution.displacements.leftCols<3>().rowwise().norm().maxCoeff();
-}
-
-double largest_rotation(const mechanics::Result& result) {
-    return result.solution.displacements.rightCols<3>().rowwise().norm().maxCoeff();
+    return of_project(options, [&] { return simulation::find_load_case(project, name_or_file); });
 }
 
 std::string numbers_text(const std::vector<int>& numbers) {
@@ -123,8 +128,8 @@ void print_json(const mechanics::Result& result) {
                              {"converged", solution.converged()},
                              {"stable", solution.stable},
                              {"termination", mechanics::termination_name(solution.termination)},
-                             {"largest_displacement", largest_displacement(result)},
-                             {"largest_rotation", largest_rotation(result)},
+                             {"largest_displacement", simulation::largest_displacement(result, solution)},
+                             {"largest_rotation", simulation::largest_rotation(result, solution)},
                              {"iterations", solution.iterations},
                              {"discretization_error", discretization_json(result)},
                              {"full_tiles", subject.full_tiles},
@@ -144,7 +149,7 @@ void print_steps(const mechanics::Result& result) {
         const mechanics::Solution& step = result.load_steps[i];
         std::printf("  %zu: %s at %.3g, largest displacement %.4g mm\n", i + 1,
                     std::string(mechanics::termination_name(step.termination)).c_str(), step.load_factor,
-                    1e3 * step.displacements.leftCols<3>().rowwise().norm().maxCoeff());
+                    1e3 * simulation::largest_displacement(result, step));
         for (const mechanics::StabilityLoss& loss : step.stability_losses)
             std::printf("     jumped at %.4g: node %d along %s\n", loss.load_factor,
                         result.nodes[static_cast<std::size_t>(loss.node.value)].id,
@@ -152,7 +157,7 @@ void print_steps(const mechanics::Result& result) {
     }
 }
 
-void print(const mechanics::Result& result) {
+void print(const mechanics::Result& result, const WantedModes& wanted) {
     const auto& solution = result.solution;
     const mechanics::ResultSubject& subject = result.subject.value();
     std::printf("%s model, load case '%s', %s: %s%s\n", base::printable(subject.model).c_str(),
@@ -161,10 +166,10 @@ void print(const mechanics::Result& result) {
                 solution.stable ? "" : ", unstable");
     if (!solution.converged())
         std::printf("the last equilibrium found is at %.3g of the load\n", solution.load_factor);
-    std::printf("largest displacement %.4g mm, largest rotation %.4g deg, %.3g s\n",
-                1e3 * largest_displacement(result), largest_rotation(result) * kDegreesPerRadian,
-                result.seconds);
-    print_losses_and_modes(result);
+    std::printf("largest displacement %.4g mm, largest rotation %.4g deg (interface nodes), %.3g s\n",
+                1e3 * simulation::largest_displacement(result, solution),
+                simulation::largest_rotation(result, solution) * kDegreesPerRadian, result.seconds);
+    print_losses_and_modes(result, wanted);
     if (const auto& error = result.discretization_error)
         std::printf("%s\n", discretization_text(*error).c_str());
     if (!subject.full_tiles.empty())
@@ -266,13 +271,15 @@ ExitCode run(Options options) {
     simulation::check_calibrations(options.project, project, surface, choice);
     if (const std::string foreign = simulation::foreign_size_text(surface, choice); !foreign.empty())
         std::fprintf(stderr, "fretwork: %s\n", foreign.c_str());
-    const LoadCase load_case = chosen_load_case(project, options.load_case);
+    const LoadCase load_case = chosen_load_case(project, options);
     base::FileBatch files;
     if (!options.frame_out.empty() || !options.deck.empty()) {
         const mechanics::Frame frame = full_frame(surface, load_case);
         if (!options.frame_out.empty()) files.add(options.frame_out, mechanics::frame_text(frame));
         if (!options.deck.empty())
-            files.add(options.deck, mechanics::calculix_text(frame, mechanics::DeckReader::Calculix));
+            files.add(options.deck, of_project(options, [&] {
+                          return mechanics::calculix_text(frame, mechanics::DeckReader::Calculix);
+                      }));
     }
     mechanics::Result result = simulate(options, surface, load_case, project.load_cases, work.control());
     add_modes(options, surface, load_case, result, work.control());
@@ -283,7 +290,7 @@ ExitCode run(Options options) {
     add_drawings(options, surface, result, files);
     add_series(options, surface, result, files);
     files.commit();
-    options.json ? print_json(result) : print(result);
+    options.json ? print_json(result) : print(result, {options.vibration_modes, options.buckling_modes});
     if (!options.json && !options.stages.empty()) print_steps(result);
     if (result.linear_range && simulation::is_exceeded(*result.linear_range))
         std::fprintf(stderr, "fretwork: %s; --model full, without --linear, or corotational tell\n",

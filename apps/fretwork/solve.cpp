@@ -5,6 +5,7 @@
 #include "solve_output.hpp"
 #include "verbs.hpp"
 
+#include <fretwork/base/error.hpp>
 #include <fretwork/base/file.hpp>
 #include <fretwork/exports/line_files.hpp>
 #include <fretwork/mechanics/calculix_file.hpp>
@@ -55,16 +56,22 @@ mechanics::SolveOptions solve_options(const Options& options) {
     return solve;
 }
 
-/// What there is to be said of modes beside their list.
-void print_notes_on_buckling(const mechanics::Frame& frame, const Options& options,
-                             const mechanics::Result& result) {
-    if (std::ssize(result.buckling_modes) < options.solve.buckling_modes)
-        std::printf("no more than %zd buckling loads: the others, if any, are of reversed loads\n",
-                    std::ssize(result.buckling_modes));
+void print_note_on_moments(const mechanics::Frame& frame, const Options& options) {
     const bool has_moments = std::ranges::any_of(
         frame.loads, [](const mechanics::NodalLoad& load) { return !load.moment.isZero(0.0); });
     if (options.solve.buckling_modes > 0 && has_moments)
         std::printf("buckling loads take moments of fixed direction for semi-tangential ones\n");
+}
+
+/// What a deck cannot hold names the frame's file.
+std::string deck_text(const mechanics::Frame& frame, const Options& options) {
+    try {
+        return mechanics::calculix_text(frame, options.deck_for == "calculix"
+                                                   ? mechanics::DeckReader::Calculix
+                                                   : mechanics::DeckReader::Abaqus);
+    } catch (const base::InputError& error) {
+        throw base::InputError(options.frame, "", error.what());
+    }
 }
 
 ExitCode run(const Options& options) {
@@ -78,10 +85,7 @@ ExitCode run(const Options& options) {
                                          : mechanics::solve(input, solve);
     base::FileBatch files;
     files.add(options.out, mechanics::result_text(result));
-    if (!options.deck.empty())
-        files.add(options.deck, mechanics::calculix_text(input.frame, options.deck_for == "calculix"
-                                                                          ? mechanics::DeckReader::Calculix
-                                                                          : mechanics::DeckReader::Abaqus));
+    if (!options.deck.empty()) files.add(options.deck, deck_text(input.frame, options));
     if (!options.vtu.empty())
         files.add(options.vtu,
                   exports::vtu_text(exports::solution_lines(mechanics::assemble(input.frame), result)));
@@ -89,8 +93,8 @@ ExitCode run(const Options& options) {
     if (options.json) {
         print_solution_json(result);
     } else {
-        print_solution(result);
-        print_notes_on_buckling(input.frame, options, result);
+        print_solution(result, {options.solve.vibration_modes, options.solve.buckling_modes});
+        print_note_on_moments(input.frame, options);
         std::printf("wrote %s\n", options.out.c_str());
         if (!options.vtu.empty()) std::printf("wrote %s\n", options.vtu.c_str());
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve_output.hpp"
 
+#include <fretwork/mechanics/modes.hpp>
 #include <fretwork/mechanics/solve.hpp>
 
 #include <cstdio>
@@ -81,7 +82,7 @@ void print_solution_json(const mechanics::Result& result) {
     std::fputs(base::json_text(summary_of(result)).c_str(), stdout);
 }
 
-void print_losses_and_modes(const mechanics::Result& result) {
+void print_losses_and_modes(const mechanics::Result& result, const WantedModes& wanted) {
     const mechanics::Solution& solution = result.solution;
     for (const mechanics::StabilityLoss& loss : solution.stability_losses)
         std::printf("%s from %.6g of the load on%s: node %d along %s\n",
@@ -94,9 +95,14 @@ void print_losses_and_modes(const mechanics::Result& result) {
         std::printf("buckling load %zu: %.6g times the load\n", i + 1, result.buckling_modes[i].value);
     for (std::size_t i = 0; i < result.vibration_modes.size(); ++i)
         std::printf("mode %zu: %.6g Hz\n", i + 1, result.vibration_modes[i].value);
+    for (const std::string& missing :
+         {mechanics::missing_buckling_modes_text(std::ssize(result.buckling_modes), wanted.buckling),
+          mechanics::missing_vibration_modes_text(std::ssize(result.vibration_modes), wanted.vibration)}) {
+        if (!missing.empty()) std::printf("%s\n", missing.c_str());
+    }
 }
 
-void print_solution(const mechanics::Result& result) {
+void print_solution(const mechanics::Result& result, const WantedModes& wanted) {
     const auto summary = summary_of(result);
     const mechanics::Solution& solution = result.solution;
     std::printf("%zu nodes, %s: %s%s\n", result.nodes.size(), result.solver.c_str(),
@@ -108,7 +114,7 @@ void print_solution(const mechanics::Result& result) {
                 summary["largest_rotation"].get<double>() * kDegreesPerRadian);
     if (const auto& error = result.discretization_error)
         std::printf("%s\n", discretization_text(*error).c_str());
-    print_losses_and_modes(result);
+    print_losses_and_modes(result, wanted);
     std::printf("relative residual %.1e, %d iterations, %.3g s\n", solution.residual, solution.iterations,
                 result.seconds);
 }

@@ -11,13 +11,21 @@ namespace fretwork::app {
 
 // What the verbs solve and simulate print.
 
-void print_solution(const mechanics::Result& result);
 void print_solution_json(const mechanics::Result& result);
 
 inline constexpr double kDegreesPerRadian = 180.0 / std::numbers::pi;
 
-/// One line for each loss of stability, critical load and frequency.
-void print_losses_and_modes(const mechanics::Result& result);
+/// How many modes were asked for.
+struct WantedModes {
+    int vibration = 0;
+    int buckling = 0;
+};
+
+/// One line for each loss of stability, critical load and frequency, and for each reason why there are fewer
+/// than wanted.
+void print_losses_and_modes(const mechanics::Result& result, const WantedModes& wanted);
+
+void print_solution(const mechanics::Result& result, const WantedModes& wanted);
 
 /// The share, or null if there is none.
 base::Json discretization_json(const mechanics::Result& result);

@@ -7,6 +7,7 @@
 
 #include <fretwork/base/error.hpp>
 
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <fcntl.h>
@@ -44,8 +45,17 @@ void open_browser(std::string address) {
     ::posix_spawn_file_actions_init(&quiet);
     for (const int stream : {1, 2})
         ::posix_spawn_file_actions_addopen(&quiet, stream, "/dev/null", O_WRONLY, 0);
+    // What this program ignores, the browser need not.
+    sigset_t usual;
+    ::sigemptyset(&usual);
+    ::sigaddset(&usual, SIGXFSZ);
+    posix_spawnattr_t attributes;
+    ::posix_spawnattr_init(&attributes);
+    ::posix_spawnattr_setsigdefault(&attributes, &usual);
+    ::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF);
     pid_t child = 0;
-    (void)::posix_spawnp(&child, program.c_str(), &quiet, nullptr, arguments, environ);
+    (void)::posix_spawnp(&child, program.c_str(), &quiet, &attributes, arguments, environ);
+    ::posix_spawnattr_destroy(&attributes);
     ::posix_spawn_file_actions_destroy(&quiet);
 }
 

@@ -2,6 +2,8 @@
 #include "cli/command.hpp"
 #include "support.hpp"
 
+#include <algorithm>
+
 namespace fretwork::app {
 namespace {
 
@@ -37,6 +39,29 @@ TEST(Help, VersionIsOneLine) {
     const TemporaryFolder folder;
     EXPECT_THAT(run_command("fretwork --version", folder.path()).out,
                 testing::MatchesRegex("[0-9]+\\.[0-9]+\\.[0-9]+\n"));
+}
+
+TEST(Help, IsWhatTheProgramAlonePrints) {
+    const TemporaryFolder folder;
+    const auto alone = run_command("fretwork", folder.path());
+    EXPECT_EQ(alone.exit_code, 2);
+    EXPECT_EQ(alone.out, run_command("fretwork --help", folder.path()).out);
+}
+
+TEST(Help, MissingArgumentsAreToldWithTheUsage) {
+    const TemporaryFolder folder;
+    const auto complaint = [&](const std::string& command) {
+        const auto outcome = run_command(command, folder.path());
+        EXPECT_EQ(outcome.exit_code, 2) << command;
+        EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+        return outcome.err;
+    };
+    EXPECT_EQ(complaint("fretwork compare full.json"),
+              "fretwork: reduced is required; usage: fretwork compare full reduced [OPTIONS]\n");
+    EXPECT_THAT(complaint("fretwork draw"), HasSubstr("usage: fretwork draw pattern --out FILE [OPTIONS]"));
+    EXPECT_THAT(complaint("fretwork simulate p.json"),
+                HasSubstr("--out is required; usage: fretwork simulate project --out FILE [OPTIONS]"));
+    EXPECT_THAT(complaint("fretwork case"), HasSubstr("usage: fretwork case VERB"));
 }
 
 }  // namespace

@@ -49,6 +49,21 @@ TEST_F(Solve, SaysWhenThereAreFewerBucklingLoadsThanWanted) {
     EXPECT_THAT(outcome.out, HasSubstr("no more than "));
 }
 
+TEST_F(Solve, AnswersForModesOfWhatIsNotLoadedOrCannotMove) {
+    std::string frame = base::read_text_file(folder_.path() / "column.json");
+    frame.replace(frame.find("\"node\": 1, \"force\""), 9, "\"node\": 0");
+    folder_.file("column.json", frame);
+    EXPECT_THAT(run("--buckling 2").out, HasSubstr("no buckling load: nothing is loaded"));
+    EXPECT_THAT(run("--buckling 2 --json").out, HasSubstr("\"buckling_load_factors\": []"));
+    frame.replace(frame.find("\"divisions\": 8"), 14, "\"divisions\": 1");
+    folder_.file("column.json", frame);
+    EXPECT_THAT(run("--modes 20").out, HasSubstr("no more than 6 natural frequencies"));
+    frame.insert(frame.find("{\"node\": 0, \"fixed\""),
+                 R"({"node": 1, "fixed": ["ux", "uy", "uz", "rx", "ry", "rz"]}, )");
+    folder_.file("column.json", frame);
+    EXPECT_THAT(run("--modes 1").out, HasSubstr("no natural frequency: everything that has mass is held"));
+}
+
 TEST_F(Solve, NamesTheNodesOfADeckByTheirLabels) {
     folder_.file("turned.inp",
                  "*NODE\n11,0,0,0\n22,1,0,0\n*ELEMENT,TYPE=B31,ELSET=E\n1,11,22\n"

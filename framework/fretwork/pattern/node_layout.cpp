@@ -10,6 +10,7 @@
 #include <fretwork/pattern/pattern.hpp>
 
 #include <algorithm>
+#include <system_error>
 #include <utility>
 
 namespace fretwork::pattern {
@@ -169,7 +170,8 @@ NodeLayout find_node_layout(std::string_view name_or_path) {
         if (name == name_or_path) return read_layout(JsonReader::from_text(text, std::string(name)));
     }
     const std::filesystem::path path(name_or_path);
-    if (path.has_parent_path() || path.has_extension() || std::filesystem::exists(path))
+    std::error_code ignored;  // what no file can be called is none
+    if (path.has_parent_path() || path.has_extension() || std::filesystem::exists(path, ignored))
         return read_node_layout(path);
     throw base::InputError(base::unknown_name_message("layout", name_or_path, layout_names()) +
                            "; the file of a layout of your own ends in .json");

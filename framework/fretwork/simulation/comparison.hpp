@@ -15,7 +15,7 @@ namespace fretwork::simulation {
 struct Comparison {
     double width = 0.0;                   ///< m, of the interface nodes' bounding box at rest
     double height = 0.0;                  ///< m
-    double max_displacement = 0.0;        ///< m, of the full model
+    double max_displacement = 0.0;        ///< m, of the full model's interface nodes
     double max_translation_error = 0.0;   ///< m
     double mean_translation_error = 0.0;  ///< m
     double sd_translation_error = 0.0;    ///< m
@@ -29,6 +29,12 @@ struct Comparison {
     bool full_is_unstable =
         false;  ///< a specimen would go elsewhere: the errors are from a state that none has
 };
+
+/// The largest displacement (m) and rotation (rad, of the rotation vector) of the interface nodes, which
+/// every model of a surface has: what all of the program calls the largest, whatever nodes a model has
+/// inside.
+double largest_displacement(const mechanics::Result& result, const mechanics::Solution& solution);
+double largest_rotation(const mechanics::Result& result, const mechanics::Solution& solution);
 
 /// Compare two results of one surface; nodes are matched by id. Throws InputError if the results say that
 /// they are of different tessellations, paintings, settings or load cases, of one model, or that the second
