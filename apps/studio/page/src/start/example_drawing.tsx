@@ -8,7 +8,7 @@ interface Shape {
 const SHAPES: Record<string, Shape> = {
   bridge: { within: (x, y) => Math.abs(x) < 1.02 && Math.abs(y) < 0.36, height: (x) => -0.34 * (1 - x * x) },
   leaf: { within: (x, y) => Math.abs(x) < 1 && Math.abs(y) < 0.5 * (1 - x * x) ** 0.7, height: (x) => 0.22 - 0.13 * (x + 1) ** 2 },
-  dome: { within: (x, y) => x * x + y * y < 0.62, height: (x, y) => 0.62 * (0.62 - x * x - y * y) - 0.15 },
+  dome: { within: (x, y) => x * x + y * y < 0.62, height: (x, y) => 0.19 * (0.62 - x * x - y * y) },
 };
 const SIDE = 0.105;
 const SEGMENTS = [[0, 0, 0.43, 0.25], [0.43, 0.25, 0.87, 0], [0.43, 0.25, 0, 0.5], [0, 0, 0.87, 0]];
