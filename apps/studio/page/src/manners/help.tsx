@@ -21,7 +21,7 @@ export function HelpSheet() {
   return (
     <div class="veil" onClick={(event) => event.target === event.currentTarget && close()}>
       <div class="sheet help" role="dialog" aria-modal="true" aria-label="Keys">
-        <header>
+        <header role="none">
           <h1>Keys and pointer</h1>
           <Button kind="bare" title="Close" icon={X} onPress={close} />
         </header>

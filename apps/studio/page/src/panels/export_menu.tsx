@@ -33,12 +33,12 @@ export function ExportMenu() {
     event.stopPropagation();
   };
   return (
-    <div class="card menu" role="menu" ref={host} onKeyDown={keys}>
-      <button type="button" role="menuitem" data-export="json" onClick={() => pick(() => void download())}><b>Project</b><span>everything, to open here or on the command line</span></button>
-      <button type="button" role="menuitem" data-export="png" onClick={() => pick(() => void savePicture())}><b>Picture</b><span>the view in space, PNG with transparent ground</span></button>
+    <div class="card menu" role="dialog" aria-label="Save as another kind of file" ref={host} onKeyDown={keys}>
+      <button type="button" data-export="json" onClick={() => pick(() => void download())}><b>Project</b><span>everything, to open here or on the command line</span></button>
+      <button type="button" data-export="png" onClick={() => pick(() => void savePicture())}><b>Picture</b><span>the view in space, PNG with transparent ground</span></button>
       <hr />
       {offered().map((row) => (
-        <button key={row.ending} type="button" role="menuitem" data-export={row.ending} onClick={() => pick(() => void exportTo(row))}><b>{row.title}</b><span>{row.words}</span></button>
+        <button key={row.ending} type="button" data-export={row.ending} onClick={() => pick(() => void exportTo(row))}><b>{row.title}</b><span>{row.words}</span></button>
       ))}
       <hr />
       <MakingFields />

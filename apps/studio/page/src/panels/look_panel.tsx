@@ -105,8 +105,9 @@ function FullModel() {
     <>
       <div class="row">
         <Button id="solve-full" title="Every bar of every pattern, once, in the background" icon={Gauge} label={full ? 'Again' : 'Solve in full'} disabled={!live.value} onPress={() => void solveFull()} />
-        <Button title="Colours show how far the live model is from the full one" icon={Scale} label="Error map" disabled={!full} onPress={() => void compare()} />
+        <Button id="error-map" title={full ? 'Colours show how far the live model is from the full one' : 'Solve in full first: colours then show how far the live model is from the full one'} icon={Scale} label="Error map" disabled={!full} onPress={() => void compare()} />
       </div>
+      {!full && <p class="hint" id="error-map-needs">The error map needs the full model: solve in full first.</p>}
       {full && <Check label="Lay it over, in grey" value={showFull.value} onChange={(value) => (showFull.value = value)} />}
       {full && <p class="hint">Its largest displacement: {shown(full.info.largest_displacement, 'length')}, in {digits(full.info.seconds)} s</p>}
       {error && <p class="hint">Error: {shown(error.mean, 'length')} in the mean, {shown(error.largest, 'length')} at most; {digits(100 * error.relative)} % of all movement</p>}

@@ -26,6 +26,7 @@ export function TopBar() {
   return (
     <header class="top-bar">
       <div class="brand"><Mark /></div>
+      {!startOpen.value && now && <h1 class="unseen">{now.name || 'untitled'}: Fretwork studio</h1>}
       {now && (
         <>
           <button type="button" class="document-name" data-tip={now.path ?? 'Not saved to a file yet'} onClick={() => (startOpen.value = true)}>

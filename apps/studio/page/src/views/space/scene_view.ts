@@ -106,7 +106,8 @@ export class SceneView {
 
   private colour(name: FieldName, now: NonNullable<typeof shown.value>): void {
     if (shapes.value && shapes.value.kind !== 'path') return this.colourMode(name, now);
-    const row = fieldRow(name);
+    // The error is known of the live answer alone, not of the steps towards it.
+    const row = fieldRow(shapes.value && name === 'error' ? 'displacement' : name);
     const error = compared.value?.solution?.nodeFields[0] ?? null;
     const usable = available(row, error !== null);
     const values = usable ? this.values.take(row, now.solution, now.fields, { error, strength: strength.value }) : null;

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What axe-core finds against the page: contrast, roles, names, headings; in each of its states, light and dark.
+
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { test } from 'node:test';
+import { makeProject, openPage, picture, solved, startStudio } from './studio.mjs';
+
+const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
+
+async function findings(page) {
+  await page.evaluate(axe);
+  return page.evaluate(async () => {
+    const { violations } = await window.axe.run(document);
+    return violations.flatMap(({ id, nodes }) => nodes.map(({ target, failureSummary }) => `${id} at ${target.join(' ')}: ${failureSummary.replace(/\s+/g, ' ')}`));
+  });
+}
+
+const mode = (name) => async (page) => {
+  await page.click(`[data-value=${name}]`);
+  await page.waitForSelector(`.side[data-mode=${name}]`);
+};
+const STATES = {
+  paint: mode('paint'),
+  hold: mode('hold'),
+  load: mode('load'),
+  'a load that is open': (page) => page.click('.entry-title'),
+  look: mode('look'),
+  plane: (page) => page.click('[data-value=plane]'),
+  space: (page) => page.click('[data-value=space]'),
+  'both views': (page) => page.click('[data-value=both]'),
+  export: (page) => page.click('#export'),
+  'for cutting': (page) => page.click('.making summary'),
+  'after export': (page) => page.keyboard.press('Escape'),
+  keys: (page) => page.click('#help'),
+  'after keys': (page) => page.keyboard.press('Escape'),
+  chart: async (page) => {
+    await mode('paint')(page);
+    await page.keyboard.press('c');
+  },
+  start: (page) => page.click('.document-name'),
+};
+
+for (const theme of ['light', 'dark']) {
+  test(`nothing is found against the page, ${theme}`, async (t) => {
+    const { address } = await startStudio(t, makeProject('40mm'));
+    const page = await openPage(t, address, { theme });
+    await solved(page);
+    const all = [];
+    for (const [name, enter] of Object.entries(STATES)) {
+      await enter(page);
+      await page.waitForTimeout(300); // what fades in has its own colour then
+      for (const finding of await findings(page)) all.push(`${name}: ${finding}`);
+      await picture(page, `access-${theme}-${name.replaceAll(' ', '-')}`, 0);
+    }
+    assert.deepEqual(all, []);
+  });
+
+  test(`nothing is found against a page without a document, ${theme}`, async (t) => {
+    const { address } = await startStudio(t);
+    const page = await openPage(t, address, { theme });
+    await page.waitForSelector('.example');
+    assert.deepEqual(await findings(page), []);
+  });
+}
