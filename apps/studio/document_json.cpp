@@ -2,6 +2,7 @@
 #include "document_json.hpp"
 
 #include <fretwork/reduction/setting_file.hpp>
+#include <fretwork/simulation/conditions.hpp>
 #include <fretwork/simulation/load_case_file.hpp>
 #include <fretwork/tiling/rim_loops.hpp>
 
@@ -28,6 +29,18 @@ Json or_null(const std::optional<Value>& value) {
     return value ? Json(*value) : Json();
 }
 
+/// The nodes along each side of the box, as a selection by side picks them.
+Json sides_json(const tiling::Tessellation& tessellation) {
+    constexpr std::pair<const char*, simulation::Side> kSides[] = {{"left", simulation::Side::Left},
+                                                                   {"right", simulation::Side::Right},
+                                                                   {"bottom", simulation::Side::Bottom},
+                                                                   {"top", simulation::Side::Top}};
+    Json sides;
+    for (const auto& [name, side] : kSides)
+        sides[name] = numbers(simulation::select_nodes(simulation::NodesAtSide{side}, tessellation));
+    return sides;
+}
+
 void add_ground(const State& state, Json& event) {
     const tiling::Tessellation& tessellation = state.ground->tessellation;
     event["layout"] = state.ground->layout.name();
@@ -40,6 +53,7 @@ void add_ground(const State& state, Json& event) {
     event["interface_nodes"] = points(tessellation.interface_nodes);
     event["rim"] = Json::array();
     for (const auto& loop : tiling::rim_loops(tessellation)) event["rim"].push_back(numbers(loop));
+    event["sides"] = sides_json(tessellation);
 }
 
 void add_painting(const State& state, Json& event) {
@@ -48,10 +62,39 @@ void add_painting(const State& state, Json& event) {
     event["turns"] = state.painting->turns;
 }
 
+template <class Index>
+Json lists_of_numbers(const std::vector<std::vector<Index>>& lists) {
+    Json all = Json::array();
+    for (const auto& list : lists) all.push_back(numbers(list));
+    return all;
+}
+
+Json vector_json(const Eigen::Vector3d& vector) {
+    return {vector.x(), vector.y(), vector.z()};
+}
+
+/// Which nodes each entry is on, and what they bear, so that no page has to work it out.
+Json marks_json(const simulation::EntryMarks& marks) {
+    Json loads = Json::array();
+    for (const simulation::EntryMarks::Load& load : marks.loads)
+        loads.push_back({{"nodes", numbers(load.nodes)},
+                         {"shares", load.shares},
+                         {"force", vector_json(load.force)},
+                         {"moment", vector_json(load.moment)},
+                         {"extent", load.extent > 0.0 ? Json(load.extent) : Json()}});
+    return {{"supports", lists_of_numbers(marks.supports)},
+            {"loads", std::move(loads)},
+            {"prescribed", lists_of_numbers(marks.prescribed)}};
+}
+
 void add_load_cases(const State& state, Json& event) {
     event["load_cases"] = Json::array();
-    for (const simulation::LoadCase& load_case : *state.load_cases)
-        event["load_cases"].push_back(Json::parse(simulation::load_case_text(load_case)));
+    for (const simulation::LoadCase& load_case : *state.load_cases) {
+        Json json = Json::parse(simulation::load_case_text(load_case));
+        json.erase("format");
+        json["marks"] = marks_json(simulation::entry_marks(load_case, state.ground->tessellation));
+        event["load_cases"].push_back(std::move(json));
+    }
 }
 
 void add_model(const State& state, Json& event) {

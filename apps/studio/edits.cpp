@@ -3,6 +3,7 @@
 #include "painting_request.hpp"
 
 #include <fretwork/base/error.hpp>
+#include <fretwork/base/internal/json_text.hpp>
 #include <fretwork/reduction/setting_file.hpp>
 #include <fretwork/reduction/tile_model.hpp>
 #include <fretwork/simulation/combination.hpp>
@@ -105,12 +106,19 @@ void check_combinations(const std::vector<LoadCase>& cases) {
     for (const LoadCase& load_case : cases) (void)simulation::combined(load_case, cases);
 }
 
+/// Forms are of files: a message has the newest one, unless it names another.
+LoadCase read_load_case(const JsonReader& json) {
+    base::Json value = base::Json::parse(json.text());
+    if (value.is_object() && !value.contains("format")) value["format"] = simulation::kLoadCaseFormat;
+    return simulation::parse_load_case(value.dump(), "message: /load_case");
+}
+
 Edited set_load_case(const State& state, const JsonReader& request) {
     request.allow_only({"id", "do", "merge", "index", "load_case"});
     auto cases = *state.load_cases;
     const std::size_t index = read_index(request.at("index"), cases.size());
     const JsonReader json = request.at("load_case");
-    LoadCase load_case = simulation::parse_load_case(json.text(), "message: /load_case");
+    LoadCase load_case = read_load_case(json);
     simulation::check_selections(load_case, state.ground->tessellation);
     for (std::size_t i = 0; i < cases.size(); ++i) {
         if (i != index && cases[i].name == load_case.name)

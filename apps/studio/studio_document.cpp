@@ -2,13 +2,19 @@
 // The document, and what pages are shown of it.
 #include "examples.hpp"
 #include "frames.hpp"
+#include "making_doubts.hpp"
 #include "studio_impl.hpp"
 #include "words.hpp"
 
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/provenance.hpp>
 #include <fretwork/exports/writer_catalogue.hpp>
+#include <fretwork/fabrication/facts.hpp>
 #include <fretwork/reduction/tile_model.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <thread>
 
 namespace fretwork::studio {
 
@@ -117,6 +123,7 @@ void Studio::Impl::hello(const Request& request) {
     server_.send(request.client,
                  {{text_part(document_event(*document_->now(), document_->status()).dump())}});
     server_.send(request.client, beams_);
+    server_.send(request.client, making_);
     send_solution(request.client);
 }
 
@@ -189,6 +196,8 @@ void Studio::Impl::show(Opened next) {
     failed_ = {};
     last_solved_.reset();
     last_beams_.reset();
+    checked_.reset();
+    making_ = {};
     broadcast(document_event(*document_->now(), document_->status()));
     solve_live();
     keep();
@@ -257,6 +266,7 @@ void Studio::Impl::tell_solved(const SolvedPtr& solved) {
         server_.send(client, message);
     }
     if (solved->stage == Stage::FirstIterate) return;
+    check_making();
     // It was begun when nobody showed any field: those who do wait for them.
     if (shown_fields().any() && !has_forces) solve_live();
 }
@@ -270,6 +280,55 @@ void Studio::Impl::tell_failed(const SolverInput& input, const std::string& erro
                         {"error", in_words(error)}};
     failed_ = {{text_part(event.dump())}, "solution"};
     broadcast(failed_);
+    check_making();
+}
+
+namespace {
+
+/// Whether the same bars lie in the same places.
+bool is_made_alike(const State& one, const State& other) {
+    return one.ground == other.ground && one.painting == other.painting && one.setting == other.setting;
+}
+
+/// Strokes and drags follow each other faster.
+constexpr std::chrono::milliseconds kRest{300};
+constexpr std::chrono::milliseconds kLook{10};
+
+void rest(const base::Control& control) {
+    for (auto waited = 0 * kLook; waited < kRest; waited += kLook) {
+        control.check();
+        std::this_thread::sleep_for(kLook);
+    }
+}
+
+}  // namespace
+
+void Studio::Impl::check_making() {
+    const StatePtr state = document_->now();
+    if (checked_ && is_made_alike(*checked_, *state)) return;
+    checks_.cancel();
+    checked_ = state;
+    making_ = {};
+    if (std::ranges::any_of(state->painting->patterns, [](int pattern) { return pattern < 0; })) return;
+    const std::int64_t revision = document_->revision();
+    checks_.add({.work =
+                     [this, state, revision](const base::Control& control) {
+                         rest(control);
+                         const MakingDoubts doubts =
+                             making_doubts(open_surface(*state).surface, {.control = control},
+                                           fabrication::FactsOptions().clearance);
+                         server_.post([this, state, event = making_event(doubts, revision)] {
+                             tell_making(state, event);
+                         });
+                     },
+                 // What cannot be built is told by the live solution already.
+                 .failed = [](const std::string&) {}});
+}
+
+void Studio::Impl::tell_making(const StatePtr& state, const Json& event) {
+    if (!document_ || checked_ != state || !is_made_alike(*state, *document_->now())) return;
+    making_ = {{text_part(event.dump())}};
+    broadcast(making_);
 }
 
 }  // namespace fretwork::studio

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Documents from files and outlines, and files from documents.
 #include "examples.hpp"
+#include "first_painting.hpp"
+#include "making_doubts.hpp"
 #include "painting_request.hpp"
 #include "pattern_list.hpp"
 #include "sent_file.hpp"
@@ -77,6 +79,7 @@ struct NewRequest {
     std::string example;
     SentOutline outline;
     simulation::NewProjectOptions options;
+    bool is_to_be_made = false;  ///< painted with one pattern that can be made
 };
 
 struct NamedProject {
@@ -126,9 +129,16 @@ NamedProject make(const NewRequest& wanted, const base::Control& control) {
     tiling::OutlineFile file = outline_of(wanted.outline);
     simulation::NewProject made = make_from(wanted.outline, file, options);
     add_remarks(made, file.remarks);
+    if (wanted.is_to_be_made) {
+        const std::string remark = paint_to_be_made(made.project, control);
+        if (!remark.empty()) file.remarks.push_back(remark);
+    }
     return {std::filesystem::path(wanted.outline.file.name).stem().string(), std::move(made.project),
             std::move(file.remarks)};
 }
+
+/// A choice of patterns that the studio makes; the other words are the command line's.
+constexpr std::string_view kToBeMade = "made:one";
 
 NewRequest read_new(const base::JsonReader& json) {
     json.allow_only({"id", "do", "outline", "example", "tile_size", "tiles", "patterns", "palette",
@@ -141,7 +151,12 @@ NewRequest read_new(const base::JsonReader& json) {
     }
     wanted.outline = read_sent_outline(json.at("outline"));
     if (const auto layout = json.find("layout")) wanted.options.layout = layout->string();
-    wanted.options.painting = read_painting_choice(json);
+    const auto patterns = json.find("patterns");
+    wanted.is_to_be_made = patterns && patterns->string() == kToBeMade;
+    if (wanted.is_to_be_made)
+        json.allow_only({"id", "do", "outline", "tile_size", "tiles", "patterns", "layout", "discard"});
+    else
+        wanted.options.painting = read_painting_choice(json);
     const auto tiles = json.find("tiles");
     if (tiles && tiles->choice({"new", "faces"}) == "faces")
         wanted.options.tiles = simulation::TilesFrom::Mesh;
@@ -198,6 +213,11 @@ HttpAnswer exported(const Target& target, const Situation& situation, const Solv
     }
     if (writer.is_made()) scene.making = read_making(target, scene.conditions);
     exports::Written written = writer.write(scene);
+    if (writer.is_made()) {
+        for (const std::string& doubt :
+             making_doubts(scene.surface, scene.making.shape, scene.making.facts.clearance).words)
+            written.remarks.push_back(doubt);
+    }
     return {.type = "application/octet-stream",
             .body = std::move(written.text),
             .download_name = target.value("to"),

@@ -83,6 +83,10 @@ class Studio::Impl final : public Service {
     void tell_beams(const ShownBeams& shown);
     void tell_solved(const SolvedPtr& solved);
     void tell_failed(const SolverInput& input, const std::string& error);
+    /// Look in the background whether the painting can be made, once it rests; not again while it is the
+    /// same.
+    void check_making();
+    void tell_making(const StatePtr& state, const base::Json& event);
     /// The last live solution, or why there is none, for a page that has not seen it with the fields it
     /// shows.
     void send_solution(ClientId client);
@@ -144,6 +148,9 @@ class Studio::Impl final : public Service {
     Autosave autosave_;
     Background files_;  ///< what takes a second or two
     Background jobs_;   ///< what takes as long as it takes
+    StatePtr checked_;  ///< whose making is looked at, or has been
+    Outgoing making_;   ///< what was found, for pages that come
+    Background checks_;
     LiveSolver solver_;
 };
 

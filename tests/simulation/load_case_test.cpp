@@ -283,6 +283,33 @@ TEST(LineLoad, BetweenTwoPointsRunsTheShorterWayAlongTheRim) {
                 AllOf(HasSubstr("/loads/0"), HasSubstr("one place")));
 }
 
+TEST(EntryMarks, SayOfEachLoadWhatTheSolverPutsOnItsNodes) {
+    const Surface surface = make_surface(test::honeycomb(4, 3, {"0-1+1-6"}), nullptr);
+    LoadCase load_case;
+    load_case.name = "all kinds";
+    load_case.loads = {{NodesAtSide{Side::Right}, {0, 0, 3}, {1, 0, 0}, LoadCase::Amount::Each},
+                       {NodesAtSide{Side::Right}, {0, 2, 3}, {0, 0, 4}, LoadCase::Amount::Total},
+                       line_load(NodesAtSide{Side::Left}, {0.5, 0, -2})};
+    load_case.area_loads = {{Selection(NodesAtSide{Side::Left}), {0, 0, -5}},
+                            {LoadCase::AreaLoad::Tiles{{0, 5}}, {1, 0, 7}}};
+    const EntryMarks marks = entry_marks(load_case, surface.tessellation);
+    ASSERT_EQ(marks.loads.size(), 5U);
+    const std::size_t nodes = surface.tessellation.interface_nodes.size();
+    mechanics::NodeValues told =
+        mechanics::NodeValues::Zero(static_cast<Eigen::Index>(nodes), mechanics::kDofsPerNode);
+    for (const EntryMarks::Load& load : marks.loads) {
+        ASSERT_EQ(load.nodes.size(), load.shares.size());
+        for (std::size_t i = 0; i < load.nodes.size(); ++i) {
+            told.row(load.nodes[i].value).head<3>() += load.shares[i] * load.force;
+            told.row(load.nodes[i].value).tail<3>() += load.shares[i] * load.moment;
+        }
+    }
+    // Equal but for the order of sums.
+    EXPECT_LT((told - load_rows(resolve(load_case, surface), nodes)).norm(), 1e-12);
+    EXPECT_EQ(marks.loads[1].extent, 0.0);
+    EXPECT_NEAR(marks.loads[2].force.z(), -2 * marks.loads[2].extent, 1e-12);
+}
+
 TEST(LineLoad, IsKeptByFilesOfTheThirdFormat) {
     const std::string text = R"({"format": "fretwork/load-case/3", "name": "rail",
         "loads": [{"side": "top", "per_length": [0, 0, -1]}, {"between": [[0, 0], [1, 0]], "per_length": [0, 2, 0]}]})";

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <set>
 
 namespace fretwork::studio {
 namespace {
@@ -660,6 +661,33 @@ TEST(StudioMessages, CombinationsAreSolvedAndWhatTheyNameStays) {
     EXPECT_TRUE(client.ask("remove_load_case", {{"index", 0}})["ok"].get<bool>());
 }
 
+TEST(StudioMessages, ALineLoadIsToldWithItsNodesEditedAndKept) {
+    const RunningStudio studio(test::studio_project());
+    Client client(studio.address());
+    client.hello();
+    Json load_case = Json::parse(simulation::load_case_text(test::cantilever({0, 0, -0.01})));
+    load_case.erase("format");
+    load_case["loads"] = {{{"side", "top"}, {"per_length", {0, 0, -2}}}};
+    ASSERT_TRUE(client.ask("set_load_case", {{"index", 0}, {"load_case", load_case}})["ok"].get<bool>());
+    Json told = client.event({"changed"})["load_cases"][0];
+    EXPECT_FALSE(told.contains("format")) << "that is of files";
+    const Json mark = told["marks"]["loads"][0];
+    EXPECT_FALSE(mark["nodes"].empty());
+    EXPECT_EQ(mark["nodes"].size(), mark["shares"].size());
+    EXPECT_NEAR(mark["force"][2].get<double>(), -2 * mark["extent"].get<double>(), 1e-12);
+
+    // What the page sends back with one value edited and a load on an area beside it.
+    told.erase("marks");
+    told["loads"][0]["per_length"] = {0, 0, -3};
+    told["loads"].push_back({{"tiles", {0}}, {"per_area", {0, 0, -1}}});
+    const Json answer = client.ask("set_load_case", {{"index", 0}, {"load_case", told}});
+    ASSERT_TRUE(answer["ok"].get<bool>()) << answer;
+    const Json kept = Json::parse(text_of(client))["load_cases"][0];
+    EXPECT_EQ(kept["format"], "fretwork/load-case/3");
+    EXPECT_EQ(kept["loads"][0], Json({{"side", "top"}, {"per_length", {0.0, 0.0, -3.0}}}));
+    EXPECT_EQ(kept["loads"].size(), 2U);
+}
+
 TEST(StudioFiles, EveryExampleBendsAtOnce) {
     const RunningStudio studio;
     Client client(studio.address());
@@ -671,6 +699,71 @@ TEST(StudioFiles, EveryExampleBendsAtOnce) {
         EXPECT_TRUE(solved.event["converged"].get<bool>()) << example;
         EXPECT_GT(solved.event["largest_displacement"], 0.005) << example;
     }
+}
+
+TEST(StudioFiles, TheDomeRisesBecauseItsRimIsPushedInwards) {
+    const RunningStudio studio;
+    Client client(studio.address());
+    client.ask("hello", {{"protocol", 1}});
+    const auto rise = [&](const Json& event) {
+        const Solved solved = solution_of(client, event["revision"]);
+        EXPECT_TRUE(solved.event["converged"].get<bool>());
+        return solved.event["largest_displacement"].get<double>();
+    };
+    ASSERT_TRUE(client.ask("new", {{"example", "dome"}})["ok"].get<bool>());
+    const Json document = client.event({"document"});
+    const double pushed = rise(document);
+    Json load_case = document["load_cases"][0];
+    load_case.erase("marks");
+    for (Json& entry : load_case["prescribed"]) {
+        for (const char* dof : {"ux", "uy"})
+            if (entry.contains(dof)) entry[dof] = 0.0;
+    }
+    ASSERT_TRUE(client.ask("set_load_case", {{"index", 0}, {"load_case", load_case}})["ok"].get<bool>());
+    EXPECT_GT(pushed, 5 * rise(client.event({"changed"}))) << "the push alone";
+}
+
+TEST(StudioFiles, ANewSurfaceIsPaintedWithOnePatternThatCanBeMade) {
+    const RunningStudio studio;
+    Client client(studio.address());
+    client.ask("hello", {{"protocol", 1}});
+    const std::string square =
+        R"({"format": "fretwork/outline/1", "boundary": [[0, 0], [0.2, 0], [0.2, 0.2], [0, 0.2]]})";
+    const auto made = [&](double side) {
+        const Json answer = client.ask(
+            "new", {{"outline", {{"name", "square.json"}, {"text_base64", base::encode_base64(square)}}},
+                    {"tile_size", side},
+                    {"patterns", "made:one"},
+                    {"discard", true}});
+        EXPECT_TRUE(answer["ok"].get<bool>()) << answer;
+        return std::pair(answer, client.event({"document"}));
+    };
+    const auto [answer, document] = made(0.02);
+    EXPECT_TRUE(answer["remarks"].empty()) << answer;
+    EXPECT_EQ(document["palette"].size(), 1U);
+    EXPECT_EQ(std::set<int>(document["painting"].begin(), document["painting"].end()), std::set<int>{0});
+    EXPECT_TRUE(client.event({"making"})["words"].empty());
+
+    const auto [small, bare] = made(0.005);
+    EXPECT_THAT(small["remarks"].dump(), HasSubstr("larger tiles or narrower bars"));
+    EXPECT_EQ(bare["painting"][0], -1);
+}
+
+TEST(StudioFiles, BarsThatOverlapAreToldWithTheirPlacesAndInTheRemarkOfExports) {
+    const RunningStudio studio(test::studio_project());
+    Client client(studio.address());
+    client.hello();
+    // Bars six times as wide are wider than what lies between them.
+    Json setting = client.event({"document"})["setting"];
+    setting["section"]["I3"] = 36.0 * setting["section"]["I3"].get<double>();
+    ASSERT_TRUE(client.ask("set_setting", {{"setting", setting}})["ok"].get<bool>());
+    Json told = client.event({"making"});
+    if (told["words"].empty()) told = client.event({"making"});  // that of the first setting, if it was sent
+    ASSERT_FALSE(told["words"].empty()) << told;
+    EXPECT_FALSE(told["places"].empty());
+    EXPECT_THAT(
+        test::http(studio.port(), test::get_request("/export?token=" + studio.token() + "&to=solid.stl")),
+        HasSubstr("Fretwork-Remark"));
 }
 
 TEST(StudioFiles, UnsavedChangesAreThereAfterARestart) {

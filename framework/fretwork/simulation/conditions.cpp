@@ -80,6 +80,47 @@ std::vector<detail::LineBearer> bearers_of(const LoadCase& load_case, std::size_
     }
 }
 
+/// The part of the area of its tiles that each node bears, m2; once for each of these tiles.
+std::vector<std::pair<tiling::InterfaceIndex, double>> area_shares(const LoadCase& load_case,
+                                                                   std::size_t entry,
+                                                                   const tiling::Tessellation& tessellation) {
+    const AreaBearers bearers(load_case, entry, tessellation);
+    std::vector<std::pair<tiling::InterfaceIndex, double>> shares;
+    for (std::size_t t = 0; t < tessellation.tiles.size(); ++t) {
+        if (!bearers.has(t)) continue;
+        const auto& nodes = tessellation.tiles[t].interface_nodes;
+        const double area = pattern::signed_area(tiling::tile_polygon(tessellation, tiling::TileIndex(t)));
+        for (const auto node : nodes) {
+            if (bearers.has(node)) shares.emplace_back(node, area / static_cast<double>(nodes.size()));
+        }
+    }
+    return shares;
+}
+
+/// A load per length or area as nodes that bear shares of all of it.
+template <class Parts>
+EntryMarks::Load spread_load(const Parts& parts, const Eigen::Vector3d& per_extent) {
+    std::map<tiling::InterfaceIndex, double> extents;
+    EntryMarks::Load load;
+    for (const auto& [node, extent] : parts) {
+        extents[node] += extent;
+        load.extent += extent;
+    }
+    for (const auto& [node, extent] : extents) {
+        load.nodes.push_back(node);
+        load.shares.push_back(extent / load.extent);
+    }
+    load.force = load.extent * per_extent;
+    return load;
+}
+
+EntryMarks::Load picked_load(const LoadCase::Load& load, std::vector<tiling::InterfaceIndex> nodes) {
+    const double share =
+        load.amount == LoadCase::Amount::Total ? 1.0 / static_cast<double>(nodes.size()) : 1.0;
+    std::vector<double> shares(nodes.size(), share);
+    return {std::move(nodes), std::move(shares), load.force, load.moment, 0.0};
+}
+
 class Resolver {
   public:
     Resolver(const LoadCase& load_case, const Surface& surface, std::span<const double> masses)
@@ -146,20 +187,9 @@ class Resolver {
     }
 
     void add_area_load(std::size_t i) {
-        const tiling::Tessellation& tessellation = surface_.tessellation;
-        const AreaBearers bearers(load_case_, i, tessellation);
-        for (std::size_t t = 0; t < tessellation.tiles.size(); ++t) {
-            if (!bearers.has(t)) continue;
-            const auto& nodes = tessellation.tiles[t].interface_nodes;
-            const double area =
-                pattern::signed_area(tiling::tile_polygon(tessellation, tiling::TileIndex(t)));
-            const Eigen::Vector3d share =
-                area / static_cast<double>(nodes.size()) * load_case_.area_loads[i].per_area;
-            for (const auto node : nodes) {
-                if (bearers.has(node))
-                    conditions_.loads.push_back({NodeIndex(node.value), share, Eigen::Vector3d::Zero()});
-            }
-        }
+        for (const auto& [node, area] : area_shares(load_case_, i, surface_.tessellation))
+            conditions_.loads.push_back(
+                {NodeIndex(node.value), area * load_case_.area_loads[i].per_area, Eigen::Vector3d::Zero()});
     }
 
     void add_weights() {
@@ -185,19 +215,28 @@ class Resolver {
 
 }  // namespace
 
-void check_selections(const LoadCase& load_case, const tiling::Tessellation& tessellation) {
+EntryMarks entry_marks(const LoadCase& load_case, const tiling::Tessellation& tessellation) {
     const EntryPicker picked(load_case, tessellation);
+    EntryMarks marks;
     for (std::size_t i = 0; i < load_case.supports.size(); ++i)
-        (void)picked(load_case.supports[i].where, "supports", i);
+        marks.supports.push_back(picked(load_case.supports[i].where, "supports", i));
     for (std::size_t i = 0; i < load_case.prescribed.size(); ++i)
-        (void)picked(load_case.prescribed[i].where, "prescribed", i);
+        marks.prescribed.push_back(picked(load_case.prescribed[i].where, "prescribed", i));
     for (std::size_t i = 0; i < load_case.loads.size(); ++i) {
-        (void)picked(load_case.loads[i].where, "loads", i);
-        if (load_case.loads[i].amount == LoadCase::Amount::PerLength)
-            (void)bearers_of(load_case, i, tessellation);
+        const LoadCase::Load& load = load_case.loads[i];
+        auto nodes = picked(load.where, "loads", i);
+        marks.loads.push_back(load.amount == LoadCase::Amount::PerLength
+                                  ? spread_load(bearers_of(load_case, i, tessellation), load.force)
+                                  : picked_load(load, std::move(nodes)));
     }
     for (std::size_t i = 0; i < load_case.area_loads.size(); ++i)
-        (void)AreaBearers(load_case, i, tessellation);
+        marks.loads.push_back(
+            spread_load(area_shares(load_case, i, tessellation), load_case.area_loads[i].per_area));
+    return marks;
+}
+
+void check_selections(const LoadCase& load_case, const tiling::Tessellation& tessellation) {
+    (void)entry_marks(load_case, tessellation);
 }
 
 bool needs_masses(const LoadCase& load_case, const Surface& surface) {

@@ -32,6 +32,25 @@ mechanics::NodeValues load_rows(const Conditions& conditions, std::size_t nodes)
 /// displacements and loads take the place of those that it had.
 void apply(const Conditions& conditions, mechanics::Assembly& assembly);
 
+/// What the entries of a load case pick and bear, each list in the order of its entries in a file.
+struct EntryMarks {
+    /// The nodes of a load, and how much of its vectors each of them bears.
+    struct Load {
+        std::vector<tiling::InterfaceIndex> nodes;  ///< ascending
+        std::vector<double> shares;                 ///< of `force` and `moment`; 1 where each node bears all
+        Eigen::Vector3d force = Eigen::Vector3d::Zero();   ///< N
+        Eigen::Vector3d moment = Eigen::Vector3d::Zero();  ///< N m
+        double extent = 0.0;  ///< m2 of a load per area, m of one per length; 0 of others
+    };
+    std::vector<std::vector<tiling::InterfaceIndex>> supports;
+    std::vector<Load> loads;  ///< those on areas are the last
+    std::vector<std::vector<tiling::InterfaceIndex>> prescribed;
+};
+
+/// The entries of one load case, without gravity and without the load cases that it combines. Throws
+/// InputError as check_selections does.
+EntryMarks entry_marks(const LoadCase& load_case, const tiling::Tessellation& tessellation);
+
 /// Check that every entry of a load case picks interface nodes of a tessellation, painted or not. Throws
 /// InputError that names the load case and the entry.
 void check_selections(const LoadCase& load_case, const tiling::Tessellation& tessellation);

@@ -9,6 +9,9 @@
 
 namespace fretwork::simulation {
 
+/// The newest form of the file, which says all that a load case can.
+inline constexpr std::string_view kLoadCaseFormat = "fretwork/load-case/3";
+
 /// Throws InputError with source and JSON pointer.
 LoadCase parse_load_case(std::string_view text, const std::string& source);
 /// parse_load_case gives an equal load case.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Everything that a person can do to the document, one verb each.
 
-import type { Load, LoadCase, Prescribed, Support } from '../protocol/messages';
+import type { Load, LoadCase, Prescribed, SentLoadCase, Support } from '../protocol/messages';
 import { Latest } from '../protocol/latest';
 import { ask, tryAsk } from './studio';
 import { documentNow, loadCase, working } from './store';
@@ -49,14 +49,14 @@ export const setSetting = (setting: object, merge?: string): void => void tryAsk
 export const selectLoadCase = (index: number): void => void tryAsk('select_load_case', { index });
 export const removeLoadCase = (index: number): void => void tryAsk('remove_load_case', { index });
 
-const EMPTY: LoadCase = { format: 'fretwork/load-case/1', name: 'load case 1', supports: [], loads: [], prescribed: [], gravity: [0, 0, 0] };
+const EMPTY: LoadCase = { name: 'load case 1', supports: [], loads: [], prescribed: [], gravity: [0, 0, 0] };
 
 export function addLoadCase(from: Partial<LoadCase> = {}): void {
   const cases = documentNow.value?.load_cases ?? [];
   const names = new Set(cases.map((one) => one.name));
   let number = cases.length + 1;
   while (names.has(`load case ${number}`)) ++number;
-  const load_case = { ...EMPTY, ...from, name: from.name ?? `load case ${number}` };
+  const load_case = stated({ ...EMPTY, ...from, name: from.name ?? `load case ${number}` });
   void tryAsk('set_load_case', { index: cases.length, load_case });
 }
 
@@ -66,14 +66,12 @@ export function editLoadCase(change: (present: LoadCase) => Partial<LoadCase>, m
   if (!now) return Promise.resolve(null);
   const present = loadCase.value ?? EMPTY;
   const index = now.load_cases.length ? now.selected_load_case : 0;
-  return tryAsk('set_load_case', { index, load_case: written({ ...present, ...change(present) }), merge });
+  return tryAsk('set_load_case', { index, load_case: stated({ ...present, ...change(present) }), merge });
 }
 
-const SECOND_FORMAT = 'fretwork/load-case/2';
-/** Loads on areas and combinations came with the second form of the file. */
-function written(load_case: LoadCase): LoadCase {
-  const isSecond = load_case.loads?.some(({ per_area }) => per_area) || (load_case.combines ?? []).length > 0;
-  return isSecond ? { ...load_case, format: SECOND_FORMAT } : load_case;
+/** Without what the program has worked out of it. */
+function stated({ marks: _, ...load_case }: LoadCase & Partial<SentLoadCase>): LoadCase {
+  return load_case;
 }
 
 /** Let another load case act as well, so many times; with 0 it does not. */
@@ -125,12 +123,12 @@ const replaced = <T>(list: readonly T[] | undefined, index: number, entry: T): T
 const without = <T>(list: readonly T[] | undefined, index: number): T[] => (list ?? []).filter((_, i) => i !== index);
 
 /** Hold nodes; what held them before, lets them go. */
-export function hold(nodes: number[], fixed: Support['fixed'], resolve: (support: Support) => number[]): void {
+export function hold(nodes: number[], fixed: Support['fixed'], held: readonly number[][]): void {
   const taken = new Set(nodes);
   void editLoadCase(({ supports = [] }) => {
-    const rest = supports.flatMap((support) => {
-      const kept = resolve(support).filter((node) => !taken.has(node));
-      if (kept.length === resolve(support).length) return [support];
+    const rest = supports.flatMap((support, i) => {
+      const kept = held[i].filter((node) => !taken.has(node));
+      if (kept.length === held[i].length) return [support];
       return kept.length ? [{ nodes: kept, fixed: support.fixed }] : [];
     });
     return { supports: fixed.length ? [...rest, { nodes, fixed }] : rest };

@@ -2,10 +2,8 @@
 // The selected load case as things to draw: which nodes are held and how, what acts where.
 
 import { computed } from '@preact/signals';
-import { DOFS, type Dof, type Load, type Prescribed, type Support, type Vector } from '../protocol/messages';
-import { selectedNodes } from './selected_nodes';
+import { DOFS, type Dof, type Load, type LoadShares, type Prescribed, type SentLoadCase, type Vector } from '../protocol/messages';
 import { documentNow, loadCase } from './store';
-import { areaOf, nodeAreas, surface } from './surface';
 
 export type HoldKind = 'fixed' | 'pinned' | 'partly';
 export interface HeldNode {
@@ -13,15 +11,9 @@ export interface HeldNode {
   kind: HoldKind;
   fixed: Dof[];
 }
-export interface LoadMark {
+export interface LoadMark extends LoadShares {
   index: number;
   load: Load;
-  nodes: number[];
-  /** All of it that acts, in N and N m. */
-  force: Vector;
-  moment: Vector;
-  /** Of a load on an area: how large it is, in m2. */
-  area: number | null;
 }
 export interface PrescribedMark {
   index: number;
@@ -40,20 +32,21 @@ export const HOLD_COLOURS: Record<HoldKind, string> = { fixed: '--fixed', pinned
 
 export const prescribedDof = (entry: Prescribed): Dof | undefined => DOFS.find((dof) => entry[dof] !== undefined);
 
-export const nodesOf = (entry: Support | Load | Prescribed): number[] => (surface.value ? selectedNodes(entry, surface.value) : []);
+/** The nodes of each support of the selected load case. */
+export const supportNodes = computed<number[][]>(() => loadCase.value?.marks.supports ?? []);
 
 /** The supports of a load case, and of those that act together with it. */
-const supports = computed<Support[]>(() => {
+const supports = computed<{ nodes: number[]; fixed: Dof[] }[]>(() => {
   const together = new Set(loadCase.value?.combines?.map(({ load_case }) => load_case));
   const others = documentNow.value?.load_cases.filter(({ name }) => together.has(name)) ?? [];
-  return [loadCase.value, ...others].flatMap((one) => one?.supports ?? []);
+  return [loadCase.value, ...others].flatMap((one) => one?.supports?.map(({ fixed }, i) => ({ nodes: one.marks.supports[i], fixed })) ?? []);
 });
 
 /** Each held node once, with all that holds it. */
 export const heldNodes = computed<HeldNode[]>(() => {
   const all = new Map<number, Set<Dof>>();
   for (const support of supports.value) {
-    for (const node of nodesOf(support)) {
+    for (const node of support.nodes) {
       const fixed = all.get(node) ?? new Set<Dof>();
       support.fixed.forEach((dof) => fixed.add(dof));
       all.set(node, fixed);
@@ -62,24 +55,14 @@ export const heldNodes = computed<HeldNode[]>(() => {
   return [...all].map(([node, set]) => ({ node, kind: holdKind([...set]), fixed: DOFS.filter((dof) => set.has(dof)) }));
 });
 
-export const loadMarks = computed<LoadMark[]>(() => (loadCase.value?.loads ?? []).map(loadMark));
-
-function loadMark(load: Load, index: number): LoadMark {
-  const nodes = nodesOf(load);
-  const area = load.per_area ? loadedArea(load, nodes) : null;
-  const force = load.per_area && area !== null ? (load.per_area.map((value) => value * area) as Vector) : (load.force ?? [0, 0, 0]);
-  return { index, load, nodes, force, moment: load.moment ?? [0, 0, 0], area };
-}
-
-function loadedArea({ tiles }: Load, nodes: readonly number[]): number {
-  if (tiles) return tiles.reduce((sum, tile) => sum + areaOf(surface.value?.polygons[tile] ?? []), 0);
-  return nodes.reduce((sum, node) => sum + (nodeAreas.value[node] ?? 0), 0);
-}
+export const loadMarks = computed<LoadMark[]>(() =>
+  (loadCase.value?.loads ?? []).map((load, index) => ({ index, load, ...(loadCase.value as SentLoadCase).marks.loads[index] })),
+);
 
 export const prescribedMarks = computed<PrescribedMark[]>(() =>
   (loadCase.value?.prescribed ?? []).map((entry, index) => {
     const dof = prescribedDof(entry) ?? 'uz';
-    return { index, entry, nodes: nodesOf(entry), dof, value: entry[dof] ?? 0 };
+    return { index, entry, nodes: loadCase.value?.marks.prescribed[index] ?? [], dof, value: entry[dof] ?? 0 };
   }),
 );
 

@@ -3,7 +3,7 @@
 
 import { computed, signal } from '@preact/signals';
 import type { Beams, Solution } from '../protocol/binary';
-import type { Hello, LoadCase, PatternTable, Recoverable, Solved, StudioDocument } from '../protocol/messages';
+import type { Hello, Making, PatternTable, Recoverable, SentLoadCase, Solved, StudioDocument } from '../protocol/messages';
 import type { LineState } from '../protocol/connection';
 
 export interface SolvedModel {
@@ -54,17 +54,22 @@ export interface Shape {
 /** What is played back: the steps of a load path, or modes. */
 export const shapes = signal<Shape | null>(null);
 
+/** Whether the present painting can be made; null while that is looked at. */
+export const making = signal<Making | null>(null);
+/** Which of its places is looked at; -1: none. */
+export const makingPlace = signal(-1);
+
 export const patternTable = signal<PatternTable | null>(null);
 
-export const loadCase = computed<LoadCase | null>(() => {
+export const loadCase = computed<SentLoadCase | null>(() => {
   const now = documentNow.value;
   return now?.load_cases[now.selected_load_case] ?? null;
 });
 
 export const setting = computed(() => documentNow.value?.setting ?? null);
-/** The section of the bars, in metres: across in the plane, and out of it. */
 /** What the material bears, N/m2; null where the document does not say it. */
 export const strength = computed<number | null>(() => setting.value?.material.strength ?? null);
+/** The section of the bars, in metres: across in the plane, and out of it. */
 export const barSection = computed(() => {
   const { area, I2, I3 } = setting.value?.section ?? { area: 4e-6, I2: 4e-12 / 3, I3: 4e-12 / 3 };
   return { width: Math.sqrt((12 * I3) / area), height: Math.sqrt((12 * I2) / area) };

@@ -97,6 +97,10 @@ function take(message: ServerEvent): void {
       store.compared.value = { mean: message.mean, largest: message.largest, relative: message.relative, solution: null };
       store.working.value = null;
       break;
+    case 'making':
+      store.making.value = message;
+      store.makingPlace.value = -1;
+      break;
     case 'warning':
       tell(message.text, 'warning');
       break;
@@ -118,6 +122,12 @@ function forget(): void {
   store.working.value = null;
   store.compared.value = null;
   store.shapes.value = null;
+  forgetMaking();
+}
+
+function forgetMaking(): void {
+  store.making.value = null;
+  store.makingPlace.value = -1;
 }
 
 /** What was painted here ahead of the server, and is now in the document. */
@@ -132,6 +142,7 @@ function change(message: Partial<StudioDocument>): void {
   if (!store.documentNow.value) return;
   store.documentNow.value = { ...store.documentNow.value, ...message };
   if (message.painting) confirmPainting();
+  if (message.painting || message.turns || message.setting) forgetMaking();
   if (message.painting || message.turns || message.load_cases || message.setting || message.selected_load_case !== undefined) {
     store.others.value = new Map();
     store.compared.value = null;

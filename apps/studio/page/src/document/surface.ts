@@ -77,17 +77,6 @@ export function areaOf(polygon: readonly Point[]): number {
   return Math.abs(twice) / 2;
 }
 
-/** What each interface node stands for, in m2: its share of its tiles. */
-export const nodeAreas = computed<Float64Array>(() => {
-  const now = surface.value;
-  const areas = new Float64Array(now?.nodes.length ?? 0);
-  now?.tiles.forEach((tile, index) => {
-    const share = areaOf(now.polygons[index]) / tile.interface.length;
-    for (const node of tile.interface) areas[node] += share;
-  });
-  return areas;
-});
-
 export function inside(polygon: readonly Point[], [x, y]: Point): boolean {
   let within = false;
   for (let i = 0, j = polygon.length - 1; i < polygon.length; j = i++) {

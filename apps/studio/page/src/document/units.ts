@@ -7,7 +7,7 @@ export type UnitSystem = 'mm' | 'SI';
 export const unitSystem = signal<UnitSystem>(localStorage.getItem('fretwork.units') === 'SI' ? 'SI' : 'mm');
 effect(() => localStorage.setItem('fretwork.units', unitSystem.value));
 
-export type Quantity = 'share' | 'factor' | 'area_load' | 'length' | 'angle' | 'force' | 'moment' | 'stress' | 'plain' | 'membrane' | 'bending' | 'area_mass' | 'frequency' | 'density' | 'acceleration';
+export type Quantity = 'share' | 'factor' | 'area_load' | 'line_load' | 'length' | 'angle' | 'force' | 'moment' | 'stress' | 'plain' | 'membrane' | 'bending' | 'area_mass' | 'frequency' | 'density' | 'acceleration';
 
 interface Unit {
   name: string;
@@ -23,6 +23,7 @@ const BOTH: Partial<Record<Quantity, Unit>> = {
   membrane: { name: 'N/mm', per: 1e-3 },
   area_mass: { name: 'kg/m²', per: 1 },
   area_load: { name: 'N/m²', per: 1 },
+  line_load: { name: 'N/m', per: 1 },
   frequency: { name: 'Hz', per: 1 },
   density: { name: 'kg/m³', per: 1 },
   acceleration: { name: 'm/s²', per: 1 },

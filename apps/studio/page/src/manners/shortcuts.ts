@@ -11,7 +11,7 @@ import {
 import { holdChosen } from '../panels/hold_panel';
 import { pressChosen } from '../panels/load_panel';
 import { currentScene } from '../views/space/current';
-import { fit } from '../views/plane/plane';
+import { fit } from '../views/plane/viewport';
 
 export interface Shortcut {
   keys: string;

@@ -2,13 +2,13 @@
 // Which nodes are chosen, and quick ways to choose.
 
 import { X } from 'lucide-preact';
-import { selectedNodes as resolve } from '../document/selected_nodes';
+import { documentNow } from '../document/store';
 import { surface } from '../document/surface';
 import { selectedNodes } from '../document/ui';
-import type { Selection } from '../protocol/messages';
+import type { Side } from '../protocol/messages';
 import { Button } from '../widgets/widgets';
 
-const SIDES: { title: string; side: NonNullable<Selection['side']> }[] = [
+const SIDES: { title: string; side: Side }[] = [
   { title: 'Left', side: 'left' },
   { title: 'Right', side: 'right' },
   { title: 'Top', side: 'top' },
@@ -40,7 +40,7 @@ export function ChosenNodes({ purpose }: { purpose: 'hold' | 'load' }) {
       </div>
       <div class="chips">
         {SIDES.map(({ title, side }) => (
-          <button key={side} type="button" class="chip" id={`choose-${side}`} onClick={() => take(resolve({ side }, now))}>{title}</button>
+          <button key={side} type="button" class="chip" id={`choose-${side}`} onClick={() => take(documentNow.peek()?.sides[side] ?? [])}>{title}</button>
         ))}
         <button type="button" class="chip" onClick={() => take([...now.onRim])}>Whole rim</button>
         {purpose === 'load' && <button type="button" class="chip" id="choose-middle" onClick={() => take(middleNodes())}>Middle</button>}

@@ -2,10 +2,9 @@
 
 import { Trash2 } from 'lucide-preact';
 import { hold, removeSupport, replaceSupport } from '../document/edits';
-import { HOLD_COLOURS, holdKind, nodesOf } from '../document/marks';
-import { selectionWords } from '../document/selected_nodes';
+import { HOLD_COLOURS, holdKind, supportNodes } from '../document/marks';
+import { selectionWords } from './selection_words';
 import { loadCase } from '../document/store';
-import { surface } from '../document/surface';
 import { selectedNodes } from '../document/ui';
 import { DOFS, type Dof, type Support } from '../protocol/messages';
 import { Button } from '../widgets/widgets';
@@ -20,7 +19,7 @@ const KINDS: { title: string; tip: string; fixed: Dof[]; colour: string; key: st
 
 export function holdChosen(fixed: Dof[]): void {
   const nodes = [...selectedNodes.peek()].sort((a, b) => a - b);
-  if (nodes.length) hold(nodes, fixed, nodesOf);
+  if (nodes.length) hold(nodes, fixed, supportNodes.peek());
 }
 
 export function HoldPanel() {
@@ -47,7 +46,7 @@ export function HoldPanel() {
 }
 
 function SupportRow({ support, index }: { support: Support; index: number }) {
-  const nodes = surface.value ? nodesOf(support) : [];
+  const nodes = supportNodes.value[index] ?? [];
   const toggle = (dof: Dof) => {
     const fixed = DOFS.filter((one) => (one === dof ? !support.fixed.includes(dof) : support.fixed.includes(one)));
     if (fixed.length) replaceSupport(index, { ...support, fixed });

@@ -3,22 +3,33 @@
 import { ArrowDownRight, RotateCcw, Trash2 } from 'lucide-preact';
 import { removeLoad, replaceLoad } from '../document/edits';
 import { size, type LoadMark } from '../document/marks';
-import { selectionWords } from '../document/selected_nodes';
+import { selectionWords } from './selection_words';
 import { activeEntry, selectedNodes } from '../document/ui';
 import { shown, type Quantity } from '../document/units';
-import type { Vector } from '../protocol/messages';
+import type { Load, Vector } from '../protocol/messages';
 import { Button, Segments } from '../widgets/widgets';
 import { NumberField } from '../widgets/number';
+
+/** What acts on each square metre or metre, if that is how the load is given. */
+function spreadOf({ per_area, per_length }: Load) {
+  if (per_area) return { key: 'per_area', label: 'Area', quantity: 'area_load', vector: per_area } as const;
+  return per_length ? ({ key: 'per_length', label: 'Line', quantity: 'line_load', vector: per_length } as const) : null;
+}
+
+function described({ load, force, moment }: LoadMark) {
+  const spread = spreadOf(load);
+  if (spread) return { twists: false, spread, words: shown(size(spread.vector), spread.quantity), how: `is ${shown(size(force), 'force')}` };
+  const twists = size(moment) > 0 || (load.moment !== undefined && load.force === undefined);
+  const words = twists ? shown(size(moment), 'moment') : shown(size(force), 'force');
+  return { twists, spread, words, how: load.amount === 'total' ? 'in all' : 'each' };
+}
 
 /** One load: its size, where it acts, and its components to type. */
 export function LoadRow({ mark }: { mark: LoadMark }) {
   const { load, index, nodes } = mark;
   const open = activeEntry.value?.kind === 'load' && activeEntry.value.index === index;
-  const twists = size(mark.moment) > 0 || (load.moment !== undefined && load.force === undefined);
+  const { twists, spread, words, how } = described(mark);
   const Picture = twists ? RotateCcw : ArrowDownRight;
-  const spread = load.per_area;
-  const words = spread ? shown(size(spread), 'area_load') : twists ? shown(size(mark.moment), 'moment') : shown(size(mark.force), 'force');
-  const how = spread ? `is ${shown(size(mark.force), 'force')}` : load.amount === 'total' ? 'in all' : 'each';
   return (
     <li class={`entry${open ? ' open' : ''}`}>
       <button type="button" class="entry-title" aria-expanded={open} onClick={() => (activeEntry.value = open ? null : { kind: 'load', index })}>
@@ -28,7 +39,7 @@ export function LoadRow({ mark }: { mark: LoadMark }) {
       <Button kind="bare" title="Remove this load" icon={Trash2} onPress={() => { activeEntry.value = null; removeLoad(index); }} />
       {open && (
         <div class="entry-body">
-          {spread && <Components label="Area" vector={spread} quantity="area_load" onChange={(per_area) => replaceLoad(index, { ...load, per_area })} />}
+          {spread && <Components label={spread.label} vector={spread.vector} quantity={spread.quantity} onChange={(vector) => replaceLoad(index, { ...load, [spread.key]: vector })} />}
           {!twists && !spread && <Components label="Force" vector={mark.force} quantity="force" onChange={(force) => replaceLoad(index, { ...load, force })} />}
           {twists && <Components label="Moment" vector={mark.moment} quantity="moment" onChange={(moment) => replaceLoad(index, { ...load, moment })} />}
           <div class="field">

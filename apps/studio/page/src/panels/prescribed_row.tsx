@@ -4,7 +4,7 @@ import { MoveVertical, Trash2 } from 'lucide-preact';
 import { dragPrescribed, newGesture, removePrescribed, replacePrescribed } from '../document/edits';
 import { markInput } from '../document/latency';
 import type { PrescribedMark } from '../document/marks';
-import { selectionWords } from '../document/selected_nodes';
+import { selectionWords } from './selection_words';
 import { surface } from '../document/surface';
 import { activeEntry } from '../document/ui';
 import { shown } from '../document/units';

@@ -6,14 +6,17 @@ export type Vector = [number, number, number];
 export type Dof = 'ux' | 'uy' | 'uz' | 'rx' | 'ry' | 'rz';
 export const DOFS: readonly Dof[] = ['ux', 'uy', 'uz', 'rx', 'ry', 'rz'];
 
+export type Side = 'left' | 'right' | 'bottom' | 'top';
 /** Which interface nodes an entry of a load case is on: one of these keys. */
 export interface Selection {
   nodes?: number[];
   box?: [number, number, number, number];
   nearest?: Point[];
-  side?: 'left' | 'right' | 'bottom' | 'top';
+  side?: Side;
   /** All nodes of these tiles; of loads on areas only. */
   tiles?: number[];
+  /** The shorter way along the rim; of loads on lines only. */
+  between?: [Point, Point];
 }
 export interface Support extends Selection {
   fixed: Dof[];
@@ -24,10 +27,28 @@ export interface Load extends Selection {
   amount?: 'each' | 'total';
   /** N/m2; each node stands for its share of its tiles. */
   per_area?: Vector;
+  /** N/m, along a side or between two points of the rim. */
+  per_length?: Vector;
+}
+/** Which nodes a load is on, and how much of its vectors each of them bears. */
+export interface LoadShares {
+  nodes: number[];
+  shares: number[];
+  /** N and N m; of a load on an area or a line all of it. */
+  force: Vector;
+  moment: Vector;
+  /** m2 of a load on an area, m of one on a line. */
+  extent: number | null;
+}
+/** What the entries of a load case are on, worked out by the program; in their order. */
+export interface Marks {
+  supports: number[][];
+  loads: LoadShares[];
+  prescribed: number[][];
 }
 export type Prescribed = Selection & Partial<Record<Dof, number>>;
+/** As it is sent to the program. */
 export interface LoadCase {
-  format: string;
   name: string;
   description?: string;
   supports?: Support[];
@@ -36,6 +57,11 @@ export interface LoadCase {
   gravity?: Vector;
   /** Other load cases of the document that act as well, so many times. */
   combines?: { load_case: string; factor: number }[];
+}
+
+/** As the program sends it. */
+export interface SentLoadCase extends LoadCase {
+  marks: Marks;
 }
 
 export interface Tile {
@@ -59,12 +85,14 @@ export interface StudioDocument {
   tiles: Tile[];
   interface_nodes: Point[];
   rim: number[][];
+  /** The rim nodes along each side of the box. */
+  sides: Record<Side, number[]>;
   palette: string[];
   painting: number[];
   turns: number[];
   tile_models: string[];
   setting: Setting;
-  load_cases: LoadCase[];
+  load_cases: SentLoadCase[];
   selected_load_case: number;
   model: string;
   linear?: boolean;
@@ -154,6 +182,19 @@ export interface Solved {
   steps?: number;
 }
 
+/** Where bars overlap, or what is cut is narrower than can be cut. */
+export interface MakingPlace {
+  kind: 'overlap' | 'gap' | 'opening';
+  place: Point;
+  /** In metres; below zero of an overlap. */
+  width: number;
+}
+export interface Making {
+  /** None: nothing stands in the way of making it. */
+  words: string[];
+  places: MakingPlace[];
+}
+
 export type ServerEvent =
   | ({ event: 'document'; revision: number } & StudioDocument)
   | ({ event: 'changed'; revision: number } & Partial<StudioDocument>)
@@ -162,6 +203,7 @@ export type ServerEvent =
   | { event: 'failed'; revision: number; model: string; error: string; background?: boolean }
   | { event: 'modes'; revision: number; values: number[]; kind: 'vibration' | 'buckling' }
   | { event: 'compared'; revision: number; model: string; mean: number; largest: number; relative: number }
+  | ({ event: 'making'; revision: number } & Making)
   | { event: 'warning'; revision: number; text: string };
 
 export type Answer = { id: number; ok: true } | { id: number; ok: false; error: string };

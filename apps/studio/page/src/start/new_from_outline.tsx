@@ -9,7 +9,7 @@ import { NumberField } from '../widgets/number';
 import { setReadable, sizeAdvice, unreadable } from './tile_size';
 import { height, isMesh, keepsFaces, measured, outline, outlineTrouble, setWidth, tilesAbout, tileSize, width, type Measured } from './outline';
 
-export const painting = signal<'random' | 'bare'>('random');
+export const painting = signal<'one' | 'bare'>('one');
 const over = signal(false);
 const PREVIEW = { width: 168, height: 104 };
 const LEAST_LENGTH = 0.001;
@@ -48,7 +48,7 @@ export function NewFromOutline({ busy, choose, take, make }: Props) {
         {advice && <p class={advice.isPossible ? 'hint' : 'drop-trouble'} role="status" id="size-advice">{advice.words}</p>}
         <div class="field"><span>Patterns</span>
           <Choice label="Patterns to begin with" value={painting.value} onPick={(value) => (painting.value = value)}
-            options={[{ value: 'random', title: 'a mix to begin with' }, { value: 'bare', title: 'none, I paint' }]} />
+            options={[{ value: 'one', title: 'one that can be made' }, { value: 'bare', title: 'none, I paint' }]} />
         </div>
         <Button id="make" kind="main" wide title={takesFaces ? 'Paint its faces' : 'Cover it with tiles'} label={!takesFaces && tilesAbout.value ? `Make it, of about ${tilesAbout.value} tiles` : 'Make it'} disabled={!file || busy || wrong} onPress={make} />
       </div>

@@ -12,8 +12,6 @@ import { leave } from '../manners/unsaved';
 import { mode, selectedNodes, selectedTiles, startOpen } from '../document/ui';
 import { Button } from '../widgets/widgets';
 import { Mark } from '../panels/top_bar';
-import { startingPalette } from '../gallery/starting_palette';
-import type { PatternTable } from '../protocol/messages';
 import { ExampleDrawing } from './example_drawing';
 import { NewFromOutline, painting } from './new_from_outline';
 import { outline, outlineRequest, takeOutline, tilesRequest } from './outline';
@@ -22,7 +20,6 @@ import './start.css';
 
 const busy = signal<string | null>(null);
 const trouble = signal<string | null>(null);
-const PALETTE_SIZE = 24;
 const OUTLINES = '.svg,.dxf,.obj,.ply,.off,.json';
 
 async function begin(words: string, what: string, more: object): Promise<void> {
@@ -49,15 +46,8 @@ const fromExample = (name: string) => begin('Making the example …', 'new', { e
 async function fromOutline(): Promise<void> {
   const file = outline.value;
   if (!file) return;
-  const patterns = painting.value === 'random' ? { patterns: 'random:1', ...(await palette()) } : {};
+  const patterns = painting.value === 'one' ? { patterns: 'made:one' } : {};
   await begin(`Tiling ${file.name} …`, 'new', { outline: await outlineRequest(file), ...tilesRequest(), ...patterns });
-}
-
-/** Chance needs patterns to choose from: the library's calibrated ones, or a spread of all. */
-async function palette(): Promise<{ palette?: string }> {
-  if (hello.value?.has_library) return {};
-  const table = await ask<PatternTable>('patterns').catch(() => null);
-  return table ? { palette: startingPalette(table.patterns, PALETTE_SIZE).join(',') } : {};
 }
 
 /** A project is opened at once; an outline waits for its tile size. */
@@ -83,7 +73,7 @@ export function Start() {
   return (
     <div class="start" role="dialog" aria-label="Start">
       <div class="start-inner">
-        <header>
+        <header role="none">
           <Mark />
           <div>
             <h1>Fretwork studio</h1>

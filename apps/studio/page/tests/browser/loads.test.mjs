@@ -2,8 +2,9 @@
 // Loads on areas, and load cases that act together.
 
 import assert from 'node:assert/strict';
+import { readFileSync, writeFileSync } from 'node:fs';
 import { test } from 'node:test';
-import { edit, makeProject, openPage, picture, read, solved, startStudio } from './studio.mjs';
+import { edit, fretwork, makeProject, openPage, picture, read, solved, startStudio } from './studio.mjs';
 
 const answer = (page) => page.evaluate(() => window.fretwork.store.live.value.info);
 async function answered(page, action) {
@@ -50,4 +51,32 @@ test('load cases act together, each so many times', async (t) => {
   const twice = held(await answer(page));
   assert.ok(Math.abs(twice - 2 * single) < 1e-4 * Math.abs(single), `${twice} N, and ${single} N once`);
   await picture(page, '16-combination');
+});
+
+test('a load on a line is shown, edited and kept, with a load on an area beside it', async (t) => {
+  const project = makeProject('40mm');
+  const file = `${project}.rail.json`;
+  const rail = { format: 'fretwork/load-case/3', name: 'rail', supports: [{ side: 'left', fixed: ['ux', 'uy', 'uz', 'rx', 'ry', 'rz'] }], loads: [{ side: 'right', per_length: [0, 0, -0.5] }] };
+  writeFileSync(file, JSON.stringify(rail));
+  fretwork('case', 'add', project, file);
+  const { address } = await startStudio(t, project);
+  const page = await openPage(t, address);
+  await solved(page);
+  await page.click('[data-value=load]');
+  await answered(page, () => page.selectOption('#load-case', '1'));
+  const before = held(await answer(page));
+  assert.ok(before > 0);
+  assert.match(await page.textContent('.entry-words'), /^0\.500 N\/m is [0-9.]+ N, right side, [0-9]+ nodes$/);
+  await page.click('.entry-title');
+  const field = page.getByLabel('Line along z');
+  await field.fill('-1');
+  await answered(page, () => field.press('Enter'));
+  const after = held(await answer(page));
+  assert.ok(Math.abs(after - 2 * before) < 1e-4 * before, `${after} N, and ${before} N before`);
+  await answered(page, () => page.click('#add-area-load'));
+  await edit(page, () => page.keyboard.press('Control+s'));
+  const kept = JSON.parse(readFileSync(project, 'utf8')).load_cases[1];
+  assert.deepEqual(kept.loads[0], { side: 'right', per_length: [0, 0, -1] });
+  assert.deepEqual(kept.loads[1].per_area, [0, 0, -2]);
+  await picture(page, '17-line-load');
 });

@@ -2,6 +2,7 @@
 // The upper layer: what is pointed at and chosen, supports and loads. Cheap, so that it keeps up with the pointer.
 
 import { HOLD_COLOURS, heldNodes, loadMarks, prescribedMarks } from '../../document/marks';
+import { making, makingPlace } from '../../document/store';
 import type { Surface } from '../../document/surface';
 import { mode, probed, selectedNodes, selectedTiles } from '../../document/ui';
 import { themeColour } from '../../manners/theme';
@@ -68,6 +69,7 @@ function drawNodeMarks(context: Context, view: Viewport, surface: Surface): void
   if (!editing) drawFaintMarks(context, place, 0.5 * radius);
   else drawMarks(context, place, radius);
   drawRings(context, surface, place, radius);
+  drawMakingPlaces(context, view);
 }
 
 function drawMarks(context: Context, place: (node: number) => Point, radius: number): void {
@@ -95,11 +97,21 @@ function drawFaintMarks(context: Context, place: (node: number) => Point, radius
   for (const mark of prescribedMarks.value) for (const node of mark.nodes) diamond(context, place(node), radius, themeColour('--move'));
 }
 
-function ring(context: Context, at: Point, radius: number, width: number): void {
+/** Where bars overlap or gaps are too narrow; the one that is looked at is ringed. */
+function drawMakingPlaces(context: Context, view: Viewport): void {
+  const colour = themeColour('--error');
+  making.value?.places.forEach(({ place }, index) => {
+    const at = toScreen(view, place);
+    if (index !== makingPlace.value) return dot(context, at, 2, colour);
+    ring(context, at, 14, 2.5, colour);
+  });
+}
+
+function ring(context: Context, at: Point, radius: number, width: number, colour = themeColour('--accent')): void {
   context.beginPath();
   context.arc(at[0], at[1], radius, 0, 2 * Math.PI);
   context.lineWidth = width;
-  context.strokeStyle = themeColour('--accent');
+  context.strokeStyle = colour;
   context.stroke();
 }
 

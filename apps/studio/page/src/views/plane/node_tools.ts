@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-import { rimStretch } from '../../document/selected_nodes';
 import { nearestNode, surface } from '../../document/surface';
 import { mode, nodeTool, probed, selectedNodes } from '../../document/ui';
 import { areaGesture } from './area_gesture';
 import type { PlanePointer, Tool } from './gesture';
 import { hoveredNode, hoveredNodes } from './overlay_state';
+import { rimStretch } from './rim_stretch';
 
 const nodeUnder = (pointer: PlanePointer): number => nearestNode(surface.peek()?.nodes ?? [], pointer.at, pointer.reach);
 

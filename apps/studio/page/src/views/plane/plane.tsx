@@ -4,7 +4,7 @@
 import { effect, type ReadonlySignal } from '@preact/signals';
 import { useEffect, useRef } from 'preact/hooks';
 import { tilePatterns } from '../../document/patterns_now';
-import { barSection } from '../../document/store';
+import { barSection, making, makingPlace } from '../../document/store';
 import { surface } from '../../document/surface';
 import { heldNodes, loadMarks, prescribedMarks } from '../../document/marks';
 import { mode, probed, selectedNodes, selectedTiles, split } from '../../document/ui';
@@ -13,12 +13,12 @@ import { theme } from '../../manners/theme';
 import { drawOverlay } from './draw_overlay';
 import { drawTiles } from './draw_tiles';
 import { drawing, hoveredNode, hoveredNodes, hoveredTiles } from './overlay_state';
+import { MakingNote } from './making_note';
 import { PlaneBar } from './plane_bar';
 import { attachPlanePointer } from './plane_pointer';
-import { fitted, viewport } from './viewport';
+import { fit, viewport } from './viewport';
 import './plane.css';
 
-const TOOLBAR_PX = 56;
 
 export function PlaneView() {
   const host = useRef<HTMLDivElement>(null);
@@ -47,19 +47,15 @@ export function PlaneView() {
       <canvas ref={lower} />
       <canvas ref={upper} id="plane" data-mode={mode.value} tabIndex={0} aria-label="The flat surface. Wheel to zoom, middle drag or Space and drag to move." />
       <PlaneBar />
+      <MakingNote />
       {split.value === 'plane' && <NextStep />}
     </div>
   );
 }
 
-export function fit(): void {
-  const now = surface.peek();
-  if (now) viewport.value = fitted(viewport.peek(), now.box, TOOLBAR_PX);
-}
-
 const tileSignals = [viewport, surface, theme, tilePatterns, barSection];
 const markSignals = [
-  viewport, surface, theme, mode, probed, selectedNodes, selectedTiles, heldNodes, loadMarks, prescribedMarks, hoveredTiles, hoveredNode, hoveredNodes, drawing,
+  viewport, surface, theme, mode, probed, selectedNodes, selectedTiles, heldNodes, loadMarks, prescribedMarks, hoveredTiles, hoveredNode, hoveredNodes, drawing, making, makingPlace,
 ];
 
 /** Draw in the next frame after one of some signals has changed: what a person does goes to the server first. */

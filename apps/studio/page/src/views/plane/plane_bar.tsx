@@ -4,7 +4,7 @@
 import { BoxSelect, Brush, Lasso, Maximize, PaintBucket, Pipette, Replace, Spline, SquareDashedMousePointer, TrendingUp } from 'lucide-preact';
 import { brushRings, mode, nodeTool, paintTool, type NodeTool, type PaintTool } from '../../document/ui';
 import { Button, Segments } from '../../widgets/widgets';
-import { fit } from './plane';
+import { fit } from './viewport';
 
 const PAINT_TOOLS: { value: PaintTool; title: string; shortcut: string; icon: typeof Brush }[] = [
   { value: 'brush', title: 'Brush: paint tile by tile (Alt picks)', shortcut: 'B', icon: Brush },

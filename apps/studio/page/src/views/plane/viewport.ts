@@ -2,7 +2,7 @@
 // Where the plane is on the screen: metres to pixels and back, y upwards.
 
 import { signal } from '@preact/signals';
-import type { Box } from '../../document/surface';
+import { surface, type Box } from '../../document/surface';
 import type { Point } from '../../protocol/messages';
 
 export interface Viewport {
@@ -48,3 +48,21 @@ export const moved = (view: Viewport, dx: number, dy: number): Viewport => ({
   ...view,
   center: [view.center[0] - dx / view.zoom, view.center[1] + dy / view.zoom],
 });
+
+const TOOLBAR_PX = 56;
+
+/** See all of the surface. */
+export function fit(): void {
+  const now = surface.peek();
+  if (now) viewport.value = fitted(viewport.peek(), now.box, TOOLBAR_PX);
+}
+
+const PLACE_SIDES = 12;
+/** A place in the middle, near enough that its tile is told from others. */
+export function seePlace(place: Point): void {
+  const now = surface.peek();
+  const view = viewport.peek();
+  if (!now) return;
+  const zoom = Math.min(view.width, view.height) / (PLACE_SIDES * now.side);
+  viewport.value = { ...view, center: place, zoom: Math.max(view.zoom, zoom) };
+}

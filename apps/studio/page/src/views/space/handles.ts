@@ -88,8 +88,9 @@ function dragArrow(mark: LoadMark, key: 'force' | 'moment', { view, arrows, tip 
 }
 
 /** The part of a load that says how large it is. */
-function written({ area }: LoadMark, key: 'force' | 'moment', vector: Vector): Partial<Load> {
-  return area ? { per_area: vector.map((value) => value / area) as Vector } : { [key]: vector };
+function written({ load, extent }: LoadMark, key: 'force' | 'moment', vector: Vector): Partial<Load> {
+  if (!extent) return { [key]: vector };
+  return { [load.per_length ? 'per_length' : 'per_area']: vector.map((value) => value / extent) as Vector };
 }
 
 function dragDiamond(mark: PrescribedMark, start: [number, number], view: View): Drag {
