@@ -45,9 +45,9 @@ export function Tooltip() {
   if (!now) return null;
   const x = Math.min(Math.max(now.x, HALF_WIDTH), window.innerWidth - HALF_WIDTH);
   return (
-    <div class="tooltip" role="tooltip" style={{ left: `${x}px`, top: `${now.y}px`, transform: `translate(-50%, ${now.above ? '-100%' : '0'})` }}>
+    <aside aria-label="Explanation" class="tooltip" style={{ left: `${x}px`, top: `${now.y}px`, transform: `translate(-50%, ${now.above ? '-100%' : '0'})` }}>
       {now.text}
       {now.key && <kbd>{now.key}</kbd>}
-    </div>
+    </aside>
   );
 }

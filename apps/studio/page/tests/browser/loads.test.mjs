@@ -66,7 +66,7 @@ test('a load on a line is shown, edited and kept, with a load on an area beside 
   await answered(page, () => page.selectOption('#load-case', '1'));
   const before = held(await answer(page));
   assert.ok(before > 0);
-  assert.match(await page.textContent('.entry-words'), /^0\.500 N\/m is [0-9.]+ N, right side, [0-9]+ nodes$/);
+  assert.match(await page.textContent('.entry-words'), /^0\.500\sN\/m is [0-9.]+\sN, right side, [0-9]+ nodes$/);
   await page.click('.entry-title');
   const field = page.getByLabel('Line along z');
   await field.fill('-1');
