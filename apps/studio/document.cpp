@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document.hpp"
 
+#include <fretwork/base/file.hpp>
+#include <fretwork/base/sha256.hpp>
+
 #include <algorithm>
 
 namespace fretwork::studio {
@@ -9,9 +12,18 @@ std::filesystem::path folder_of(const std::optional<std::filesystem::path>& proj
     return project ? std::filesystem::absolute(*project).parent_path() : std::filesystem::current_path();
 }
 
-Document::Document(State state, std::optional<std::filesystem::path> path, std::int64_t revision)
-    : history_(std::move(state)), path_(std::move(path)), revision_(revision) {
-    if (path_) saved_ = now();
+std::optional<std::string> hash_of_file(const std::filesystem::path& path) {
+    if (!std::filesystem::exists(path)) return std::nullopt;
+    return base::sha256(base::read_text_file(path));
+}
+
+Document::Document(State state, std::int64_t revision) : history_(std::move(state)), revision_(revision) {}
+
+Document::Document(State state, ProjectFile file, std::int64_t revision)
+    : Document(std::move(state), revision) {
+    path_ = std::move(file.path);
+    file_hash_ = std::move(file.hash);
+    saved_ = now();
 }
 
 Document Document::recovered(Document saved, State changed) {
@@ -72,8 +84,9 @@ void Document::select_load_case(std::size_t index) {
     ++revision_;
 }
 
-void Document::saved_as(const std::filesystem::path& path) {
+void Document::saved_as(const std::filesystem::path& path, std::string hash) {
     path_ = path;
+    file_hash_ = std::move(hash);
     saved_ = now();
     is_recovered_ = false;
     ++revision_;

@@ -10,11 +10,20 @@
 
 namespace fretwork::studio {
 
+/// A project's file, and the SHA-256 of what lay in it.
+struct ProjectFile {
+    std::filesystem::path path;
+    std::optional<std::string> hash;
+};
+/// Nothing if there is no such file. Throws IoError if it cannot be read.
+std::optional<std::string> hash_of_file(const std::filesystem::path& path);
+
 /// The document of a server: its history, its file, and which load case is looked at.
 class Document {
   public:
-    /// A new one, or one that was read from `path`.
-    Document(State state, std::optional<std::filesystem::path> path, std::int64_t revision);
+    Document(State state, std::int64_t revision);
+    /// One that was read from a file.
+    Document(State state, ProjectFile file, std::int64_t revision);
     /// One whose unsaved changes were found: to undo them is to have what lies in its file.
     static Document recovered(Document saved, State changed);
     /// Another one with a name, which it has as long as it has no file.
@@ -25,6 +34,8 @@ class Document {
 
     [[nodiscard]] const StatePtr& now() const { return history_.now(); }
     [[nodiscard]] const std::optional<std::filesystem::path>& path() const { return path_; }
+    /// What lay in its file when that was read or written last.
+    [[nodiscard]] const std::optional<std::string>& file_hash() const { return file_hash_; }
     [[nodiscard]] std::int64_t revision() const { return revision_; }
     [[nodiscard]] bool is_saved() const { return now() == saved_; }
     [[nodiscard]] SolverInput solver_input() const { return {{now(), selected_}, revision_, {}}; }
@@ -37,13 +48,14 @@ class Document {
     bool redo();
     void select_load_case(std::size_t index);
     /// Its present state lies in this file now.
-    void saved_as(const std::filesystem::path& path);
+    void saved_as(const std::filesystem::path& path, std::string hash);
 
   private:
     void moved();
 
     History history_;
     std::optional<std::filesystem::path> path_;
+    std::optional<std::string> file_hash_;
     std::string name_ = "untitled";
     StatePtr saved_;
     std::int64_t revision_;

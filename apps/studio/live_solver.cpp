@@ -181,6 +181,7 @@ mechanics::Result LiveSolver::result_of(const Attempt& attempt) {
 std::shared_ptr<SolvedSurface> LiveSolver::shown_as(const SolverInput& input, mechanics::Result result) {
     auto shown = std::make_shared<SolvedSurface>();
     shown->model = *input.situation.state->model;
+    shown->situation = input.situation;
     shown->revision = input.revision;
     shown->beams_revision = beams_revision_;
     shown->beams = beams_;

@@ -32,7 +32,8 @@ enum class Stage { FirstIterate, Answer };
 struct SolvedSurface {
     Stage stage = Stage::Answer;
     std::string model;
-    std::int64_t revision = 0;
+    Situation situation;        ///< what it is the answer to; revisions also count what changes no answer
+    std::int64_t revision = 0;  ///< of the document when it was asked for
     std::int64_t beams_revision = 0;
     std::shared_ptr<const simulation::SurfaceBeams> beams;
     mechanics::Result result;

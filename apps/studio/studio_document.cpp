@@ -195,9 +195,11 @@ void Studio::Impl::show(Opened next) {
     beams_ = {};
     failed_ = {};
     last_solved_.reset();
+    last_failure_.reset();
     last_beams_.reset();
     checked_.reset();
     making_ = {};
+    refuse_waiting_exports("another document took the place of the one to be exported");
     broadcast(document_event(*document_->now(), document_->status()));
     solve_live();
     keep();
@@ -267,6 +269,7 @@ void Studio::Impl::tell_solved(const SolvedPtr& solved) {
     }
     if (solved->stage == Stage::FirstIterate) return;
     check_making();
+    resume_exports();
     // It was begun when nobody showed any field: those who do wait for them.
     if (shown_fields().any() && !has_forces) solve_live();
 }
@@ -280,6 +283,8 @@ void Studio::Impl::tell_failed(const SolverInput& input, const std::string& erro
                         {"error", in_words(error)}};
     failed_ = {{text_part(event.dump())}, "solution"};
     broadcast(failed_);
+    last_failure_ = {input.situation, in_words(error)};
+    resume_exports();
     check_making();
 }
 

@@ -12,7 +12,9 @@
 #include <fretwork/base/base64.hpp>
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/file.hpp>
+#include <fretwork/base/file_lock.hpp>
 #include <fretwork/base/quantity.hpp>
+#include <fretwork/base/sha256.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/exports/making_choice.hpp>
 #include <fretwork/exports/picture_options.hpp>
@@ -195,6 +197,11 @@ const exports::WriterRow& find_target_writer(const Target& target) {
     return exports::find_writer(target.value("to"), wanted);
 }
 
+/// Whether a file shows how the surface answers its load: what is cut or printed does not.
+bool shows_answer(const exports::WriterRow& writer) {
+    return !writer.is_made() || writer.content == exports::Content::Facts;
+}
+
 /// A file as `fretwork export` writes it, with its remarks. `solved` may be null.
 HttpAnswer exported(const Target& target, const Situation& situation, const SolvedPtr& solved) {
     const exports::WriterRow& writer = find_target_writer(target);
@@ -233,6 +240,21 @@ void require_project_file(const std::filesystem::path& path) {
     json.expect_format("project", 1000);
 }
 
+/// The lock that the commands take, too: who changes a file locks it, and who makes one locks its folder.
+base::FileLock lock_for_writing(const std::filesystem::path& path) {
+    auto lock = base::FileLock::try_lock(std::filesystem::exists(path) ? path : path.parent_path());
+    if (!lock)
+        throw base::InputError(path.string(), "",
+                               "is being written by another program: try again in a moment");
+    return std::move(*lock);
+}
+
+/// Why a file is not replaced without a question.
+std::string conflict_text(const std::filesystem::path& path, bool is_own) {
+    return path.filename().string() + (is_own ? " was changed by another program since it was read here"
+                                              : " is there already, and is another project");
+}
+
 }  // namespace
 
 void Studio::Impl::make_new(const Request& request) {
@@ -242,7 +264,7 @@ void Studio::Impl::make_new(const Request& request) {
             return [this, request, made] {
                 answer(request,
                        {{"tiles", made->project.tessellation.tiles.size()}, {"remarks", made->remarks}});
-                Document next(make_state(made->project, folder_of({})), {}, next_revision());
+                Document next(make_state(made->project, folder_of({})), next_revision());
                 next = std::move(next).named(made->name);
                 replace(request, {made->is_example ? std::move(next).found_elsewhere() : std::move(next)});
             };
@@ -280,7 +302,7 @@ void Studio::Impl::upload(const Request& request) {
             project->library_hash.clear();
             return [this, request, project, source] {
                 answer(request);
-                replace(request, {Document(make_state(*project, folder_of({})), {}, next_revision())
+                replace(request, {Document(make_state(*project, folder_of({})), next_revision())
                                       .named(std::filesystem::path(source).stem().string())
                                       .found_elsewhere()});
             };
@@ -294,19 +316,41 @@ void Studio::Impl::download(const Request& request) {
            {{"text", simulation::project_text(make_project(*shown.now(), folder_of(shown.path())))}});
 }
 
+/// A file that is not what this document was read from, or written to, is replaced only by who has seen that:
+/// `replaces` is the hash that the refusal told.
 void Studio::Impl::save(const Request& request) {
-    request.json.allow_only({"id", "do", "path"});
+    request.json.allow_only({"id", "do", "path", "replaces"});
     Document& shown = document(request);
     const auto wanted = request.json.find("path");
     if (!wanted && !shown.path()) throw base::InputError("the document has no file yet: name one");
     const auto path = wanted ? std::filesystem::absolute(wanted->string()).lexically_normal() : *shown.path();
-    if (!shown.path() || path != *shown.path()) require_project_file(path);
-    simulation::write_project(make_project(*shown.now(), folder_of(path)), path);
+    const bool is_own = shown.path() == path;
+    if (!is_own) require_project_file(path);
+    const base::FileLock lock = lock_for_writing(path);
+    if (const auto present = hash_of_file(path)) {
+        const auto replaces = request.json.find("replaces");
+        const bool is_known = is_own && shown.file_hash() == present;
+        if (!is_known && (!replaces || replaces->string() != *present))
+            return refuse_to_replace(request, path, {is_own, *present});
+    }
+    const std::string text = simulation::project_text(make_project(*shown.now(), folder_of(path)));
+    base::write_file_atomically(path, text);
     autosave_.forget(autosave_place_->file());
     if (path != shown.path()) autosave_place_ = AutosavePlace(options_.state_folder, path);
-    shown.saved_as(path);
+    shown.saved_as(path, base::sha256(text));
     answer(request, {{"path", path.string()}});
     broadcast(changed_event(*shown.now(), *shown.now(), shown.status()));
+}
+
+void Studio::Impl::refuse_to_replace(const Request& request, const std::filesystem::path& path,
+                                     const PresentFile& present) {
+    const Json conflict = {
+        {"path", path.string()}, {"hash", present.hash}, {"reason", present.is_own ? "changed" : "exists"}};
+    const Json json = {{"id", request.id},
+                       {"ok", false},
+                       {"error", conflict_text(path, present.is_own)},
+                       {"conflict", conflict}};
+    server_.send(request.client, {{text_part(json.dump(-1, ' ', false, Json::error_handler_t::replace))}});
 }
 
 void Studio::Impl::patterns(const Request& request) {
@@ -320,25 +364,48 @@ void Studio::Impl::patterns(const Request& request) {
     });
 }
 
-void Studio::Impl::export_file(const Target& target, std::function<void(HttpAnswer)> answer) {
-    const std::string name = target.value("to");
-    if (!document_) return answer({.status = 404, .body = "there is no document yet\n"});
-    const auto state = document_->now();
-    const auto input = document_->solver_input();
-    const auto solved = last_solved_ && last_solved_->revision == input.revision ? last_solved_ : nullptr;
-    const auto folder = folder_of(document_->path());
-    const auto tell = [this, answer](HttpAnswer given) {
-        server_.post([answer, given = std::move(given)] { answer(given); });
+std::optional<AnswerToExport> Studio::Impl::answer_to_export() const {
+    const Situation situation = document_->solver_input().situation;
+    if (situation.state->load_cases->empty()) return AnswerToExport{};
+    if (last_solved_ && last_solved_->situation == situation) {
+        if (last_solved_->result.solution.converged()) return AnswerToExport{last_solved_, ""};
+        return AnswerToExport{nullptr, last_solved_->warnings.front()};
+    }
+    if (last_failure_ && last_failure_->situation == situation)
+        return AnswerToExport{nullptr, last_failure_->reason};
+    return std::nullopt;
+}
+
+void Studio::Impl::resume_exports() {
+    for (ExportRequest& request : std::exchange(waiting_exports_, {})) export_file(std::move(request));
+}
+
+void Studio::Impl::refuse_waiting_exports(const std::string& reason) {
+    for (const ExportRequest& request : std::exchange(waiting_exports_, {}))
+        request.answer({.status = 409, .body = reason + "\n"});
+}
+
+void Studio::Impl::export_file(ExportRequest request) {
+    if (!document_) return request.answer({.status = 404, .body = "there is no document yet\n"});
+    const bool is_project = request.target.value("to") == "project.json";
+    const exports::WriterRow* writer = is_project ? nullptr : &find_target_writer(request.target);
+    const auto answer = writer && shows_answer(*writer) ? answer_to_export() : AnswerToExport{};
+    if (!answer) return waiting_exports_.push_back(std::move(request));
+    if (!answer->missing.empty())
+        return request.answer(
+            {.status = 422, .body = "there is no answer to export: " + answer->missing + "\n"});
+    const auto tell = [this, give = request.answer](HttpAnswer given) {
+        server_.post([give, given = std::move(given)] { give(given); });
+    };
+    const auto write = [target = request.target, situation = document_->solver_input().situation,
+                        folder = folder_of(document_->path()), solved = answer->solved, is_project] {
+        if (!is_project) return exported(target, situation, solved);
+        return HttpAnswer{.type = "application/json",
+                          .body = simulation::project_text(make_project(*situation.state, folder)),
+                          .download_name = target.value("to")};
     };
     files_.add(
-        {.work =
-             [=](const base::Control&) {
-                 if (name == "project.json")
-                     return tell({.type = "application/json",
-                                  .body = simulation::project_text(make_project(*state, folder)),
-                                  .download_name = name});
-                 tell(exported(target, input.situation, solved));
-             },
+        {.work = [tell, write](const base::Control&) { tell(write()); },
          .failed =
              [tell](const std::string& error) { tell({.status = 422, .body = in_words(error) + "\n"}); }});
 }
@@ -357,8 +424,10 @@ HttpAnswer Studio::Impl::page() const {
 void Studio::Impl::get(const Target& target, std::function<void(HttpAnswer)> answer) {
     try {
         if (target.path == "/") return answer(page());
-        if (target.path == "/export") return export_file(target, answer);
+        if (target.path == "/export") return export_file({target, answer});
         answer({.status = 404, .body = "there is nothing at this address\n"});
+    } catch (const base::InputError& error) {
+        answer({.status = 422, .body = in_words(error.what()) + "\n"});
     } catch (const base::Error& error) {
         answer({.status = 503, .body = std::string(error.what()) + "\n"});
     }

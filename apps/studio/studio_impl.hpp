@@ -17,6 +17,13 @@
 
 namespace fretwork::studio {
 
+/// The answer that a file is to show. With neither part there is none: nothing is loaded, or the file shows
+/// none.
+struct AnswerToExport {
+    SolvedPtr solved;
+    std::string missing;  ///< why there is none, though there should be
+};
+
 /// What Studio hides. Everything here runs on the server's thread, but for what is handed to other threads;
 /// these come back by post().
 class Studio::Impl final : public Service {
@@ -101,6 +108,7 @@ class Studio::Impl final : public Service {
         std::string model;
     };
     [[nodiscard]] Job make_job(const Request& request, const std::string& model);
+    [[nodiscard]] static SolvedSurface solved_in(const Job& job, mechanics::Result result);
     /// The revision of the beams that are shown; -1 while those of the document are being built.
     [[nodiscard]] std::int64_t beams_revision_now() const;
     void start(const Request& request, Job job,
@@ -114,6 +122,8 @@ class Studio::Impl final : public Service {
     void cancel(const Request& request);
 
     // studio_recovery.cpp: what was not saved
+    /// The document of a file as it lies there.
+    [[nodiscard]] Document document_in(const std::filesystem::path& file) const;
     /// The document of a file, with its unsaved changes if there are any.
     [[nodiscard]] Opened read_document(const std::filesystem::path& path);
     [[nodiscard]] base::Json recoverable_json() const;
@@ -130,8 +140,25 @@ class Studio::Impl final : public Service {
     void upload(const Request& request);
     void download(const Request& request);
     void save(const Request& request);
+    /// A file that is there, and would be replaced.
+    struct PresentFile {
+        bool is_own;  ///< the document's
+        std::string hash;
+    };
+    void refuse_to_replace(const Request& request, const std::filesystem::path& path,
+                           const PresentFile& present);
     void patterns(const Request& request);
-    void export_file(const Target& target, std::function<void(HttpAnswer)> answer);
+    /// A file that was asked for by its address, and where it goes.
+    struct ExportRequest {
+        Target target;
+        std::function<void(HttpAnswer)> answer;
+    };
+    void export_file(ExportRequest request);
+    /// Nothing as long as the live model is at work on it.
+    [[nodiscard]] std::optional<AnswerToExport> answer_to_export() const;
+    /// Those that waited for an answer, which is there now.
+    void resume_exports();
+    void refuse_waiting_exports(const std::string& reason);
     [[nodiscard]] HttpAnswer page() const;
 
     StudioOptions options_;
@@ -143,6 +170,12 @@ class Studio::Impl final : public Service {
     Outgoing beams_;                   ///< the last message of beams; a new client gets it, too
     SolvedPtr last_solved_;            ///< the last live solution; null: there is none, and
     Outgoing failed_;                  ///< why
+    struct Failure {
+        Situation situation;
+        std::string reason;  ///< for people
+    };
+    std::optional<Failure> last_failure_;  ///< of the live model
+    std::vector<ExportRequest> waiting_exports_;
     std::optional<ShownBeams> last_beams_;
     std::optional<AutosavePlace> autosave_place_;
     Autosave autosave_;

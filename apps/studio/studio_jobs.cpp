@@ -98,6 +98,17 @@ void Studio::Impl::start(const Request& request, Job job,
     answer(request);
 }
 
+SolvedSurface Studio::Impl::solved_in(const Job& job, mechanics::Result result) {
+    SolvedSurface solved;
+    solved.model = job.model;
+    solved.situation = job.input.situation;
+    solved.revision = job.input.revision;
+    solved.beams_revision = job.beams_revision;
+    solved.beams = job.beams;
+    solved.result = std::move(result);
+    return solved;
+}
+
 void Studio::Impl::solve(const Request& request) {
     request.json.allow_only({"id", "do", "model", "background"});
     if (const auto background = request.json.find("background"); background && !background->boolean())
@@ -105,14 +116,7 @@ void Studio::Impl::solve(const Request& request) {
     start(request, make_job(request, request.json.at("model").string()),
           [](const Job& job, const base::Control& control) -> std::vector<Outgoing> {
               OneSolve one(job.input, job.beams, options_of(*job.input.situation.state, job.model));
-              SolvedSurface solved{Stage::Answer,
-                                   job.model,
-                                   job.input.revision,
-                                   job.beams_revision,
-                                   job.beams,
-                                   one.solve(control),
-                                   {},
-                                   {}};
+              SolvedSurface solved = solved_in(job, one.solve(control));
               solved.state = one.state_in(solved.result.solution);
               solved.warnings = warnings_of(solved.result);
               return {solved_message(solved, job.input.fields, Json{{"background", true}})};
@@ -127,14 +131,7 @@ void Studio::Impl::path(const Request& request) {
         auto options = options_of(*job.input.situation.state, job.model);
         options.load_steps = static_cast<int>(steps);
         OneSolve one(job.input, job.beams, options);
-        SolvedSurface solved{Stage::Answer,
-                             job.model,
-                             job.input.revision,
-                             job.beams_revision,
-                             job.beams,
-                             one.solve(control),
-                             {},
-                             {}};
+        SolvedSurface solved = solved_in(job, one.solve(control));
         std::vector<Outgoing> messages;
         for (const mechanics::Solution& step : std::exchange(solved.result.load_steps, {})) {
             solved.result.solution = step;
@@ -184,7 +181,7 @@ void Studio::Impl::compare(const Request& request) {
     request.json.allow_only({"id", "do", "model"});
     const SolvedPtr live = last_solved_;
     Job job = make_job(request, request.json.at("model").string());
-    if (!live || live->revision != job.input.revision)
+    if (!live || live->situation != job.input.situation)
         throw base::InputError(
             "there is no live solution to compare with: wait for it, or mend what keeps "
             "it from being solved");

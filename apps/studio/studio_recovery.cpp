@@ -24,10 +24,16 @@ bool is_newer(const fs::path& file, const Recoverable& autosave) {
 
 }  // namespace
 
+/// The hash is taken first: a change between the two is taken for one that this document does not know.
+Document Studio::Impl::document_in(const fs::path& file) const {
+    ProjectFile known{file, hash_of_file(file)};
+    const auto project = simulation::read_checked_project(file.string());
+    return {make_state(project, folder_of(file)), std::move(known), next_revision()};
+}
+
 Studio::Impl::Opened Studio::Impl::read_document(const fs::path& path) {
     const fs::path file = fs::absolute(path).lexically_normal();
-    const auto project = simulation::read_checked_project(file.string());
-    Opened saved{Document(make_state(project, folder_of(file)), file, next_revision())};
+    Opened saved{document_in(file)};
     const auto all = find_recoverable(options_.state_folder);
     const auto found =
         std::ranges::find_if(all, [&](const Recoverable& one) { return one.label.document == file; });
@@ -70,11 +76,9 @@ Studio::Impl::Opened Studio::Impl::recovered(const Recoverable& found) {
     State changed = read_autosave(found.file);
     const auto& file = found.label.document;
     if (file && fs::exists(*file)) {
-        const auto project = simulation::read_checked_project(file->string());
-        Document saved(make_state(project, folder_of(file)), file, next_revision());
-        return {Document::recovered(std::move(saved), std::move(changed)), std::move(place)};
+        return {Document::recovered(document_in(*file), std::move(changed)), std::move(place)};
     }
-    return {Document(std::move(changed), {}, next_revision()).named(found.label.name), std::move(place)};
+    return {Document(std::move(changed), next_revision()).named(found.label.name), std::move(place)};
 }
 
 void Studio::Impl::recover(const Request& request) {

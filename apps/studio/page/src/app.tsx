@@ -12,6 +12,7 @@ import { LoadPanel } from './panels/load_panel';
 import { LookPanel } from './panels/look_panel';
 import { PaintPanel } from './panels/paint_panel';
 import { TopBar } from './panels/top_bar';
+import { ConflictSheet } from './manners/conflict';
 import { UnsavedSheet } from './manners/unsaved';
 import { Start, takeFile } from './start/start';
 import { Views } from './views/views';
@@ -47,6 +48,7 @@ export function App() {
       {(startOpen.value || (!ready && hello.value)) && <Start />}
       <HelpSheet />
       <UnsavedSheet />
+      <ConflictSheet />
       <Notes />
       <Tooltip />
     </div>

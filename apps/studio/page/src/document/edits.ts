@@ -7,7 +7,6 @@ import { ask, tryAsk } from './studio';
 import { documentNow, loadCase, working } from './store';
 import { timeUntil } from './latency';
 import { settled, shownAnew } from './settled';
-import { tell } from './tell';
 import { pending, selectedTiles } from './ui';
 
 export const undo = (): void => void tryAsk('undo');
@@ -152,16 +151,6 @@ export const dragPrescribed = (index: number, entry: Prescribed, merge: string):
   dragLoadCase(({ prescribed }) => ({ prescribed: replaced(prescribed, index, entry) }), merge);
 export const removePrescribed = (index: number): void =>
   void editLoadCase(({ prescribed }) => ({ prescribed: without(prescribed, index) }));
-
-/** To its file; a document that has none asks for one. */
-export async function save(): Promise<boolean> {
-  const now = documentNow.peek();
-  const path = now?.path ? undefined : window.prompt('Save as (a file on the machine where the studio runs):', `${now?.name || 'surface'}.json`);
-  if (path === null) return false;
-  const isSaved = (await tryAsk('save', path ? { path } : {})) !== null;
-  if (isSaved) tell('Saved.');
-  return isSaved;
-}
 
 /** Compare the live model with the full one: solve that in the background, then ask for the difference. */
 export async function solveFull(): Promise<void> {

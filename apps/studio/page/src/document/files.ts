@@ -4,7 +4,8 @@
 import { currentScene } from '../views/space/current';
 import { ask, tryAsk } from './studio';
 import { makingQuery, type Made } from './making';
-import { documentNow, hello } from './store';
+import { shapeIndex } from './look';
+import { documentNow, hello, shapes } from './store';
 import { tell } from './tell';
 
 export async function base64(file: Blob): Promise<string> {
@@ -73,8 +74,19 @@ export function offered(): ExportRow[] {
   return rows.filter(({ ending }) => ending !== 'png').sort((a, b) => place(a) - place(b));
 }
 
+/** Files hold the answer to the load. A mode, or a step on the way to the load, is only to be seen here. */
+function isAnotherShape(made?: Made): boolean {
+  const now = shapes.peek();
+  if (!now || now.shapes.length === 0 || made === 'cut' || made === 'solid') return false;
+  return now.kind !== 'path' || shapeIndex.peek() < now.shapes.length - 1;
+}
+
 /** The server writes it as the command line does. What it refuses, it refuses in words. */
 export async function exportTo({ ending, made }: ExportRow): Promise<void> {
+  if (isAnotherShape(made)) {
+    tell('What is shown is not the answer to the load, and files hold that: close the modes or the load path first.', 'error');
+    return;
+  }
   const query = new URLSearchParams(location.search);
   query.set('to', `${stem()}.${ending}`);
   for (const [name, text] of Object.entries(made ? makingQuery(made) : {})) query.set(name, text);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The keys, in one table: what they do and what the help sheet says.
 
-import { redo, save, turn, undo } from '../document/edits';
+import { redo, turn, undo } from '../document/edits';
+import { save } from '../document/save';
 import { DOFS } from '../protocol/messages';
 import { documentNow } from '../document/store';
 import {

@@ -3,7 +3,7 @@
 
 import { signal } from '@preact/signals';
 import { useEffect, useRef } from 'preact/hooks';
-import { save } from '../document/edits';
+import { save } from '../document/save';
 import { documentNow } from '../document/store';
 import { Button } from '../widgets/widgets';
 

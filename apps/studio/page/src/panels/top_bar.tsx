@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 import { CircleHelp, Columns2, Download, FilePlus2, Moon, Redo2, Save, Sun, Undo2 } from 'lucide-preact';
-import { redo, save, undo } from '../document/edits';
+import { redo, undo } from '../document/edits';
+import { save } from '../document/save';
 import { documentNow } from '../document/store';
 import { helpOpen, mode, MODES, split, startOpen, type Split } from '../document/ui';
 import { unitSystem } from '../document/units';

@@ -2,7 +2,7 @@
 // One WebSocket to the server. It asks with numbered requests, and mends itself when the line is cut.
 
 import { decode, type Beams, type Solution } from './binary';
-import type { Answer, ServerEvent } from './messages';
+import type { Answer, SaveConflict, ServerEvent } from './messages';
 
 export type LineState = 'connecting' | 'open' | 'lost' | 'refused';
 
@@ -14,6 +14,16 @@ export interface Listener {
   opened(): void;
   /** Whether a server answers that does not take this page: then it is not tried again. */
   isRefused(): Promise<boolean>;
+}
+
+/** The server's refusal, in its own words. */
+export class Refusal extends Error {
+  constructor(
+    words: string,
+    readonly conflict?: SaveConflict,
+  ) {
+    super(words);
+  }
 }
 
 interface Waiting {
@@ -49,7 +59,7 @@ export class Connection {
     this.socket = socket;
   }
 
-  /** Ask for something. Fails with the server's own words, or when the line is cut before the answer. */
+  /** Ask for something. Fails with a Refusal in the server's own words, or when the line is cut before the answer. */
   ask<T = object>(what: string, more: object = {}): Promise<T> {
     if (this.socket?.readyState !== WebSocket.OPEN) {
       return Promise.reject(new Error('The studio is not reachable right now.'));
@@ -77,7 +87,7 @@ export class Connection {
     const waiting = this.waiting.get(answer.id);
     this.waiting.delete(answer.id);
     if (answer.ok) waiting?.resolve(answer as never);
-    else waiting?.reject(new Error(answer.error));
+    else waiting?.reject(new Refusal(answer.error, answer.conflict));
   }
 
   private async lost(): Promise<void> {

@@ -206,4 +206,12 @@ export type ServerEvent =
   | ({ event: 'making'; revision: number } & Making)
   | { event: 'warning'; revision: number; text: string };
 
-export type Answer = { id: number; ok: true } | { id: number; ok: false; error: string };
+/** A file that `save` would replace, and that nobody here has seen. */
+export interface SaveConflict {
+  path: string;
+  /** What the next `save` says that it replaces. */
+  hash: string;
+  /** `changed`: another program wrote the document's own file; `exists`: another project lies there. */
+  reason: 'changed' | 'exists';
+}
+export type Answer = { id: number; ok: true } | { id: number; ok: false; error: string; conflict?: SaveConflict };

@@ -2,9 +2,10 @@
 // Nothing is lost, and nothing is shown that is not so.
 
 import assert from 'node:assert/strict';
+import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
-import { drag, drop, edit, makeProject, openPage, picture, read, solved, startStudio, startStudioIn } from './studio.mjs';
+import { drag, drop, edit, fretwork, makeProject, openPage, picture, read, solved, startStudio, startStudioIn } from './studio.mjs';
 
 const SQUARE = '<svg xmlns="http://www.w3.org/2000/svg" width="200mm" height="200mm" viewBox="0 0 200 200"><path d="M0 0H200V200H0Z"/></svg>';
 /** Written within half a second of an edit. */
@@ -87,6 +88,58 @@ test('before an unsaved surface is replaced, it is asked about', async (t) => {
   const dialog = await asked;
   assert.equal(dialog.type(), 'beforeunload');
   await dialog.dismiss();
+});
+
+test('a file that another program has changed is replaced only by who wants that', async (t) => {
+  const project = makeProject('40mm');
+  const { address, place } = await startStudio(t, project);
+  const page = await openPage(t, address);
+  await solved(page);
+  const cases = () => JSON.parse(readFileSync(project, 'utf8')).load_cases.length;
+  const changedElsewhere = () => {
+    const before = cases();
+    const load = join(place, `case${before}.json`);
+    writeFileSync(load, JSON.stringify({ format: 'fretwork/load-case/1', name: `elsewhere ${before}`, supports: [{ side: 'left', fixed: ['ux', 'uy', 'uz', 'rx', 'ry', 'rz'] }], gravity: [0, 0, -1] }));
+    fretwork('case', 'add', project, load);
+    assert.equal(cases(), before + 1);
+  };
+  const save = async (choice) => {
+    await page.click('#save');
+    await page.waitForSelector('#conflict-elsewhere:focus');
+    assert.match(await page.textContent('#conflict-title'), /changed elsewhere/);
+    await picture(page, `18-conflict-${choice}`, 0);
+    await page.click(`#conflict-${choice}`);
+    await page.waitForSelector('[role=alertdialog]', { state: 'detached' });
+  };
+
+  await paintFirst(page);
+  changedElsewhere();
+  const theirs = readFileSync(project, 'utf8');
+  await save('stay');
+  assert.equal(readFileSync(project, 'utf8'), theirs);
+  assert.equal(await read(page, 'saved'), false);
+
+  const elsewhere = join(place, 'mine.json');
+  page.once('dialog', (dialog) => dialog.accept(elsewhere));
+  await save('elsewhere');
+  await hasDocument(page, 'mine');
+  assert.equal(readFileSync(project, 'utf8'), theirs);
+
+  await page.evaluate((path) => window.fretwork.ask('open', { path, discard: true }), project);
+  await hasDocument(page, 'surface');
+  await solved(page);
+  await paintFirst(page);
+  changedElsewhere();
+  const wanted = cases();
+  await save('theirs');
+  await page.waitForFunction((count) => window.fretwork.store.documentNow.value.load_cases.length === count, wanted);
+  await solved(page);
+
+  await paintFirst(page, '0-1+1-3+1-6');
+  changedElsewhere();
+  await save('mine');
+  await page.waitForFunction(() => window.fretwork.store.documentNow.value.saved);
+  assert.equal(cases(), wanted, 'what was written elsewhere is gone, as was wanted');
 });
 
 test('an address of an earlier run says so, and is not tried again', async (t) => {
