@@ -57,6 +57,48 @@ TEST(SmoothedMethods, FindTheFermatPoint) {
 }
 
 /// With one angle beyond 120 degrees the minimum is that corner: a kink of the objective.
+/// As the objective of a calibration: 1e12 where the descents begin, 1 at the minimum.
+TEST(Slsqp, FindsAMinimumTwelvePowersOfTenBelowItsStarts) {
+    const LeastSquaresProblem problem(
+        "steep", cube(2, -14.0, 14.0),
+        [](const Eigen::VectorXd& x) {
+            return Eigen::VectorXd(Eigen::Vector3d(std::exp(x[0]), std::exp(-x[0]), std::sinh(x[1] - 1.0)));
+        },
+        [](const Eigen::VectorXd& x) {
+            Eigen::MatrixXd jacobian = Eigen::MatrixXd::Zero(3, 2);
+            jacobian(0, 0) = std::exp(x[0]);
+            jacobian(1, 0) = -std::exp(-x[0]);
+            jacobian(2, 1) = std::cosh(x[1] - 1.0);
+            return jacobian;
+        });
+    for (const std::uint64_t seed : {1U, 2U, 3U}) {
+        const auto report = minimize(problem, find_optimizer("slsqp"), {.starts = 4, .seed = seed});
+        EXPECT_NEAR(report.value, 2.0, 1e-6);
+        EXPECT_EQ(report.dead_starts, 0);
+        EXPECT_EQ(report.trace.back().value, report.value) << "the trace is of the objective itself";
+    }
+}
+
+/// Only near the middle of the box is there anything to descend on.
+TEST(DeadStarts, AreCountedAndAreNoDescent) {
+    const auto with_hole = [](double radius) {
+        return LeastSquaresProblem(
+            "hole", cube(2, -1.0, 1.0),
+            [=](const Eigen::VectorXd& x) { return x.norm() < radius ? x : (NAN * x).eval(); },
+            [](const Eigen::VectorXd&) { return Eigen::MatrixXd::Identity(2, 2).eval(); });
+    };
+    for (const char* name : {"slsqp", "ceres-residuals"}) {
+        const auto some = minimize(with_hole(0.9), find_optimizer(name), {.starts = 16});
+        EXPECT_GT(some.dead_starts, 0) << name;
+        EXPECT_LT(some.dead_starts, 16) << name;
+        EXPECT_LT(some.value, 1e-6) << name;
+        EXPECT_NE(some.ending, Ending::Invalid) << name;
+        const auto none = minimize(with_hole(0.0), find_optimizer(name), {.starts = 16});
+        EXPECT_EQ(none.dead_starts, 16) << name;
+        EXPECT_EQ(none.ending, Ending::Invalid) << name;
+    }
+}
+
 TEST(SmoothedMethods, FindAMinimumInAKink) {
     const DistanceSumProblem problem(cube(2, -3.0, 3.0),
                                      (Eigen::MatrixXd(2, 3) << 0.0, 2.0, -2.0, 0.0, 0.3, 0.3).finished());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
 #include <fretwork/optimization/ceres_residuals.hpp>
+#include <fretwork/optimization/detail/best_run.hpp>
 #include <fretwork/optimization/detail/ceres_solve.hpp>
 #include <fretwork/optimization/detail/starts.hpp>
 
@@ -37,22 +38,29 @@ class CeresResiduals final : public Optimizer {
     explicit CeresResiduals(const CeresResidualsOptions& options) : options_(options) {}
 
     RunOutcome run(Evaluator& evaluator) const override {
-        RunOutcome outcome{Ending::BudgetSpent, {}};
+        detail::BestRun best(evaluator);
         for (const Eigen::VectorXd& start : detail::choose_starts(evaluator, options_.common, 0)) {
-            outcome.final_point = start;
-            for (const double smoothing : options_.smoothing) {
-                outcome.ending = descend(evaluator, smoothing, outcome.final_point);
-                if (outcome.ending == Ending::BudgetSpent) return outcome;
-            }
+            best.add(run_from(evaluator, start));
+            if (best.is_over()) break;
         }
-        return outcome;
+        return best.outcome();
     }
 
   private:
+    [[nodiscard]] RunOutcome run_from(Evaluator& evaluator, const Eigen::VectorXd& start) const {
+        RunOutcome run{Ending::BudgetSpent, start};
+        for (const double smoothing : options_.smoothing) {
+            run.ending = descend(evaluator, smoothing, run.final_point);
+            if (run.ending == Ending::BudgetSpent || run.ending == Ending::Invalid) break;
+        }
+        return run;
+    }
+
     Ending descend(Evaluator& evaluator, double smoothing, Eigen::VectorXd& point) const {
         const Eigen::VectorXd start = point;
         const auto first = evaluator.residuals(start, smoothing);
         if (!first) return Ending::BudgetSpent;
+        if (!std::isfinite(first->objective)) return Ending::Invalid;
         bool is_refused = false;
         const auto residuals = static_cast<int>(first->residuals.size());
         const auto linearize = [&](const Eigen::VectorXd& at) -> std::optional<detail::Linearization> {

@@ -10,6 +10,7 @@ namespace {
 OptimizationReport report_of(const Evaluator& evaluator, RunOutcome outcome) {
     OptimizationReport report;
     report.ending = evaluator.trace().empty() ? Ending::Invalid : outcome.ending;
+    report.dead_starts = outcome.dead_starts;
     report.point = evaluator.best_point();
     report.value = evaluator.best_value();
     report.final_point = std::move(outcome.final_point);

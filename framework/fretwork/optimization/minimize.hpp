@@ -18,6 +18,7 @@ struct OptimizationReport {
     long cost = 0;                ///< in the problem's unit
     long evaluations = 0;         ///< of any kind
     long derivative_evaluations = 0;
+    int dead_starts = 0;      ///< starts that gave no descent; all of them: the ending is Invalid
     long failures = 0;        ///< evaluations whose objective was not finite
     long points_outside = 0;  ///< refused: a method that asks for them is at fault
     std::vector<TracePoint> trace;

@@ -21,7 +21,7 @@ enum class Ending {
     Converged,    ///< by the method's own criterion
     BudgetSpent,  ///< an evaluation was refused because the budget does not pay for it
     Stalled,      ///< the method found no way on before its criterion was met
-    Invalid,      ///< the objective was finite nowhere
+    Invalid,      ///< no descent: the objective was finite nowhere, or each start died where it began
 };
 std::string_view ending_name(Ending ending);
 
@@ -33,10 +33,12 @@ struct OptimizerOptions {
     void validate() const;
 };
 
-/// How a method left: why, and where it stood, which need not be the best point that it saw.
+/// How a method left: why, and where it stood, which need not be the best point that it saw. With several
+/// starts both are of the start that found the best value, unless the budget was spent.
 struct RunOutcome {
     Ending ending = Ending::Converged;
     Eigen::VectorXd final_point;
+    int dead_starts = 0;  ///< starts that gave no descent: not finite, or given up at their first evaluation
 };
 
 /// A minimization method. It evaluates through the evaluator only, and stops once an evaluation is refused.

@@ -45,12 +45,22 @@ Made nlopt_runs(Options common) {
     return detail::make_nlopt_runs(kMethod, {.common = common});
 }
 
-/// One search of the whole box by a method of NLopt that ends by patience. It descends by `kLocal`, if any.
+/// The same by a method whose steps follow gradients: it sees the objective compressed, since that of a
+/// calibration falls from 1e10 to 1.
+template <nlopt_algorithm kMethod>
+Made nlopt_descents(Options common) {
+    return detail::make_nlopt_runs(kMethod, {.common = common, .scale = detail::ObjectiveScale::Compressed});
+}
+
+/// One search of the whole box by a method of NLopt that ends by patience. It descends by `kLocal`, if any,
+/// which follows gradients.
 template <nlopt_algorithm kMethod, nlopt_algorithm... kLocal>
 Made nlopt_search(Options common) {
     std::optional<nlopt_algorithm> local;
     ((local = kLocal), ...);
-    return detail::make_nlopt_search(kMethod, local, {.common = common});
+    using enum detail::ObjectiveScale;
+    return detail::make_nlopt_search(kMethod, local,
+                                     {.common = common, .scale = local ? Compressed : AsItIs});
 }
 
 constexpr std::array kRows = {
@@ -101,7 +111,7 @@ constexpr std::array kRows = {
                  Evaluation::Value, nlopt_runs<NLOPT_LN_SBPLX>},
     // [Kraft1994]
     OptimizerRow{"slsqp", "SLSQP of NLopt on gradients from low-discrepancy starts", OptimizerClass::Local,
-                 Evaluation::Gradient, nlopt_runs<NLOPT_LD_SLSQP>},
+                 Evaluation::Gradient, nlopt_descents<NLOPT_LD_SLSQP>},
     // [Gablonsky2001]
     OptimizerRow{"direct-l", "DIRECT-L of NLopt: divides the box", OptimizerClass::Global, Evaluation::Value,
                  nlopt_search<NLOPT_GN_DIRECT_L>},

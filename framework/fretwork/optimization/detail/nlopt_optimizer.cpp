@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/text.hpp>
+#include <fretwork/optimization/detail/best_run.hpp>
 #include <fretwork/optimization/detail/nlopt_optimizer.hpp>
 #include <fretwork/optimization/detail/nlopt_run.hpp>
 #include <fretwork/optimization/random.hpp>
@@ -16,17 +17,18 @@ class NloptRuns final : public Optimizer {
 
     RunOutcome run(Evaluator& evaluator) const override {
         const LowDiscrepancySequence starts(evaluator.bounds().dimension(), options_.common.seed);
-        RunOutcome outcome{Ending::BudgetSpent, {}};
+        BestRun best(evaluator);
         for (int i = 0; i < options_.common.starts; ++i) {
             const auto number = static_cast<std::uint64_t>(i);
-            outcome = run_nlopt(evaluator, {.algorithm = algorithm_,
-                                            .start = starts.point(number),
-                                            .initial_step = options_.initial_step,
-                                            .tolerance = options_.tolerance,
-                                            .seed = derived_seed(options_.common.seed, number)});
-            if (outcome.ending == Ending::BudgetSpent) break;
+            best.add(run_nlopt(evaluator, {.algorithm = algorithm_,
+                                           .start = starts.point(number),
+                                           .initial_step = options_.initial_step,
+                                           .scale = options_.scale,
+                                           .tolerance = options_.tolerance,
+                                           .seed = derived_seed(options_.common.seed, number)}));
+            if (best.is_over()) break;
         }
-        return outcome;
+        return best.outcome();
     }
 
   private:
@@ -44,6 +46,7 @@ class NloptSearch final : public Optimizer {
                                      .local = local_,
                                      .start = Eigen::VectorXd::Constant(evaluator.bounds().dimension(), 0.5),
                                      .initial_step = options_.initial_step,
+                                     .scale = options_.scale,
                                      .tolerance = local_ ? options_.tolerance : 0.0,
                                      .patience = options_.patience});
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <fretwork/optimization/detail/nlopt_run.hpp>
 #include <fretwork/optimization/optimizer.hpp>
 
 #include <memory>
@@ -16,6 +17,7 @@ struct NloptOptions {
     /// Relative change of the objective, and of the variables as shares of the box, at which a run ends.
     double tolerance = 1e-8;
     double initial_step = 0.1;  ///< of the local methods, as a share of the box
+    ObjectiveScale scale = ObjectiveScale::AsItIs;
     /// A search that has no criterion of its own ends after so many evaluations without an improvement.
     long patience = 5000;
     /// Throws InputError if a value makes no sense.

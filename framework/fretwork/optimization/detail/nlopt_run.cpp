@@ -15,12 +15,25 @@ struct Destroy {
 };
 using Method = std::unique_ptr<nlopt_opt_s, Destroy>;
 
+/// A value and the slope of its scale there.
+struct Scaled {
+    double value;
+    double rate;
+};
+
+Scaled scaled(double value, ObjectiveScale scale) {
+    if (scale == ObjectiveScale::AsItIs) return {value, 1.0};
+    return {std::asinh(value), 1.0 / std::hypot(1.0, value)};
+}
+
 /// What NLopt's callback needs. No exception may pass through NLopt's C, so one that comes is kept.
 struct Callback {
     Evaluator& evaluator;
     UnitBox box;
     nlopt_opt method;
     long patience;
+    ObjectiveScale scale;
+    long evaluations = 0;
     double best = HUGE_VAL;
     long idle = 0;  ///< evaluations since the best improved
     bool is_refused = false;
@@ -31,6 +44,7 @@ struct Callback {
         // Some methods finish a batch after they were told to stop.
         if (is_refused || is_patience_over) return HUGE_VAL;
         const double value = value_at(shares, slope);
+        ++evaluations;
         idle = value < best ? 0 : idle + 1;
         best = std::min(best, value);
         if (idle >= patience) {
@@ -44,15 +58,16 @@ struct Callback {
         const Eigen::VectorXd point = box.point(shares);
         if (slope == nullptr) {
             const auto value = evaluator.value(point);
-            return value ? *value : refuse();
+            return value ? scaled(*value, scale).value : refuse();
         }
         Eigen::Map<Eigen::VectorXd> gradient(slope, shares.size());
         gradient.setZero();
         const auto model = evaluator.gradient(point);
         if (!model) return refuse();
         if (!std::isfinite(model->objective) || !model->gradient.allFinite()) return HUGE_VAL;
-        gradient = model->gradient.cwiseProduct(box.rates());
-        return model->objective;
+        const auto [value, rate] = scaled(model->objective, scale);
+        gradient = rate * model->gradient.cwiseProduct(box.rates());
+        return value;
     }
 
     double refuse() {
@@ -84,6 +99,8 @@ Method make_method(nlopt_algorithm algorithm, const NloptRun& run) {
 
 Ending ending_of(nlopt_result result, const Callback& callback) {
     if (callback.is_refused) return Ending::BudgetSpent;
+    const bool is_dead = result < 0 && !callback.is_patience_over && callback.evaluations <= 1;
+    if (is_dead || !std::isfinite(callback.best)) return Ending::Invalid;
     return result > 0 && !callback.is_patience_over ? Ending::Converged : Ending::Stalled;
 }
 
@@ -98,7 +115,7 @@ RunOutcome run_nlopt(Evaluator& evaluator, const NloptRun& run) {
         nlopt_set_ftol_rel(method.get(), 0.0);
         nlopt_set_xtol_rel(method.get(), 0.0);
     }
-    Callback callback{evaluator, UnitBox(evaluator.problem()), method.get(), run.patience};
+    Callback callback{evaluator, UnitBox(evaluator.problem()), method.get(), run.patience, run.scale};
     nlopt_set_min_objective(method.get(), call, &callback);
     nlopt_srand(run.seed);
     Eigen::VectorXd shares = run.start;

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/optimization/optimizer.hpp>
+
+namespace fretwork::optimization::detail {
+
+/// Of runs one after the other, how that run ended which found the best value, and how many starts died. The
+/// search as a whole is cut short by a spent budget, and invalid if all of its starts died.
+class BestRun {
+  public:
+    explicit BestRun(const Evaluator& evaluator);
+    /// Call it after each run, before the next one evaluates anything.
+    void add(RunOutcome run);
+    /// True once the budget is spent.
+    [[nodiscard]] bool is_over() const { return is_over_; }
+    [[nodiscard]] RunOutcome outcome() const { return outcome_; }
+
+  private:
+    const Evaluator& evaluator_;
+    double best_value_;
+    bool is_over_ = false;
+    RunOutcome outcome_{Ending::Invalid, {}};
+};
+
+}  // namespace fretwork::optimization::detail
