@@ -3,6 +3,8 @@
 
 #include <sqlite3.h>
 
+#include <functional>
+
 namespace fretwork::library {
 namespace {
 
@@ -90,6 +92,40 @@ TEST_F(BadLibrary, APatternThatTheLayoutDoesNotHaveIsRefused) {
     make_library(path());
     sql("INSERT INTO pattern VALUES ('0-99', 'paper7', 1, NULL)");
     EXPECT_THAT(complaint_of([&] { (void)Library::open(path()).patterns(); }), HasSubstr("0-99"));
+}
+
+TEST_F(BadLibrary, AnIdThatIsNoPatternIsToldWithItsFile) {
+    make_library(path());
+    sql("PRAGMA foreign_keys = OFF; UPDATE pattern SET id = '-1.0e' WHERE id = '0-1+1-6'");
+    for (const auto& read : std::vector<std::function<void(const Library&)>>{
+             [](const Library& library) { (void)library.patterns(); },
+             [](const Library& library) { (void)library.summaries(); },
+             [](const Library& library) { (void)library.sample(4); }}) {
+        EXPECT_THAT(complaint_of([&] { read(Library::open(path())); }),
+                    AllOf(HasSubstr("lib.db: pattern: "), HasSubstr("'-1.0e' is no edge")));
+    }
+}
+
+/// A view that never ends, where a table is expected.
+TEST_F(BadLibrary, AViewInThePlaceOfATableIsRefused) {
+    for (const char* table : {"layout", "setting", "pattern", "calibration", "failure", "provenance"}) {
+        std::filesystem::remove(path());
+        make_library(path());
+        sql("PRAGMA foreign_keys = OFF; DROP VIEW behaviour; DROP TABLE " + std::string(table) +
+            "; CREATE VIEW " + table +
+            " AS WITH RECURSIVE n(id) AS (SELECT 1 UNION ALL SELECT id + 1 FROM n) SELECT id, id AS json "
+            "FROM n");
+        EXPECT_THAT(complaint(), AllOf(HasSubstr("lib.db"), HasSubstr(std::string(table) + ": is a view")))
+            << table;
+    }
+}
+
+TEST_F(BadLibrary, TriggersOfAFileDoNotRun) {
+    make_library(path());
+    sql("CREATE TRIGGER t AFTER INSERT ON pattern BEGIN DELETE FROM pattern; END");
+    Library library = Library::open(path(), Access::ReadWrite);
+    library.add_patterns(parse({"0-1+1-5+5-6"}));
+    EXPECT_EQ(library.pattern_count(), sample_ids().size() + 1);
 }
 
 TEST_F(BadLibrary, WritingThroughAReadOnlyLibraryIsRefused) {

@@ -2,7 +2,10 @@
 #include "sample.hpp"
 
 #include <fretwork/base/text.hpp>
+#include <fretwork/library/detail/pattern_order.hpp>
+#include <fretwork/library/statistics.hpp>
 #include <fretwork/reduction/setting_file.hpp>
+#include <fretwork/reduction/stratified_sample.hpp>
 
 #include <algorithm>
 #include <limits>
@@ -178,6 +181,60 @@ TEST_F(LibraryTest, FindsPatternsByAnyFormOfTheirIdAndSuggestsTheNearest) {
     const Library library = make_library(path());
     EXPECT_EQ(library.find_pattern("paper7:1-6+0-1").id, "0-1+1-6");
     EXPECT_THAT(complaint_of([&] { (void)library.find_pattern("0-1+2-6"); }), HasSubstr("did you mean"));
+}
+
+TEST_F(LibraryTest, ASampleIsThatOfAllPatternsInOrder) {
+    // Nodes of more than one digit: the order of ids as texts is another one.
+    const pattern::NodeLayout layout = pattern::find_node_layout("quarters10");
+    const auto edges = layout.candidate_edges().size();
+    std::vector<pattern::Pattern> patterns;
+    for (std::size_t i = 0; i < 300; ++i) {
+        pattern::Pattern::Bits bits;
+        for (std::size_t k = 0; k < 3 + i % 4; ++k) bits.set((i * 7 + k * (5 + i % 3)) % edges);
+        patterns.emplace_back(bits);
+    }
+    Library library = Library::create(path(), layout, reduction::paper_setting());
+    library.add_patterns(patterns);
+    const std::vector<PatternEntry> all = library.patterns();
+    EXPECT_TRUE(std::ranges::is_sorted(all, comes_before));
+    std::vector<int> strata;
+    for (const PatternEntry& entry : all) strata.push_back(entry.pattern.edge_count());
+    for (const std::size_t size : {1U, 7U, 40U, 1000U}) {
+        std::vector<std::string> expected;
+        for (const std::size_t i : reduction::stratified_sample(strata, size)) expected.push_back(all[i].id);
+        EXPECT_EQ(ids_of(library.sample(size)), expected);
+    }
+}
+
+TEST_F(LibraryTest, TheOrderOfIdsIsThatOfTheirEdges) {
+    const pattern::NodeLayout layout = pattern::find_node_layout("quarters10");
+    const auto edges = layout.candidate_edges();
+    std::vector<PatternEntry> entries;
+    for (std::size_t a = 0; a < edges.size(); ++a) {
+        for (std::size_t b = a + 1; b < edges.size(); ++b) {
+            const pattern::Pattern pattern(pattern::Pattern::Bits().set(a).set(b));
+            entries.push_back({pattern_id(layout, pattern), pattern});
+        }
+    }
+    for (const PatternEntry& left : entries) {
+        for (const PatternEntry& right : entries) {
+            EXPECT_EQ(detail::id_comes_before(left.id, right.id),
+                      left.pattern.edges() < right.pattern.edges());
+            EXPECT_EQ(comes_before(left, right), left.pattern.edges() < right.pattern.edges());
+        }
+    }
+}
+
+TEST_F(LibraryTest, ObjectivesFarAboveTheirLikeAreTold) {
+    std::vector<double> objectives(19, 4.0);
+    EXPECT_TRUE(std::isinf(far_above_limit(objectives))) << "nineteen tell too little";
+    objectives.push_back(4.0);
+    EXPECT_EQ(far_above_limit(objectives), 40.0) << "ten times, where all are alike";
+    objectives.back() = 4170.0;
+    EXPECT_EQ(far_above_limit(objectives), 40.0) << "a failed search does not move it";
+    for (std::size_t i = 0; i < objectives.size(); ++i) objectives[i] = i < 10 ? 1.0 : 9.0;
+    // The median is 5; of |log(E / 5)| it is (log 5 + log 1.8) / 2 = log 3.
+    EXPECT_NEAR(far_above_limit(objectives), 5.0 * std::exp(4.0 * 1.4826 * std::log(3.0)), 1e-9);
 }
 
 TEST_F(LibraryTest, PatternsLeftToComputeShrinkAsResultsAndFailuresAreStored) {

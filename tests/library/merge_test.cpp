@@ -6,6 +6,8 @@
 #include <fretwork/library/detail/draft.hpp>
 #include <fretwork/library/merge.hpp>
 
+#include <sqlite3.h>
+
 namespace fretwork::library {
 namespace {
 
@@ -43,6 +45,22 @@ TEST_F(Merge, ShardsGiveWhatOneRunGivesInAnyOrder) {
     EXPECT_EQ(folder_content(path("ab")), folder_content(path("ba")));
     EXPECT_EQ(ids_of(Library::open(path("ab.db")).patterns()),
               ids_of(Library::open(path("ba.db")).patterns()));
+}
+
+TEST_F(Merge, ADamagedInputIsNamedAndNothingIsLeft) {
+    const auto a = shard("a.db", {sample_data("0-1+1-6", 1.0)});
+    const auto b = shard("b.db", {});
+    sqlite3* handle = nullptr;
+    ASSERT_EQ(sqlite3_open(b.c_str(), &handle), SQLITE_OK);
+    EXPECT_EQ(sqlite3_exec(handle, "UPDATE pattern SET id = '-1.0e' WHERE id = '1-6+3-6'", nullptr, nullptr,
+                           nullptr),
+              SQLITE_OK);
+    sqlite3_close(handle);
+    for (const Paths& inputs : {Paths{a, b}, Paths{b, a}}) {
+        EXPECT_THAT(complaint_of([&] { merge(path("m.db"), inputs); }),
+                    AllOf(HasSubstr("b.db"), HasSubstr("'-1.0e' is no edge")));
+        EXPECT_FALSE(std::filesystem::exists(path("m.db")));
+    }
 }
 
 TEST_F(Merge, IsAssociativeAndAcceptsEqualRows) {

@@ -9,7 +9,6 @@
 #include <condition_variable>
 #include <future>
 #include <mutex>
-#include <set>
 
 namespace fretwork::library {
 namespace {
@@ -33,17 +32,10 @@ struct Outcome {
 /// The patterns that lack a calibration, and whether they lack responses, too.
 std::vector<Task> open_tasks(const Library& library, std::span<const PatternEntry> patterns,
                              const CalibrationKey& key) {
-    const auto ids = [](const std::vector<PatternEntry>& entries) {
-        std::set<std::string> result;
-        for (const PatternEntry& entry : entries) result.insert(entry.id);
-        return result;
-    };
-    const auto without_responses = ids(library.patterns_without_responses());
-    const auto without_calibration = ids(library.patterns_without_calibration(key));
     std::vector<Task> tasks;
     for (const PatternEntry& entry : patterns) {
-        if (without_calibration.contains(entry.id))
-            tasks.push_back({entry, without_responses.contains(entry.id)});
+        if (library.lacks_calibration(entry.id, key))
+            tasks.push_back({entry, library.lacks_responses(entry.id)});
     }
     return tasks;
 }
@@ -117,6 +109,8 @@ class Filling {
         std::vector<PatternData> batch;
         std::vector<Failure> failures;
         for (Outcome& outcome : outcomes) {
+            for (const CalibrationRecord& record : outcome.data.calibrations)
+                report_.dead_starts += static_cast<std::size_t>(record.calibration.dead_starts);
             if (outcome.failure) failures.push_back(std::move(*outcome.failure));
             batch.push_back(std::move(outcome.data));
         }

@@ -26,9 +26,10 @@ struct FillOptions {
 };
 
 struct FillReport {
-    std::size_t open = 0;    ///< patterns that lacked the calibration at the start
-    std::size_t done = 0;    ///< of them, calibrated now
-    std::size_t failed = 0;  ///< of them, recorded as failed now
+    std::size_t open = 0;         ///< patterns that lacked the calibration at the start
+    std::size_t done = 0;         ///< of them, calibrated now
+    std::size_t failed = 0;       ///< of them, recorded as failed now
+    std::size_t dead_starts = 0;  ///< of the searches that gave calibrations now: starts that went nowhere
 };
 
 /// Compute what the library lacks of some of its patterns: responses, effective properties, and the

@@ -58,31 +58,6 @@ void fill_if_empty(const std::filesystem::path& path, const pattern::NodeLayout&
     if (detail::is_empty(database)) (void)initialize(database, layout, setting);
 }
 
-using SummariesById = std::map<std::string, PatternSummary, std::less<>>;
-
-void collect_responses(const Database& database, SummariesById& by_id) {
-    Statement rows(database,
-                   "SELECT pattern_id, count(*), sum(converged), sum(converged AND stable), sum(limit_load) "
-                   "FROM response_state GROUP BY pattern_id");
-    while (rows.step()) {
-        PatternSummary& summary = by_id[std::string(rows.text(0))];
-        summary.samples = static_cast<int>(rows.integer(1));
-        summary.converged_samples = static_cast<int>(rows.integer(2));
-        summary.stable_samples = static_cast<int>(rows.integer(3));
-        summary.limit_load_samples = static_cast<int>(rows.integer(4));
-    }
-}
-
-void collect_calibrations(const Database& database, SummariesById& by_id) {
-    Statement rows(database,
-                   "SELECT pattern_id, count(*), min(objective) FROM calibration GROUP BY pattern_id");
-    while (rows.step()) {
-        PatternSummary& summary = by_id[std::string(rows.text(0))];
-        summary.calibrations = static_cast<int>(rows.integer(1));
-        summary.best_objective = rows.real(2);
-    }
-}
-
 /// Make a file in the place of the draft, and move it to its own. False if the file has appeared meanwhile,
 /// which is then untouched.
 template <class Make>
@@ -239,58 +214,6 @@ std::size_t Library::add_patterns(std::span<const pattern::Pattern> patterns, co
     }
     if (added > 0) impl_->commit(*transaction);
     return added;
-}
-
-std::size_t Library::pattern_count() const {
-    return static_cast<std::size_t>(
-        detail::query_integer(impl_->database, "SELECT count(*) FROM pattern").value_or(0));
-}
-
-std::vector<PatternEntry> Library::patterns() const {
-    Statement ids(impl_->database, "SELECT id FROM pattern");
-    return impl_->select_patterns(ids);
-}
-
-std::vector<PatternSummary> Library::summaries() const {
-    const Transaction snapshot(impl_->database, Transaction::Kind::Read);
-    SummariesById by_id;
-    collect_responses(impl_->database, by_id);
-    collect_calibrations(impl_->database, by_id);
-    for (const Failure& failure : failures()) ++by_id[failure.pattern].failures;
-    std::vector<PatternSummary> list;
-    for (const PatternEntry& entry : patterns()) {
-        list.push_back(by_id[entry.id]);
-        list.back().pattern = entry.id;
-        list.back().edges = entry.pattern.edge_count();
-    }
-    return list;
-}
-
-PatternEntry Library::find_pattern(std::string_view id) const {
-    const pattern::Pattern pattern = pattern::parse_pattern_id(layout(), id);
-    PatternEntry entry{pattern_id(layout(), pattern), pattern};
-    impl_->require_pattern(entry.id);
-    return entry;
-}
-
-std::vector<PatternEntry> Library::patterns_without_responses() const {
-    Statement ids(impl_->database,
-                  "SELECT id FROM pattern "
-                  "WHERE NOT EXISTS (SELECT 1 FROM response_state WHERE pattern_id = id) "
-                  "AND NOT EXISTS (SELECT 1 FROM failure WHERE pattern_id = id AND stage = ?)");
-    ids.bind_all(responses_stage());
-    return impl_->select_patterns(ids);
-}
-
-std::vector<PatternEntry> Library::patterns_without_calibration(const CalibrationKey& key) const {
-    Statement ids(impl_->database,
-                  "SELECT id FROM pattern "
-                  "WHERE NOT EXISTS (SELECT 1 FROM calibration WHERE pattern_id = id AND model = ? "
-                  "AND optimizer = ? AND seed = ? AND starts = ? AND budget = ?) "
-                  "AND NOT EXISTS (SELECT 1 FROM failure WHERE pattern_id = id AND stage IN (?, ?))");
-    ids.bind_all(key.model, key.optimizer, static_cast<std::int64_t>(key.seed), key.starts, key.budget,
-                 responses_stage(), calibration_stage(key));
-    return impl_->select_patterns(ids);
 }
 
 void Library::store(std::span<const PatternData> batch, std::span<const Failure> failures) {

@@ -28,6 +28,9 @@ struct PatternEntry {
     pattern::Pattern pattern;
 };
 
+/// The order of Library::patterns(): by number of edges, then by the edges.
+bool comes_before(const PatternEntry& left, const PatternEntry& right);
+
 /// The key of a calibration among those of one pattern.
 struct CalibrationKey {
     std::string model;
@@ -124,8 +127,18 @@ class Library {
     /// All patterns by number of edges, then by their edges: the order of the enumeration, however they came
     /// in.
     [[nodiscard]] std::vector<PatternEntry> patterns() const;
+    /// Up to `size` of patterns(), spread over the numbers of edges as by reduction::stratified_sample(). It
+    /// reads what it takes, not all that there is.
+    [[nodiscard]] std::vector<PatternEntry> sample(std::size_t size) const;
     /// One row for each of patterns().
     [[nodiscard]] std::vector<PatternSummary> summaries() const;
+    /// One row for each of these, in their order.
+    [[nodiscard]] std::vector<PatternSummary> summaries(std::span<const PatternEntry> patterns) const;
+    /// The patterns that have a calibration of a model to which something is fitted, in the order of
+    /// patterns().
+    [[nodiscard]] std::vector<PatternEntry> fitted_patterns() const;
+    /// The objectives of all calibrations of a key, ascending.
+    [[nodiscard]] std::vector<double> objectives(const CalibrationKey& key) const;
     /// The pattern of an id, given as pattern::parse_pattern_id takes it. Throws InputError that names the
     /// nearest id.
     [[nodiscard]] PatternEntry find_pattern(std::string_view id) const;
@@ -134,6 +147,9 @@ class Library {
     [[nodiscard]] std::vector<PatternEntry> patterns_without_responses() const;
     /// The same for a calibration; patterns whose responses failed are left out.
     [[nodiscard]] std::vector<PatternEntry> patterns_without_calibration(const CalibrationKey& key) const;
+    /// The same for one pattern.
+    [[nodiscard]] bool lacks_responses(std::string_view pattern_id) const;
+    [[nodiscard]] bool lacks_calibration(std::string_view pattern_id, const CalibrationKey& key) const;
 
     /// Store a batch in one transaction: all of it or nothing. A failure recorded for what is now stored is
     /// forgotten. Throws InputError (unknown pattern, scenario or number of samples; another value than the

@@ -139,8 +139,10 @@ void adopt_strength(reduction::Setting& setting, const Library& other) {
 /// Layouts and settings must be the same, but for strengths that are not told.
 reduction::Setting common_setting(const Library& first, std::span<const std::filesystem::path> others) {
     reduction::Setting setting = first.setting();
+    (void)first.patterns();
     for (const auto& input : others) {
         const Library other = Library::open(input);
+        (void)other.patterns();  // a damaged id is found before anything is written, and its file named
         other.check_layout(first.layout());
         other.check_setting(first.setting());
         adopt_strength(setting, other);

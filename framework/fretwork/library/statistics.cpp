@@ -3,10 +3,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace fretwork::library {
 namespace {
+
+double median_of(std::vector<double> values) {
+    std::ranges::sort(values);
+    const std::size_t half = values.size() / 2;
+    return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2.0;
+}
 
 void describe(std::vector<double> objectives, CalibrationStatistics& result) {
     if (objectives.empty()) return;
@@ -15,27 +22,38 @@ void describe(std::vector<double> objectives, CalibrationStatistics& result) {
     double squares = 0.0;
     for (const double value : objectives) squares += (value - result.mean) * (value - result.mean);
     result.deviation = std::sqrt(squares / count);
-    std::ranges::sort(objectives);
-    const std::size_t half = objectives.size() / 2;
-    result.median =
-        objectives.size() % 2 == 1 ? objectives[half] : (objectives[half - 1] + objectives[half]) / 2.0;
+    result.median = median_of(std::move(objectives));
 }
 
 }  // namespace
 
+double far_above_limit(std::vector<double> objectives) {
+    constexpr std::size_t kFewest = 20;
+    constexpr double kDeviations = 4.0;
+    constexpr double kLeastRatio = 10.0;
+    constexpr double kDeviationOfNormal = 1.4826;  // over the median absolute deviation
+    if (objectives.size() < kFewest) return std::numeric_limits<double>::infinity();
+    const double median = median_of(objectives);
+    for (double& value : objectives)
+        value = std::abs(std::log(std::max(value, std::numeric_limits<double>::min()) / median));
+    const double deviation = kDeviationOfNormal * median_of(std::move(objectives));
+    return median * std::max(kLeastRatio, std::exp(kDeviations * deviation));
+}
+
 CalibrationStatistics calibration_statistics(const Library& library, std::span<const PatternEntry> patterns,
                                              const CalibrationKey& key) {
-    std::map<std::string, PatternSummary> summaries;
-    for (PatternSummary& summary : library.summaries())
-        summaries.emplace(summary.pattern, std::move(summary));
+    const std::vector<PatternSummary> summaries = library.summaries(patterns);
     CalibrationStatistics result;
+    result.far_above_limit = far_above_limit(library.objectives(key));
     std::vector<double> objectives;
-    for (const PatternEntry& entry : patterns) {
-        for (const CalibrationRecord& record : library.calibrations(entry.id)) {
+    for (const PatternSummary& summary : summaries) {
+        if (summary.calibrations == 0) continue;
+        for (const CalibrationRecord& record : library.calibrations(summary.pattern)) {
             if (record.key() != key) continue;
             objectives.push_back(record.calibration.objective);
+            if (objectives.back() > result.far_above_limit)
+                result.far_above.push_back({summary.pattern, objectives.back()});
             for (const std::string& name : record.calibration.at_bound) ++result.at_bound[name];
-            const PatternSummary& summary = summaries.at(entry.id);
             result.samples += static_cast<std::size_t>(summary.samples);
             result.converged += static_cast<std::size_t>(summary.converged_samples);
             result.limit_load += static_cast<std::size_t>(summary.limit_load_samples);

@@ -43,13 +43,23 @@ Calibration evaluate(const TileModel& model, const CalibrationInput& input, cons
     return result;
 }
 
+/// The best of points from which no start went anywhere is no calibration.
+void require_descent(const optimization::OptimizationReport& report, const TileModel& model,
+                     const CalibrationOptions& options) {
+    if (report.ending != optimization::Ending::Invalid) return;
+    if (report.trace.empty())
+        throw base::NumericalError("the objective of model " + model.name + " is finite nowhere");
+    throw base::NumericalError("all " + std::to_string(options.starts) + " starts of " + options.optimizer +
+                               " died at their first point: no model " + model.name +
+                               " was fitted; take more --starts, another --seed or another --optimizer");
+}
+
 Calibration fit(const TileModel& model, const CalibrationProblem& problem, const Objective& objective,
                 const CalibrationOptions& options) {
     const auto report = optimization::minimize(problem, optimization::find_optimizer(options.optimizer),
                                                {.starts = options.starts, .seed = options.seed},
                                                {.cost = options.budget, .control = options.control});
-    if (report.ending == optimization::Ending::Invalid)
-        throw base::NumericalError("the objective of model " + model.name + " is finite nowhere");
+    require_descent(report, model, options);
     Calibration calibration;
     calibration.model = model.name;
     calibration.optimizer = options.optimizer;
@@ -61,6 +71,7 @@ Calibration fit(const TileModel& model, const CalibrationProblem& problem, const
     calibration.scenario_errors = objective.scenario_errors(best);
     calibration.evaluations = report.cost;
     calibration.at_bound = parameters_at_bound(problem.bounds(), report.point, model);
+    calibration.dead_starts = report.dead_starts;
     calibration.converged = report.ending == optimization::Ending::Converged;
     return calibration;
 }

@@ -41,7 +41,10 @@ struct Calibration {
     long evaluations = 0;
     std::vector<NamedValue> parameters;  ///< in the order of the model's row; none where nothing is fitted
     std::vector<std::string> at_bound;   ///< names of the parameters at a bound
+    /// The start that found these parameters ended by its method's own criterion, and the budget was not
+    /// spent.
     bool converged = true;
+    int dead_starts = 0;  ///< of `starts`, those that gave no descent; libraries do not keep it
 };
 
 /// The parameters in the order of a model's row. Throws InputError that names one that is missing or that the
@@ -59,7 +62,7 @@ struct CalibrationInput {
 /// Fit a tile model to a pattern's responses by its linear displacements: Eqs. (1) to (11). A model without
 /// parameters is only compared with them: one for small displacements by its linear displacements, one for
 /// large by its own responses. Deterministic given the options. Throws NumericalError if no sample can be
-/// fitted; base::Stopped.
+/// fitted, or if no start of the search got beyond its first point; base::Stopped.
 Calibration calibrate(const TileModel& model, const CalibrationInput& input,
                       const CalibrationOptions& options = {});
 

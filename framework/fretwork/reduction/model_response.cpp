@@ -20,7 +20,7 @@ ModelTile::ModelTile(const TileModel& model, const pattern::NodeLayout& layout,
 }
 
 StructureParts ModelTile::parts(std::span<const double> parameters) const {
-    const auto tile = model_.build({layout_, fan_, setting_, polygon_, parameters});
+    const auto tile = build_tile(model_, {layout_, fan_, setting_, polygon_, parameters});
     return tile_parts(*tile, interface_nodes_);
 }
 

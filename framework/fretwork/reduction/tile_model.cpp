@@ -3,6 +3,7 @@
 #include <fretwork/base/text.hpp>
 #include <fretwork/reduction/condensed_tile.hpp>
 #include <fretwork/reduction/corotational_tile.hpp>
+#include <fretwork/reduction/detail/rigid_motions.hpp>
 #include <fretwork/reduction/full_tile.hpp>
 #include <fretwork/reduction/paper6_tile.hpp>
 #include <fretwork/reduction/ring10_tile.hpp>
@@ -16,6 +17,12 @@ const std::vector<TileModel>& tile_models() {
     static const std::vector<TileModel> rows = {full_tile_model(), paper6_tile_model(), ring10_tile_model(),
                                                 condensed_tile_model(), corotational_tile_model()};
     return rows;
+}
+
+std::shared_ptr<const TileStructure> build_tile(const TileModel& model, const TileInput& input) {
+    auto tile = model.build(input);
+    detail::require_free_motion(*tile, model, input);
+    return tile;
 }
 
 const TileModel& find_tile_model(std::string_view name, std::span<const TileModel> models) {

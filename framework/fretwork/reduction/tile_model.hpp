@@ -42,7 +42,8 @@ struct TileParameter {
 enum class Role { Reference, Reduced };
 
 /// Whether congruent tiles of a surface are built once. Then a tile is built in its own axes, from its
-/// polygon rounded to a tolerance; else in the surface's axes, from the polygon as it is.
+/// polygon rounded to a tolerance: the origin in its centroid, x along its first side (from vertex 0 to
+/// vertex 1), y into the tile; else in the surface's axes, from the polygon as it is.
 enum class Sharing { None, Congruent };
 
 /// A tile model: how a painted tile becomes elements between its interface nodes. A row of the catalogue.
@@ -53,7 +54,7 @@ struct TileModel {
     Displacements displacements = Displacements::Small;
     Sharing sharing = Sharing::None;
     std::vector<TileParameter> parameters{};  ///< fitted to a pattern's responses; none: nothing is fitted
-    /// Throws InputError or GeometryError if the tile cannot be built.
+    /// Throws InputError or GeometryError if the tile cannot be built. Call it through build_tile().
     std::function<std::shared_ptr<const TileStructure>(const TileInput&)> build{};
     /// Its calibration as an optimization problem of its own, for models of small displacements with
     /// parameters. Where it is empty, or gives none for this layout and setting, the tile is built anew at
@@ -62,6 +63,10 @@ struct TileModel {
                                                       const Setting&)>
         problem{};
 };
+
+/// Build a tile by a model. Throws as the model's `build`; InputError that names the motion if the tile's
+/// elements resist a rigid one: such a tile would be held where nothing holds it.
+std::shared_ptr<const TileStructure> build_tile(const TileModel& model, const TileInput& input);
 
 /// The built-in tile models, in the order in which they are listed.
 const std::vector<TileModel>& tile_models();

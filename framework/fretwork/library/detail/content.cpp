@@ -139,7 +139,7 @@ void export_csv(Database& database, const std::filesystem::path& folder) {
             write_csv(database, sorted_rows_query(table), folder / (std::string(table.name) + ".csv"));
         }
     }
-    write_csv(database, "SELECT * FROM behaviour ORDER BY pattern_id", folder / "behaviour.csv");
+    write_csv(database, behaviour_query() + " ORDER BY pattern_id", folder / "behaviour.csv");
 }
 
 }  // namespace fretwork::library::detail

@@ -7,6 +7,15 @@ namespace {
 
 constexpr int kBusyTimeoutMilliseconds = 10000;
 
+/// What a file's own schema may make SQLite do: a view in the place of a table runs any query, for ever if it
+/// likes, and so does a trigger. Views of the program's own are temporary, which is allowed.
+void distrust_schema(sqlite3* handle) {
+    sqlite3_db_config(handle, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
+    sqlite3_db_config(handle, SQLITE_DBCONFIG_ENABLE_TRIGGER, 0, nullptr);
+    sqlite3_db_config(handle, SQLITE_DBCONFIG_ENABLE_VIEW, 0, nullptr);
+    sqlite3_db_config(handle, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
+}
+
 int open_flags(Database::Mode mode) {
     // A reader, too, opens for writing where it may: it has to be able to roll back what a killed writer
     // left.
@@ -23,6 +32,7 @@ Database::Database(const std::filesystem::path& path, Mode mode) : path_(path) {
     const int code = sqlite3_open_v2(name.c_str(), &handle, open_flags(mode), nullptr);
     handle_.reset(handle);
     if (code != SQLITE_OK) fail(code);
+    distrust_schema(handle);
     sqlite3_busy_timeout(handle, kBusyTimeoutMilliseconds);
     execute("PRAGMA foreign_keys = ON");
     if (mode == Mode::Read) execute("PRAGMA query_only = ON");

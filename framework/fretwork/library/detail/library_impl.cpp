@@ -3,6 +3,7 @@
 #include <fretwork/base/text.hpp>
 #include <fretwork/library/detail/calibration_rows.hpp>
 #include <fretwork/library/detail/library_impl.hpp>
+#include <fretwork/library/detail/pattern_order.hpp>
 #include <fretwork/library/detail/provenance_rows.hpp>
 #include <fretwork/reduction/setting_file.hpp>
 
@@ -20,13 +21,6 @@ std::string stored_json(const Database& database, const std::string& table) {
     Statement row(database, "SELECT json FROM " + table);
     if (!row.step()) throw base::InputError(database.path().string(), table, "is missing");
     return std::string(row.text(0));
-}
-
-bool comes_before(const PatternEntry& left, const PatternEntry& right) {
-    const int left_count = left.pattern.edge_count();
-    const int right_count = right.pattern.edge_count();
-    if (left_count != right_count) return left_count < right_count;
-    return left.pattern.edges() < right.pattern.edges();
 }
 
 }  // namespace
@@ -65,13 +59,35 @@ void Library::Impl::require_pattern(std::string_view id) const {
         "has no pattern " + std::string(id) + (near ? "; did you mean " + *near + "?" : ""));
 }
 
+PatternEntry Library::Impl::entry(std::string id) const {
+    try {
+        const pattern::Pattern pattern = pattern::parse_pattern_id(layout, id);
+        return {std::move(id), pattern};
+    } catch (const base::InputError& error) {
+        throw base::InputError(database.path().string(), "pattern", error.what());
+    }
+}
+
 std::vector<PatternEntry> Library::Impl::select_patterns(Statement& ids) const {
     std::vector<PatternEntry> entries;
-    while (ids.step()) {
-        const std::string id(ids.text(0));
-        entries.push_back({id, pattern::parse_pattern_id(layout, id)});
-    }
+    while (ids.step()) entries.push_back(entry(std::string(ids.text(0))));
     std::sort(entries.begin(), entries.end(), comes_before);
+    return entries;
+}
+
+std::vector<PatternEntry> Library::Impl::patterns_at(int edges, std::span<const std::size_t> places) const {
+    Statement rows(database, "SELECT id FROM pattern WHERE edges = ?");
+    rows.bind_all(edges);
+    std::vector<std::string> ids;
+    while (rows.step()) ids.emplace_back(rows.text(0));
+    std::vector<PatternEntry> entries;
+    auto begin = ids.begin();
+    for (const std::size_t place : places) {
+        const auto wanted = ids.begin() + static_cast<std::ptrdiff_t>(place);
+        std::nth_element(begin, wanted, ids.end(), detail::id_comes_before);
+        entries.push_back(entry(*wanted));
+        begin = wanted + 1;
+    }
     return entries;
 }
 

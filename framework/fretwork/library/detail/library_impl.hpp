@@ -28,8 +28,12 @@ struct Library::Impl {
 
     /// Throws InputError that names the nearest id.
     void require_pattern(std::string_view id) const;
+    /// The pattern of a stored id. Throws InputError that names the file if it is none.
+    [[nodiscard]] PatternEntry entry(std::string id) const;
     /// The patterns whose ids a statement gives, in the order of the enumeration.
     [[nodiscard]] std::vector<PatternEntry> select_patterns(detail::Statement& ids) const;
+    /// Of the patterns with this number of edges those at these places (ascending) in their order.
+    [[nodiscard]] std::vector<PatternEntry> patterns_at(int edges, std::span<const std::size_t> places) const;
 
     void store(const PatternData& data);
     void store(const Failure& failure);

@@ -104,8 +104,9 @@ CREATE TABLE provenance(
     value   TEXT NOT NULL,
     PRIMARY KEY (session, name)
 ) WITHOUT ROWID;
+)sql";
 
-CREATE VIEW behaviour AS
+constexpr const char* kBehaviour = R"sql(
 SELECT p.id AS pattern_id, p.mirror,
        max(CASE WHEN name = 'mass_per_area' THEN value END) AS mass_per_area,
        max(CASE WHEN name = 'membrane_stiffness' THEN value END) AS membrane_stiffness,
@@ -116,8 +117,7 @@ SELECT p.id AS pattern_id, p.mirror,
        max(CASE WHEN name = 'bending_shear' THEN value END) AS bending_shear,
        max(CASE WHEN name = 'bending_poisson' THEN value END) AS bending_poisson,
        max(CASE WHEN name = 'bending_anisotropy' THEN value END) AS bending_anisotropy
-FROM pattern AS p JOIN property ON property.pattern_id = p.id GROUP BY p.id;
-)sql";
+FROM pattern AS p JOIN property ON property.pattern_id = p.id GROUP BY p.id)sql";
 
 constexpr const char* kParameterTable = R"sql(
 CREATE TABLE calibration_parameter(
@@ -134,6 +134,18 @@ CREATE TABLE calibration_parameter(
         REFERENCES calibration(pattern_id, model, optimizer, seed, starts, budget)
 ) WITHOUT ROWID;
 )sql";
+
+/// A table of content, by the kind of thing that has its name in the file. A name that is not there is
+/// missed by the first query.
+void require_ordinary_table(const Database& database, std::string_view name) {
+    Statement entry(database,
+                    "SELECT type, sql LIKE 'CREATE VIRTUAL%' FROM sqlite_master WHERE lower(name) = ?");
+    if (!entry.bind_all(name).step()) return;
+    const std::string kind = entry.integer(1) != 0 ? "virtual table" : std::string(entry.text(0));
+    if (kind == "table") return;
+    throw base::InputError(database.path().string(), std::string(name),
+                           "is a " + kind + ", where a pattern library has a table of its own");
+}
 
 std::int64_t header_field(const Database& database, const std::string& name) {
     return query_integer(database, "PRAGMA " + name).value_or(0);
@@ -171,6 +183,10 @@ std::span<const Table> content_tables() {
     return tables;
 }
 
+std::string behaviour_query() {
+    return kBehaviour;
+}
+
 std::string content_columns(const Table& table) {
     std::vector<std::string> columns(table.keys.begin(), table.keys.end());
     columns.insert(columns.end(), table.values.begin(), table.values.end());
@@ -179,6 +195,7 @@ std::string content_columns(const Table& table) {
 
 void create_schema(Database& database) {
     database.execute(kSchema);
+    database.execute(std::string("CREATE VIEW behaviour AS") + kBehaviour);
     create_parameter_table(database);
     set_header_field(database, "application_id", kApplicationId);
     set_schema_version(database);
@@ -205,6 +222,8 @@ void check_schema(const Database& database) {
     const std::string file = database.path().string();
     if (header_field(database, "application_id") != kApplicationId)
         throw base::InputError(file, "", "is no pattern library");
+    for (const Table& table : content_tables()) require_ordinary_table(database, table.name);
+    require_ordinary_table(database, "provenance");
     const std::int64_t version = schema_version(database);
     if (version == kSchemaVersion || version == kOldestSchemaVersion) return;
     const std::string what = "is a library of schema version " + std::to_string(version);

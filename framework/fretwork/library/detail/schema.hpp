@@ -29,6 +29,9 @@ struct Table {
 /// All tables of content; one that refers to another comes after it.
 std::span<const Table> content_tables();
 
+/// The rows of the view `behaviour`, which is for other programs: a file's own views are never read.
+std::string behaviour_query();
+
 /// Joined by ", ": the keys, then the values.
 std::string content_columns(const Table& table);
 
