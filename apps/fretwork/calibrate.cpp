@@ -159,6 +159,13 @@ Json failures_json(const std::vector<FailureReason>& failures) {
     return list;
 }
 
+Json far_above_json(const CalibrationStatistics& statistics) {
+    Json list = Json::array();
+    for (const library::FarAbove& far : statistics.far_above)
+        list.push_back({{"pattern", far.pattern}, {"objective", far.objective}});
+    return list;
+}
+
 void print_json(const Result& result) {
     const CalibrationStatistics& s = result.statistics;
     const Json document = {{"model", result.key.model},
@@ -168,11 +175,13 @@ void print_json(const Result& result) {
                            {"done", result.report.done},
                            {"failed", result.report.failed},
                            {"failures", failures_json(result.failures)},
+                           {"dead_starts", result.report.dead_starts},
                            {"interrupted", result.is_stopped},
                            {"calibrated", s.calibrated},
                            {"objective_mean", s.mean},
                            {"objective_standard_deviation", s.deviation},
                            {"objective_median", s.median},
+                           {"far_above_its_like", far_above_json(s)},
                            {"at_bound", Json(s.at_bound)},
                            {"samples", s.samples},
                            {"samples_not_converged", s.samples - s.converged},
@@ -189,7 +198,7 @@ void refuse_ignored_options(const CLI::App& verb, const Options& options) {
                  "is for models with parameters, and " + options.fill.model + " has none");
 }
 
-/// Searches that were cut short are told: what they found may be far from what there is.
+/// Searches that did not end by themselves are told: what they found may be far from what there is.
 void warn_of_spent_budgets(const Library& library, std::span<const library::PatternEntry> patterns,
                            const library::CalibrationKey& key) {
     std::size_t spent = 0;
@@ -202,11 +211,30 @@ void warn_of_spent_budgets(const Library& library, std::span<const library::Patt
         }
     }
     if (spent > 0)
-        std::fprintf(
-            stderr,
-            "fretwork: %zu of %zu calibrations ended before their search did, for the budget of %d "
-            "evaluations was spent: their E may be too high; raise --budget, or take fewer --starts\n",
-            spent, all, key.budget);
+        std::fprintf(stderr,
+                     "fretwork: %zu of %zu calibrations ended before their search met its own criterion (the "
+                     "budget of "
+                     "%d evaluations was spent, or no step went further down): their E may be too high; "
+                     "raise --budget, "
+                     "or change --starts\n",
+                     spent, all, key.budget);
+}
+
+/// A search that failed can end with a number like any other. Beside its like it stands out.
+void warn_of_odd_searches(const Result& result) {
+    if (result.report.dead_starts > 0)
+        std::fprintf(stderr, "fretwork: %zu starts of these searches died at their first point\n",
+                     result.report.dead_starts);
+    const std::vector<library::FarAbove>& far = result.statistics.far_above;
+    if (far.empty()) return;
+    const auto worst = std::ranges::max_element(far, {}, &library::FarAbove::objective);
+    std::fprintf(stderr,
+                 "fretwork: %zu calibration%s far above the like of %s (E over %s, where the median is %s), "
+                 "such as E = %s of %s: the search may have failed; try another --seed or more --starts\n",
+                 far.size(), far.size() == 1 ? " is" : "s are", far.size() == 1 ? "it" : "them",
+                 base::format_number(result.statistics.far_above_limit).c_str(),
+                 base::format_number(result.statistics.median).c_str(),
+                 base::format_number(worst->objective).c_str(), worst->pattern.c_str());
 }
 
 ExitCode calibrate(Options options) {
@@ -230,6 +258,7 @@ ExitCode calibrate(Options options) {
     result.failures = failure_reasons(library, patterns, result.key);
     options.json ? print_json(result) : print_text(result);
     warn_of_spent_budgets(library, patterns, result.key);
+    warn_of_odd_searches(result);
     if (result.is_stopped)
         std::fputs("fretwork: interrupted; what is done is stored, run again to go on\n", stderr);
     const bool is_done = result.report.done == result.report.open && result.statistics.calibrated > 0;

@@ -4,9 +4,8 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/quantity.hpp>
 #include <fretwork/base/text.hpp>
-#include <fretwork/reduction/stratified_sample.hpp>
 
-#include <set>
+#include <algorithm>
 #include <string_view>
 
 namespace fretwork::app {
@@ -19,29 +18,19 @@ std::size_t parse_count(std::string_view text, const char* option, const char* w
     throw base::InputError(option, "", "'" + std::string(text) + "' is no " + what);
 }
 
-std::vector<PatternEntry> sampled_patterns(std::vector<PatternEntry> patterns, std::size_t size) {
-    std::vector<int> edges;
-    for (const PatternEntry& entry : patterns) edges.push_back(entry.pattern.edge_count());
-    std::vector<PatternEntry> chosen;
-    for (const std::size_t index : reduction::stratified_sample(edges, size))
-        chosen.push_back(patterns[index]);
-    return chosen;
-}
-
 }  // namespace
 
 std::vector<PatternEntry> wanted_patterns(const library::Library& library, const std::string& choice) {
     if (choice == "all") return library.patterns();
     if (choice.starts_with("sample:")) {
-        return sampled_patterns(library.patterns(), parse_count(std::string_view(choice).substr(7),
-                                                                "--patterns", "number of patterns"));
+        return library.sample(
+            parse_count(std::string_view(choice).substr(7), "--patterns", "number of patterns"));
     }
-    std::set<std::string> ids;
-    for (const std::string& id : base::split(choice, ',')) ids.insert(library.find_pattern(id).id);
     std::vector<PatternEntry> chosen;
-    for (PatternEntry& entry : library.patterns()) {
-        if (ids.contains(entry.id)) chosen.push_back(std::move(entry));
-    }
+    for (const std::string& id : base::split(choice, ',')) chosen.push_back(library.find_pattern(id));
+    std::ranges::sort(chosen, library::comes_before);
+    const auto repeated = std::ranges::unique(chosen, {}, &PatternEntry::id);
+    chosen.erase(repeated.begin(), repeated.end());
     return chosen;
 }
 

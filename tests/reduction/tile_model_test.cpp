@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fixtures.hpp"
+#include "support.hpp"
 
 #include <fretwork/base/error.hpp>
 #include <fretwork/mechanics/condensation.hpp>
+#include <fretwork/reduction/condensed_tile.hpp>
 #include <fretwork/reduction/difference_problem.hpp>
 #include <fretwork/reduction/model_response.hpp>
 #include <fretwork/reduction/tile_model.hpp>
@@ -10,6 +12,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <numeric>
 
 namespace fretwork::reduction {
@@ -37,6 +40,36 @@ TEST(TileModels, AreFoundByName) {
     } catch (const base::InputError& error) {
         EXPECT_THAT(error.what(), HasSubstr("paper6"));
     }
+}
+
+/// Each spring to the ground resists some motions; the one that it resists most is named.
+TEST(TileModels, OfAStiffnessThatResistsARigidMotionAreRefusedWithTheMotion) {
+    const Setting setting = paper_setting();
+    const pattern::Polygon polygon = pattern::regular_polygon(6, setting.tile_side);
+    const auto fan = pattern::make_fan(paper_layout(), paper_pattern("0-1+1-6"), 6);
+    const TileInput input{paper_layout(), fan, setting, polygon, {}};
+    const Eigen::MatrixXd free =
+        condensed_frame(fan_frame(paper_layout(), fan, polygon, setting), fan.interface_node_count);
+    const auto complaint_with = [&](const Eigen::MatrixXd& stiffness) {
+        TileModel model = find_tile_model("condensed");
+        model.name = "mine";
+        model.build = [&](const TileInput&) { return stiffness_tile(stiffness); };
+        return test::complaint_of([&] { (void)build_tile(model, input); });
+    };
+    EXPECT_NO_THROW((void)build_tile(find_tile_model("condensed"), input));
+    const double spring = 1e-3 * free.cwiseAbs().maxCoeff();
+    constexpr std::array kMotions = {"translation along x", "translation along y", "translation along z"};
+    for (int axis = 0; axis < 3; ++axis) {
+        Eigen::MatrixXd held = free;
+        for (Eigen::Index i = axis; i < held.rows(); i += 6) held(i, i) += spring;
+        EXPECT_THAT(complaint_with(held),
+                    AllOf(HasSubstr("tile model mine"), HasSubstr(kMotions[static_cast<std::size_t>(axis)])));
+    }
+    Eigen::MatrixXd turning = free;
+    for (Eigen::Index i = 5; i < turning.rows(); i += 6)
+        turning(i, i) += spring * setting.tile_side * setting.tile_side;
+    EXPECT_THAT(complaint_with(turning), HasSubstr("rotation about z"));
+    EXPECT_THAT(complaint_with(NAN * free), HasSubstr("not finite"));
 }
 
 TEST(TileModels, HaveParametersWithUnitsAndBounds) {

@@ -43,7 +43,7 @@ std::vector<std::string> calibrated_patterns(const PaintingChoice& choice, const
                                choice.patterns + " needs patterns to choose from: give " +
                                    choice.names.palette + " or " + choice.names.library);
     std::vector<std::string> palette;
-    for (const library::PatternEntry& entry : library->patterns()) {
+    for (const library::PatternEntry& entry : library->fitted_patterns()) {
         if (library->best_fit(entry.id)) palette.push_back(entry.id);
     }
     if (palette.empty())

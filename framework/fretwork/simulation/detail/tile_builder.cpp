@@ -30,7 +30,7 @@ struct TileBuilder::Request {
     BuiltTile tile;
 
     [[nodiscard]] std::shared_ptr<const TileStructure> build(const Surface& surface) const {
-        return model->build({surface.layout, *fan, surface.setting, polygon, parameters});
+        return reduction::build_tile(*model, {surface.layout, *fan, surface.setting, polygon, parameters});
     }
 };
 
