@@ -65,6 +65,16 @@ TEST(Study, StoresWhatIsDoneWhenItIsStoppedAndGoesOnThere) {
     EXPECT_EQ(stored_runs(folder.path()), 60U);
 }
 
+TEST(Study, MakesItsFolderBeforeTheFirstRun) {
+    const TemporaryFolder folder;
+    StudyPlan plan = small_plan("bobyqa");
+    plan.repetitions = 1;
+    EXPECT_EQ(run_study(plan, folder.path() / "new" / "one").runs_done, 3U);
+    EXPECT_EQ(stored_runs(folder.path() / "new" / "one"), 3U);
+    base::write_file_atomically(folder.path() / "file", "");
+    EXPECT_THROW(run_study(plan, folder.path() / "file"), base::IoError);
+}
+
 /// Start a process of its own that runs a plan.
 pid_t start(const StudyPlan& plan, const std::filesystem::path& folder) {
     const pid_t child = ::fork();

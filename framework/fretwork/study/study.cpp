@@ -13,6 +13,7 @@
 #include <map>
 #include <mutex>
 #include <optional>
+#include <system_error>
 
 namespace fretwork::study {
 namespace {
@@ -63,6 +64,13 @@ RunTable stored_table(const std::filesystem::path& folder, const StudyPlan& plan
     const std::filesystem::path path = run_table_path(folder);
     if (!std::filesystem::exists(path)) return {};
     return {base::read_text_file(path), path.string(), plan.conditions, plan.contenders};
+}
+
+void make_folder(const std::filesystem::path& folder) {
+    std::error_code fault;
+    std::filesystem::create_directories(folder, fault);
+    if (!std::filesystem::is_directory(folder, fault))
+        throw base::IoError(folder.string() + ": cannot be made: " + fault.message());
 }
 
 /// Takes what threads have done, in any order: the table sorts it.
@@ -123,6 +131,7 @@ std::filesystem::path run_table_path(const std::filesystem::path& folder) {
 
 StudyReport run_study(const StudyPlan& plan, const std::filesystem::path& folder) {
     plan.validate();
+    make_folder(folder);  // before the first run: without it none could be written
     RunTable table = stored_table(folder, plan);
     const std::vector<Task> tasks = missing_tasks(plan, table);
     const std::size_t runs_before = table.size();

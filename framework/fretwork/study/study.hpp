@@ -35,7 +35,8 @@ std::filesystem::path run_table_path(const std::filesystem::path& folder);
 /// The table is replaced every few seconds, so that a study which is stopped goes on where it was; asked to
 /// stop, it stores what is done and returns. Several processes may work in one folder: each adds its runs to
 /// those that the others have stored, under a lock of the folder. But for the times, the table depends on the
-/// plan alone. Throws InputError if the table was made under other conditions.
+/// plan alone. The folder is made if it is missing, before the first run. Throws IoError if it cannot be;
+/// InputError if the table was made under other conditions.
 StudyReport run_study(const StudyPlan& plan, const std::filesystem::path& folder);
 
 }  // namespace fretwork::study
