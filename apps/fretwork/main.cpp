@@ -34,7 +34,7 @@ void flush_output() {
 }
 
 /// CLI11 would only say that a subcommand is required.
-void check_verb(const Program& program, int argc, char** argv) {
+void check_verb(const Program& program, char** argv) {
     if (argv[1][0] == '-') return;
     std::vector<std::string> names;
     for (const CLI::App* verb : program.get_subcommands({})) names.push_back(verb->get_name());
@@ -67,7 +67,7 @@ ExitCode run(int argc, char** argv) {
         std::fputs(program.help().c_str(), stdout);
         return ExitCode::BadInput;
     }
-    check_verb(program, argc, argv);
+    check_verb(program, argv);
     try {
         program.parse(argc, argv);
     } catch (const CLI::Success& success) {

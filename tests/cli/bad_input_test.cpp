@@ -7,11 +7,15 @@ namespace fretwork::app {
 namespace {
 
 using test::expect_refused;
+using test::Outcome;
+using test::run_command;
 using test::TemporaryFolder;
 
 TEST(CommandLine, RefusesWrongUsage) {
     const TemporaryFolder folder;
-    expect_refused("fretwork", folder.path(), "subcommand");
+    const Outcome alone = run_command("fretwork", folder.path());
+    EXPECT_EQ(alone.exit_code, 2);
+    EXPECT_THAT(alone.out, testing::HasSubstr("Usage: fretwork"));
     expect_refused("fretwork enumerat", folder.path(), "did you mean 'enumerate'?");
     expect_refused("fretwork enumerate --layuot paper7", folder.path(), "--layuot");
     expect_refused("fretwork enumerate --layout nowhere.json", folder.path(), "nowhere.json");
@@ -74,7 +78,8 @@ TEST(CommandLine, NeverWritesOverWhatItReads) {
     expect_refused("fretwork enumerate --estimate 100 --list l.txt", folder.path(), "excludes --estimate");
     expect_refused("fretwork enumerate --sample 2 --svg s.svg --reasons", folder.path(), "excludes");
     expect_refused("fretwork enumerate --beam-width 3mm", folder.path(), "--beam-width works with --svg");
-    expect_refused("fretwork enumerate --classes -", folder.path(), "a table, whose name ends in .csv");
+    expect_refused("fretwork enumerate --classes -", folder.path(),
+                   "a table of classes, whose name ends in .csv");
     folder.file("escape.json", R"({"format": "fretwork/frame/1", "\u001b[31m": 1})");
     expect_refused("fretwork solve escape.json --out r.json", folder.path(), "x1b");
 }

@@ -12,9 +12,8 @@ namespace {
 
 using mechanics::kDofsPerNode;
 
-/// As a share of the largest entry of the stiffness. Condensation leaves about a billionth, from
-/// rounding; and a force of this size is lost beside the softest bending of a tile, whose stiffness is about
-/// the square of a bar's thickness over its length of the stretching's.
+/// As a share of the largest entry of the stiffness: far above the rounding of a condensed tile, and far
+/// below the softest bending of one, which is about the square of a bar's thickness over its length.
 constexpr double kFree = 1e-6;
 
 constexpr std::array<const char*, 6> kMotions = {"translation along x", "translation along y",
@@ -55,9 +54,11 @@ void require_free(Eigen::MatrixXd stiffness, const Eigen::Matrix3Xd& nodes, cons
     stiffness = rigid.lengths.asDiagonal() * stiffness * rigid.lengths.asDiagonal();
     const double largest = stiffness.cwiseAbs().maxCoeff();
     const Eigen::RowVectorXd forces = (stiffness * rigid.columns).cwiseAbs().colwise().maxCoeff();
-    Eigen::Index worst = 0;
-    const double force = forces.maxCoeff(&worst);
+    const double force = forces.maxCoeff();
     if (force <= kFree * largest) return;
+    // Several motions are often resisted alike, but for rounding: then the simplest is named.
+    Eigen::Index worst = 0;
+    while (forces[worst] < (1.0 - kFree) * force) ++worst;
     throw base::InputError(what + "resists a rigid motion, the " + kMotions[static_cast<std::size_t>(worst)] +
                            ": its force is " + base::format_number(force / largest) +
                            " of the largest entry, where rounding leaves " + base::format_number(kFree) +
