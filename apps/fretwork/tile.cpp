@@ -46,12 +46,6 @@ struct Options {
     bool json = false;
 };
 
-std::string millimetres_as_metres(double number) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.6g", 1e-3 * number);
-    return text;
-}
-
 /// An option that is a length, and what is questioned as a bare number.
 struct LengthOption {
     const char* name;
@@ -65,9 +59,8 @@ double parse_length(const LengthOption& option, const std::string& text) {
     const auto bare = base::read_number<double>(text);
     if (bare && *bare >= option.large)
         throw base::InputError(option.name, "",
-                               text + " would be " + text + " m; did you mean " +
-                                   millimetres_as_metres(*bare) + " (" + text + "mm)? Metres are written " +
-                                   text + "m");
+                               text + " without a unit is in metres; did you mean " + text +
+                                   "mm? Metres are written " + text + "m");
     try {
         return base::parse_length(text);
     } catch (const base::InputError& error) {
@@ -75,13 +68,17 @@ double parse_length(const LengthOption& option, const std::string& text) {
     }
 }
 
-tiling::OutlineFile read_outline(const Options& options) {
-    tiling::OutlineFile file = tiling::take_parts(tiling::read_outline_file(options.outline), options.part);
-    if (!options.width) return file;
+std::optional<double> wanted_width(const Options& options) {
+    if (!options.width) return std::nullopt;
     const double width = parse_length(kWidth, *options.width);
     if (!(width > 0))
-        throw base::InputError(kWidth.name, "", "'" + *options.width + "' is no width, such as 400mm");
-    return tiling::scaled_to_width(std::move(file), width);
+        throw base::InputError(kWidth.name, "", "'" + *options.width + "' is not a width, such as 400mm");
+    return width;
+}
+
+tiling::OutlineFile read_outline(const Options& options, std::optional<double> width) {
+    tiling::OutlineFile file = tiling::take_parts(tiling::read_outline_file(options.outline), options.part);
+    return width ? tiling::scaled_to_width(std::move(file), *width) : file;
 }
 
 /// The library that is named; else that of the project which is tiled anew, if it has one.
@@ -232,18 +229,25 @@ void print(const tiling::TessellationReport& report, const Project& project, con
     std::printf("%s\n", options.out.c_str());
 }
 
-void run(const Options& options) {
-    LongWork work;
+/// What is typed is looked at before anything is read.
+simulation::NewProjectOptions wanted_project(const Options& options) {
     simulation::check(options.painting);
-    const std::optional<Library> opened = open_library(options);
-    const Library* library = opened ? &*opened : nullptr;
-    const tiling::OutlineFile file = read_outline(options);
-    tell(file, options);
     simulation::NewProjectOptions wanted{
         .outline_name = options.outline, .layout = options.layout, .painting = options.painting};
     if (options.edge_length) wanted.edge_length = parse_length(kEdgeLength, *options.edge_length);
     wanted.narrow = kNarrow.at(options.narrow);
     if (options.keep_mesh) wanted.tiles = simulation::TilesFrom::Mesh;
+    return wanted;
+}
+
+void run(const Options& options) {
+    simulation::NewProjectOptions wanted = wanted_project(options);
+    const std::optional<double> width = wanted_width(options);
+    const std::optional<Library> opened = open_library(options);
+    const Library* library = opened ? &*opened : nullptr;
+    const tiling::OutlineFile file = read_outline(options, width);
+    tell(file, options);
+    LongWork work;  // until here nothing is held or written: Ctrl-C simply ends the program
     wanted.control = work.control();
     simulation::NewProject made = simulation::make_project(file.parts, wanted, library);
     warn(made);

@@ -163,7 +163,7 @@ TEST_F(ResultTools, LoadStepsAreASeriesForParaviewInFilesOfTheirOwn) {
 
 TEST_F(ResultTools, SlipsOfUnitsAndNamesAreRefusedWithWhatIsMeant) {
     const std::string tile = "fretwork tile experiments/outlines/specimen.svg --out q.json --edge-length ";
-    EXPECT_THAT(run(tile + "26").err, HasSubstr("did you mean 0.026"));
+    EXPECT_THAT(run(tile + "26").err, HasSubstr("did you mean 26mm?"));
     EXPECT_EQ(run(tile + "''").exit_code, 2);
     EXPECT_THAT(run("fretwork simulate p.json --model foo --out x.json").err, HasSubstr("mixed:SHARE"));
     EXPECT_THAT(run("fretwork simulate p.json --steps 0 --out x.json").err, HasSubstr("number of steps"));

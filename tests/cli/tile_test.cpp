@@ -53,7 +53,7 @@ TEST(TileCommand, ScalesTheOutlineToAWidth) {
     const Outcome wide = run_command(tile + "600mm --edge-length 40mm", folder.path());
     ASSERT_EQ(wide.exit_code, 0) << wide.err;
     EXPECT_THAT(wide.out, HasSubstr("outline of 600 x "));
-    EXPECT_THAT(run_command(tile + "600", folder.path()).err, HasSubstr("did you mean 0.6 (600mm)?"));
+    EXPECT_THAT(run_command(tile + "600", folder.path()).err, HasSubstr("did you mean 600mm?"));
     for (const char* bad : {"0", "-1mm", "wide"}) {
         const Outcome refused = run_command(tile + bad, folder.path());
         EXPECT_EQ(refused.exit_code, 2) << bad;

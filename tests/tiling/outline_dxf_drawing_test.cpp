@@ -211,5 +211,17 @@ TEST(DxfDrawing, HolesIslandsAndUnions) {
     EXPECT_THAT(read(rectangle(0, 0, 90, 90)).remarks, IsEmpty());
 }
 
+// More than 256 curves in one another are refused; equal ones do not lie in one another, wherever they begin.
+TEST(DxfDrawing, HundredsOfEqualCurvesAreOneAndToldOf) {
+    const std::string begun_elsewhere =
+        "0 LWPOLYLINE 8 0 90 4 70 1 10 50 20 0 10 50 20 40 10 0 20 40 10 0 20 0 ";
+    std::string many = rectangle(-10, -10, 80, 70);
+    for (int i = 0; i < 300; ++i) many += rectangle(0, 0, 50, 40) + begun_elsewhere;
+    const OutlineFile file = read(many);
+    ASSERT_EQ(file.parts.size(), 1U);
+    EXPECT_EQ(file.parts.front().holes.size(), 1U);
+    EXPECT_THAT(file.remarks, testing::Contains(HasSubstr("599 doubled lines taken once")));
+}
+
 }  // namespace
 }  // namespace fretwork::tiling

@@ -125,5 +125,12 @@ TEST(OutlineMesh, BinaryPlyIsReadInBothByteOrders) {
                 AllOf(HasSubstr("face 0"), HasSubstr("ends here")));
 }
 
+TEST(OutlineMesh, OneOfFarTooManyFacesIsRefusedBeforeItIsReadWhole) {
+    std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+    for (int i = 0; i < 250'001; ++i) text += "f 1 2 3\n";
+    EXPECT_THAT(refuse("huge.obj", text),
+                AllOf(HasSubstr("line 250004"), HasSubstr("more than 250000 faces")));
+}
+
 }  // namespace
 }  // namespace fretwork::tiling

@@ -265,5 +265,22 @@ TEST(SvgFill, EntitiesOfTheDocumentAreReplaced) {
         HasSubstr("too deeply"));
 }
 
+// Before, the time grew with the square of the number of equal shapes, and more: a thousand took minutes.
+TEST(SvgFill, AThousandEqualShapesAreOneAndToldOf) {
+    std::string many;
+    for (int i = 0; i < 1000; ++i) many += "<rect x='10' y='10' width='50' height='40'/>";
+    const OutlineFile file = read(many + "<rect x='100' width='5' height='5'/>");
+    ASSERT_EQ(file.parts.size(), 2U);
+    EXPECT_EQ(file.parts.front().boundary.size(), 4U);
+    EXPECT_THAT(file.remarks, Contains(HasSubstr("999 shapes drawn over an equal one counted once")));
+}
+
+TEST(SvgFill, EqualShapesMayBeginElsewhereAndRunBackwards) {
+    EXPECT_THAT(read("<path d='M0 0H9V9H0Z'/><path d='M9 9V0H0V9Z'/><path d='M9 0H0V9H9Z'/>").remarks,
+                Contains(HasSubstr("2 shapes drawn over an equal one counted once")));
+    EXPECT_THAT(read("<path d='M0 0H9V9H0Z'/><path d='M0 0H9V8H0Z'/>").remarks,
+                Not(Contains(HasSubstr("counted once"))));
+}
+
 }  // namespace
 }  // namespace fretwork::tiling

@@ -5,7 +5,9 @@
 #include <fretwork/tiling/detail/planar_map.hpp>
 
 #include <algorithm>
+#include <array>
 #include <set>
+#include <utility>
 
 namespace fretwork::tiling::detail {
 namespace {
@@ -149,6 +151,32 @@ class Nesting {
     mutable std::vector<int> depth_;
 };
 
+/// The points of a curve, the same wherever it begins and whichever way it runs.
+using Places = std::vector<std::array<double, 2>>;
+Places places_of(const Polygon& curve) {
+    const auto begun_at_the_least = [](Places places) {
+        std::ranges::rotate(places, std::ranges::min_element(places));
+        return places;
+    };
+    Places places;
+    for (const pattern::Point2& point : curve) places.push_back({point.x, point.y});
+    Places back(places.rbegin(), places.rend());
+    return std::min(begun_at_the_least(std::move(places)), begun_at_the_least(std::move(back)));
+}
+
+/// Shapes that fill what an earlier one fills, too.
+int count_doubled(const std::vector<FilledShape>& shapes) {
+    std::set<std::pair<std::vector<Places>, FillRule>> seen;
+    int doubled = 0;
+    for (const FilledShape& shape : shapes) {
+        std::vector<Places> loops;
+        for (const Polygon& loop : shape.loops) loops.push_back(places_of(loop));
+        std::ranges::sort(loops);
+        if (!seen.emplace(std::move(loops), shape.rule).second) ++doubled;
+    }
+    return doubled;
+}
+
 }  // namespace
 
 Region filled_region(const Picture& picture, double tolerance) {
@@ -165,6 +193,7 @@ Region filled_region(const Picture& picture, double tolerance) {
                             }});
     Region region = region_of_map(lines, tolerance);
     if (covers) region.cover = widest;
+    region.doubled = count_doubled(picture.shapes);
     return region;
 }
 

@@ -39,6 +39,7 @@ struct Region {
     std::vector<Outline> parts;          ///< the largest first
     int touches = 0;                     ///< points where a part touched itself, now opened by the tolerance
     int slits = 0;                       ///< holes narrower than the tolerance, now filled
+    int doubled = 0;                     ///< shapes that are drawn over an equal one
     bool is_welded = false;              ///< slits were closed, or needles cut off: kWeldShare
     std::optional<std::size_t> cover{};  ///< the shape that covers all others, if one does
 };

@@ -10,6 +10,14 @@
 namespace fretwork::tiling::detail {
 namespace {
 
+/// More than a surface of tiles can have that is simulated, and far more than the rim of an outline needs;
+/// reading them takes a second.
+constexpr std::size_t kMostFaces = 250'000;
+
+std::string too_many_faces() {
+    return "the mesh has more than " + std::to_string(kMostFaces) + " faces; make it coarser";
+}
+
 std::string place_of(const TextLine& line) {
     return "line " + std::to_string(line.number);
 }
@@ -75,6 +83,7 @@ std::size_t MeshText::count(const TextLine& line, std::string_view word, const s
     if (static_cast<std::size_t>(value) > text_.size())
         fail(line, "promises " + std::string(word) + " " + things + ", and the file has " +
                        std::to_string(text_.size()) + " bytes");
+    if (things == "faces" && static_cast<std::size_t>(value) > kMostFaces) fail(line, too_many_faces());
     return static_cast<std::size_t>(value);
 }
 
@@ -88,6 +97,7 @@ std::array<double, 3> MeshText::point(const TextLine& line, std::size_t first) c
 
 void MeshText::add_face(const std::string& place, const std::vector<long long>& vertices,
                         std::size_t vertex_count, MeshFile& mesh) const {
+    if (mesh.faces.size() >= kMostFaces) fail(place, too_many_faces());
     if (vertices.size() < 3)
         fail(place,
              "the face has " + std::to_string(vertices.size()) + " vertices, where at least 3 are needed");

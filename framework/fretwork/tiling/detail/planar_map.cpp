@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
+#include <utility>
 
 namespace fretwork::tiling::detail {
 namespace {
@@ -114,30 +116,57 @@ void check_crossings(const std::vector<std::array<pattern::Point2, 2>>& sides) {
     });
 }
 
+/// The sides of all lines, each place once: drawings hold the same shape many times over, and the time to lay
+/// equal segments over each other grows with the square of their number.
+class DrawnSides {
+  public:
+    void add(const pattern::Point2& from, const pattern::Point2& to, int side) {
+        const auto [low, high] = direction_of(from, to) > 0 ? std::pair(from, to) : std::pair(to, from);
+        const auto [known, is_new] = number_.try_emplace({low.x, low.y, high.x, high.y}, places_.size());
+        if (is_new) {
+            places_.push_back({from, to});
+            sides_.emplace_back();
+        }
+        sides_[known->second].push_back(side);
+    }
+    [[nodiscard]] const std::vector<std::array<pattern::Point2, 2>>& places() const { return places_; }
+    [[nodiscard]] std::vector<Curve> curves() const {
+        std::vector<Curve> curves;
+        curves.reserve(places_.size());
+        std::map<std::array<double, 2>, ExactKernel::Point_2>
+            exact;  // one object for each point: equality is then seen at once
+        const auto exact_point = [&](const pattern::Point2& point) {
+            return exact.try_emplace({point.x, point.y}, point.x, point.y).first->second;
+        };
+        for (std::size_t i = 0; i < places_.size(); ++i)
+            curves.emplace_back(Segment(exact_point(places_[i][0]), exact_point(places_[i][1])), sides_[i]);
+        return curves;
+    }
+
+  private:
+    std::map<std::array<double, 4>, std::size_t> number_;
+    std::vector<std::array<pattern::Point2, 2>> places_;
+    std::vector<std::vector<int>> sides_;  ///< at each place
+};
+
 }  // namespace
 
 LineMap make_line_map(const std::vector<MapLine>& lines) {
     LineMap made;
-    std::vector<Curve> curves;
-    std::vector<std::array<pattern::Point2, 2>> plain;
+    DrawnSides drawn;
     for (std::size_t line = 0; line < lines.size(); ++line) {
         const pattern::Polygon& points = *lines[line].points;
-        if (points.empty()) continue;
-        std::vector<ExactKernel::Point_2> exact;  // one object for each point: equality is then seen at once
-        exact.reserve(points.size());
-        for (const pattern::Point2& point : points) exact.emplace_back(point.x, point.y);
-        const std::size_t count =
-            lines[line].ends == MapLine::Ends::Closed ? points.size() : points.size() - 1;
+        const bool is_closed = lines[line].ends == MapLine::Ends::Closed;
+        const std::size_t count = points.empty() || is_closed ? points.size() : points.size() - 1;
         for (std::size_t i = 0; i < count; ++i) {
-            const std::size_t next = (i + 1) % points.size();
-            if (points[i] == points[next]) continue;
-            curves.emplace_back(Segment(exact[i], exact[next]),
-                                std::vector<int>{static_cast<int>(made.sides.size())});
-            made.sides.push_back({static_cast<int>(line), direction_of(points[i], points[next])});
-            plain.push_back({points[i], points[next]});
+            const auto& [from, to] = std::pair(points[i], points[(i + 1) % points.size()]);
+            if (from == to) continue;
+            drawn.add(from, to, static_cast<int>(made.sides.size()));
+            made.sides.push_back({static_cast<int>(line), direction_of(from, to)});
         }
     }
-    check_crossings(plain);
+    check_crossings(drawn.places());
+    const std::vector<Curve> curves = drawn.curves();
     CGAL::insert(made.map, curves.begin(), curves.end());
     return made;
 }

@@ -16,6 +16,7 @@ constexpr std::size_t kLongestKind = 60;
 
 void Remarks::tell(const Region& region, double tolerance) {
     const std::string width = roughly_in_millimetres(tolerance) + " mm";
+    if (region.doubled > 0) say(counted(region.doubled, "shape") + " drawn over an equal one counted once");
     if (region.touches > 0)
         say(counted(region.touches, "point") + " where the shape touches itself opened by " + width);
     if (region.slits > 0) say(counted(region.slits, "hole") + " narrower than " + width + " filled");
