@@ -102,13 +102,41 @@ TEST(SvgFill, OpenPathsAreClosedAndLinesWithoutAreaAreNothing) {
               0);
 }
 
-TEST(SvgFill, LinesWithoutFillAreNoOutline) {
+TEST(SvgFill, WhereNothingIsFilledClosedLinesAreOutlines) {
+    const std::string style = " fill='none' stroke='#000'";
+    const OutlineFile ring =
+        read("<circle cx='20' cy='20' r='15'" + style + "/><circle cx='20' cy='20' r='5'" + style +
+             "/><line x2='5' stroke='red'/>");
+    ASSERT_EQ(ring.parts.size(), 1U);
+    EXPECT_EQ(ring.parts.front().holes.size(), 1U);
+    EXPECT_THAT(ring.remarks,
+                ElementsAre("nothing is filled: the closed lines are taken as 1 outline with 1 hole",
+                            "1 unfilled line left out"));
+    EXPECT_NEAR(filled("<path d='M0 0H10V10H0V0'" + style + "/>"), 100, kExact) << "the ends meet";
+    EXPECT_NEAR(filled("<rect width='9' height='5'" + style + "/>"), 45, kExact);
+    EXPECT_NEAR(filled("<polygon points='0 0 10 0 10 10'" + style + "/>"), 50, kExact);
+}
+
+TEST(SvgFill, OpenOrInvisibleLinesAreNoOutline) {
     EXPECT_THAT(complaint_of([] {
-                    read("<path d='M0 0H10V10Z' fill='none' stroke='#000'/><line x2='5' stroke='red'/>");
+                    read("<path d='M0 0H10V10' fill='none' stroke='#000'/><line x2='5' stroke='red'/>");
                 }),
-                AllOf(HasSubstr("nothing in it is filled"), HasSubstr("2 lines without fill")));
+                AllOf(HasSubstr("nothing in it is filled"), HasSubstr("none of its 2 lines is closed")));
+    EXPECT_THAT(complaint_of([] { read("<rect width='9' height='9' fill='none'/>"); }),
+                HasSubstr("nothing in it is filled"));
+    EXPECT_THAT(complaint_of([] {
+                    read("<rect width='9' height='9' fill='none' stroke='#000' visibility='hidden'/>");
+                }),
+                HasSubstr("nothing in it is filled"));
+}
+
+TEST(SvgFill, WhereSomethingIsFilledLinesAreLeftOut) {
     EXPECT_THAT(read("<rect width='9' height='9'/><line x2='5' stroke='red'/>").remarks,
                 ElementsAre("1 unfilled line left out"));
+    const OutlineFile file =
+        read("<rect width='9' height='9'/><rect width='99' height='90' fill='none' stroke='#000'/>");
+    EXPECT_NEAR(1e6 * area_of(file.parts.front()), 81, 1e-6);
+    EXPECT_THAT(file.remarks, ElementsAre("1 unfilled line left out"));
 }
 
 TEST(SvgFill, AClipLeavesWhatLiesInIt) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a browser would fill of an SVG drawing (SVG 2, chapters 5 to 14).
+// What a browser would fill of an SVG drawing (SVG 2, chapters 5 to 14); where it fills nothing, what closed
+// lines enclose.
 #include <fretwork/base/file.hpp>
 #include <fretwork/tiling/detail/coloured_picture.hpp>
 #include <fretwork/tiling/detail/map_parts.hpp>
@@ -53,7 +54,7 @@ class SvgReader {
 
     OutlineFile run() {
         read();
-        Region region = filled_region(picture_, how_.tolerance);
+        Region region = picture_.shapes.empty() ? stroked_region() : filled_region(picture_, how_.tolerance);
         if (region.parts.empty()) throw base::GeometryError(nothing_filled());
         remarks_.tell(region, how_.tolerance);
         if (region.cover)
@@ -83,10 +84,23 @@ class SvgReader {
         if (!is_switched_off(properties)) read_children(root, all);
     }
 
+    /// Drawings for laser cutters have lines only: where nothing is filled, closed lines are outlines, and
+    /// what lies in one of them is a hole, as in DXF.
+    Region stroked_region() {
+        Region region = nested_region(stroked_, how_.tolerance);
+        if (region.parts.empty()) return region;
+        std::size_t holes = 0;
+        for (const Outline& part : region.parts) holes += part.holes.size();
+        remarks_.say("nothing is filled: the closed lines are taken as " +
+                     counted(static_cast<int>(region.parts.size()), "outline") + " with " +
+                     counted(static_cast<int>(holes), "hole"));
+        lines_ -= stroked_shapes_;
+        return region;
+    }
+
     [[nodiscard]] std::string nothing_filled() const {
         std::string message = "nothing in it is filled";
-        if (lines_ > 0)
-            message += "; it has " + counted(lines_, "line") + " without fill, and an outline needs a fill";
+        if (lines_ > 0) message += ", and none of its " + counted(lines_, "line") + " is closed";
         const std::string left_out = remarks_.left_out();
         return message + (left_out.empty() ? "" : " (" + left_out + ")");
     }
@@ -217,7 +231,7 @@ class SvgReader {
         if (!counts) {
             const bool is_line = around.style.stroke == SvgStyle::Paint::Some &&
                                  around.style.visibility == SvgStyle::Visibility::Visible;
-            if (is_line && purpose_ == Purpose::Paint) ++lines_;
+            if (is_line && purpose_ == Purpose::Paint) add_stroked(name, element, around);
             return;
         }
         FilledShape shape{.loops = loops_of(element.subpaths(name, around.measure), around.map),
@@ -229,6 +243,27 @@ class SvgReader {
         if (purpose_ != Purpose::Paint) return;
         places_.push_back(element.node());
         colours_.push_back(around.style.fill_colour);
+    }
+
+    /// A stroke without fill counts as a closed line if all its subpaths are closed, or their ends meet.
+    void add_stroked(std::string_view name, const SvgElement& element, const Surroundings& around) {
+        ++lines_;
+        std::vector<Subpath> closed;
+        for (Subpath& subpath : element.subpaths(name, around.measure)) {
+            if (!is_closed(subpath, around.map)) return;
+            closed.push_back(std::move(subpath));
+        }
+        std::vector<Polygon> loops = loops_of(closed, around.map);
+        if (loops.empty()) return;
+        check_loops(loops, element.node());
+        std::ranges::move(loops, std::back_inserter(stroked_));
+        ++stroked_shapes_;
+    }
+
+    [[nodiscard]] bool is_closed(const Subpath& subpath, const Affine& map) const {
+        if (subpath.is_closed) return true;
+        const Polygon points = flatten(subpath, {map, how_.tolerance});
+        return points.size() > 3 && distance(points.front(), points.back()) <= how_.tolerance;
     }
 
     [[nodiscard]] std::vector<Polygon> loops_of(const std::vector<Subpath>& subpaths,
@@ -338,7 +373,9 @@ class SvgReader {
     Purpose purpose_ = Purpose::Paint;
     Remarks remarks_;
     int elements_ = 0;
-    int lines_ = 0;  // shapes that are stroked and not filled
+    int lines_ = 0;                 // shapes that are stroked and not filled
+    int stroked_shapes_ = 0;        // those of them that are closed, with
+    std::vector<Polygon> stroked_;  // their lines
     std::size_t points_ = 0;
 };
 

@@ -76,7 +76,11 @@ std::vector<Subpath> SvgElement::subpaths(std::string_view shape, const SvgMeasu
         if (d == "none") return {};
         return document_.read(node_, "d", d, parse_svg_path);
     }
-    if (shape == "polygon" || shape == "polyline") return polyline();
+    if (shape == "polygon" || shape == "polyline") {
+        std::vector<Subpath> lines = polyline();
+        lines.front().is_closed = shape == "polygon";
+        return lines;
+    }
     if (shape == "rect") return rectangle(measure);
     return ellipse(shape, measure);
 }
