@@ -59,6 +59,24 @@ TEST_F(Calibrate, GoesOnAfterAFullDisk) {
     EXPECT_EQ(tables("lib.db"), undisturbed());
 }
 
+/// As a search that failed would store it.
+TEST_F(Calibrate, TellsAnObjectiveFarAboveItsLike) {
+    make("lib.db");
+    const std::string command = std::string(kCalibrate) + "lib.db";
+    const auto usual = run(command + " --json");
+    EXPECT_EQ(usual.exit_code, 0);
+    EXPECT_THAT(usual.err, testing::Not(HasSubstr("far above")));
+    EXPECT_THAT(usual.out,
+                testing::AllOf(HasSubstr("\"dead_starts\": 0"), HasSubstr("\"far_above_its_like\": []")));
+    run("sqlite3 lib.db 'UPDATE calibration SET objective = 1e30 "
+        "WHERE pattern_id = (SELECT min(pattern_id) FROM calibration)'");
+    const auto odd = run(command + " --json");
+    EXPECT_EQ(odd.exit_code, 0);
+    EXPECT_THAT(odd.err, testing::AllOf(HasSubstr("1 calibration is far above the like of it"),
+                                        HasSubstr("E = 1e+30 of 0-1+"), HasSubstr("--seed")));
+    EXPECT_THAT(odd.out, HasSubstr("\"objective\": 1e+30"));
+}
+
 TEST_F(Calibrate, ShardsMergeToTheSameTables) {
     for (const char* part : {"1", "2", "3"}) {
         const std::string name = std::string("part") + part + ".db";

@@ -106,6 +106,21 @@ TEST_F(BadLibrary, AnIdThatIsNoPatternIsToldWithItsFile) {
     }
 }
 
+/// SQLite keeps any text in a column of numbers, and reads it as 0.
+TEST_F(BadLibrary, ATextInThePlaceOfANumberIsNotReadAsZero) {
+    make_library(path()).store(std::vector{sample_data("0-1+1-6", 1.0)});
+    sql("UPDATE calibration SET objective = 'abc'");
+    for (const auto& read : std::vector<std::function<void(const Library&)>>{
+             [](const Library& library) { (void)library.summaries(); },
+             [](const Library& library) { (void)library.calibrations("0-1+1-6"); }}) {
+        EXPECT_THAT(complaint_of([&] { read(Library::open(path())); }),
+                    AllOf(HasSubstr("lib.db: "), HasSubstr("objective"), HasSubstr("'abc' is no number")));
+    }
+    sql("UPDATE calibration SET objective = 1.0; UPDATE calibration_parameter SET value = x'00ff'");
+    EXPECT_THAT(complaint_of([&] { (void)Library::open(path()).calibrations("0-1+1-6"); }),
+                HasSubstr("value: is damaged: a blob is no number"));
+}
+
 /// A view that never ends, where a table is expected.
 TEST_F(BadLibrary, AViewInThePlaceOfATableIsRefused) {
     for (const char* table : {"layout", "setting", "pattern", "calibration", "failure", "provenance"}) {

@@ -6,6 +6,7 @@
 #include <fretwork/library/fill.hpp>
 #include <fretwork/library/merge.hpp>
 #include <fretwork/library/statistics.hpp>
+#include <fretwork/reduction/calibration_problem.hpp>
 
 #include <atomic>
 #include <thread>
@@ -70,6 +71,40 @@ void fill_until_killed(const std::filesystem::path& path, int run) {
     });
 }
 
+/// A search for the factor of a tile that is refused wherever it begins.
+class DeadProblem final : public reduction::CalibrationProblem {
+  public:
+    explicit DeadProblem(double value) : value_(value) {}
+    [[nodiscard]] std::string name() const override { return "dead"; }
+    [[nodiscard]] const optimization::Bounds& bounds() const override { return bounds_; }
+    [[nodiscard]] bool offers(optimization::Evaluation kind) const override {
+        return kind == optimization::Evaluation::Value || kind == optimization::Evaluation::Gradient;
+    }
+    [[nodiscard]] double value(const Eigen::VectorXd&) const override { return value_; }
+    [[nodiscard]] optimization::GradientEvaluation gradient(const Eigen::VectorXd& point,
+                                                            double) const override {
+        return {value_, value_, NAN * point};
+    }
+    [[nodiscard]] std::vector<double> parameter_values(const Eigen::VectorXd& point) const override {
+        return {point.data(), point.data() + point.size()};
+    }
+    [[nodiscard]] reduction::UnitDisplacements displacements(const Eigen::VectorXd&) const override {
+        return {};
+    }
+
+  private:
+    double value_;
+    optimization::Bounds bounds_{Eigen::VectorXd::Constant(6, -1.0), Eigen::VectorXd::Ones(6)};
+};
+
+/// The paper's model, with a search that gives this value and no slope.
+reduction::TileModel dead_model(double value) {
+    reduction::TileModel model = reduction::find_tile_model("paper6");
+    model.name = "dead";
+    model.problem = [value](const auto&...) { return std::make_unique<DeadProblem>(value); };
+    return model;
+}
+
 class Fill : public testing::Test {
   protected:
     [[nodiscard]] std::filesystem::path path(const std::string& name = "lib.db") const {
@@ -102,6 +137,27 @@ TEST_F(Fill, GivesEachPatternResponsesPropertiesAndACalibration) {
     ASSERT_EQ(calibrations.size(), 1U);
     EXPECT_EQ(calibrations[0].key(), quick().key());
     EXPECT_EQ(fill_all(library).open, 0U) << "there is nothing left to do";
+}
+
+TEST_F(Fill, ASearchAllOfWhoseStartsDiedIsAFailureAndNoCalibration) {
+    for (const auto& [value, reason] : {std::pair(4170.0, "all 3 starts of slsqp died"),
+                                        std::pair(HUGE_VAL, "of model dead is finite nowhere")}) {
+        std::filesystem::remove(path());
+        Library library = make_library(path(), {"0-1+1-6", "1-3+1-6"});
+        FillOptions options = quick();
+        const std::vector<reduction::TileModel> models = {dead_model(value)};
+        options.models = models;
+        options.model = "dead";
+        options.calibration.optimizer = "slsqp";
+        options.calibration.starts = 3;
+        const FillReport report = fill_all(library, options);
+        EXPECT_EQ(report.done, 0U);
+        EXPECT_EQ(report.failed, 2U);
+        EXPECT_TRUE(library.calibrations("0-1+1-6").empty());
+        ASSERT_EQ(library.failures().size(), 2U);
+        EXPECT_EQ(library.failures()[0].stage, calibration_stage(options.key()));
+        EXPECT_THAT(library.failures()[0].reason, HasSubstr(reason));
+    }
 }
 
 TEST_F(Fill, AnotherCalibrationUsesTheStoredResponses) {

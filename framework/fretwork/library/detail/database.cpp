@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
+#include <fretwork/base/text.hpp>
 #include <fretwork/library/detail/database.hpp>
 
 namespace fretwork::library::detail {
@@ -97,6 +98,14 @@ void Statement::run() {
 
 void Statement::reset() {
     sqlite3_reset(handle_.get());  // it repeats the error of the last step, which was thrown already
+}
+
+void Statement::require_number(int column) const {
+    const int kind = type(column);
+    if (kind != SQLITE_TEXT && kind != SQLITE_BLOB) return;
+    const std::string value = kind == SQLITE_TEXT ? "'" + base::printable(text(column)) + "'" : "a blob";
+    throw base::InputError(database_->path().string(), column_name(column),
+                           "is damaged: " + value + " is no number");
 }
 
 std::string_view Statement::text(int column) const {

@@ -71,16 +71,22 @@ class Statement {
     [[nodiscard]] int type(int column) const { return sqlite3_column_type(handle_.get(), column); }
     /// The text stays until the next step.
     [[nodiscard]] std::string_view text(int column) const;
-    [[nodiscard]] double real(int column) const { return sqlite3_column_double(handle_.get(), column); }
+    /// Numbers. SQLite takes a text for 0; here it is an InputError that names the column.
+    [[nodiscard]] double real(int column) const {
+        require_number(column);
+        return sqlite3_column_double(handle_.get(), column);
+    }
     [[nodiscard]] std::optional<double> optional_real(int column) const {
         return type(column) == SQLITE_NULL ? std::nullopt : std::optional(real(column));
     }
     [[nodiscard]] std::int64_t integer(int column) const {
+        require_number(column);
         return sqlite3_column_int64(handle_.get(), column);
     }
 
   private:
     void check(int code) const;
+    void require_number(int column) const;
     struct Finalize {
         void operator()(sqlite3_stmt* handle) const { sqlite3_finalize(handle); }
     };
