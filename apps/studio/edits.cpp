@@ -106,8 +106,8 @@ void check_combinations(const std::vector<LoadCase>& cases) {
     for (const LoadCase& load_case : cases) (void)simulation::combined(load_case, cases);
 }
 
-/// Formats are of files: a message has the newest one, unless it names another. Marks are the server's to say:
-/// who sends a load case back as it came need not take them out.
+/// Formats are of files: a message has the newest one, unless it names another. Marks are the server's to
+/// say: who sends a load case back as it came need not take them out.
 LoadCase read_load_case(const JsonReader& json) {
     base::Json value = base::Json::parse(json.text());
     if (value.is_object() && !value.contains("format")) value["format"] = simulation::kLoadCaseFormat;
