@@ -17,7 +17,8 @@ using detail::Transaction;
 constexpr const char* kCountSamples =
     "SELECT pattern_id, count(*), sum(converged), sum(converged AND stable), sum(limit_load) "
     "FROM response_state ";
-constexpr const char* kCountCalibrations = "SELECT pattern_id, count(*), min(objective) FROM calibration ";
+constexpr const char* kCountCalibrations =
+    "SELECT pattern_id, count(*), min(objective) AS objective FROM calibration ";
 /// Patterns without a certain calibration; its key is to be bound, and the stages of its failures.
 constexpr const char* kWithoutCalibration =
     "SELECT id FROM pattern "
