@@ -12,8 +12,9 @@ namespace {
 
 using mechanics::kDofsPerNode;
 
-/// As a share of the largest entry of the stiffness: far above the rounding of a condensed tile, and far
-/// below the softest bending of one, which is about the square of a bar's thickness over its length.
+/// As a share of the largest entry of the stiffness. The rounding of condensed tiles (304 patterns of paper7
+/// in hexagons with sides of 26 mm, regular and stretched) leaves 2e-13 with bars of 2 mm, 2e-11 with 0.2 mm
+/// and 2e-7 with 2 micrometres. The softest deformation of these tiles has 3e-5 with bars of 2 mm.
 constexpr double kFree = 1e-6;
 
 constexpr std::array<const char*, 6> kMotions = {"translation along x", "translation along y",
