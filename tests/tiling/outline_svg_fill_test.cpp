@@ -131,6 +131,10 @@ TEST(SvgFill, OpenOrInvisibleLinesAreNoOutline) {
 }
 
 TEST(SvgFill, WhereSomethingIsFilledLinesAreLeftOut) {
+    EXPECT_EQ(
+        read("<rect width='9' height='9'/><path d='M0 0 nonsense' fill='none' stroke='#000'/>").parts.size(),
+        1U)
+        << "nobody looks at them";
     EXPECT_THAT(read("<rect width='9' height='9'/><line x2='5' stroke='red'/>").remarks,
                 ElementsAre("1 unfilled line left out"));
     const OutlineFile file =

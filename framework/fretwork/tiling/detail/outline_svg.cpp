@@ -87,6 +87,7 @@ class SvgReader {
     /// Drawings for laser cutters have lines only: where nothing is filled, closed lines are outlines, and
     /// what lies in one of them is a hole, as in DXF.
     Region stroked_region() {
+        for (const auto& [node, around] : lines_drawn_) add_stroked(node, around);
         Region region = nested_region(stroked_, how_.tolerance);
         if (region.parts.empty()) return region;
         std::size_t holes = 0;
@@ -231,7 +232,10 @@ class SvgReader {
         if (!counts) {
             const bool is_line = around.style.stroke == SvgStyle::Paint::Some &&
                                  around.style.visibility == SvgStyle::Visibility::Visible;
-            if (is_line && purpose_ == Purpose::Paint) add_stroked(name, element, around);
+            if (is_line && purpose_ == Purpose::Paint) {
+                ++lines_;
+                lines_drawn_.push_back({element.node(), around});
+            }
             return;
         }
         FilledShape shape{.loops = loops_of(element.subpaths(name, around.measure), around.map),
@@ -246,8 +250,10 @@ class SvgReader {
     }
 
     /// A stroke without fill counts as a closed line if all its subpaths are closed, or their ends meet.
-    void add_stroked(std::string_view name, const SvgElement& element, const Surroundings& around) {
-        ++lines_;
+    void add_stroked(pugi::xml_node node, const Surroundings& around) {
+        const SvgProperties properties(node, document_.rules());
+        const SvgElement element(node, properties, document_);
+        const std::string_view name = document_.name_of(node);
         std::vector<Subpath> closed;
         for (Subpath& subpath : element.subpaths(name, around.measure)) {
             if (!is_closed(subpath, around.map)) return;
@@ -373,9 +379,10 @@ class SvgReader {
     Purpose purpose_ = Purpose::Paint;
     Remarks remarks_;
     int elements_ = 0;
-    int lines_ = 0;                 // shapes that are stroked and not filled
-    int stroked_shapes_ = 0;        // those of them that are closed, with
-    std::vector<Polygon> stroked_;  // their lines
+    int lines_ = 0;  // shapes that are stroked and not filled
+    std::vector<std::pair<pugi::xml_node, Surroundings>> lines_drawn_;  // looked at only if nothing is filled
+    int stroked_shapes_ = 0;                                            // those of them that are closed, with
+    std::vector<Polygon> stroked_;                                      // their lines
     std::size_t points_ = 0;
 };
 
