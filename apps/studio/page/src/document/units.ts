@@ -3,6 +3,9 @@
 
 import { effect, signal } from '@preact/signals';
 
+/** m/s², as the program has it. */
+export const STANDARD_GRAVITY = 9.80665;
+
 export type UnitSystem = 'mm' | 'SI';
 export const unitSystem = signal<UnitSystem>(localStorage.getItem('fretwork.units') === 'SI' ? 'SI' : 'mm');
 effect(() => localStorage.setItem('fretwork.units', unitSystem.value));

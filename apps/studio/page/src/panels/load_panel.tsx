@@ -6,6 +6,7 @@ import { hasGravity, isLoaded, loadMarks, prescribedMarks } from '../document/ma
 import { documentNow, loadCase } from '../document/store';
 import { activeEntry, selectedNodes } from '../document/ui';
 import { surface } from '../document/surface';
+import { STANDARD_GRAVITY } from '../document/units';
 import { Button, Check } from '../widgets/widgets';
 import { NumberField } from '../widgets/number';
 import { CaseBar } from './case_bar';
@@ -14,7 +15,6 @@ import { ChosenNodes } from './chosen_nodes';
 import { LoadRow } from './load_row';
 import { PrescribedRow } from './prescribed_row';
 
-const EARTH = 9.81;
 const FIRST_FORCE = -0.1;
 const FIRST_MOMENT = 0.002;
 const FIRST_MOVE = 0.01;
@@ -87,7 +87,7 @@ function Gravity() {
   const on = hasGravity.value;
   return (
     <div class="gravity">
-      <Check label={<><Weight aria-hidden />Own weight</>} value={on} onChange={(value) => void editLoadCase(() => ({ gravity: [0, 0, value ? -EARTH : 0] }))} />
+      <Check label={<><Weight aria-hidden />Own weight</>} value={on} onChange={(value) => void editLoadCase(() => ({ gravity: [0, 0, value ? -STANDARD_GRAVITY : 0] }))} />
       {on && setting && (
         <>
           <label class="field"><span>Gravity, along z</span>

@@ -27,3 +27,8 @@ test('numbers are read with a comma, and with a unit', async () => {
   expect(typed('0.3 m', 'length', 'mm')).toBeCloseTo(0.3, 12);
   expect(typed('wide', 'length', 'mm')).toBeNull();
 });
+
+test('own weight begins with the standard gravity of the program', async () => {
+  const { STANDARD_GRAVITY } = await units();
+  expect(STANDARD_GRAVITY).toBe(9.80665); // exact by definition; mechanics/standard_gravity.hpp
+});
