@@ -34,7 +34,13 @@ constexpr std::size_t kMostConnections = 64;
 constexpr std::size_t kMostHeaderBytes = 16384;
 /// A file of 64 MB in Base64, and what stands around it.
 constexpr std::size_t kMostMessageBytes = 90'000'000;
-constexpr std::chrono::seconds kRequestTime{30};
+/// After the system refused a connection, such as where all descriptors are taken.
+constexpr std::chrono::milliseconds kAcceptPause{200};
+
+/// What is sent where a request is not even read.
+constexpr std::string_view kTooMany =
+    "HTTP/1.1 429 Too Many Requests\r\nContent-Type: text/plain; charset=utf-8\r\n"
+    "Content-Length: 21\r\nConnection: close\r\n\r\ntoo many connections\n";
 
 using Request = http::request<http::string_body>;
 using Response = http::response<http::string_body>;
@@ -89,7 +95,11 @@ HttpAnswer refusal(http::status status, const std::string& why) {
 class HttpServer::Impl {
   public:
     Impl(const ServerOptions& options, Service& service)
-        : service_(service), token_(options.token), acceptor_(context_) {
+        : service_(service),
+          token_(options.token),
+          request_time_(options.request_time),
+          acceptor_(context_),
+          pause_(context_) {
         listen(options);
         accept();
     }
@@ -110,15 +120,19 @@ class HttpServer::Impl {
     void listen(const ServerOptions& options);
     bool try_listen(const tcp::endpoint& endpoint, ErrorCode& error);
     void accept();
+    void accept_later();
+    void take(tcp::socket socket);
 
     Service& service_;
     std::string token_;
+    std::chrono::milliseconds request_time_;
     std::size_t connections_ = 0;
     std::int64_t last_client_ = 0;
     std::map<ClientId, std::weak_ptr<Client>> clients_;
     // What is under way holds connections, which tell the members above when they go: so it goes first.
     asio::io_context context_{1};
     tcp::acceptor acceptor_;
+    asio::steady_timer pause_;
 };
 
 /// One page at the other end of a WebSocket.
@@ -204,7 +218,7 @@ class HttpServer::Impl::Connection : public std::enable_shared_from_this<Connect
     ~Connection() { --server_.connections_; }
 
     void read() {
-        stream_.expires_after(kRequestTime);
+        stream_.expires_after(server_.request_time_);
         http::async_read(stream_, buffer_, parser_,
                          [self = shared_from_this()](ErrorCode error, std::size_t) { self->serve(error); });
     }
@@ -214,8 +228,6 @@ class HttpServer::Impl::Connection : public std::enable_shared_from_this<Connect
         if (error == http::error::end_of_stream || error == asio::error::operation_aborted ||
             error == beast::error::timeout)
             return;
-        if (server_.connections_ > kMostConnections)
-            return answer(refusal(http::status::too_many_requests, "too many connections"));
         if (error == http::error::body_limit)
             return answer(refusal(http::status::payload_too_large, "a request here has no body"));
         if (error == http::error::header_limit || error == http::error::buffer_overflow)
@@ -226,10 +238,10 @@ class HttpServer::Impl::Connection : public std::enable_shared_from_this<Connect
 
     void serve(const Request& request) {
         const std::string address = own_address();
-        const bool has_origin = request.find(http::field::origin) != request.end();
+        const std::size_t origins = request.count(http::field::origin);
         if (request.count(http::field::host) != 1 || !is_own_host(view(request[http::field::host]), address))
             return answer(refusal(http::status::forbidden, "the Host is not this machine"));
-        if (has_origin && !is_own_origin(view(request[http::field::origin]), address))
+        if (origins > 1 || (origins == 1 && !is_own_origin(view(request[http::field::origin]), address)))
             return answer(refusal(http::status::forbidden, "the Origin is not this machine"));
         const auto target = parse_target(view(request.target()));
         if (!target) return answer(refusal(http::status::bad_request, "the address is malformed"));
@@ -263,7 +275,7 @@ class HttpServer::Impl::Connection : public std::enable_shared_from_this<Connect
 
     void answer(HttpAnswer given) {
         response_ = response_to(parser_.get(), std::move(given));
-        stream_.expires_after(kRequestTime);
+        stream_.expires_after(server_.request_time_);
         http::async_write(stream_, response_, [self = shared_from_this()](ErrorCode, std::size_t) {
             ErrorCode ignored;
             self->stream_.socket().shutdown(tcp::socket::shutdown_send, ignored);
@@ -305,13 +317,29 @@ void HttpServer::Impl::listen(const ServerOptions& options) {
 void HttpServer::Impl::accept() {
     acceptor_.async_accept([this](ErrorCode error, tcp::socket socket) {
         if (error == asio::error::operation_aborted) return;
-        if (!error) {
-            ErrorCode ignored;
-            socket.set_option(tcp::no_delay(true), ignored);
-            std::make_shared<Connection>(*this, std::move(socket))->read();
-        }
+        if (error) return accept_later();
+        take(std::move(socket));
         accept();
     });
+}
+
+void HttpServer::Impl::accept_later() {
+    pause_.expires_after(kAcceptPause);
+    pause_.async_wait([this](ErrorCode error) {
+        if (!error) accept();
+    });
+}
+
+/// A connection counts from here on, whether or not it ever sends a request.
+void HttpServer::Impl::take(tcp::socket socket) {
+    ErrorCode ignored;
+    if (connections_ >= kMostConnections) {
+        socket.non_blocking(true, ignored);  // who does not take the answer gets none
+        socket.write_some(asio::buffer(kTooMany), ignored);
+        return;
+    }
+    socket.set_option(tcp::no_delay(true), ignored);
+    std::make_shared<Connection>(*this, std::move(socket))->read();
 }
 
 void HttpServer::Impl::send(ClientId client, const Outgoing& outgoing) {

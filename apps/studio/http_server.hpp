@@ -4,6 +4,7 @@
 #include "access.hpp"
 #include "outgoing.hpp"
 
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -44,6 +45,8 @@ struct ServerOptions {
     /// Without: 8080, or the next one that is free.
     std::optional<int> port{};
     std::string token;
+    /// A request that has not come as a whole by then is given up, and so is an answer that nobody takes.
+    std::chrono::milliseconds request_time{30'000};
 };
 
 /// HTTP and WebSocket (RFC 6455) for a few clients: limits on what they may send, and on what waits for them.

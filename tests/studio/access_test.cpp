@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 
 #include <studio/access.hpp>
+#include <studio/http_server.hpp>
+#include <sys/resource.h>
 
 namespace fretwork::studio {
 namespace {
@@ -94,6 +96,71 @@ TEST_F(StudioAccess, MalformedAndHugeRequestsAreRefused) {
     EXPECT_EQ(status_of(get(with_token("/"), "localhost", "Content-Length: 1000000000\r\n")), 413);
     EXPECT_EQ(status_of(get("/?" + std::string(100'000, 'a'))), 431);
     EXPECT_EQ(status_of(get(with_token("/"))), 200) << "it is still there";
+}
+
+TEST_F(StudioAccess, TwoOriginsAreRefusedAsTwoHostsAre) {
+    const std::string own = "Origin: http://localhost\r\n";
+    EXPECT_EQ(status_of(get(with_token("/"), "localhost", own)), 200);
+    EXPECT_EQ(status_of(get(with_token("/"), "localhost", own + own)), 403);
+    EXPECT_EQ(status_of(get(with_token("/"), "localhost", own + "Origin: http://example.org\r\n")), 403);
+}
+
+TEST_F(StudioAccess, ConnectionsThatHaveSentNoWholeRequestCount) {
+    std::vector<std::unique_ptr<test::Wire>> halves;
+    for (int i = 0; i < 64; ++i) {
+        halves.push_back(std::make_unique<test::Wire>(studio_.port()));
+        ASSERT_TRUE(halves.back()->send("GET / HT"));
+    }
+    test::Wire further(studio_.port());
+    EXPECT_EQ(status_of(further.receive_all()), 429) << "it need not send anything";
+    halves.front()->send("TP/1.1\r\n\r\n");
+    EXPECT_EQ(status_of(halves.front()->receive_all()), 403);
+    EXPECT_EQ(status_of(get(with_token("/"))), 200) << "one has gone";
+}
+
+/// Nothing is behind it.
+class NoService : public Service {
+  public:
+    void get(const Target&, std::function<void(HttpAnswer)> answer) override { answer({}); }
+    void connected(ClientId) override {}
+    void disconnected(ClientId) override {}
+    void received(ClientId, std::string_view) override {}
+};
+
+class StudioServer : public testing::Test {
+  protected:
+    ~StudioServer() override {
+        server_.stop();
+        thread_.join();
+    }
+    NoService service_;
+    HttpServer server_{{.token = "token", .request_time = std::chrono::milliseconds(20)}, service_};
+    std::thread thread_{[this] { server_.run(); }};
+};
+
+TEST_F(StudioServer, GivesUpARequestThatDoesNotEnd) {
+    test::Wire slow(server_.port());
+    ASSERT_TRUE(slow.send("GET / HT"));
+    EXPECT_EQ(slow.receive_all(), "");
+}
+
+TEST_F(StudioServer, GoesOnWhenTheSystemHasDescriptorsAgain) {
+    rlimit usual{};
+    ASSERT_EQ(::getrlimit(RLIMIT_NOFILE, &usual), 0);
+    const int highest = ::dup(0);
+    ASSERT_GE(highest, 0);
+    std::optional<test::Wire> client;
+    {
+        ::close(highest);
+        // The client's socket is the last descriptor that there is: the server has none to accept with.
+        const rlimit few{static_cast<rlim_t>(highest) + 1, usual.rlim_max};
+        ASSERT_EQ(::setrlimit(RLIMIT_NOFILE, &few), 0);
+        client.emplace(server_.port());
+        EXPECT_EQ(::dup(0), -1);
+        ASSERT_EQ(::setrlimit(RLIMIT_NOFILE, &usual), 0);
+    }
+    ASSERT_TRUE(client->send(get_request("/?token=token")));
+    EXPECT_EQ(status_of(client->receive_all()), 200);
 }
 
 TEST(StudioToken, IsLongAndAnotherOneEachTime) {
