@@ -14,9 +14,20 @@
 #include <algorithm>
 
 namespace fretwork::studio {
-namespace {
 
 using base::JsonReader;
+
+std::string read_model(const JsonReader& json, Mixed mixed) {
+    try {
+        if (mixed == Mixed::Taken && simulation::mixed_share(json.string())) return json.string();
+        return reduction::find_tile_model(json.string()).name;
+    } catch (const base::InputError& error) {
+        json.fail(error.what());
+    }
+}
+
+namespace {
+
 using simulation::LoadCase;
 
 /// An equal value leaves the part as it is: then the edit changes nothing.
@@ -48,18 +59,6 @@ Edited turn(const State& state, const JsonReader& request) {
     Edited edit{state, "turn " + counted(tiles.size(), "tile")};
     change(edit.state.painting, std::move(painting));
     return edit;
-}
-
-enum class Mixed { Refused, Taken };
-
-/// The name of a tile model of the catalogue, or `mixed:SHARE`.
-std::string read_model(const JsonReader& json, Mixed mixed) {
-    try {
-        if (mixed == Mixed::Taken && simulation::mixed_share(json.string())) return json.string();
-        return reduction::find_tile_model(json.string()).name;
-    } catch (const base::InputError& error) {
-        json.fail(error.what());
-    }
 }
 
 Edited set_model(const State& state, const JsonReader& request) {

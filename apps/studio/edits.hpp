@@ -6,9 +6,16 @@
 #include <fretwork/base/json_reader.hpp>
 
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace fretwork::studio {
+
+enum class Mixed { Refused, Taken };
+
+/// The name of a tile model of the catalogue, or, where it is taken, `mixed:SHARE`. Throws InputError that
+/// names the models.
+std::string read_model(const base::JsonReader& json, Mixed mixed);
 
 /// What a request for an edit makes of a document, which is the same state if it changes nothing; nothing if
 /// `name` is no edit. Throws InputError if the

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What takes longer and is asked for: other models, modes, the load path, comparisons.
+#include "edits.hpp"
 #include "frames.hpp"
 #include "studio_impl.hpp"
 #include "words.hpp"
@@ -113,7 +114,7 @@ void Studio::Impl::solve(const Request& request) {
     request.json.allow_only({"id", "do", "model", "background"});
     if (const auto background = request.json.find("background"); background && !background->boolean())
         background->fail("is false, where only true is possible: the live model is solved by itself");
-    start(request, make_job(request, request.json.at("model").string()),
+    start(request, make_job(request, read_model(request.json.at("model"), Mixed::Taken)),
           [](const Job& job, const base::Control& control) -> std::vector<Outgoing> {
               OneSolve one(job.input, job.beams, options_of(*job.input.situation.state, job.model));
               SolvedSurface solved = solved_in(job, one.solve(control));
@@ -180,7 +181,7 @@ void Studio::Impl::buckling(const Request& request) {
 void Studio::Impl::compare(const Request& request) {
     request.json.allow_only({"id", "do", "model"});
     const SolvedPtr live = last_solved_;
-    Job job = make_job(request, request.json.at("model").string());
+    Job job = make_job(request, read_model(request.json.at("model"), Mixed::Taken));
     if (!live || live->situation != job.input.situation)
         throw base::InputError(
             "there is no live solution to compare with: wait for it, or mend what keeps "

@@ -789,5 +789,19 @@ TEST(StudioFiles, UnsavedChangesAreThereAfterARestart) {
     EXPECT_FALSE(again.event({"document"})["recovered"].get<bool>()) << "it was saved";
 }
 
+TEST(StudioJobs, AnUnknownModelIsRefusedAndTheModelsAreNamed) {
+    const RunningStudio studio(test::studio_project());
+    Client client(studio.address());
+    client.hello();
+    for (const char* request : {"solve", "compare"}) {
+        const Json answer = client.ask(request, {{"model", "x"}});
+        EXPECT_FALSE(answer["ok"].get<bool>()) << request;
+        const auto error = answer.value("error", "");
+        EXPECT_THAT(error, HasSubstr("'x'"));
+        EXPECT_THAT(error, HasSubstr("condensed"));
+        EXPECT_THAT(error, HasSubstr("full"));
+    }
+}
+
 }  // namespace
 }  // namespace fretwork::studio
