@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "interrupt.hpp"
 
-#include <array>
 #include <atomic>
 #include <cerrno>
 #include <csignal>
@@ -11,6 +10,7 @@
 #include <stop_token>
 #include <system_error>
 #include <thread>
+#include <vector>
 
 namespace fretwork::app {
 namespace {
@@ -52,7 +52,9 @@ extern "C" void note_signal(int signal) {
 /// Turns the first signal into a request to stop.
 class LongWork::SignalWatch {
   public:
-    SignalWatch() {
+    explicit SignalWatch(StopsAt signals)
+        : signals_(signals == StopsAt::HangUp ? std::vector{SIGINT, SIGTERM, SIGHUP}
+                                              : std::vector{SIGINT, SIGTERM}) {
         first_signal = 0;
         ::sem_init(&signal_has_come, 0, 0);
         try {
@@ -63,12 +65,14 @@ class LongWork::SignalWatch {
         } catch (const std::system_error&) {
             return;  // The machine gives no more threads: a signal ends the program, as it does without this.
         }
-        for (std::size_t i = 0; i < kSignals.size(); ++i)
-            handlers_[i] = std::signal(kSignals[i], note_signal);
+        for (const int signal : signals_) {
+            handlers_.push_back(std::signal(signal, note_signal));
+            if (signal == SIGHUP && handlers_.back() == SIG_IGN) std::signal(signal, SIG_IGN);
+        }
     }
     ~SignalWatch() {
         if (!waiting_.joinable()) return;
-        for (std::size_t i = 0; i < kSignals.size(); ++i) std::signal(kSignals[i], handlers_[i]);
+        for (std::size_t i = 0; i < signals_.size(); ++i) std::signal(signals_[i], handlers_[i]);
         ::sem_post(&signal_has_come);
         waiting_.join();
     }
@@ -78,13 +82,13 @@ class LongWork::SignalWatch {
     [[nodiscard]] std::stop_token token() const { return source_.get_token(); }
 
   private:
-    static constexpr std::array kSignals = {SIGINT, SIGTERM};
+    std::vector<int> signals_;
     std::stop_source source_;
     std::thread waiting_;
-    std::array<void (*)(int), kSignals.size()> handlers_{};
+    std::vector<void (*)(int)> handlers_;
 };
 
-LongWork::LongWork() : watch_(std::make_unique<SignalWatch>()) {}
+LongWork::LongWork(StopsAt signals) : watch_(std::make_unique<SignalWatch>(signals)) {}
 
 LongWork::~LongWork() = default;
 

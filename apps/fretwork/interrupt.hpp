@@ -15,7 +15,10 @@ namespace fretwork::app {
 /// all. One at a time.
 class LongWork {
   public:
-    LongWork();
+    /// What asks it to stop: Ctrl-C and SIGTERM, or also SIGHUP, which comes when its terminal is closed. Who
+    /// is to go on without a terminal (nohup) ignores SIGHUP, and then it stays ignored.
+    enum class StopsAt { Interrupt, HangUp };
+    explicit LongWork(StopsAt signals = StopsAt::Interrupt);
     ~LongWork();
     LongWork(const LongWork&) = delete;
     LongWork& operator=(const LongWork&) = delete;

@@ -71,7 +71,7 @@ void run(Options options) {
     options.studio.page =
         options.page.empty() ? studio::usual_page_path() : std::filesystem::path(options.page);
     options.studio.state_folder = state_folder();
-    LongWork work;
+    LongWork work(LongWork::StopsAt::HangUp);
     studio::Studio studio(options.studio);
     const std::stop_callback stop(work.control().stop, [&studio] { studio.stop(); });
     std::printf("%s\n", studio.address().c_str());

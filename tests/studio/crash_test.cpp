@@ -59,6 +59,24 @@ TEST(StudioProgram, PrintsItsAddressAtOnceAndEndsWhenItIsAsked) {
     EXPECT_EQ(program.end(SIGTERM), 0);
 }
 
+TEST(StudioProgram, LosesNothingWhenItsTerminalIsClosed) {
+    const test::TemporaryFolder folder;
+    simulation::write_project(test::studio_project(), folder.path() / "project.json");
+    Program program(folder.path());
+    test::Client client(test::StudioAddress(program.address()));
+    client.hello();
+    std::string text;
+    for (int turns = 1; turns <= 3; ++turns) {  // the last ones wait for the pause after the first
+        ASSERT_TRUE(client.ask("turn", {{"tiles", {1}}, {"by", 1}})["ok"].get<bool>());
+        text = client.ask("download")["text"].get<std::string>();
+    }
+    EXPECT_EQ(program.end(SIGHUP), 0);
+    Program again(folder.path());
+    test::Client reader(test::StudioAddress(again.address()));
+    reader.hello();
+    EXPECT_EQ(reader.ask("download")["text"], text);
+}
+
 TEST(StudioProgram, LosesNothingOfWhatWasKeptWhenItIsKilled) {
     const test::TemporaryFolder folder;
     simulation::write_project(test::studio_project(), folder.path() / "project.json");
