@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "background.hpp"
 #include "progress.hpp"
+#include "words.hpp"
 
 #include <new>
 #include <optional>
@@ -66,6 +67,8 @@ void Background::work(const Job& job, const std::stop_token& stop) {
         job.failed(kCancelled);
     } catch (const base::Error& error) {
         job.failed(error.what());
+    } catch (const std::filesystem::filesystem_error& error) {
+        job.failed(in_words(error));
     } catch (const std::bad_alloc&) {
         job.failed("out of memory");
     }

@@ -2,6 +2,7 @@
 // What pages ask to be painted.
 #include "painting_request.hpp"
 #include "sent_file.hpp"
+#include "sent_name.hpp"
 #include "synced_session.hpp"
 
 #include <fretwork/base/error.hpp>
@@ -142,7 +143,7 @@ std::vector<std::size_t> read_tiles(const JsonReader& json, const State& state) 
 PaintingChoice read_painting_choice(const JsonReader& request) {
     const auto text_of = [&](const char* key) {
         const auto value = request.find(key);
-        return value ? value->string() : std::string();
+        return value ? read_plain_text(*value) : std::string();
     };
     const auto dither = request.find("dither");
     const bool is_dithered = dither && dither->boolean();

@@ -28,7 +28,8 @@ class FileOnDisk {
     [[nodiscard]] std::string renamed(const std::string& message) const;
 
   private:
-    std::string name_;
+    std::string shown_;
+    std::string ending_;
     base::Scratch folder_;
 };
 

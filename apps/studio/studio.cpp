@@ -28,11 +28,6 @@ std::string compact(const Json& json) {
     return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-std::string one_line(const std::string& text) {
-    constexpr std::size_t kLongest = 500;
-    return base::shortened(base::printable(text), kLongest);
-}
-
 }  // namespace
 
 std::span<const Studio::Impl::RequestRow> Studio::Impl::requests() {
@@ -89,7 +84,7 @@ void Studio::Impl::received(ClientId client, std::string_view message) {
     } catch (const base::Error& error) {
         refuse(client, id.is_null() ? number_of(message) : id, error.what());
     } catch (const std::filesystem::filesystem_error& error) {
-        refuse(client, id, error.what());
+        refuse(client, id, in_words(error));
     } catch (const std::bad_alloc&) {
         refuse(client, id, "out of memory");
     }
@@ -139,6 +134,8 @@ void Studio::Impl::in_background(Background& thread, const Request& request,
             rest();
         } catch (const base::Error& error) {
             refuse(request.client, request.id, error.what());
+        } catch (const std::filesystem::filesystem_error& error) {
+            refuse(request.client, request.id, in_words(error));
         }
     };
     thread.add({.work =

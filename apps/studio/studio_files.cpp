@@ -6,6 +6,7 @@
 #include "painting_request.hpp"
 #include "pattern_list.hpp"
 #include "sent_file.hpp"
+#include "sent_name.hpp"
 #include "studio_impl.hpp"
 #include "words.hpp"
 
@@ -152,7 +153,7 @@ NewRequest read_new(const base::JsonReader& json) {
         return wanted;
     }
     wanted.outline = read_sent_outline(json.at("outline"));
-    if (const auto layout = json.find("layout")) wanted.options.layout = layout->string();
+    if (const auto layout = json.find("layout")) wanted.options.layout = read_name_or_path(*layout);
     const auto patterns = json.find("patterns");
     wanted.is_to_be_made = patterns && patterns->string() == kToBeMade;
     if (wanted.is_to_be_made)
@@ -189,6 +190,24 @@ exports::Making read_making(const Target& target, const std::optional<simulation
                                        .layer = target.value("layer"),
                                        .prefix = ""};
     return exports::read_making(choice, conditions ? &*conditions : nullptr);
+}
+
+constexpr std::string_view kExportKeys[] = {"token",  "to",     "content",   "scale", "view",  "size",
+                                            "colour", "fillet", "kerf",      "frame", "bolts", "eye",
+                                            "bed",    "fit",    "clearance", "layer"};
+
+void check_keys(const Target& target) {
+    for (const auto& [name, value] : target.values) {
+        if (std::ranges::find(kExportKeys, name) != std::end(kExportKeys)) continue;
+        const std::vector<std::string> known(std::begin(kExportKeys) + 1, std::end(kExportKeys));
+        throw base::InputError(
+            base::unknown_name_message("key of /export", base::shortened(name, 40), known));
+    }
+}
+
+/// Why there is no file.
+HttpAnswer refused(unsigned status, const std::string& why) {
+    return {.status = status, .body = one_line(why) + "\n"};
 }
 
 const exports::WriterRow& find_target_writer(const Target& target) {
@@ -228,7 +247,7 @@ HttpAnswer exported(const Target& target, const Situation& situation, const Solv
     return {.type = "application/octet-stream",
             .body = std::move(written.text),
             .download_name = target.value("to"),
-            .remark = base::join(written.remarks, "; ")};
+            .remark = base::printable(base::join(written.remarks, "; "))};
 }
 
 /// Where there is a file already, it must be a project: others are not to be lost.
@@ -283,7 +302,7 @@ void Studio::Impl::measure(const Request& request) {
 
 void Studio::Impl::open(const Request& request) {
     request.json.allow_only({"id", "do", "path", "discard"});
-    Opened next = read_document(request.json.at("path").string());
+    Opened next = read_document(read_path(request.json.at("path")));
     answer(request);
     replace(request, std::move(next));
 }
@@ -291,12 +310,12 @@ void Studio::Impl::open(const Request& request) {
 void Studio::Impl::upload(const Request& request) {
     request.json.allow_only({"id", "do", "name", "text_base64", "discard"});
     const auto name = request.json.find("name");
-    const std::string source = name ? name->string() : "the file";
+    const std::string source = name ? read_file_name(*name) : "the file";
     in_background(
         files_, request,
         [this, request, source, text = request.json.at("text_base64").string()](const base::Control&) {
             auto project = std::make_shared<Project>(
-                simulation::parse_project(base::decode_base64(text, source), source));
+                simulation::parse_project(base::decode_base64(text, shown_name(source)), shown_name(source)));
             // Its library lies on another machine.
             project->library_path.clear();
             project->library_hash.clear();
@@ -323,7 +342,7 @@ void Studio::Impl::save(const Request& request) {
     Document& shown = document(request);
     const auto wanted = request.json.find("path");
     if (!wanted && !shown.path()) throw base::InputError("the document has no file yet: name one");
-    const auto path = wanted ? std::filesystem::absolute(wanted->string()).lexically_normal() : *shown.path();
+    const auto path = wanted ? read_path(*wanted) : *shown.path();
     const bool is_own = shown.path() == path;
     if (!is_own) require_project_file(path);
     const base::FileLock lock = lock_for_writing(path);
@@ -356,7 +375,7 @@ void Studio::Impl::refuse_to_replace(const Request& request, const std::filesyst
 void Studio::Impl::patterns(const Request& request) {
     request.json.allow_only({"id", "do", "layout"});
     const auto name = request.json.find("layout");
-    const std::string layout = name ? name->string() : std::string("paper7");
+    const std::string layout = name ? read_name_or_path(*name) : std::string("paper7");
     const StatePtr state = document_ ? document_->now() : nullptr;
     in_background(files_, request, [this, request, layout, state](const base::Control& control) {
         const auto list = std::make_shared<const Json>(pattern_list(layout, state.get(), control));
@@ -382,18 +401,18 @@ void Studio::Impl::resume_exports() {
 
 void Studio::Impl::refuse_waiting_exports(const std::string& reason) {
     for (const ExportRequest& request : std::exchange(waiting_exports_, {}))
-        request.answer({.status = 409, .body = reason + "\n"});
+        request.answer(refused(409, reason));
 }
 
 void Studio::Impl::export_file(ExportRequest request) {
+    check_keys(request.target);
     if (!document_) return request.answer({.status = 404, .body = "there is no document yet\n"});
     const bool is_project = request.target.value("to") == "project.json";
     const exports::WriterRow* writer = is_project ? nullptr : &find_target_writer(request.target);
     const auto answer = writer && shows_answer(*writer) ? answer_to_export() : AnswerToExport{};
     if (!answer) return waiting_exports_.push_back(std::move(request));
     if (!answer->missing.empty())
-        return request.answer(
-            {.status = 422, .body = "there is no answer to export: " + answer->missing + "\n"});
+        return request.answer(refused(422, "there is no answer to export: " + answer->missing));
     const auto tell = [this, give = request.answer](HttpAnswer given) {
         server_.post([give, given = std::move(given)] { give(given); });
     };
@@ -404,10 +423,8 @@ void Studio::Impl::export_file(ExportRequest request) {
                           .body = simulation::project_text(make_project(*situation.state, folder)),
                           .download_name = target.value("to")};
     };
-    files_.add(
-        {.work = [tell, write](const base::Control&) { tell(write()); },
-         .failed =
-             [tell](const std::string& error) { tell({.status = 422, .body = in_words(error) + "\n"}); }});
+    files_.add({.work = [tell, write](const base::Control&) { tell(write()); },
+                .failed = [tell](const std::string& error) { tell(refused(422, in_words(error))); }});
 }
 
 HttpAnswer Studio::Impl::page() const {
@@ -427,9 +444,11 @@ void Studio::Impl::get(const Target& target, std::function<void(HttpAnswer)> ans
         if (target.path == "/export") return export_file({target, answer});
         answer({.status = 404, .body = "there is nothing at this address\n"});
     } catch (const base::InputError& error) {
-        answer({.status = 422, .body = in_words(error.what()) + "\n"});
+        answer(refused(422, in_words(error.what())));
     } catch (const base::Error& error) {
-        answer({.status = 503, .body = std::string(error.what()) + "\n"});
+        answer(refused(503, error.what()));
+    } catch (const std::filesystem::filesystem_error& error) {
+        answer(refused(503, in_words(error)));
     }
 }
 

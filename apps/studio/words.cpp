@@ -131,4 +131,14 @@ std::string in_words(const std::string& error) {
     return without_pointers(error);
 }
 
+std::string in_words(const std::filesystem::filesystem_error& error) {
+    const std::string file = error.path1().string();
+    return (file.empty() ? "" : file + ": ") + error.code().message();
+}
+
+std::string one_line(const std::string& text) {
+    constexpr std::size_t kLongest = 500;
+    return base::shortened(base::printable(text), kLongest);
+}
+
 }  // namespace fretwork::studio

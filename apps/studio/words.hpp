@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <filesystem>
 #include <string>
 
 namespace fretwork::studio {
@@ -8,5 +9,11 @@ namespace fretwork::studio {
 /// An error for people who see a surface and no files: places in messages and files become words ("load
 /// case 1, support 2"), and what the solvers say becomes what can be done.
 std::string in_words(const std::string& error);
+
+/// What the system refused, and of which file.
+std::string in_words(const std::filesystem::filesystem_error& error);
+
+/// A text that may come from outside, as one line of at most 500 characters.
+std::string one_line(const std::string& text);
 
 }  // namespace fretwork::studio

@@ -2,9 +2,13 @@
 // The program as its user starts it, and as the machine may end it.
 #include "running_studio.hpp"
 
+#include <gmock/gmock.h>
+
 #include <chrono>
 #include <csignal>
 #include <fcntl.h>
+#include <fstream>
+#include <map>
 #include <sys/wait.h>
 
 namespace fretwork::studio {
@@ -14,13 +18,15 @@ namespace {
 class Program {
   public:
     enum class Opens { Project, Nothing };
-    explicit Program(const std::filesystem::path& folder, Opens opens = Opens::Project) {
+    explicit Program(const std::filesystem::path& folder, Opens opens = Opens::Project,
+                     const std::map<std::string, std::string>& environment = {}) {
         int ends[2];
         if (::pipe(ends) != 0) throw std::runtime_error("no pipe");
         child_ = ::fork();
         if (child_ == 0) {
             ::dup2(ends[1], STDOUT_FILENO);
             ::setenv("XDG_STATE_HOME", folder.c_str(), 1);
+            for (const auto& [name, value] : environment) ::setenv(name.c_str(), value.c_str(), 1);
             const std::string project = folder / "project.json";
             ::execl(FRETWORK_PROGRAM, "fretwork", "studio", "--no-browser",
                     opens == Opens::Project ? project.c_str() : nullptr, nullptr);
@@ -75,6 +81,19 @@ TEST(StudioProgram, LosesNothingWhenItsTerminalIsClosed) {
     test::Client reader(test::StudioAddress(again.address()));
     reader.hello();
     EXPECT_EQ(reader.ask("download")["text"], text);
+}
+
+TEST(StudioProgram, OutlivesAFolderForTemporaryFilesThatIsNotThere) {
+    const test::TemporaryFolder folder;
+    simulation::write_project(test::studio_project(), folder.path() / "project.json");
+    Program program(folder.path(), Program::Opens::Project, {{"TMPDIR", folder.path() / "nowhere"}});
+    test::Client client(test::StudioAddress(program.address()));
+    client.hello();
+    const base::Json answer =
+        client.ask("measure", {{"outline", {{"name", "square.json"}, {"text_base64", ""}}}});
+    EXPECT_FALSE(answer["ok"].get<bool>());
+    EXPECT_THAT(answer["error"].get<std::string>(), testing::HasSubstr("nowhere"));
+    EXPECT_EQ(program.end(SIGTERM), 0);
 }
 
 TEST(StudioProgram, LosesNothingOfWhatWasKeptWhenItIsKilled) {

@@ -152,5 +152,26 @@ TEST(StudioExports, WithoutAnAnswerFilesThatWouldShowItAreRefusedWithTheReason) 
     }
 }
 
+TEST(StudioExport, RefusalsAreOneLineAndUnknownKeysAreRefused) {
+    const RunningStudio studio(test::studio_project());
+    const auto refusal = [&](const std::string& query) {
+        const std::string answer =
+            test::http(studio.port(), test::get_request("/export?token=" + studio.token() + "&" + query));
+        EXPECT_EQ(test::status_of(answer), 422) << query;
+        const std::string body = answer.substr(answer.find("\r\n\r\n") + 4);
+        EXPECT_EQ(std::ranges::count(body, '\n'), 1) << query;
+        EXPECT_EQ(std::ranges::count(body, '\r'), 0) << query;
+        EXPECT_LT(body.size(), 600U) << query;
+        return body;
+    };
+    EXPECT_THAT(refusal("to=a.svg&foo=bar"), HasSubstr("'foo'"));
+    EXPECT_THAT(refusal("to=project.json&foo=bar"), HasSubstr("'foo'"));
+    EXPECT_THAT(refusal("to=a.svg&siez=1x1"), HasSubstr("size"));
+    EXPECT_THAT(refusal("to=a%0d%0ab.xyz%0d%0a"), HasSubstr("\\x0d"));
+    EXPECT_THAT(refusal("to=a.svg&view=%0d%0aside"), HasSubstr("\\x0d"));
+    refusal("to=a.svg&" + std::string(5000, 'k') + "=1");
+    refusal("to=" + std::string(5000, 'n') + ".xyz");
+}
+
 }  // namespace
 }  // namespace fretwork::studio

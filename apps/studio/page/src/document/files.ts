@@ -87,7 +87,8 @@ export async function exportTo({ ending, made }: ExportRow): Promise<void> {
     tell('What is shown is not the answer to the load, and files hold that: close the modes or the load path first.', 'error');
     return;
   }
-  const query = new URLSearchParams(location.search);
+  // The page's address may say more than the token, which is not of the file.
+  const query = new URLSearchParams({ token: new URLSearchParams(location.search).get('token') ?? '' });
   query.set('to', `${stem()}.${ending}`);
   for (const [name, text] of Object.entries(made ? makingQuery(made) : {})) query.set(name, text);
   try {
