@@ -76,6 +76,8 @@ void run(Options options) {
     const std::stop_callback stop(work.control().stop, [&studio] { studio.stop(); });
     std::printf("%s\n", studio.address().c_str());
     std::fflush(stdout);
+    if (const std::string warning = studio.warning(); !warning.empty())
+        std::fprintf(stderr, "fretwork: %s\n", warning.c_str());
     if (!options.no_browser) open_browser(studio.address());
     studio.run();
 }

@@ -58,7 +58,7 @@ Studio::Impl::Impl(const StudioOptions& options)
     if (options.project)
         show(read_document(*options.project));
     else
-        autosave_place_.emplace(options.state_folder, std::nullopt);  // whether one can be made is told now
+        autosave_place_ = place_for(std::nullopt);  // whether one can be made is told now
 }
 
 Studio::Impl::~Impl() = default;
@@ -149,6 +149,9 @@ Studio::Studio(const StudioOptions& options) : impl_(std::make_unique<Impl>(opti
 Studio::~Studio() = default;
 std::string Studio::address() const {
     return impl_->address();
+}
+std::string Studio::warning() const {
+    return impl_->warning();
 }
 void Studio::run() {
     impl_->run();

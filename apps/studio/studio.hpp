@@ -28,6 +28,8 @@ class Studio {
 
     /// What to open in a browser.
     [[nodiscard]] std::string address() const;
+    /// What keeps unsaved changes from being kept, in one line; empty: nothing.
+    [[nodiscard]] std::string warning() const;
     /// Serve until stop() is called.
     void run();
     /// From any thread.

@@ -119,6 +119,9 @@ void Studio::Impl::hello(const Request& request) {
                      {"has_document", document_.has_value()},
                      {"exports", exports_json()},
                      {"recoverable", recoverable_json()}});
+    if (!no_autosave_.empty())
+        server_.send(request.client,
+                     {{text_part(Json{{"event", "warning"}, {"text", no_autosave_}}.dump())}});
     if (!document_) return;
     server_.send(request.client,
                  {{text_part(document_event(*document_->now(), document_->status()).dump())}});
@@ -183,15 +186,14 @@ void Studio::Impl::select_load_case(const Request& request) {
 
 void Studio::Impl::replace(const Request& request, Opened next) {
     const auto discard = request.json.find("discard");
-    if (document_ && discard && discard->boolean()) autosave_.forget(autosave_place_->file());
+    if (document_ && discard && discard->boolean()) forget_kept();
     show(std::move(next));
 }
 
 void Studio::Impl::show(Opened next) {
     document_ = std::move(next.document);
     first_revision_ = document_->revision();
-    autosave_place_ =
-        next.place ? std::move(next.place) : AutosavePlace(options_.state_folder, document_->path());
+    autosave_place_ = next.place ? std::move(next.place) : place_for(document_->path());
     beams_ = {};
     failed_ = {};
     last_solved_.reset();
@@ -206,8 +208,9 @@ void Studio::Impl::show(Opened next) {
 }
 
 void Studio::Impl::keep() {
+    if (!autosave_place_) return;
     if (document_->is_saved())
-        autosave_.forget(autosave_place_->file());
+        forget_kept();
     else
         autosave_.keep(document_->now(), {document_->status().name, document_->path()},
                        autosave_place_->file());

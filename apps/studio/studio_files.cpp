@@ -354,8 +354,8 @@ void Studio::Impl::save(const Request& request) {
     }
     const std::string text = simulation::project_text(make_project(*shown.now(), folder_of(path)));
     base::write_file_atomically(path, text);
-    autosave_.forget(autosave_place_->file());
-    if (path != shown.path()) autosave_place_ = AutosavePlace(options_.state_folder, path);
+    forget_kept();
+    if (path != shown.path()) autosave_place_ = place_for(path);
     shown.saved_as(path, base::sha256(text));
     answer(request, {{"path", path.string()}});
     broadcast(changed_event(*shown.now(), *shown.now(), shown.status()));

@@ -32,6 +32,7 @@ class Studio::Impl final : public Service {
     ~Impl() override;
 
     [[nodiscard]] std::string address() const;
+    [[nodiscard]] const std::string& warning() const { return no_autosave_; }
     void run() { server_.run(); }
     void stop() { server_.stop(); }
 
@@ -122,6 +123,11 @@ class Studio::Impl final : public Service {
     void cancel(const Request& request);
 
     // studio_recovery.cpp: what was not saved
+    /// Nothing if the state folder takes no file, which pages are told.
+    [[nodiscard]] std::optional<AutosavePlace> place_for(
+        const std::optional<std::filesystem::path>& document);
+    /// The document is saved, or given up.
+    void forget_kept();
     /// The document of a file as it lies there.
     [[nodiscard]] Document document_in(const std::filesystem::path& file) const;
     /// The document of a file, with its unsaved changes if there are any.
@@ -178,6 +184,7 @@ class Studio::Impl final : public Service {
     std::vector<ExportRequest> waiting_exports_;
     std::optional<ShownBeams> last_beams_;
     std::optional<AutosavePlace> autosave_place_;
+    std::string no_autosave_;  ///< why nothing is kept; empty: it is
     Autosave autosave_;
     Background files_;  ///< what takes a second or two
     Background jobs_;   ///< what takes as long as it takes

@@ -2,6 +2,7 @@
 // Documents that were not saved when a studio ended, or when another document took their place.
 #include "document_json.hpp"
 #include "studio_impl.hpp"
+#include "words.hpp"
 
 #include <fretwork/base/error.hpp>
 #include <fretwork/simulation/project_library.hpp>
@@ -23,6 +24,24 @@ bool is_newer(const fs::path& file, const Recoverable& autosave) {
 }
 
 }  // namespace
+
+std::optional<AutosavePlace> Studio::Impl::place_for(const std::optional<fs::path>& document) {
+    no_autosave_.clear();
+    try {
+        return AutosavePlace(options_.state_folder, document);
+    } catch (const base::Error& error) {
+        no_autosave_ = error.what();
+    } catch (const fs::filesystem_error& error) {
+        no_autosave_ = in_words(error);
+    }
+    no_autosave_ = one_line("changes that are not saved are lost when the studio ends: " + no_autosave_);
+    broadcast(Json{{"event", "warning"}, {"text", no_autosave_}});
+    return std::nullopt;
+}
+
+void Studio::Impl::forget_kept() {
+    if (autosave_place_) autosave_.forget(autosave_place_->file());
+}
 
 /// The hash is taken first: a change between the two is taken for one that this document does not know.
 Document Studio::Impl::document_in(const fs::path& file) const {

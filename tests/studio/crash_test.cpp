@@ -83,6 +83,27 @@ TEST(StudioProgram, LosesNothingWhenItsTerminalIsClosed) {
     EXPECT_EQ(reader.ask("download")["text"], text);
 }
 
+TEST(StudioProgram, StartsWithoutAutosaveWhereItsFolderCannotBeMade) {
+    const test::TemporaryFolder folder;
+    simulation::write_project(test::studio_project(), folder.path() / "project.json");
+    std::ofstream(folder.path() / "fretwork") << "a file where the folder is to be";
+    for (const auto opens : {Program::Opens::Nothing, Program::Opens::Project}) {
+        Program program(folder.path(), opens);
+        ASSERT_NE(program.address(), "");
+        test::Client client(test::StudioAddress(program.address()));
+        client.hello();
+        EXPECT_THAT(client.event({"warning"})["text"].get<std::string>(),
+                    testing::HasSubstr("changes that are not saved are lost"));
+        if (opens == Program::Opens::Nothing) continue;
+        EXPECT_TRUE(client.ask("turn", {{"tiles", {1}}, {"by", 1}})["ok"].get<bool>());
+        EXPECT_TRUE(client.ask("save")["ok"].get<bool>());
+        const auto other = (folder.path() / "other.json").string();
+        EXPECT_TRUE(client.ask("save", {{"path", other}})["ok"].get<bool>());
+        EXPECT_TRUE(client.ask("open", {{"path", other}, {"discard", true}})["ok"].get<bool>());
+        EXPECT_EQ(program.end(SIGTERM), 0);
+    }
+}
+
 TEST(StudioProgram, OutlivesAFolderForTemporaryFilesThatIsNotThere) {
     const test::TemporaryFolder folder;
     simulation::write_project(test::studio_project(), folder.path() / "project.json");
