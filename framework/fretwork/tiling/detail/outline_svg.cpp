@@ -1,392 +1,68 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a browser would fill of an SVG drawing (SVG 2, chapters 5 to 14); where it fills nothing, what closed
-// lines enclose.
-#include <fretwork/base/file.hpp>
-#include <fretwork/tiling/detail/coloured_picture.hpp>
-#include <fretwork/tiling/detail/map_parts.hpp>
-#include <fretwork/tiling/detail/message_text.hpp>
-#include <fretwork/tiling/detail/outline_readers.hpp>
-#include <fretwork/tiling/detail/plane.hpp>
-#include <fretwork/tiling/detail/remarks.hpp>
-#include <fretwork/tiling/detail/svg_geometry.hpp>
-#include <fretwork/tiling/detail/svg_page.hpp>
-#include <fretwork/tiling/detail/svg_style.hpp>
-
-#include <algorithm>
-#include <array>
+#include <fretwork/base/error.hpp>
+#include <fretwork/tiling/detail/svg_reader.hpp>
 
 namespace fretwork::tiling::detail {
-namespace {
 
-constexpr int kDeepest =
-    256;  // of groups and copies: no drawing needs more, and the reader's stack has an end
-constexpr int kMostElements = 200'000;        // copies of copies grow fast
-constexpr std::size_t kMostPoints = 200'000;  // of which crossings are looked for
-/// A curve that reaches farther out of the drawing than so many times its size is a slip.
-constexpr double kFarthestOutside = 10;
-
-/// What is never drawn by itself.
-constexpr std::array<std::string_view, 21> kNotDrawn = {
-    "defs",     "title",  "desc",           "metadata",         "style",         "script", "symbol",
-    "clipPath", "mask",   "linearGradient", "radialGradient",   "pattern",       "marker", "filter",
-    "view",     "cursor", "animate",        "animateTransform", "animateMotion", "set",    "solidColor"};
-constexpr std::array<std::string_view, 6> kShapes = {"path", "polygon", "polyline",
-                                                     "rect", "circle",  "ellipse"};
-
-template <std::size_t n>
-bool is_one_of(const std::array<std::string_view, n>& names, std::string_view name) {
-    return std::ranges::find(names, name) != names.end();
+OutlineFile SvgReader::run() {
+    read();
+    Region region = picture_.shapes.empty() ? stroked_region() : filled_region(picture_, how_.tolerance);
+    if (region.parts.empty()) throw base::GeometryError(nothing_filled());
+    remarks_.tell(region, how_.tolerance);
+    if (region.cover)
+        remarks_.say(document_.place(places_[*region.cover]) +
+                     ", covers all other shapes; if it is a background, take it out");
+    if (lines_ > 0) remarks_.leave_out("unfilled line" + std::string(lines_ == 1 ? "" : "s"), lines_);
+    return {std::move(region.parts), remarks_.list()};
 }
 
-/// What an element gets from those around it.
-struct Surroundings {
-    SvgStyle style{};
-    Affine map{};  ///< to metres
-    SvgMeasure measure{};
-    std::optional<std::size_t> clip{};
-    int depth = 1;
-};
+ColouredPicture SvgReader::run_for_colours() {
+    read();
+    if (picture_.shapes.empty()) throw base::GeometryError(nothing_filled());
+    return {std::move(picture_), std::move(colours_)};
+}
 
-class SvgReader {
-  public:
-    explicit SvgReader(const std::filesystem::path& path)
-        : source_(path.string()), document_(source_, base::read_text_file(path)) {}
+Region SvgReader::stroked_region() {
+    for (const auto& [node, around] : lines_drawn_) add_stroked(node, around);
+    Region region = nested_region(stroked_, how_.tolerance);
+    if (region.parts.empty()) return region;
+    std::size_t holes = 0;
+    for (const Outline& part : region.parts) holes += part.holes.size();
+    remarks_.say("nothing is filled: the closed lines are taken as " +
+                 counted(static_cast<int>(region.parts.size()), "outline") + " with " +
+                 counted(static_cast<int>(holes), "hole"));
+    lines_ -= stroked_shapes_;
+    return region;
+}
 
-    OutlineFile run() {
-        read();
-        Region region = picture_.shapes.empty() ? stroked_region() : filled_region(picture_, how_.tolerance);
-        if (region.parts.empty()) throw base::GeometryError(nothing_filled());
-        remarks_.tell(region, how_.tolerance);
-        if (region.cover)
-            remarks_.say(document_.place(places_[*region.cover]) +
-                         ", covers all other shapes; if it is a background, take it out");
-        if (lines_ > 0) remarks_.leave_out("unfilled line" + std::string(lines_ == 1 ? "" : "s"), lines_);
-        return {std::move(region.parts), remarks_.list()};
+std::string SvgReader::nothing_filled() const {
+    std::string message = "nothing in it is filled";
+    if (lines_ > 0) message += ", and none of its " + counted(lines_, "line") + " is closed";
+    const std::string left_out = remarks_.left_out();
+    return message + (left_out.empty() ? "" : " (" + left_out + ")");
+}
+
+void SvgReader::add_stroked(pugi::xml_node node, const Surroundings& around) {
+    const SvgProperties properties(node, document_.rules());
+    const SvgElement element(node, properties, document_);
+    const std::string_view name = document_.name_of(node);
+    std::vector<Subpath> closed;
+    for (Subpath& subpath : element.subpaths(name, around.measure)) {
+        if (!is_closed(subpath, around.map)) return;
+        closed.push_back(std::move(subpath));
     }
+    std::vector<Polygon> loops = loops_of(closed, around.map);
+    if (loops.empty()) return;
+    check_loops(loops, element.node());
+    std::ranges::move(loops, std::back_inserter(stroked_));
+    ++stroked_shapes_;
+}
 
-    ColouredPicture run_for_colours() {
-        read();
-        if (picture_.shapes.empty()) throw base::GeometryError(nothing_filled());
-        return {std::move(picture_), std::move(colours_)};
-    }
-
-  private:
-    /// Shapes in a clip count whether they are painted or not; the box of a clipped element, too.
-    enum class Purpose { Paint, Clip, Box };
-
-    void read() {
-        const pugi::xml_node root = document_.root();
-        page_ = page_of(root, document_, remarks_);
-        how_.tolerance = flattening_tolerance(std::max(page_.width, page_.height));
-        Surroundings all{.map = page_.to_metres, .measure = page_.measure};
-        const SvgProperties properties(root, document_.rules());
-        all.style = style_in({}, properties, document_);
-        if (!is_switched_off(properties)) read_children(root, all);
-    }
-
-    /// Drawings for laser cutters have lines only: where nothing is filled, closed lines are outlines, and
-    /// what lies in one of them is a hole, as in DXF.
-    Region stroked_region() {
-        for (const auto& [node, around] : lines_drawn_) add_stroked(node, around);
-        Region region = nested_region(stroked_, how_.tolerance);
-        if (region.parts.empty()) return region;
-        std::size_t holes = 0;
-        for (const Outline& part : region.parts) holes += part.holes.size();
-        remarks_.say("nothing is filled: the closed lines are taken as " +
-                     counted(static_cast<int>(region.parts.size()), "outline") + " with " +
-                     counted(static_cast<int>(holes), "hole"));
-        lines_ -= stroked_shapes_;
-        return region;
-    }
-
-    [[nodiscard]] std::string nothing_filled() const {
-        std::string message = "nothing in it is filled";
-        if (lines_ > 0) message += ", and none of its " + counted(lines_, "line") + " is closed";
-        const std::string left_out = remarks_.left_out();
-        return message + (left_out.empty() ? "" : " (" + left_out + ")");
-    }
-
-    void read_children(pugi::xml_node parent, const Surroundings& around) {
-        if (around.depth > kDeepest)
-            document_.fail(parent,
-                           "groups lie more than " + std::to_string(kDeepest) + " deep in one another");
-        for (const pugi::xml_node node : parent.children())
-            if (node.type() == pugi::node_element) read_element(node, around);
-    }
-
-    void read_element(pugi::xml_node node, const Surroundings& outer) {
-        const std::string_view name = document_.name_of(node);
-        if (name.empty() || is_one_of(kNotDrawn, name) || !meets_conditions(node)) return;
-        if (++elements_ > kMostElements)
-            document_.fail(
-                node, "with all copies, more than " + std::to_string(kMostElements) + " elements are drawn");
-        const SvgProperties properties(node, document_.rules());
-        if (properties.find("display") == "none") return;
-        if (purpose_ == Purpose::Paint && is_switched_off(properties)) return;
-        const SvgElement element(node, properties, document_);
-        Surroundings around = outer;
-        ++around.depth;
-        around.style = style_in(outer.style, properties, document_);
-        around.measure.font_size = around.style.font_size;
-        around.map = outer.map.after(element.transform(outer.measure));
-        around.clip = clip_of(element, around);
-        for (const char* effect : {"mask", "filter"})
-            if (const auto value = properties.find(effect);
-                purpose_ == Purpose::Paint && !value.empty() && value != "none")
-                remarks_.leave_out(std::string(effect) + " of an element");
-        read_kind(name, element, around);
-    }
-
-    void read_kind(std::string_view name, const SvgElement& element, const Surroundings& around) {
-        const bool is_group = name == "g" || name == "a" || name == "switch" || name == "svg";
-        if (is_group && purpose_ == Purpose::Clip) return;  // a clip has shapes and copies of shapes
-        if (name == "g" || name == "a") return read_children(element.node(), around);
-        if (name == "switch") return read_switch(element.node(), around);
-        if (name == "svg") return read_viewport(element, element, around);
-        if (name == "use") return read_use(element, around);
-        if (is_one_of(kShapes, name)) return read_shape(name, element, around);
-        if (name == "line") {
-            if (around.style.stroke == SvgStyle::Paint::Some) ++lines_;
-            return;
-        }
-        remarks_.leave_out(std::string(name));
-    }
-
-    /// The first of the alternatives whose conditions hold.
-    void read_switch(pugi::xml_node parent, const Surroundings& around) {
-        for (const pugi::xml_node node : parent.children()) {
-            if (node.type() == pugi::node_element && !document_.name_of(node).empty() &&
-                meets_conditions(node))
-                return read_element(node, around);
-        }
-    }
-
-    /// An `svg` or `symbol` shows its viewBox in a box of its own; `sized` says how large that is.
-    void read_viewport(const SvgElement& element, const SvgElement& sized, Surroundings around) {
-        using Axis = SvgElement::Axis;
-        const SvgMeasure& measure = around.measure;
-        const auto size = [&](const char* name, Axis axis, double whole) {
-            return sized.size_or(name, axis, measure, element.size_or(name, axis, measure, whole));
-        };
-        const bool is_svg = document_.name_of(element.node()) == "svg";
-        const SvgBox box{is_svg ? element.length_or("x", Axis::X, measure, 0) : 0,
-                         is_svg ? element.length_or("y", Axis::Y, measure, 0) : 0,
-                         size("width", Axis::X, measure.width), size("height", Axis::Y, measure.height)};
-        const auto view_box = element.view_box();
-        if (!(box.width > 0) || !(box.height > 0)) return;
-        if (view_box && (!((*view_box)[2] > 0) || !((*view_box)[3] > 0))) return;
-        const std::string_view overflow = element.properties().find("overflow");
-        if (overflow != "visible" && overflow != "auto") around.clip = add_clip({box.outline()}, around);
-        around.map = around.map.after(
-            view_box
-                ? map_of_view_box(*view_box, box, element.node().attribute("preserveAspectRatio").value())
-                : Affine{1, 0, 0, 1, box.x, box.y});
-        around.measure.width = view_box ? (*view_box)[2] : box.width;
-        around.measure.height = view_box ? (*view_box)[3] : box.height;
-        read_children(element.node(), around);
-    }
-
-    void read_use(const SvgElement& element, Surroundings around) {
-        const pugi::xml_node node = element.node();
-        const pugi::xml_attribute link =
-            node.attribute("href") ? node.attribute("href") : node.attribute("xlink:href");
-        const pugi::xml_node copied = document_.referred(link.value());
-        if (!copied) return remarks_.leave_out("use of what is not there");
-        if (std::ranges::find(copying_, copied) != copying_.end() ||
-            node.attribute("id").value() == copied.attribute("id").value())
-            document_.fail(node, "copies itself");
-        if (around.depth > kDeepest)
-            document_.fail(node, "copies lie more than " + std::to_string(kDeepest) + " deep in one another");
-        const Affine moved{1,
-                           0,
-                           0,
-                           1,
-                           element.length_or("x", SvgElement::Axis::X, around.measure, 0),
-                           element.length_or("y", SvgElement::Axis::Y, around.measure, 0)};
-        around.map = around.map.after(moved);
-        const std::string_view name = document_.name_of(copied);
-        if (purpose_ == Purpose::Clip && !is_one_of(kShapes, name)) return;
-        copying_.push_back(copied);
-        if (name == "symbol" || name == "svg")
-            read_copied_viewport(copied, element, around);
-        else
-            read_element(copied, around);
-        copying_.pop_back();
-    }
-
-    void read_copied_viewport(pugi::xml_node copied, const SvgElement& use, Surroundings around) {
-        const SvgProperties properties(copied, document_.rules());
-        if (is_switched_off(properties)) return;
-        const SvgElement element(copied, properties, document_);
-        around.style = style_in(around.style, properties, document_);
-        around.map = around.map.after(element.transform(around.measure));
-        around.clip = clip_of(element, around);
-        ++around.depth;
-        read_viewport(element, use, around);
-    }
-
-    void read_shape(std::string_view name, const SvgElement& element, const Surroundings& around) {
-        const bool counts =
-            purpose_ == Purpose::Box || (purpose_ == Purpose::Paint && around.style.is_filled()) ||
-            (purpose_ == Purpose::Clip && around.style.visibility == SvgStyle::Visibility::Visible);
-        if (!counts) {
-            const bool is_line = around.style.stroke == SvgStyle::Paint::Some &&
-                                 around.style.visibility == SvgStyle::Visibility::Visible;
-            if (is_line && purpose_ == Purpose::Paint) {
-                ++lines_;
-                lines_drawn_.push_back({element.node(), around});
-            }
-            return;
-        }
-        FilledShape shape{.loops = loops_of(element.subpaths(name, around.measure), around.map),
-                          .rule = purpose_ == Purpose::Clip ? around.style.clip_rule : around.style.fill_rule,
-                          .clip = around.clip};
-        if (shape.loops.empty()) return;
-        check_loops(shape.loops, element.node());
-        shapes_->push_back(std::move(shape));
-        if (purpose_ != Purpose::Paint) return;
-        places_.push_back(element.node());
-        colours_.push_back(around.style.fill_colour);
-    }
-
-    /// A stroke without fill counts as a closed line if all its subpaths are closed, or their ends meet.
-    void add_stroked(pugi::xml_node node, const Surroundings& around) {
-        const SvgProperties properties(node, document_.rules());
-        const SvgElement element(node, properties, document_);
-        const std::string_view name = document_.name_of(node);
-        std::vector<Subpath> closed;
-        for (Subpath& subpath : element.subpaths(name, around.measure)) {
-            if (!is_closed(subpath, around.map)) return;
-            closed.push_back(std::move(subpath));
-        }
-        std::vector<Polygon> loops = loops_of(closed, around.map);
-        if (loops.empty()) return;
-        check_loops(loops, element.node());
-        std::ranges::move(loops, std::back_inserter(stroked_));
-        ++stroked_shapes_;
-    }
-
-    [[nodiscard]] bool is_closed(const Subpath& subpath, const Affine& map) const {
-        if (subpath.is_closed) return true;
-        const Polygon points = flatten(subpath, {map, how_.tolerance});
-        return points.size() > 3 && distance(points.front(), points.back()) <= how_.tolerance;
-    }
-
-    [[nodiscard]] std::vector<Polygon> loops_of(const std::vector<Subpath>& subpaths,
-                                                const Affine& map) const {
-        std::vector<Polygon> loops;
-        for (const Subpath& subpath : subpaths) {
-            Polygon points = flatten(subpath, {map, how_.tolerance});
-            remove_repeated_points(points, kClosingShare * how_.tolerance);
-            if (points.size() > 2) loops.push_back(std::move(points));
-        }
-        return loops;
-    }
-
-    void check_loops(const std::vector<Polygon>& loops, pugi::xml_node node) {
-        for (const Polygon& loop : loops) {
-            points_ += loop.size();
-            if (points_ > kMostPoints)
-                document_.fail(node,
-                               "up to here the drawing has more than " + std::to_string(kMostPoints) +
-                                   " points, which is more than an outline can use; simplify its paths");
-            for (const Point2& point : loop) {
-                if (!std::isfinite(point.x) || !std::isfinite(point.y))
-                    document_.fail(node, "has a point that is not finite");
-                if (purpose_ == Purpose::Paint) check_on_page(point, node);
-            }
-        }
-    }
-
-    void check_on_page(Point2 point, pugi::xml_node node) const {
-        const double outside_x = std::max(-point.x, point.x - page_.width);
-        const double outside_y = std::max(-point.y, point.y - page_.height);
-        if (outside_x <= kFarthestOutside * page_.width && outside_y <= kFarthestOutside * page_.height)
-            return;
-        document_.fail(node, "reaches " + place_text(point) + " m, far outside the drawing, which is " +
-                                 metres(page_.width) + " wide and " + metres(page_.height) +
-                                 " high; at most ten times that is taken: is a control point wrong?");
-    }
-
-    std::size_t add_clip(const std::vector<Subpath>& subpaths, const Surroundings& around) {
-        picture_.clips.push_back({{{loops_of(subpaths, around.map)}}, around.clip});
-        return picture_.clips.size() - 1;
-    }
-
-    /// The clip of an element, within that of those around it.
-    std::optional<std::size_t> clip_of(const SvgElement& element, const Surroundings& around) {
-        const std::string_view value = element.properties().find("clip-path");
-        if (value.empty() || value == "none" || purpose_ == Purpose::Box) return around.clip;
-        if (!value.starts_with("url(")) {
-            remarks_.leave_out("clip-path without url()");
-            return around.clip;
-        }
-        const pugi::xml_node clip = document_.referred(value);
-        if (!clip || document_.name_of(clip) != "clipPath") return around.clip;
-        if (std::ranges::find(copying_, clip) != copying_.end()) document_.fail(clip, "clips itself");
-        return read_clip(clip, element, around);
-    }
-
-    std::size_t read_clip(pugi::xml_node clip, const SvgElement& clipped, Surroundings around) {
-        const SvgProperties properties(clip, document_.rules());
-        const SvgElement element(clip, properties, document_);
-        copying_.push_back(clip);
-        if (std::string_view(clip.attribute("clipPathUnits").value()) == "objectBoundingBox")
-            around.map = around.map.after(unit_box_of(clipped, around));
-        around.map = around.map.after(element.transform(around.measure));
-        around.clip = clip_of(element, around);  // a clip may be clipped
-        around.style = style_in({}, properties, document_);
-        Clip made{{}, around.clip};
-        around.clip.reset();
-        const auto shapes = std::exchange(shapes_, &made.shapes);
-        const auto purpose = std::exchange(purpose_, Purpose::Clip);
-        read_children(clip, around);
-        shapes_ = shapes;
-        purpose_ = purpose;
-        copying_.pop_back();
-        picture_.clips.push_back(std::move(made));
-        return picture_.clips.size() - 1;
-    }
-
-    /// From the unit square to the box of an element, in the element's own coordinates.
-    Affine unit_box_of(const SvgElement& element, const Surroundings& around) {
-        std::vector<FilledShape> found;
-        const auto shapes = std::exchange(shapes_, &found);
-        const auto purpose = std::exchange(purpose_, Purpose::Box);
-        constexpr double kBoxShare = 1e-4;  // of the viewport, by which the box may be off
-        const double tolerance =
-            std::exchange(how_.tolerance, kBoxShare * std::max(around.measure.width, around.measure.height));
-        Surroundings inside{.style = around.style, .measure = around.measure, .depth = around.depth};
-        read_kind(document_.name_of(element.node()), element, inside);
-        shapes_ = shapes;
-        purpose_ = purpose;
-        how_.tolerance = tolerance;
-        std::vector<Polygon> loops;
-        for (FilledShape& shape : found) std::ranges::move(shape.loops, std::back_inserter(loops));
-        const auto [low, high] = box_of(loops);
-        return {high.x - low.x, 0, 0, high.y - low.y, low.x, low.y};
-    }
-
-    std::string source_;
-    SvgDocument document_;
-    SvgPage page_;
-    Flattening how_{.tolerance = kFlatteningTolerance};
-    Picture picture_;
-    std::vector<FilledShape>* shapes_ = &picture_.shapes;
-    std::vector<pugi::xml_node> places_;   // of the picture's shapes
-    std::vector<std::string> colours_;     // of the same
-    std::vector<pugi::xml_node> copying_;  // what is being copied or clips
-    Purpose purpose_ = Purpose::Paint;
-    Remarks remarks_;
-    int elements_ = 0;
-    int lines_ = 0;  // shapes that are stroked and not filled
-    std::vector<std::pair<pugi::xml_node, Surroundings>> lines_drawn_;  // looked at only if nothing is filled
-    int stroked_shapes_ = 0;                                            // those of them that are closed, with
-    std::vector<Polygon> stroked_;                                      // their lines
-    std::size_t points_ = 0;
-};
-
-}  // namespace
+bool SvgReader::is_closed(const Subpath& subpath, const Affine& map) const {
+    if (subpath.is_closed) return true;
+    const Polygon points = flatten(subpath, {map, how_.tolerance});
+    return points.size() > 3 && distance(points.front(), points.back()) <= how_.tolerance;
+}
 
 OutlineFile read_svg_outlines(const std::filesystem::path& path) {
     return SvgReader(path).run();
