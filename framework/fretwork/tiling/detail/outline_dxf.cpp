@@ -3,10 +3,9 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/file.hpp>
 #include <fretwork/base/text.hpp>
+#include <fretwork/tiling/detail/drawn_lines.hpp>
 #include <fretwork/tiling/detail/dxf_curves.hpp>
 #include <fretwork/tiling/detail/filled_region.hpp>
-#include <fretwork/tiling/detail/line_joining.hpp>
-#include <fretwork/tiling/detail/map_parts.hpp>
 #include <fretwork/tiling/detail/outline_readers.hpp>
 #include <fretwork/tiling/detail/plane.hpp>
 #include <fretwork/tiling/detail/remarks.hpp>
@@ -20,13 +19,6 @@ namespace {
 constexpr int kDeepest = 32;                  // blocks in blocks
 constexpr int kMostEntities = 200'000;        // blocks of blocks grow fast
 constexpr std::size_t kMostPoints = 200'000;  // of which crossings are looked for
-
-/// Loose ends nearer than this to each other are joined, metres; in drawings smaller than a thousand times
-/// that, within a thousandth of their size.
-constexpr double kWidestGap = 2e-4;
-constexpr double kGapPerTolerance = kDetail / 1000;
-/// Ends nearer than this share of the flattening tolerance are one point: drawings are rounded.
-constexpr double kSameShare = 0.5;
 
 struct UnitName {
     long number;
@@ -66,8 +58,9 @@ class DxfReader {
         const double unit = metres_per_unit();
         how_.tolerance = flattening_tolerance(unit * extent());
         read(file_.entities(), {.to_metres = {unit, 0, 0, unit, 0, 0}});
-        join();
-        Region region = nested_region(closed_, how_.tolerance);
+        Enclosed enclosed = enclosed_by(lines_, how_.tolerance, remarks_);
+        open_ = std::move(enclosed.open);
+        Region region = nested_region(enclosed.curves, how_.tolerance);
         if (region.parts.empty()) fail_open();
         tell_open();
         remarks_.tell(region, how_.tolerance);
@@ -160,9 +153,9 @@ class DxfReader {
                 file_.fail(entity.line, std::string(entity.name) + " has a point that is not finite");
         if (drawn.curve->ends == DxfCurve::Ends::Closed) {
             remove_repeated_points(points, kClosingShare * how_.tolerance);
-            if (points.size() > 2) closed_.push_back(std::move(points));
+            if (points.size() > 2) lines_.closed.push_back(std::move(points));
         } else {
-            lines_.push_back(std::move(points));
+            lines_.open.push_back(std::move(points));
             line_numbers_.push_back(entity.line);
         }
     }
@@ -202,38 +195,10 @@ class DxfReader {
         inserting_.pop_back();
     }
 
-    /// Lines become closed curves; what stays open is remembered.
-    void join() {
-        const double same = kSameShare * how_.tolerance;
-        JoinedLines joined = join_lines(lines_, {same, widest_gap()});
-        Contours contours = contours_of(joined.lines);
-        for (const std::size_t line : contours.open)
-            if (joined.lines[line].size() > 1) open_.push_back(joined.given[line]);
-        std::ranges::move(contours.closed, std::back_inserter(closed_));
-        DistinctCurves distinct = distinct_curves(std::move(closed_), same);
-        closed_ = std::move(distinct.curves);
-        if (joined.gaps > 0)
-            remarks_.say(counted(joined.gaps, "gap") + " of at most " +
-                         roughly_in_millimetres(joined.widest_gap) + " mm closed");
-        if (const int doubled = joined.doubled + distinct.doubled; doubled > 0)
-            remarks_.say(counted(doubled, "doubled line") + " taken once");
-    }
-
     void tell_open() {
         if (open_.empty()) return;
-        const auto longest =
-            std::ranges::max_element(open_, {}, [&](std::size_t line) { return width_of(lines_[line]); });
-        remarks_.leave_out("open line" + std::string(open_.size() == 1 ? "" : "s") + " (the longest, " +
-                               in_millimetres(width_of(lines_[*longest])) + " mm, at line " +
-                               std::to_string(line_numbers_[*longest]) + ")",
-                           static_cast<int>(open_.size()));
-    }
-    [[nodiscard]] double widest_gap() const {
-        return std::min(kWidestGap, kGapPerTolerance * how_.tolerance);
-    }
-    static double width_of(const Polygon& line) {
-        const auto [low, high] = box_of({line});
-        return distance(low, high);
+        const std::size_t longest = longest_of(lines_.open, open_);
+        leave_out_open(lines_.open, open_, "line " + std::to_string(line_numbers_[longest]), remarks_);
     }
     [[noreturn]] void fail_open() const {
         if (open_.empty()) {
@@ -246,17 +211,17 @@ class DxfReader {
             return "(" + in_millimetres(place.x) + ", " + in_millimetres(place.y) + ") mm";
         };
         file_.fail(line_numbers_[line], "there is no closed curve: the one that begins here, from " +
-                                            text(lines_[line].front()) + " to " + text(lines_[line].back()) +
+                                            text(lines_.open[line].front()) + " to " +
+                                            text(lines_.open[line].back()) +
                                             ", is not closed; loose ends are joined up to " +
-                                            roughly_in_millimetres(widest_gap()) + " mm");
+                                            roughly_in_millimetres(widest_gap(how_.tolerance)) + " mm");
     }
 
     DxfFile file_;
     Flattening how_{.tolerance = kFlatteningTolerance};
-    std::vector<Polygon> closed_;
-    std::vector<Polygon> lines_;
-    std::vector<int> line_numbers_;  // in the file, of lines_
-    std::vector<std::size_t> open_;  // lines that enclose nothing
+    DrawnLines lines_;
+    std::vector<int> line_numbers_;  // in the file, of the open lines
+    std::vector<std::size_t> open_;  // open lines that enclose nothing
     std::vector<const DxfFile::Block*> inserting_;
     Remarks remarks_;
     int entities_ = 0;
