@@ -111,7 +111,7 @@ TEST(SvgFill, WhereNothingIsFilledClosedLinesAreOutlines) {
     EXPECT_EQ(ring.parts.front().holes.size(), 1U);
     EXPECT_THAT(ring.remarks,
                 ElementsAre("nothing is filled: the closed lines are taken as 1 outline with 1 hole",
-                            "1 unfilled line left out"));
+                            "1 open line (the longest, 5 mm, at line 1, line) left out"));
     EXPECT_NEAR(filled("<path d='M0 0H10V10H0V0'" + style + "/>"), 100, kExact) << "the ends meet";
     EXPECT_NEAR(filled("<rect width='9' height='5'" + style + "/>"), 45, kExact);
     EXPECT_NEAR(filled("<polygon points='0 0 10 0 10 10'" + style + "/>"), 50, kExact);

@@ -3,36 +3,14 @@
 #include <fretwork/tiling/coloured_drawing.hpp>
 #include <fretwork/tiling/detail/coloured_picture.hpp>
 #include <fretwork/tiling/detail/css_colour.hpp>
-#include <fretwork/tiling/detail/winding.hpp>
+#include <fretwork/tiling/detail/shown.hpp>
 
 #include <algorithm>
 
 namespace fretwork::tiling {
-namespace {
 
-using detail::FilledShape;
 using detail::Picture;
 using pattern::Point2;
-
-bool is_filled_at(const FilledShape& shape, Point2 point) {
-    int winding = 0;
-    for (const pattern::Polygon& loop : shape.loops) winding += detail::winding_number(loop, point);
-    return shape.rule == detail::FillRule::Nonzero ? winding != 0 : winding % 2 != 0;
-}
-
-bool is_shown_at(const Picture& picture, std::optional<std::size_t> clip, Point2 point) {
-    while (clip) {
-        const detail::Clip& now = picture.clips[*clip];
-        const auto shows = [&](const FilledShape& shape) {
-            return is_filled_at(shape, point) && is_shown_at(picture, shape.clip, point);
-        };
-        if (std::ranges::none_of(now.shapes, shows)) return false;
-        clip = now.outer;
-    }
-    return true;
-}
-
-}  // namespace
 
 std::string parse_colour(std::string_view text) {
     if (const auto colour = detail::css_colour(text)) return *colour;
@@ -65,7 +43,8 @@ std::vector<std::string> ColouredDrawing::colours() const {
 std::optional<std::string> ColouredDrawing::colour_at(Point2 point) const {
     const Picture& picture = impl_->drawn.picture;
     for (std::size_t i = picture.shapes.size(); i-- > 0;) {
-        if (is_filled_at(picture.shapes[i], point) && is_shown_at(picture, picture.shapes[i].clip, point))
+        if (detail::is_filled_at(picture.shapes[i], point) &&
+            detail::is_shown_at(picture, picture.shapes[i].clip, point))
             return impl_->drawn.colours[i];
     }
     return std::nullopt;

@@ -81,6 +81,11 @@ std::vector<Subpath> SvgElement::subpaths(std::string_view shape, const SvgMeasu
         lines.front().is_closed = shape == "polygon";
         return lines;
     }
+    if (shape == "line") {
+        const Point2 from{length_or("x1", Axis::X, measure, 0), length_or("y1", Axis::Y, measure, 0)};
+        const Point2 to{length_or("x2", Axis::X, measure, 0), length_or("y2", Axis::Y, measure, 0)};
+        return {{{straight(from, to)}}};
+    }
     if (shape == "rect") return rectangle(measure);
     return ellipse(shape, measure);
 }

@@ -31,7 +31,8 @@ class SvgElement {
                                  double missing) const;
     /// The four numbers of `viewBox`, if it has one. Throws InputError unless its sizes are at least zero.
     [[nodiscard]] std::optional<std::array<double, 4>> view_box() const;
-    /// What a shape (path, polygon, polyline, rect, circle, ellipse) is made of; nothing if it has no size.
+    /// What a shape (path, polygon, polyline, rect, circle, ellipse, line) is made of; nothing if it has no
+    /// size.
     [[nodiscard]] std::vector<Subpath> subpaths(std::string_view shape, const SvgMeasure& measure) const;
     /// `transform` and `transform-origin`.
     [[nodiscard]] Affine transform(const SvgMeasure& measure) const;

@@ -83,7 +83,7 @@ void SvgReader::read_kind(std::string_view name, const SvgElement& element, cons
     if (name == "use") return read_use(element, around);
     if (is_one_of(kShapes, name)) return read_shape(name, element, around);
     if (name == "line") {
-        if (around.style.stroke == SvgStyle::Paint::Some) ++lines_;
+        if (purpose_ == Purpose::Paint) remember_stroke(element.node(), around);
         return;
     }
     remarks_.leave_out(std::string(name));
@@ -162,15 +162,8 @@ void SvgReader::read_shape(std::string_view name, const SvgElement& element, con
     const bool counts =
         purpose_ == Purpose::Box || (purpose_ == Purpose::Paint && around.style.is_filled()) ||
         (purpose_ == Purpose::Clip && around.style.visibility == SvgStyle::Visibility::Visible);
-    if (!counts) {
-        const bool is_line = around.style.stroke == SvgStyle::Paint::Some &&
-                             around.style.visibility == SvgStyle::Visibility::Visible;
-        if (is_line && purpose_ == Purpose::Paint) {
-            ++lines_;
-            lines_drawn_.push_back({element.node(), around});
-        }
-        return;
-    }
+    if (purpose_ == Purpose::Paint) remember_stroke(element.node(), around);
+    if (!counts) return;
     FilledShape shape{.loops = loops_of(element.subpaths(name, around.measure), around.map),
                       .rule = purpose_ == Purpose::Clip ? around.style.clip_rule : around.style.fill_rule,
                       .clip = around.clip};
@@ -180,6 +173,12 @@ void SvgReader::read_shape(std::string_view name, const SvgElement& element, con
     if (purpose_ != Purpose::Paint) return;
     places_.push_back(element.node());
     colours_.push_back(around.style.fill_colour);
+}
+
+void SvgReader::remember_stroke(pugi::xml_node node, const Surroundings& around) {
+    if (!around.style.is_stroked()) return;
+    if (!around.style.is_filled() || document_.name_of(node) == "line") ++lines_;
+    strokes_.emplace_back(node, around);
 }
 
 std::vector<Polygon> SvgReader::loops_of(const std::vector<Subpath>& subpaths, const Affine& map) const {

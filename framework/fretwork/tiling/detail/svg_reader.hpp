@@ -2,6 +2,7 @@
 #pragma once
 
 #include <fretwork/tiling/detail/coloured_picture.hpp>
+#include <fretwork/tiling/detail/drawn_lines.hpp>
 #include <fretwork/tiling/detail/outline_readers.hpp>
 #include <fretwork/tiling/detail/plane.hpp>
 #include <fretwork/tiling/detail/remarks.hpp>
@@ -33,10 +34,12 @@ class SvgReader {
     enum class Purpose { Paint, Clip, Box };
 
     void read();
-    /// Drawings for laser cutters have lines only: where nothing is filled, closed lines are outlines, and
-    /// what lies in one of them is a hole, as in DXF.
+    /// Drawings for laser cutters have lines only: where the fills give no part, closed lines are outlines,
+    /// and what lies in one of them is a hole, as in DXF. Throws GeometryError if no line is closed.
     Region stroked_region();
     [[nodiscard]] std::string nothing_filled() const;
+    /// In brackets, what was left out.
+    [[nodiscard]] std::string left_out_text() const;
     void read_children(pugi::xml_node parent, const Surroundings& around);
     void read_element(pugi::xml_node node, const Surroundings& outer);
     void read_kind(std::string_view name, const SvgElement& element, const Surroundings& around);
@@ -47,9 +50,9 @@ class SvgReader {
     void read_use(const SvgElement& element, Surroundings around);
     void read_copied_viewport(pugi::xml_node copied, const SvgElement& use, Surroundings around);
     void read_shape(std::string_view name, const SvgElement& element, const Surroundings& around);
-    /// A stroke without fill counts as a closed line if all its subpaths are closed, or their ends meet.
-    void add_stroked(pugi::xml_node node, const Surroundings& around);
-    [[nodiscard]] bool is_closed(const Subpath& subpath, const Affine& map) const;
+    void remember_stroke(pugi::xml_node node, const Surroundings& around);
+    void add_stroke(pugi::xml_node node, const Surroundings& around);
+    void add_closed_line(Polygon points, std::optional<std::size_t> clip);
     [[nodiscard]] std::vector<Polygon> loops_of(const std::vector<Subpath>& subpaths,
                                                 const Affine& map) const;
     void check_loops(const std::vector<Polygon>& loops, pugi::xml_node node);
@@ -74,9 +77,10 @@ class SvgReader {
     Remarks remarks_;
     int elements_ = 0;
     int lines_ = 0;  // shapes that are stroked and not filled
-    std::vector<std::pair<pugi::xml_node, Surroundings>> lines_drawn_;  // looked at only if nothing is filled
-    int stroked_shapes_ = 0;                                            // those of them that are closed, with
-    std::vector<Polygon> stroked_;                                      // their lines
+    /// All that is stroked. It is looked at only if the fills give no part.
+    std::vector<std::pair<pugi::xml_node, Surroundings>> strokes_;
+    DrawnLines lines_drawn_;
+    std::vector<pugi::xml_node> open_places_;  // of the open lines
     std::size_t points_ = 0;
 };
 

@@ -86,6 +86,18 @@ FillRule rule_of(std::string_view text, FillRule outer) {
     return text == "nonzero" ? FillRule::Nonzero : outer;
 }
 
+/// A width below zero, or one that cannot be read, does not count.
+SvgStyle::StrokeWidth stroke_width_of(std::string_view text, SvgStyle::StrokeWidth outer) {
+    if (text.empty()) return outer;
+    try {
+        const double width = parse_svg_length(text).value;
+        if (width < 0) return outer;
+        return width > 0 ? SvgStyle::StrokeWidth::Some : SvgStyle::StrokeWidth::Zero;
+    } catch (const base::InputError&) {
+        return outer;
+    }
+}
+
 double font_size_of(std::string_view text, double outer) {
     if (text.empty()) return outer;
     try {
@@ -122,6 +134,8 @@ SvgStyle style_in(const SvgStyle& outer, const SvgProperties& properties, const 
     style.current_colour = colour_of(properties.find("color"), outer.current_colour, outer.current_colour);
     style.fill_colour = colour_of(properties.find("fill"), outer.fill_colour, style.current_colour);
     style.fill_opacity = share_of(properties.find("fill-opacity")).value_or(outer.fill_opacity);
+    style.stroke_opacity = share_of(properties.find("stroke-opacity")).value_or(outer.stroke_opacity);
+    style.stroke_width = stroke_width_of(properties.find("stroke-width"), outer.stroke_width);
     style.fill_rule = rule_of(properties.find("fill-rule"), outer.fill_rule);
     style.clip_rule = rule_of(properties.find("clip-rule"), outer.clip_rule);
     style.font_size = font_size_of(properties.find("font-size"), outer.font_size);

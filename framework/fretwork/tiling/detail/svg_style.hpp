@@ -8,12 +8,14 @@
 
 namespace fretwork::tiling::detail {
 
-/// What elements hand on to those in them, as far as it decides what is filled.
+/// What elements hand on to those in them, as far as it decides what is filled or stroked.
 struct SvgStyle {
     enum class Paint { None, Some };
     Paint fill = Paint::Some;
     Paint stroke = Paint::None;
     double fill_opacity = 1.0;
+    double stroke_opacity = 1.0;
+    enum class StrokeWidth { Zero, Some } stroke_width = StrokeWidth::Some;
     FillRule fill_rule = FillRule::Nonzero;
     FillRule clip_rule = FillRule::Nonzero;
     enum class Visibility { Visible, Hidden } visibility = Visibility::Visible;
@@ -23,6 +25,10 @@ struct SvgStyle {
 
     [[nodiscard]] bool is_filled() const {
         return fill == Paint::Some && fill_opacity > 0 && visibility == Visibility::Visible;
+    }
+    [[nodiscard]] bool is_stroked() const {
+        return stroke == Paint::Some && stroke_opacity > 0 && stroke_width == StrokeWidth::Some &&
+               visibility == Visibility::Visible;
     }
 };
 
