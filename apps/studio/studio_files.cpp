@@ -7,6 +7,7 @@
 #include "pattern_list.hpp"
 #include "sent_file.hpp"
 #include "sent_name.hpp"
+#include "sent_outline.hpp"
 #include "studio_impl.hpp"
 #include "words.hpp"
 
@@ -35,46 +36,9 @@ using simulation::Project;
 
 namespace {
 
-/// An outline that comes in a message.
-struct SentOutline {
-    SentFile file;
-    std::optional<double> width{};  ///< m, that it is to have
-};
-
-SentOutline read_sent_outline(const base::JsonReader& json) {
-    json.allow_only({"name", "text_base64", "width"});
-    SentOutline sent{parse_sent_file(json)};
-    if (const auto width = json.find("width")) sent.width = width->positive_number();
-    return sent;
-}
-
-tiling::OutlineFile outline_of(const SentOutline& sent) {
-    tiling::OutlineFile file = read_sent(sent.file, [](const std::filesystem::path& path) {
-        return tiling::take_parts(tiling::read_outline_file(path), "largest");
-    });
-    return sent.width ? tiling::scaled_to_width(std::move(file), *sent.width) : file;
-}
-
-Json points_json(const pattern::Polygon& loop) {
-    Json points = Json::array();
-    for (const pattern::Point2& point : loop) points.push_back({point.x, point.y});
-    return points;
-}
-
 double width_of(const std::vector<pattern::Point2>& points) {
     const auto [left, right] = std::ranges::minmax(points, {}, &pattern::Point2::x);
     return right.x - left.x;
-}
-
-/// The part that would be tiled.
-Json measured(const tiling::OutlineFile& file) {
-    const tiling::Outline& outline = file.parts.front();
-    const auto [lower, upper] = std::ranges::minmax(outline.boundary, {}, &pattern::Point2::y);
-    Json loops = Json::array({points_json(outline.boundary)});
-    for (const pattern::Polygon& hole : outline.holes) loops.push_back(points_json(hole));
-    return {{"size", {width_of(outline.boundary), upper.y - lower.y}},
-            {"loops", loops},
-            {"remarks", file.remarks}};
 }
 
 /// What `new` asks for.
@@ -129,7 +93,7 @@ NamedProject make(const NewRequest& wanted, const base::Control& control) {
         return {example_title(wanted.example), make_example(wanted.example, control), {}, true};
     simulation::NewProjectOptions options = wanted.options;
     options.control = control;
-    tiling::OutlineFile file = outline_of(wanted.outline);
+    tiling::OutlineFile file = take_outline(wanted.outline).file;
     simulation::NewProject made = make_from(wanted.outline, file, options);
     add_remarks(made, file.remarks);
     if (wanted.is_to_be_made) {
@@ -295,7 +259,7 @@ void Studio::Impl::measure(const Request& request) {
     in_background(
         files_, request,
         [this, request, sent = read_sent_outline(request.json.at("outline"))](const base::Control&) {
-            const auto size = std::make_shared<const Json>(measured(outline_of(sent)));
+            const auto size = std::make_shared<const Json>(measured(take_outline(sent)));
             return [this, request, size] { answer(request, *size); };
         });
 }

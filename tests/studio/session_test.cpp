@@ -572,6 +572,53 @@ TEST(StudioFiles, AnOutlineIsMeasuredAndScaledToTheWidthThatIsWanted) {
                 HasSubstr("width"));
 }
 
+TEST(StudioFiles, OneOrAllPartsOfADrawingAreTaken) {
+    const RunningStudio studio;
+    Client client(studio.address());
+    client.hello();
+    const std::string content =
+        R"(<svg xmlns="http://www.w3.org/2000/svg" width="600mm" height="300mm" viewBox="0 0 600 300">)"
+        R"(<rect width="200" height="100"/><rect x="300" width="300" height="300"/></svg>)";
+    Json outline = {{"name", "two.svg"}, {"text_base64", base::encode_base64(content)}};
+    const auto near = [](const Json& size, double width, double height) {
+        EXPECT_NEAR(size[0].get<double>(), width, 1e-9);
+        EXPECT_NEAR(size[1].get<double>(), height, 1e-9);
+    };
+    const Json largest = client.ask("measure", {{"outline", outline}});
+    near(largest["size"], 0.3, 0.3);
+    ASSERT_EQ(largest["parts"].size(), 2U) << largest;
+    near(largest["parts"][0], 0.3, 0.3);
+    near(largest["parts"][1], 0.2, 0.1);
+
+    outline["part"] = "2";
+    const Json second = client.ask("measure", {{"outline", outline}});
+    near(second["size"], 0.2, 0.1);
+    EXPECT_NEAR(second["area"].get<double>(), 0.02, 1e-9);
+    EXPECT_EQ(second["loops"].size(), 1U);
+    outline["width"] = 0.4;
+    const Json scaled = client.ask("measure", {{"outline", outline}});
+    near(scaled["size"], 0.4, 0.2);
+    near(scaled["parts"][0], 0.6, 0.6);
+
+    outline.erase("width");
+    outline["part"] = "all";
+    const Json all = client.ask("measure", {{"outline", outline}});
+    near(all["size"], 0.6, 0.3);
+    EXPECT_NEAR(all["area"].get<double>(), 0.11, 1e-9);
+    EXPECT_EQ(all["loops"].size(), 2U);
+    const Json made = client.ask("new", {{"outline", outline}, {"tile_size", 0.03}});
+    ASSERT_TRUE(made["ok"].get<bool>()) << made;
+    outline["part"] = "2";
+    const Json fewer = client.ask("new", {{"outline", outline}, {"tile_size", 0.03}, {"discard", true}});
+    ASSERT_TRUE(fewer["ok"].get<bool>()) << fewer;
+    EXPECT_LT(fewer["tiles"].get<int>(), made["tiles"].get<int>() / 3);
+
+    outline["part"] = "3";
+    for (const char* message : {"measure", "new"})
+        EXPECT_THAT(client.ask(message, {{"outline", outline}})["error"].get<std::string>(),
+                    HasSubstr("part '3' is none of largest, all, 1 .. 2"));
+}
+
 TEST(StudioFiles, TheFacesOfADroppedMeshBecomeTilesAtTheWidthThatIsWanted) {
     const RunningStudio studio;
     Client client(studio.address());

@@ -1,20 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How large the tiles of an outline may well be.
 
-import { areaOf } from '../document/surface';
-import type { Point } from '../protocol/messages';
-
 /** The paper's, in metres. */
 export const DEFAULT_SIDE = 0.026;
 const [FEWEST_TILES, WANTED_TILES, MOST_TILES] = [40, 120, 600];
 /** Area of a hexagon with sides of 1. */
 export const HEXAGON = 1.5 * Math.sqrt(3);
-
-/** The outer loop without what is cut out of it. */
-export function areaWithin(loops: readonly Point[][]): number {
-  const areas = loops.map(areaOf).sort((a, b) => b - a);
-  return Math.max(areas.slice(1).reduce((left, hole) => left - hole, areas[0] ?? 0), 0);
-}
 
 /** The usual tiles where they are neither few nor many; else some that are. */
 export function fittingSide(area: number): number {

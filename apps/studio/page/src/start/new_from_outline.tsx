@@ -7,7 +7,8 @@ import { inShownUnits, shown } from '../document/units';
 import { Button, Check, Choice } from '../widgets/widgets';
 import { NumberField } from '../widgets/number';
 import { setReadable, sizeAdvice, unreadable } from './tile_size';
-import { height, isMesh, keepsFaces, measured, outline, outlineTrouble, setWidth, tilesAbout, tileSize, width, type Measured } from './outline';
+import type { Point } from '../protocol/messages';
+import { ALL, choosePart, height, isMesh, keepsFaces, LARGEST, measured, outline, outlineTrouble, part, setWidth, tilesAbout, tileSize, width, type Measured } from './outline';
 
 export const painting = signal<'one' | 'bare'>('one');
 const over = signal(false);
@@ -41,6 +42,7 @@ export function NewFromOutline({ busy, choose, take, make }: Props) {
         {file ? <Told name={file.name} /> : <span><b>Drop an outline here</b><br />SVG, DXF, OBJ, PLY or OFF. Or press to choose.</span>}
       </button>
       <div class="drop-options">
+        <PartField />
         {file && measured.value && (
           <label class="field"><span>Width of the surface</span><NumberField id="outline-width" label="Width of the surface" least={LEAST_LENGTH} value={width.value} quantity="length" onChange={setWidth} onReadable={(is) => setReadable('width', is)} /></label>
         )}
@@ -52,6 +54,20 @@ export function NewFromOutline({ busy, choose, take, make }: Props) {
         </div>
         <Button id="make" kind="main" wide title={takesFaces ? 'Paint its faces' : 'Cover it with tiles'} label={!takesFaces && tilesAbout.value ? `Make it, of about ${tilesAbout.value} tiles` : 'Make it'} disabled={!file || busy || wrong} onPress={make} />
       </div>
+    </div>
+  );
+}
+
+/** Which of several parts of a drawing. */
+function PartField() {
+  const parts = measured.value?.parts ?? [];
+  if (parts.length < 2) return null;
+  const size = ([w, h]: Point): string => `${shown(w, 'length')} × ${shown(h, 'length')}`;
+  const options = parts.map((one, at) => ({ value: at === 0 ? LARGEST : `${at + 1}`, title: `${at + 1}, ${at === 0 ? 'the largest, ' : ''}${size(one)}` }));
+  return (
+    <div class="field"><span>Part of the drawing</span>
+      <Choice id="outline-part" label="Part of the drawing" value={part.value} onPick={(which) => void choosePart(which)}
+        options={[...options, { value: ALL, title: `all ${parts.length}; each needs supports` }]} />
     </div>
   );
 }

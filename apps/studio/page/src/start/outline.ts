@@ -6,17 +6,26 @@ import { base64 } from '../document/files';
 import { hello } from '../document/store';
 import { ask } from '../document/studio';
 import type { Point } from '../protocol/messages';
-import { areaWithin, DEFAULT_SIDE, fittingSide, HEXAGON } from './fitting_side';
+import { DEFAULT_SIDE, fittingSide, HEXAGON } from './fitting_side';
+
+export const LARGEST = 'largest';
+export const ALL = 'all';
 
 export interface Measured {
   /** Width and height as drawn, in metres. */
   size: Point;
+  /** Without holes, in square metres. */
+  area: number;
   loops: Point[][];
+  /** The sizes of all parts of the drawing, the largest part first. */
+  parts: Point[];
   /** What was done to the drawing. */
   remarks?: string[];
 }
 export const outline = signal<File | null>(null);
 export const measured = signal<Measured | null>(null);
+/** Which part of the drawing is tiled: LARGEST, ALL, or a number as text, 1 the largest. */
+export const part = signal<string>(LARGEST);
 /** How wide the surface shall be; null as drawn. */
 export const wantedWidth = signal<number | null>(null);
 /** Whether the faces of a mesh become the tiles, as they are. */
@@ -37,7 +46,7 @@ export const tilesAbout = computed(() => {
   const now = measured.value;
   if (!now) return null;
   const scale = width.value / now.size[0];
-  return Math.round((areaWithin(now.loops) * scale * scale) / (HEXAGON * tileSize.value ** 2));
+  return Math.round((now.area * scale * scale) / (HEXAGON * tileSize.value ** 2));
 });
 
 export function setWidth(next: number): void {
@@ -49,24 +58,34 @@ function suggestSide(): void {
   const now = measured.value;
   if (!now) return;
   const scale = width.value / now.size[0];
-  tileSize.value = fittingSide(areaWithin(now.loops) * scale * scale);
+  tileSize.value = fittingSide(now.area * scale * scale);
 }
 
 /** What is read of a file is shown before anything is made of it. */
 export async function takeOutline(file: File): Promise<void> {
   outline.value = file;
-  measured.value = wantedWidth.value = outlineTrouble.value = null;
   keepsFaces.value = false;
+  measured.value = null;
+  await choosePart(LARGEST);
+}
+
+/** A drawing may have several parts; the chosen one is measured as it is drawn. */
+export async function choosePart(which: string): Promise<void> {
+  const file = outline.value;
+  if (!file) return;
+  part.value = which;
+  wantedWidth.value = outlineTrouble.value = null;
   // Servers that do not say what they export do not measure either.
   if (!hello.value?.exports) return;
+  const isLatest = (): boolean => outline.value === file && part.value === which;
   try {
-    const answer = await ask<Measured>('measure', { outline: { name: file.name, text_base64: await base64(file) } });
-    if (outline.value !== file) return;
+    const answer = await ask<Measured>('measure', { outline: { name: file.name, text_base64: await base64(file), part: which } });
+    if (!isLatest()) return;
     measured.value = answer;
     if (Math.max(...answer.size) < TOO_SMALL) wantedWidth.value = COMFORTABLE;
     suggestSide();
   } catch (error) {
-    if (outline.value === file) outlineTrouble.value = (error as Error).message;
+    if (isLatest()) outlineTrouble.value = (error as Error).message;
   }
 }
 
@@ -76,6 +95,6 @@ export function tilesRequest(): object {
 }
 
 export async function outlineRequest(file: File): Promise<object> {
-  const request = { name: file.name, text_base64: await base64(file) };
+  const request = { name: file.name, text_base64: await base64(file), part: part.value };
   return wantedWidth.value === null ? request : { ...request, width: wantedWidth.value };
 }

@@ -3,13 +3,14 @@
 
 import { computed, signal } from '@preact/signals';
 import { digits, shown } from '../document/units';
-import { areaWithin, HEXAGON } from './fitting_side';
+import { HEXAGON } from './fitting_side';
 import { measured, tilesAbout, tileSize, width } from './outline';
 
 /** The program takes no more. */
 const MOST_TILES = 100_000;
 /** The studio follows edits of these without waiting. */
 const QUICK_TILES = 3000;
+/** Whether fewer can be made depends on the shape, and only the program can tell. */
 const FEWEST_TILES = 3;
 
 /** Fields whose text is no length, by name. */
@@ -32,7 +33,7 @@ function sideFor(tiles: number, round = Math.round): number {
   const now = measured.peek();
   if (!now) return 0;
   const scale = width.value / now.size[0];
-  const exact = Math.sqrt((areaWithin(now.loops) * scale * scale) / (HEXAGON * tiles));
+  const exact = Math.sqrt((now.area * scale * scale) / (HEXAGON * tiles));
   const lastDigit = 10 ** (Math.floor(Math.log10(exact)) - 1);
   return Number((round(exact / lastDigit) * lastDigit).toPrecision(2));
 }
@@ -44,7 +45,7 @@ export const sizeAdvice = computed<SizeAdvice | null>(() => {
     return { words: `That would be ${digits(tiles)} tiles, and ${MOST_TILES} are the most: choose a side of ${shown(sideFor(MOST_TILES, Math.ceil), 'length')} or more.`, isPossible: false };
   }
   if (tiles < FEWEST_TILES) {
-    return { words: `A side of ${shown(tileSize.value, 'length')} is too large for this surface: choose ${shown(sideFor(10 * FEWEST_TILES), 'length')} or less.`, isPossible: false };
+    return { words: `A side of ${shown(tileSize.value, 'length')} is large for this surface: it makes few tiles, or is refused. With ${shown(sideFor(10 * FEWEST_TILES), 'length')} it has about ${10 * FEWEST_TILES}.`, isPossible: true };
   }
   if (tiles > QUICK_TILES) return { words: `So many tiles take seconds for each edit. With a side of ${shown(sideFor(QUICK_TILES / 3), 'length')} it stays quick.`, isPossible: true };
   return null;

@@ -77,6 +77,37 @@ test('faces of a dropped mesh become tiles where that is chosen', async (t) => {
   assert.deepEqual(page.troubles, []);
 });
 
+const TWO_PARTS = '<svg xmlns="http://www.w3.org/2000/svg" width="600mm" height="300mm" viewBox="0 0 600 300"><rect width="200" height="100"/><rect x="300" width="300" height="300"/></svg>';
+
+test('of a drawing with several parts one is chosen, or all are', async (t) => {
+  const { address } = await startStudio(t);
+  const page = await openPage(t, address);
+  const isWide = (width) => page.waitForFunction((wanted) => document.querySelector('#outline-width')?.value === wanted, width);
+  await drop(page, 'two.svg', TWO_PARTS);
+  await isWide('300');
+  assert.match(await page.textContent('#outline-part'), /the largest, 300\smm × 300\smm.*200\smm × 100(\.0)?\smm.*all 2/);
+  await page.selectOption('#outline-part', 'all');
+  await isWide('600');
+  await page.selectOption('#outline-part', '2');
+  await isWide('200');
+  await page.fill('#tile-size', '20');
+  await page.press('#tile-size', 'Enter');
+  await page.click('#make');
+  await page.waitForFunction(() => window.fretwork.store.documentNow.value?.name === 'two');
+  const places = await read(page, 'vertices');
+  const xs = places.map(([x]) => x);
+  assert.ok(Math.abs(Math.max(...xs) - Math.min(...xs) - 0.2) < 1e-6);
+  assert.deepEqual(page.troubles, []);
+});
+
+test('a drawing of one part gives no choice', async (t) => {
+  const { address } = await startStudio(t);
+  const page = await openPage(t, address);
+  await drop(page, 'one.svg', '<svg xmlns="http://www.w3.org/2000/svg" width="200mm" height="200mm" viewBox="0 0 200 200"><rect width="200" height="200"/></svg>');
+  await page.waitForSelector('.outline-preview');
+  assert.equal(await page.locator('#outline-part').count(), 0);
+});
+
 test('an icon of four millimetres is shown, and becomes a surface of a useful size', async (t) => {
   const { address } = await startStudio(t);
   const page = await openPage(t, address);

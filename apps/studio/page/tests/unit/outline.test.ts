@@ -3,7 +3,7 @@
 import { describe, expect, it } from 'vitest';
 import type { Point } from '../../src/protocol/messages';
 import { areaOf } from '../../src/document/surface';
-import { areaWithin, fittingSide } from '../../src/start/fitting_side';
+import { fittingSide } from '../../src/start/fitting_side';
 
 const square = (side: number): Point[] => [[0, 0], [side, 0], [side, side], [0, side]];
 
@@ -11,9 +11,6 @@ describe('areas', () => {
   it('do not depend on which way around a polygon is given', () => {
     expect(areaOf(square(2))).toBe(4);
     expect(areaOf([...square(2)].reverse())).toBe(4);
-  });
-  it('of outlines leave out their holes, in any order', () => {
-    expect(areaWithin([square(1), square(3)])).toBe(8);
   });
 });
 
