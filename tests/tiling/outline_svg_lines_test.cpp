@@ -110,6 +110,11 @@ TEST(SvgLines, LinesWhoseEndsMeetAreJoined) {
                 AllOf(HasSubstr("none of its 2 lines is closed"), HasSubstr("joined up to 0.2 mm")));
 }
 
+TEST(SvgLines, OneOpenLineIsToldAsOne) {
+    EXPECT_THAT(complaint_of([] { read("<path d='M0 0H10V10'/>"); }),
+                HasSubstr("nothing in it is filled, and its line is not closed; loose ends are"));
+}
+
 TEST(SvgLines, APainterNeedsFillsWhetherLinesAreClosedOrNot) {
     const TemporaryFolder folder;
     const std::string path = folder.file("o.svg", drawing("<rect width='9' height='9'/>"));

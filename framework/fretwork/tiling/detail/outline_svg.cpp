@@ -61,9 +61,11 @@ Region SvgReader::stroked_region() {
 
 std::string SvgReader::nothing_filled() const {
     std::string message = "nothing in it is filled";
-    if (!strokes_.empty())
-        message += ", and none of its " + counted(static_cast<int>(strokes_.size()), "line") +
-                   " is closed; loose ends are joined up to " +
+    const auto lines = static_cast<int>(strokes_.size());
+    if (lines > 0)
+        message += (lines == 1 ? ", and its line is not closed"
+                               : ", and none of its " + counted(lines, "line") + " is closed") +
+                   std::string("; loose ends are joined up to ") +
                    roughly_in_millimetres(widest_gap(how_.tolerance)) + " mm";
     return message + left_out_text();
 }
