@@ -110,6 +110,15 @@ TEST(SvgLines, LinesWhoseEndsMeetAreJoined) {
                 AllOf(HasSubstr("none of its 2 lines is closed"), HasSubstr("joined up to 0.2 mm")));
 }
 
+TEST(SvgLines, AnOpenLineThatReachesFarOutSpoilsNothing) {
+    const OutlineFile file =
+        read("<line x2='1e9'/><rect width='20' height='20'/><line y1='5' x2='9' y2='5'/>");
+    EXPECT_NEAR(1e6 * area_of(file.parts.front()), 400, kExact);
+    EXPECT_THAT(file.remarks,
+                Contains(HasSubstr("1 open line that reaches far out of the drawing left out")));
+    EXPECT_THAT(complaint_of([] { read("<path d='M0 0H20V1e6Z'/>"); }), HasSubstr("far outside the drawing"));
+}
+
 TEST(SvgLines, OneOpenLineIsToldAsOne) {
     EXPECT_THAT(complaint_of([] { read("<path d='M0 0H10V10'/>"); }),
                 HasSubstr("nothing in it is filled, and its line is not closed; loose ends are"));

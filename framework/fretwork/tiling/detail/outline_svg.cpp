@@ -80,19 +80,27 @@ void SvgReader::add_stroke(pugi::xml_node node, const Surroundings& around) {
     const SvgElement element(node, properties, document_);
     for (const Subpath& subpath : element.subpaths(document_.name_of(node), around.measure)) {
         Polygon points = flatten(subpath, {around.map, how_.tolerance});
-        check_loops({points}, node);
-        if (subpath.is_closed) {
-            remove_repeated_points(points, kClosingShare * how_.tolerance);
-            if (points.size() > 2) add_closed_line(std::move(points), around.clip);
-        } else if (points.size() < 2 || perimeter(points) <= how_.tolerance) {
-            continue;  // a dot
-        } else if (is_shown_whole(picture_, around.clip, points, how_.tolerance)) {
-            lines_drawn_.open.push_back(std::move(points));
-            open_places_.push_back(node);
-        } else {
-            remarks_.leave_out("open line that a clip cuts or hides");
+        if (!subpath.is_closed) {
+            add_open_line(std::move(points), node, around.clip);
+            continue;
         }
+        remove_repeated_points(points, kClosingShare * how_.tolerance);
+        if (points.size() < 3) continue;
+        check_loops({points}, node);
+        add_closed_line(std::move(points), around.clip);
     }
+}
+
+void SvgReader::add_open_line(Polygon points, pugi::xml_node node, std::optional<std::size_t> clip) {
+    if (points.size() < 2 || perimeter(points) <= how_.tolerance) return;  // a dot
+    // Construction lines reach far; they do not spoil what else is drawn.
+    if (!std::ranges::all_of(points, [&](Point2 point) { return is_near_page(point); }))
+        return remarks_.leave_out("open line that reaches far out of the drawing");
+    check_loops({points}, node);
+    if (!is_shown_whole(picture_, clip, points, how_.tolerance))
+        return remarks_.leave_out("open line that a clip cuts or hides");
+    lines_drawn_.open.push_back(std::move(points));
+    open_places_.push_back(node);
 }
 
 void SvgReader::add_closed_line(Polygon points, std::optional<std::size_t> clip) {

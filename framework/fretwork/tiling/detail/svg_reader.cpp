@@ -205,10 +205,14 @@ void SvgReader::check_loops(const std::vector<Polygon>& loops, pugi::xml_node no
     }
 }
 
-void SvgReader::check_on_page(Point2 point, pugi::xml_node node) const {
+bool SvgReader::is_near_page(Point2 point) const {
     const double outside_x = std::max(-point.x, point.x - page_.width);
     const double outside_y = std::max(-point.y, point.y - page_.height);
-    if (outside_x <= kFarthestOutside * page_.width && outside_y <= kFarthestOutside * page_.height) return;
+    return outside_x <= kFarthestOutside * page_.width && outside_y <= kFarthestOutside * page_.height;
+}
+
+void SvgReader::check_on_page(Point2 point, pugi::xml_node node) const {
+    if (is_near_page(point)) return;
     document_.fail(node, "reaches " + place_text(point) + " m, far outside the drawing, which is " +
                              metres(page_.width) + " wide and " + metres(page_.height) +
                              " high; at most ten times that is taken: is a control point wrong?");

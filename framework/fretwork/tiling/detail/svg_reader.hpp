@@ -52,10 +52,13 @@ class SvgReader {
     void read_shape(std::string_view name, const SvgElement& element, const Surroundings& around);
     void remember_stroke(pugi::xml_node node, const Surroundings& around);
     void add_stroke(pugi::xml_node node, const Surroundings& around);
+    void add_open_line(Polygon points, pugi::xml_node node, std::optional<std::size_t> clip);
     void add_closed_line(Polygon points, std::optional<std::size_t> clip);
     [[nodiscard]] std::vector<Polygon> loops_of(const std::vector<Subpath>& subpaths,
                                                 const Affine& map) const;
     void check_loops(const std::vector<Polygon>& loops, pugi::xml_node node);
+    /// Whether a point lies in the drawing, or not many times its size outside.
+    [[nodiscard]] bool is_near_page(Point2 point) const;
     void check_on_page(Point2 point, pugi::xml_node node) const;
     std::size_t add_clip(const std::vector<Subpath>& subpaths, const Surroundings& around);
     /// The clip of an element, within that of those around it.
