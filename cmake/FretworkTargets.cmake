@@ -15,6 +15,7 @@ function(fretwork_add_stage stage)
   target_compile_features(${target} PUBLIC cxx_std_20)
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${stage} POSITION_INDEPENDENT_CODE ON CXX_EXTENSIONS OFF)
   target_link_libraries(${target} PUBLIC ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE} $<BUILD_INTERFACE:fretwork_flags>)
+  fretwork_compile_quickly(${target})
   set_property(GLOBAL APPEND PROPERTY FRETWORK_STAGES ${target})
 endfunction()
 

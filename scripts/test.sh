@@ -41,9 +41,7 @@ count_once() {
 # build_and_ctest PRESET: configure, build, run every test of that build.
 build_and_ctest() {
   local preset=$1
-  if ! { cmake --preset "$preset" && cmake --build --preset "$preset"; } >"$logs/$preset-build.log" 2>&1; then
-    tail -n 60 "$logs/$preset-build.log"
-    echo "failed: the build of $preset"
+  if ! scripts/show_build.sh "$preset" "$logs/$preset-build.log"; then
     failed=$((failed + 1))
     return
   fi

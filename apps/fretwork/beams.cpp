@@ -22,7 +22,7 @@
 namespace fretwork::app {
 namespace {
 
-struct Options {
+struct BeamsOptions {
     std::string project;
     std::string result;
     std::string library;
@@ -32,7 +32,7 @@ struct Options {
     bool json = false;
 };
 
-simulation::Surface read_surface(const Options& options, const mechanics::Result& result) {
+simulation::Surface read_surface(const BeamsOptions& options, const mechanics::Result& result) {
     const simulation::Project project = simulation::read_checked_project(options.project);
     const bool is_calibrated =
         !result.subject ||
@@ -80,7 +80,7 @@ void print(const simulation::BeamTable& table, const simulation::Surface& surfac
     if (table.unknown > 0) std::printf("%zu beams are not known with this result's model\n", table.unknown);
 }
 
-ExitCode run(const Options& options) {
+ExitCode run(const BeamsOptions& options) {
     const mechanics::Result result = read_surface_result(options.result);
     const simulation::Surface surface = read_surface(options, result);
     check_own_result(result, surface, options.result);
@@ -107,7 +107,7 @@ ExitCode run(const Options& options) {
 void add_beams(CLI::App& app, ExitCode& exit_code) {
     CLI::App* verb = app.add_subcommand(
         "beams", "Section forces, stress and utilization of every beam in a result, the worst first");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<BeamsOptions>();
     verb->add_option("project", options->project, "Project file")->required();
     verb->add_option("result", options->result, "Result file of this project")->required();
     verb->add_option("--top", options->top, "Print so many beams")->capture_default_str();

@@ -31,7 +31,7 @@ using library::CalibrationStatistics;
 using library::FillReport;
 using library::Library;
 
-constexpr const char* kExample = R"(
+constexpr const char* kCalibrateExample = R"(
 Stopped at any moment, it goes on where it was when it is started again.
 
 Examples:
@@ -40,7 +40,7 @@ Examples:
   fretwork calibrate --library part2.db --shard 2/4)";
 
 /// What a person asks for.
-struct Options {
+struct CalibrateOptions {
     std::string library_path;
     std::string setting_path;
     std::string policy;
@@ -70,7 +70,7 @@ struct Result {
     bool is_papers = false;  ///< layout and setting, whatever the policy
 };
 
-void adopt_setting(Library& library, const Options& options) {
+void adopt_setting(Library& library, const CalibrateOptions& options) {
     if (options.setting_path.empty() && options.policy.empty()) return;
     reduction::Setting setting =
         options.setting_path.empty() ? library.setting() : reduction::read_setting(options.setting_path);
@@ -191,8 +191,8 @@ void print_json(const Result& result) {
     std::fputs(base::json_text(document).c_str(), stdout);
 }
 
-/// Options of a search, where there is nothing to search for.
-void refuse_ignored_options(const CLI::App& verb, const Options& options) {
+/// CalibrateOptions of a search, where there is nothing to search for.
+void refuse_ignored_options(const CLI::App& verb, const CalibrateOptions& options) {
     if (!reduction::find_tile_model(options.fill.model).parameters.empty()) return;
     refuse_given(verb, {"--optimizer", "--starts", "--budget", "--seed"},
                  "is for models with parameters, and " + options.fill.model + " has none");
@@ -237,7 +237,7 @@ void warn_of_odd_searches(const Result& result) {
                  base::format_number(worst->objective).c_str(), worst->pattern.c_str());
 }
 
-ExitCode calibrate(Options options) {
+ExitCode calibrate(CalibrateOptions options) {
     LongWork work;
     options.fill.control = work.control();
     options.fill.validate();
@@ -290,7 +290,7 @@ void add_method_options(CLI::App& verb, library::FillOptions& fill) {
 }  // namespace
 
 void add_calibrate(CLI::App& app, ExitCode& exit_code) {
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<CalibrateOptions>();
     CLI::App* verb = app.add_subcommand(
         "calibrate", "Compute the responses of a library's patterns, and fit a reduced model to each.");
     verb->add_option("--library", options->library_path, "The library: patterns in, results out")->required();
@@ -309,7 +309,7 @@ void add_calibrate(CLI::App& app, ExitCode& exit_code) {
     verb->add_flag("--retry", options->retry, "Try patterns again whose failure is recorded");
     verb->add_flag("--json", options->json, "Print for programs");
     declare_files(*verb, {update("--library", kLibraryFile), input("--setting")});
-    verb->footer(kExample);
+    verb->footer(kCalibrateExample);
     verb->callback([options, verb, &exit_code] {
         refuse_ignored_options(*verb, *options);
         exit_code = calibrate(*options);

@@ -25,7 +25,7 @@ namespace {
 using simulation::LoadCase;
 using simulation::Project;
 
-struct Options {
+struct CaseOptions {
     std::string project;
     std::string file;
     std::string name;
@@ -41,7 +41,7 @@ void check_on(const Project& project, const LoadCase& load_case) {
                               simulation::make_surface(project, nullptr), {});
 }
 
-LoadCase& case_of(Project& project, const Options& options) {
+LoadCase& case_of(Project& project, const CaseOptions& options) {
     const auto found = std::ranges::find(project.load_cases, options.name, &LoadCase::name);
     if (found != project.load_cases.end()) return *found;
     std::vector<std::string> names;
@@ -50,7 +50,7 @@ LoadCase& case_of(Project& project, const Options& options) {
 }
 
 /// What each entry picked, for people; what looks like a slip goes to standard error.
-void tell(const LoadCase& load_case, const Project& project, const Options& options) {
+void tell(const LoadCase& load_case, const Project& project, const CaseOptions& options) {
     if (!options.json) {
         std::printf("%s\n", base::printable(load_case.name).c_str());
         for (const std::string& line : simulation::entry_texts(load_case, project.tessellation))
@@ -62,7 +62,7 @@ void tell(const LoadCase& load_case, const Project& project, const Options& opti
                      base::printable(base::join(doubts, "; ")).c_str());
 }
 
-void add_to_project(const Options& options) {
+void add_to_project(const CaseOptions& options) {
     const base::FileLock lock(options.project);
     Project project = simulation::read_project(options.project);
     const LoadCase load_case = simulation::read_load_case(options.file);
@@ -91,7 +91,7 @@ void check_not_combined(const Project& project, const std::string& name, const s
     }
 }
 
-void remove_from_project(const Options& options) {
+void remove_from_project(const CaseOptions& options) {
     const base::FileLock lock(options.project);
     Project project = simulation::read_project(options.project);
     const LoadCase* removed = &case_of(project, options);
@@ -101,7 +101,7 @@ void remove_from_project(const Options& options) {
 }
 
 /// Combinations go on naming it.
-void rename_in_project(const Options& options) {
+void rename_in_project(const CaseOptions& options) {
     const base::FileLock lock(options.project);
     Project project = simulation::read_project(options.project);
     if (options.new_name.empty()) throw base::InputError("new_name", "", "is empty, where a name is needed");
@@ -116,14 +116,14 @@ void rename_in_project(const Options& options) {
     simulation::write_project(project, options.project);
 }
 
-void show(const Options& options) {
+void show(const CaseOptions& options) {
     Project project = simulation::read_project(options.project);
     const LoadCase& load_case = case_of(project, options);
     if (options.json) std::fputs(simulation::load_case_text(load_case).c_str(), stdout);
     tell(load_case, project, options);
 }
 
-void list(const Options& options) {
+void list(const CaseOptions& options) {
     const Project project = simulation::read_project(options.project);
     base::Json json = base::Json::array();
     for (const LoadCase& load_case : project.load_cases) {
@@ -141,7 +141,7 @@ void add_case(CLI::App& app, ExitCode&) {
     CLI::App* verb =
         app.add_subcommand("case", "Add load cases to a project, list, show, remove and rename them");
     verb->require_subcommand(1);
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<CaseOptions>();
 
     CLI::App* add = verb->add_subcommand("add", "Add a load case from its file");
     add->add_option("project", options->project, "Project file")->required();

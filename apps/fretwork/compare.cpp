@@ -19,7 +19,7 @@
 namespace fretwork::app {
 namespace {
 
-struct Options {
+struct CompareOptions {
     std::string full;
     std::string reduced;
     std::string name;
@@ -47,7 +47,7 @@ base::Json to_json(const std::string& name, const simulation::Comparison& compar
 }
 
 /// A refusal names the files, which the stage does not know.
-simulation::Comparison compare(const Options& options, const mechanics::Result& full,
+simulation::Comparison compare(const CompareOptions& options, const mechanics::Result& full,
                                const mechanics::Result& reduced) {
     try {
         return simulation::compare(full, reduced);
@@ -66,7 +66,7 @@ CLI::Validator tolerance_check() {
     return {check, "NUMBER", "tolerance"};
 }
 
-ExitCode run(const Options& options) {
+ExitCode run(const CompareOptions& options) {
     const auto full = read_surface_result(options.full);
     const auto reduced = read_surface_result(options.reduced);
     const simulation::Comparison comparison = compare(options, full, reduced);
@@ -98,7 +98,7 @@ ExitCode run(const Options& options) {
 
 void add_compare(CLI::App& app, ExitCode& exit_code) {
     CLI::App* verb = app.add_subcommand("compare", "Compare a reduced model's result with the full model's");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<CompareOptions>();
     verb->add_option("full", options->full, "Result of the full model")->required();
     verb->add_option("reduced", options->reduced, "Result of a reduced model of the same project")
         ->required();

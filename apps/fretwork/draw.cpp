@@ -14,7 +14,7 @@
 namespace fretwork::app {
 namespace {
 
-struct Options {
+struct DrawOptions {
     std::vector<std::string> ids;
     std::string layout = "paper7";
     std::string beam_width;
@@ -22,7 +22,7 @@ struct Options {
     std::string out;
 };
 
-void run(const Options& options) {
+void run(const DrawOptions& options) {
     const pattern::NodeLayout layout = pattern::find_node_layout(options.layout);
     std::vector<pattern::Pattern> patterns;
     for (const std::string& id : options.ids) patterns.push_back(pattern::parse_pattern_id(layout, id));
@@ -38,7 +38,7 @@ void run(const Options& options) {
 
 void add_draw(CLI::App& app, ExitCode&) {
     CLI::App* verb = app.add_subcommand("draw", "Draw patterns by their ids, at true scale");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<DrawOptions>();
     verb->add_option("pattern", options->ids, "Ids of patterns")->required();
     verb->add_option("--layout", options->layout, "Node layout: a name or a file")->capture_default_str();
     verb->add_option("--tile-side", options->tile_side, "Side of the hexagon (default: the paper's, 26 mm)");

@@ -19,7 +19,7 @@ namespace {
 
 using pattern::NodeLayout;
 
-constexpr const char* kExample = R"(
+constexpr const char* kEnumerateExample = R"(
 Examples:
   fretwork enumerate                                    the paper's Table 1
   fretwork enumerate --layout my.json --edges 3..8 --min-angle 20 --count
@@ -29,7 +29,7 @@ Examples:
   fretwork enumerate --layout huge.json --estimate 100000
   fretwork enumerate --layout huge.json --sample 20 --seed 7)";
 
-struct Options {
+struct EnumerateOptions {
     std::string layout = "paper7";
     std::string edges;
     std::string min_angle;
@@ -73,7 +73,7 @@ pattern::EdgeRange parse_range(const std::string& text, const NodeLayout& layout
 }
 
 /// What valid patterns are like, as the options say.
-pattern::EnumerationOptions make_enumeration(const Options& options, const NodeLayout& layout) {
+pattern::EnumerationOptions make_enumeration(const EnumerateOptions& options, const NodeLayout& layout) {
     pattern::EnumerationOptions enumeration;
     pattern::FilterSettings& filters = enumeration.filters;
     enumeration.edges =
@@ -95,7 +95,7 @@ pattern::EnumerationOptions make_enumeration(const Options& options, const NodeL
     return enumeration;
 }
 
-Audience audience_of(const Options& options) {
+Audience audience_of(const EnumerateOptions& options) {
     return options.json ? Audience::Programs : Audience::People;
 }
 
@@ -106,8 +106,8 @@ exports::PatternDrawingOptions drawing_options(const pattern::EnumerationOptions
     return drawing;
 }
 
-/// Options without an effect are a misunderstanding.
-void refuse_ignored_options(const CLI::App& verb, const Options& options) {
+/// EnumerateOptions without an effect are a misunderstanding.
+void refuse_ignored_options(const CLI::App& verb, const EnumerateOptions& options) {
     const bool is_random = options.sample > 0 || options.estimate > 0;
     if (verb.count("--seed") > 0 && !is_random)
         throw base::InputError(
@@ -134,7 +134,7 @@ std::string rejection_sheet(const NodeLayout& layout, const pattern::Enumeration
 
 /// Draw some patterns, print them, and make the files of them.
 void sample(const NodeLayout& layout, const pattern::EnumerationOptions& enumeration, PatternFiles& files,
-            const Options& options) {
+            const EnumerateOptions& options) {
     const auto drawn = pattern::PatternSampler(layout, enumeration, options.seed).draw(options.sample);
     for (const pattern::Pattern& pattern : drawn) files.take(pattern);
     (void)files.finish({.threads = enumeration.threads, .control = enumeration.control});
@@ -143,7 +143,7 @@ void sample(const NodeLayout& layout, const pattern::EnumerationOptions& enumera
 
 /// Search once, print the census, and make the files.
 void search(const NodeLayout& layout, const pattern::EnumerationOptions& enumeration, PatternFiles& files,
-            const Options& options) {
+            const EnumerateOptions& options) {
     const pattern::Census census =
         files.are_wanted()
             ? pattern::take_census(layout, enumeration,
@@ -156,7 +156,7 @@ void search(const NodeLayout& layout, const pattern::EnumerationOptions& enumera
     print_census(layout, census, sameness, audience_of(options));
 }
 
-void enumerate(const Options& options) {
+void enumerate(const EnumerateOptions& options) {
     LongWork work;
     const NodeLayout layout = pattern::find_node_layout(options.layout);
     pattern::EnumerationOptions enumeration = make_enumeration(options, layout);
@@ -187,7 +187,7 @@ std::string filter_help() {
 }
 
 /// Which patterns are valid.
-void add_rules(CLI::App& verb, Options& options) {
+void add_rules(CLI::App& verb, EnumerateOptions& options) {
     verb.add_option("--layout", options.layout, "The name of a layout, or its file")->capture_default_str();
     verb.add_option("--edges", options.edges,
                     "Numbers of edges, as A..B or N (default: 2..11 for paper7, else 2..all)");
@@ -203,7 +203,7 @@ void add_rules(CLI::App& verb, Options& options) {
     verb.add_option("--forbid", options.forbidden, "Edges or nodes that no pattern uses")->delimiter(',');
 }
 
-void add_files(CLI::App& verb, Options& options) {
+void add_files(CLI::App& verb, EnumerateOptions& options) {
     verb.add_option("--census", options.census_path, "Write the census to this CSV file");
     verb.add_option("--list", options.list_path,
                     "Write the ids of the valid patterns to this file, one a line");
@@ -220,7 +220,7 @@ void add_files(CLI::App& verb, Options& options) {
 }
 
 /// Whether all patterns are found, or some, or only their number.
-void add_extent(CLI::App& verb, Options& options) {
+void add_extent(CLI::App& verb, EnumerateOptions& options) {
     CLI::Option* sample =
         verb.add_option("--sample", options.sample,
                         "Draw this many valid patterns at random instead of all, each equally likely; the "
@@ -245,7 +245,7 @@ void add_extent(CLI::App& verb, Options& options) {
 }  // namespace
 
 void add_enumerate(CLI::App& app, ExitCode&) {
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<EnumerateOptions>();
     CLI::App* verb = app.add_subcommand(
         "enumerate", "Find all valid patterns of a node layout, and say why the others are not.");
     add_rules(*verb, *options);
@@ -254,7 +254,7 @@ void add_enumerate(CLI::App& app, ExitCode&) {
     verb->add_option("--threads", options->threads, "Threads to use; 0: all there are")
         ->check(thread_check());
     verb->add_flag("--json", options->json, "Print for programs");
-    verb->footer(kExample);
+    verb->footer(kEnumerateExample);
     verb->callback([options, verb] {
         refuse_ignored_options(*verb, *options);
         enumerate(*options);

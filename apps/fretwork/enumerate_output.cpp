@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "enumerate_output.hpp"
+#include "json_output.hpp"
 
 #include <fretwork/base/internal/json_text.hpp>
 #include <fretwork/base/text.hpp>
@@ -19,10 +20,6 @@ Json json_count(pattern::GraphCount count) {
     constexpr pattern::GraphCount kLargestExact = pattern::GraphCount{1} << 53;
     if (count > kLargestExact) return pattern::count_text(count);
     return static_cast<std::uint64_t>(count);
-}
-
-void print(const Json& document) {
-    std::fputs(base::json_text(document).c_str(), stdout);
 }
 
 /// The census as columns under their names, each as wide as it needs.
@@ -65,7 +62,7 @@ Json census_json(const NodeLayout& layout, const pattern::Census& census) {
 
 void print_count(const NodeLayout& layout, std::uint64_t count, Audience audience) {
     if (audience == Audience::Programs) {
-        print({{"layout", layout.name()}, {"count", json_count(count)}});
+        print_document({{"layout", layout.name()}, {"count", json_count(count)}});
     } else {
         std::printf("%s\n", std::to_string(count).c_str());
     }
@@ -73,14 +70,14 @@ void print_count(const NodeLayout& layout, std::uint64_t count, Audience audienc
 
 void print_estimate(const NodeLayout& layout, const pattern::CountEstimate& estimate, Audience audience) {
     if (audience == Audience::Programs) {
-        print({{"layout", layout.name()},
-               {"valid", estimate.valid},
-               {"lower", estimate.lower},
-               {"upper", estimate.upper},
-               {"confidence", estimate.confidence},
-               {"trials", estimate.trials},
-               {"hits", estimate.hits},
-               {"proposals", json_count(estimate.proposals)}});
+        print_document({{"layout", layout.name()},
+                        {"valid", estimate.valid},
+                        {"lower", estimate.lower},
+                        {"upper", estimate.upper},
+                        {"confidence", estimate.confidence},
+                        {"trials", estimate.trials},
+                        {"hits", estimate.hits},
+                        {"proposals", json_count(estimate.proposals)}});
         return;
     }
     std::printf("about %.4g valid patterns of the layout %s (between %.4g and %.4g with %g %% confidence)\n",
@@ -98,7 +95,8 @@ void print_ids(const NodeLayout& layout, std::span<const pattern::Pattern> patte
         if (audience == Audience::People) std::printf("%s\n", id.c_str());
         ids.push_back(id);
     }
-    if (audience == Audience::Programs) print({{"layout", layout.name()}, {"patterns", std::move(ids)}});
+    if (audience == Audience::Programs)
+        print_document({{"layout", layout.name()}, {"patterns", std::move(ids)}});
 }
 
 void print_census(const NodeLayout& layout, const pattern::Census& census,
@@ -109,7 +107,7 @@ void print_census(const NodeLayout& layout, const pattern::Census& census,
             document["up_to_mirror"] = sameness->up_to_mirror;
             document["up_to_isomorphism"] = sameness->up_to_isomorphism;
         }
-        print(document);
+        print_document(document);
         return;
     }
     std::fputs(census_table(census).c_str(), stdout);

@@ -29,7 +29,7 @@
 namespace fretwork::app {
 namespace {
 
-struct Options {
+struct ExportOptions {
     std::string project;
     std::vector<std::string> to;
     std::string load_case;
@@ -85,7 +85,7 @@ void check_own_result(const mechanics::Result& result, const std::string& file, 
     }
 }
 
-const exports::WriterRow& writer_of(const Options& options, const std::string& path) {
+const exports::WriterRow& writer_of(const ExportOptions& options, const std::string& path) {
     const auto content =
         options.content.empty() ? std::nullopt : std::optional(exports::parse_content(options.content));
     return exports::find_writer(path, content);
@@ -99,7 +99,7 @@ bool any_is(const Writers& writers, bool (exports::WriterRow::*is)() const) {
 
 /// A drawing in .svg is from above where there is no result; with a result and a case it is beside the
 /// others.
-void refuse_ignored_in_drawings(const CLI::App& verb, const Options& options, const Writers& writers) {
+void refuse_ignored_in_drawings(const CLI::App& verb, const ExportOptions& options, const Writers& writers) {
     const bool has_svg = std::ranges::any_of(
         writers, [](const auto* writer) { return writer->is_drawing() && !writer->is_picture(); });
     const bool has_picture = any_is(writers, &exports::WriterRow::is_picture);
@@ -115,8 +115,8 @@ void refuse_ignored_in_drawings(const CLI::App& verb, const Options& options, co
     if (!tells_strength) refuse_given(verb, {"--strength"}, "is for pictures, facts and .vtu");
 }
 
-/// Options that only some kinds of files look at.
-void refuse_ignored_options(const CLI::App& verb, const Options& options) {
+/// ExportOptions that only some kinds of files look at.
+void refuse_ignored_options(const CLI::App& verb, const ExportOptions& options) {
     Writers writers;
     for (const std::string& path : options.to) writers.push_back(&writer_of(options, path));
     refuse_ignored_making(verb, writers);
@@ -141,7 +141,7 @@ void refuse_ignored_options(const CLI::App& verb, const Options& options) {
 }
 
 /// The supports and loads that are drawn must be those of the results.
-void check_load_case(const simulation::LoadCase& load_case, const Options& options,
+void check_load_case(const simulation::LoadCase& load_case, const ExportOptions& options,
                      const exports::Scene& scene) {
     const auto drawn = simulation::result_subject(scene.surface, load_case, {});
     for (std::size_t i = 0; i < scene.results.size(); ++i) {
@@ -156,7 +156,7 @@ void check_load_case(const simulation::LoadCase& load_case, const Options& optio
 
 /// The library is opened where it is asked for, where a project has no setting of its own, and where the
 /// tiles of a result are calibrated.
-bool needs_library(const Options& options, const simulation::Project& project,
+bool needs_library(const ExportOptions& options, const simulation::Project& project,
                    const std::vector<exports::Scene::LabelledResult>& results) {
     if (!options.library.empty() || !project.setting) return true;
     return std::ranges::any_of(results, [&](const exports::Scene::LabelledResult& shown) {
@@ -168,7 +168,7 @@ bool needs_library(const Options& options, const simulation::Project& project,
 }
 
 /// What is wrong with the project's load cases names its file.
-simulation::LoadCase load_case_of(const simulation::Project& project, const Options& options) {
+simulation::LoadCase load_case_of(const simulation::Project& project, const ExportOptions& options) {
     try {
         return simulation::find_load_case(project, options.load_case);
     } catch (const base::InputError& error) {
@@ -176,7 +176,7 @@ simulation::LoadCase load_case_of(const simulation::Project& project, const Opti
     }
 }
 
-exports::Scene make_scene(const Options& options, const base::Control& control) {
+exports::Scene make_scene(const ExportOptions& options, const base::Control& control) {
     const simulation::Project project = simulation::read_checked_project(options.project);
     std::vector<exports::Scene::LabelledResult> results;
     for (const std::string& file : options.results) {
@@ -214,7 +214,7 @@ exports::Scene make_scene(const Options& options, const base::Control& control) 
     return scene;
 }
 
-void run(const Options& options) {
+void run(const ExportOptions& options) {
     for (const std::string& path : options.to) (void)writer_of(options, path);
     (void)read_scale(options.scale);
     LongWork work;
@@ -258,7 +258,7 @@ std::string kinds_help() {
 void add_export(CLI::App& app, ExitCode&) {
     CLI::App* verb = app.add_subcommand(
         "export", "Write a project, and results of it, as drawings and files for other programs");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<ExportOptions>();
     verb->add_option("project", options->project, "Project file")->required();
     verb->add_option("--to", options->to, kinds_help())->required()->allow_extra_args(false);
     verb->add_option("--content", options->content,

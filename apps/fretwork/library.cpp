@@ -2,6 +2,7 @@
 // fretwork library: look into a pattern library, merge shards, write its tables and meshes.
 #include "file_options.hpp"
 #include "interrupt.hpp"
+#include "json_output.hpp"
 #include "library_show.hpp"
 #include "pattern_choice.hpp"
 #include "verbs.hpp"
@@ -41,7 +42,7 @@ constexpr const char* kTables =
     "behaviour.csv calibration.csv calibration_error.csv calibration_parameter.csv failure.csv pattern.csv "
     "property.csv response.csv response_state.csv scenario.csv layout.json setting.json";
 
-struct Options {
+struct LibraryOptions {
     std::string library;
     std::string pattern;
     std::string output;
@@ -56,13 +57,9 @@ struct Options {
     bool json = false;
 };
 
-Library open_library(const Options& options) {
+Library open_library(const LibraryOptions& options) {
     if (options.library.empty()) throw base::InputError("--library", "", "is needed: the library's file");
     return Library::open(options.library);
-}
-
-void print(const Json& document) {
-    std::fputs(base::json_text(document).c_str(), stdout);
 }
 
 // ---- list ----
@@ -111,11 +108,11 @@ void print_totals(const Library& library, const std::vector<PatternSummary>& sum
                 count([](const PatternSummary& s) { return s.failures > 0; }));
 }
 
-void list(const Options& options) {
+void list(const LibraryOptions& options) {
     const Library library = open_library(options);
     const std::vector<PatternSummary> summaries = library.summaries();
     if (options.json) {
-        print(list_json(library, summaries));
+        print_document(list_json(library, summaries));
         return;
     }
     print_list(summaries);
@@ -128,7 +125,7 @@ exports::ReducedPattern reduced_pattern(const Library& library, const library::P
     return {entry.pattern, library.best_fit(entry.id)};
 }
 
-void show(const Options& options) {
+void show(const LibraryOptions& options) {
     const Library library = open_library(options);
     const library::PatternEntry entry = library.find_pattern(options.pattern);
     if (!options.svg.empty()) {
@@ -145,7 +142,7 @@ void show(const Options& options) {
 
 // ---- merge and export ----
 
-void merge(const Options& options) {
+void merge(const LibraryOptions& options) {
     if (!options.library.empty())
         throw base::InputError("--library", "",
                                "is for list, show and export: merge OUTPUT INPUT.. names its own");
@@ -153,9 +150,9 @@ void merge(const Options& options) {
     library::merge(options.output, options.inputs, work.control());
     const Library merged = Library::open(options.output);
     if (options.json) {
-        print({{"library", options.output},
-               {"patterns", merged.pattern_count()},
-               {"content_hash", merged.content_hash()}});
+        print_document({{"library", options.output},
+                        {"patterns", merged.pattern_count()},
+                        {"content_hash", merged.content_hash()}});
     } else {
         print_totals(merged, merged.summaries());
     }
@@ -185,7 +182,7 @@ std::string property_chart(const Library& library, const base::Control& control)
     return exports::property_chart_svg({library.layout(), library.setting()}, patterns);
 }
 
-void check_wishes(const Options& options) {
+void check_wishes(const LibraryOptions& options) {
     if (options.csv.empty() && options.meshes.empty() && options.svg.empty() && options.chart.empty()) {
         throw base::InputError("library export", "",
                                "needs --csv DIR, --meshes DIR, --svg FILE or --chart FILE");
@@ -197,7 +194,7 @@ void check_wishes(const Options& options) {
         throw base::InputError("--json", "", "is for list, show and merge: export prints nothing");
 }
 
-void write_files(const Options& options) {
+void write_files(const LibraryOptions& options) {
     check_wishes(options);
     LongWork work;
     const Library library = open_library(options);
@@ -218,9 +215,9 @@ void write_files(const Options& options) {
     drawings.commit();
 }
 
-using Action = void (*)(const Options&);
+using Action = void (*)(const LibraryOptions&);
 
-CLI::App* add_action(CLI::App* verb, const std::shared_ptr<Options>& options, const char* name,
+CLI::App* add_action(CLI::App* verb, const std::shared_ptr<LibraryOptions>& options, const char* name,
                      std::pair<const char*, Action> what) {
     CLI::App* action = verb->add_subcommand(name, what.first);
     action->fallthrough();
@@ -232,7 +229,7 @@ CLI::App* add_action(CLI::App* verb, const std::shared_ptr<Options>& options, co
 }  // namespace
 
 void add_library(CLI::App& app, ExitCode&) {
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<LibraryOptions>();
     CLI::App* verb =
         app.add_subcommand("library", "Look into a pattern library, merge several, write its tables");
     verb->require_subcommand(1);

@@ -2,6 +2,7 @@
 // fretwork optimizers: the methods there are, and how they compare.
 #include "file_options.hpp"
 #include "interrupt.hpp"
+#include "json_output.hpp"
 #include "verbs.hpp"
 
 #include <fretwork/base/error.hpp>
@@ -30,7 +31,7 @@ Examples:
   fretwork optimizers known --out known.csv
   fretwork optimizers run --known known.csv --problems calibration:4,analytic --repetitions 2 --out DIR)";
 
-struct Options {
+struct OptimizersOptions {
     std::string out;
     std::string ids;
     std::string known;
@@ -45,13 +46,9 @@ struct Options {
     bool json = false;
 };
 
-void print(const Json& document) {
-    std::fputs(base::json_text(document).c_str(), stdout);
-}
-
 // ---- list ----
 
-ExitCode list(const Options& options) {
+ExitCode list(const OptimizersOptions& options) {
     Json rows = Json::array();
     for (const Contender& contender : study::default_contenders()) {
         const auto& row = *contender.method;
@@ -67,13 +64,13 @@ ExitCode list(const Options& options) {
                         std::string(evaluation_name(row.needs)).c_str(), std::string(row.summary).c_str());
         }
     }
-    if (options.json) print({{"optimizers", rows}});
+    if (options.json) print_document({{"optimizers", rows}});
     return ExitCode::Done;
 }
 
 // ---- known ----
 
-ExitCode known(Options options) {
+ExitCode known(OptimizersOptions options) {
     LongWork work;
     options.known_values.threads = options.threads;
     options.known_values.control = work.control();
@@ -86,7 +83,7 @@ ExitCode known(Options options) {
     if (!options.results.empty()) improve_known_values(values, options.results);
     base::write_file_atomically(options.out, known_values_csv(values));
     if (options.json) {
-        print({{"problems", values.size()}, {"out", options.out}});
+        print_document({{"problems", values.size()}, {"out", options.out}});
     } else {
         std::printf("%zu problems with their best known values are in %s\n", values.size(),
                     options.out.c_str());
@@ -119,7 +116,7 @@ std::vector<Contender> chosen_contenders(const std::string& choice) {
 }
 
 /// The problems that --problems chooses from the file of known values.
-std::vector<std::string> problems_of(const Options& options) {
+std::vector<std::string> problems_of(const OptimizersOptions& options) {
     std::vector<std::string> ids;
     for (const study::KnownValue& value : study::read_known_values(options.known))
         ids.push_back(value.problem);
@@ -133,13 +130,13 @@ std::filesystem::path made_folder(const std::string& path) {
     return path;
 }
 
-void print(const study::StudyReport& report, double seconds, const Options& options) {
+void print(const study::StudyReport& report, double seconds, const OptimizersOptions& options) {
     const std::string path = study::run_table_path(options.out).string();
     if (options.json) {
-        print({{"runs_before", report.runs_before},
-               {"runs_done", report.runs_done},
-               {"out", path},
-               {"seconds", seconds}});
+        print_document({{"runs_before", report.runs_before},
+                        {"runs_done", report.runs_done},
+                        {"out", path},
+                        {"seconds", seconds}});
     } else {
         std::printf("%zu runs in %.1f s, and %zu that were there before, are in %s\n", report.runs_done,
                     seconds, report.runs_before, path.c_str());
@@ -148,7 +145,7 @@ void print(const study::StudyReport& report, double seconds, const Options& opti
         std::fputs("fretwork: interrupted; what is done is stored, run again to go on\n", stderr);
 }
 
-ExitCode run(Options options) {
+ExitCode run(OptimizersOptions options) {
     LongWork work;
     options.plan.problems = problems_of(options);
     options.plan.contenders = chosen_contenders(options.optimizers);
@@ -164,7 +161,7 @@ ExitCode run(Options options) {
 
 // ---- landscape ----
 
-ExitCode landscape(Options options) {
+ExitCode landscape(OptimizersOptions options) {
     LongWork work;
     options.landscape.threads = options.threads;
     options.landscape.control = work.control();
@@ -176,7 +173,7 @@ ExitCode landscape(Options options) {
     files.add(folder / "sections.csv", landscape.sections);
     files.commit();
     if (options.json) {
-        print({{"problems", problems.size()}, {"out", options.out}});
+        print_document({{"problems", problems.size()}, {"out", options.out}});
     } else {
         std::printf("descents.csv and sections.csv of %zu problems are in %s\n", problems.size(),
                     options.out.c_str());
@@ -186,12 +183,12 @@ ExitCode landscape(Options options) {
 
 // ---- the command line ----
 
-CLI::Option* add_threads(CLI::App& action, Options& options) {
+CLI::Option* add_threads(CLI::App& action, OptimizersOptions& options) {
     return action.add_option("--threads", options.threads, "Threads to use; 0: all there are")
         ->check(thread_check());
 }
 
-void add_list(CLI::App& verb, const std::shared_ptr<Options>& options, ExitCode& exit_code) {
+void add_list(CLI::App& verb, const std::shared_ptr<OptimizersOptions>& options, ExitCode& exit_code) {
     CLI::App* action =
         verb.add_subcommand("list", "List the methods: name, class, what they need, what they are");
     action->add_flag("--json", options->json, "Print JSON");
@@ -199,7 +196,7 @@ void add_list(CLI::App& verb, const std::shared_ptr<Options>& options, ExitCode&
     action->callback([options, &exit_code] { exit_code = list(*options); });
 }
 
-void add_known(CLI::App& verb, const std::shared_ptr<Options>& options, ExitCode& exit_code) {
+void add_known(CLI::App& verb, const std::shared_ptr<OptimizersOptions>& options, ExitCode& exit_code) {
     CLI::App* action = verb.add_subcommand(
         "known", "Choose the problems of a comparison and search their best known values, once for all");
     action->add_option("--out", options->out, "The CSV file to write")->required();
@@ -226,7 +223,7 @@ void add_known(CLI::App& verb, const std::shared_ptr<Options>& options, ExitCode
     action->callback([options, &exit_code] { exit_code = known(*options); });
 }
 
-void add_run(CLI::App& verb, const std::shared_ptr<Options>& options, ExitCode& exit_code) {
+void add_run(CLI::App& verb, const std::shared_ptr<OptimizersOptions>& options, ExitCode& exit_code) {
     CLI::App* action =
         verb.add_subcommand("run",
                             "Run methods on problems; goes on where it was stopped. Columns: see "
@@ -257,7 +254,7 @@ void add_run(CLI::App& verb, const std::shared_ptr<Options>& options, ExitCode& 
     action->callback([options, &exit_code] { exit_code = run(*options); });
 }
 
-void add_landscape(CLI::App& verb, const std::shared_ptr<Options>& options, ExitCode& exit_code) {
+void add_landscape(CLI::App& verb, const std::shared_ptr<OptimizersOptions>& options, ExitCode& exit_code) {
     CLI::App* action = verb.add_subcommand(
         "landscape", "Tables of where many single descents end, and of sections through the best point");
     action->add_option("--known", options->known, "The problems, as `known` wrote them")->required();
@@ -279,7 +276,7 @@ void add_landscape(CLI::App& verb, const std::shared_ptr<Options>& options, Exit
 
 void add_optimizers(CLI::App& app, ExitCode& exit_code) {
     CLI::App* verb = app.add_subcommand("optimizers", "List the optimizers, and compare them");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<OptimizersOptions>();
     add_list(*verb, options, exit_code);
     add_known(*verb, options, exit_code);
     add_run(*verb, options, exit_code);

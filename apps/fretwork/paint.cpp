@@ -28,7 +28,7 @@ namespace {
 using simulation::Project;
 using tiling::TileIndex;
 
-struct Options {
+struct PaintOptions {
     std::string project;
     std::string out;
     std::string library;
@@ -89,7 +89,7 @@ void add_tiles(std::set<TileIndex>& chosen, const char* option, const std::vecto
 }
 
 /// All tiles where none are named.
-std::vector<TileIndex> chosen_tiles(const Options& options, const tiling::Tessellation& tessellation) {
+std::vector<TileIndex> chosen_tiles(const PaintOptions& options, const tiling::Tessellation& tessellation) {
     std::set<TileIndex> chosen;
     add_tiles(chosen, "--tiles", options.tiles,
               [&](const std::string& text) { return tiling::parse_tiles(text, tessellation); });
@@ -104,7 +104,7 @@ std::vector<TileIndex> chosen_tiles(const Options& options, const tiling::Tessel
 }
 
 /// Where patterns and their properties come from.
-std::optional<library::Library> open_library(const Project& project, const Options& options) {
+std::optional<library::Library> open_library(const Project& project, const PaintOptions& options) {
     if (options.painting.patterns.empty()) return std::nullopt;
     auto library = simulation::open_project_library(options.project, project, options.library);
     if (library) library->check_layout(project.layout);
@@ -112,8 +112,8 @@ std::optional<library::Library> open_library(const Project& project, const Optio
 }
 
 /// The colours of a drawing choose among the tiles.
-std::vector<TileIndex> paint_project(Project& project, std::vector<TileIndex> tiles, const Options& options,
-                                     const library::Library* library) {
+std::vector<TileIndex> paint_project(Project& project, std::vector<TileIndex> tiles,
+                                     const PaintOptions& options, const library::Library* library) {
     tiling::Tessellation& tessellation = project.tessellation;
     if (!options.painting.patterns.empty()) {
         const reduction::Setting setting = simulation::setting_of(project, library);
@@ -136,7 +136,7 @@ std::map<std::string, int> pattern_counts(const tiling::Tessellation& tessellati
     return counts;
 }
 
-void print(const Project& project, const std::vector<TileIndex>& tiles, const Options& options) {
+void print(const Project& project, const std::vector<TileIndex>& tiles, const PaintOptions& options) {
     const auto counts = pattern_counts(project.tessellation, tiles);
     const std::size_t unpainted = unpainted_count(project.tessellation);
     if (options.json) {
@@ -154,7 +154,7 @@ void print(const Project& project, const std::vector<TileIndex>& tiles, const Op
                     project.load_cases.size());
 }
 
-ExitCode run(const Options& options) {
+ExitCode run(const PaintOptions& options) {
     simulation::check(options.painting);
     const std::string& target = options.out.empty() ? options.project : options.out;
     std::optional<base::FileLock> lock;
@@ -180,7 +180,7 @@ ExitCode run(const Options& options) {
 
 void add_paint(CLI::App& app, ExitCode& exit_code) {
     CLI::App* verb = app.add_subcommand("paint", "Paint tiles of a project with patterns; all else is kept");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<PaintOptions>();
     verb->add_option("project", options->project, "Project file")->required();
     verb->add_option("--tiles", options->tiles,
                      "Numbers of tiles, and ranges: 3,7-11 (export --labels tiles draws them)");

@@ -37,7 +37,7 @@ using simulation::LoadCase;
 using simulation::Project;
 using simulation::Surface;
 
-struct Options {
+struct SimulateOptions {
     std::string project;
     std::string load_case;
     std::string library;
@@ -57,7 +57,7 @@ struct Options {
 
 /// What is wrong with a project's load cases or frame names its file.
 template <class Work>
-auto of_project(const Options& options, const Work& work) {
+auto of_project(const SimulateOptions& options, const Work& work) {
     try {
         return work();
     } catch (const base::InputError& error) {
@@ -66,7 +66,7 @@ auto of_project(const Options& options, const Work& work) {
 }
 
 /// The name of a load case of the project; else a file is one by its ending or its folder.
-LoadCase chosen_load_case(const Project& project, const Options& options) {
+LoadCase chosen_load_case(const Project& project, const SimulateOptions& options) {
     const std::string& name_or_file = options.load_case;
     for (const LoadCase& own : project.load_cases) {
         if (own.name == name_or_file)
@@ -185,7 +185,7 @@ void print(const mechanics::Result& result, const WantedModes& wanted) {
 }
 
 /// The result drawn or for ParaView, as `export` would write it.
-void add_drawings(const Options& options, const Surface& surface, const mechanics::Result& result,
+void add_drawings(const SimulateOptions& options, const Surface& surface, const mechanics::Result& result,
                   base::FileBatch& files) {
     if (options.drawings.empty()) return;
     exports::Scene scene{surface};
@@ -195,7 +195,7 @@ void add_drawings(const Options& options, const Surface& surface, const mechanic
 }
 
 /// The load steps or stages for ParaView. The files beside the named one are ours, or are not there.
-void add_series(const Options& options, const Surface& surface, const mechanics::Result& result,
+void add_series(const SimulateOptions& options, const Surface& surface, const mechanics::Result& result,
                 base::FileBatch& files) {
     if (options.series.empty()) return;
     const std::filesystem::path path(options.series);
@@ -217,7 +217,7 @@ mechanics::Frame full_frame(Surface surface, const LoadCase& load_case) {
 }
 
 /// Of the surface with all of its beams, at rest; shapes have a row for each node of the result.
-void add_modes(const Options& options, const Surface& surface, const LoadCase& load_case,
+void add_modes(const SimulateOptions& options, const Surface& surface, const LoadCase& load_case,
                mechanics::Result& result, const base::Control& control) {
     const auto modes = [&](simulation::ModeKind kind, int count) {
         if (count == 0) return std::vector<mechanics::Mode>{};
@@ -238,7 +238,7 @@ void add_modes(const Options& options, const Surface& surface, const LoadCase& l
 }
 
 /// What is impossible numerically names the project.
-mechanics::Result simulate(const Options& options, const Surface& surface, const LoadCase& load_case,
+mechanics::Result simulate(const SimulateOptions& options, const Surface& surface, const LoadCase& load_case,
                            const std::vector<LoadCase>& cases, const base::Control& control) {
     try {
         if (!options.stages.empty()) {
@@ -258,7 +258,7 @@ mechanics::Result simulate(const Options& options, const Surface& surface, const
     }
 }
 
-ExitCode run(Options options) {
+ExitCode run(SimulateOptions options) {
     LongWork work;
     if (options.linear) options.simulation.analysis = simulation::Analysis::Linear;
     const Project project = simulation::read_checked_project(options.project);
@@ -314,7 +314,7 @@ std::string models_help() {
 void add_simulate(CLI::App& app, ExitCode& exit_code) {
     CLI::App* verb = app.add_subcommand(
         "simulate", "Simulate a project under a load case, with the full or a reduced model");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<SimulateOptions>();
     verb->add_option("project", options->project, "Project file")->required();
     verb->add_option("--case", options->load_case, "Name of a load case of the project, or a load case file");
     verb->add_option("--model", options->simulation.model, models_help())->capture_default_str();

@@ -20,7 +20,7 @@
 namespace fretwork::app {
 namespace {
 
-constexpr const char* kExample = R"(
+constexpr const char* kSolveExample = R"(
 Examples:
   fretwork solve frame.json --out result.json                   nonlinear, to the full load
   fretwork solve frame.json --solver linear --out result.json
@@ -32,7 +32,7 @@ Examples:
 
 constexpr const char* kSnapping = "snapping";
 
-struct Options {
+struct SolveOptions {
     std::string frame;
     std::string solver = "newton";
     std::string out;
@@ -45,7 +45,7 @@ struct Options {
     bool json = false;
 };
 
-mechanics::SolveOptions solve_options(const Options& options) {
+mechanics::SolveOptions solve_options(const SolveOptions& options) {
     mechanics::SolveOptions solve = options.solve;
     solve.solver = mechanics::find_solver(options.solver);
     if (options.branch && *options.branch != kSnapping)
@@ -56,7 +56,7 @@ mechanics::SolveOptions solve_options(const Options& options) {
     return solve;
 }
 
-void print_note_on_moments(const mechanics::Frame& frame, const Options& options) {
+void print_note_on_moments(const mechanics::Frame& frame, const SolveOptions& options) {
     const bool has_moments = std::ranges::any_of(
         frame.loads, [](const mechanics::NodalLoad& load) { return !load.moment.isZero(0.0); });
     if (options.solve.buckling_modes > 0 && has_moments)
@@ -64,7 +64,7 @@ void print_note_on_moments(const mechanics::Frame& frame, const Options& options
 }
 
 /// What a deck cannot hold names the frame's file.
-std::string deck_text(const mechanics::Frame& frame, const Options& options) {
+std::string deck_text(const mechanics::Frame& frame, const SolveOptions& options) {
     try {
         return mechanics::calculix_text(frame, options.deck_for == "calculix"
                                                    ? mechanics::DeckReader::Calculix
@@ -74,7 +74,7 @@ std::string deck_text(const mechanics::Frame& frame, const Options& options) {
     }
 }
 
-ExitCode run(const Options& options) {
+ExitCode run(const SolveOptions& options) {
     LongWork work;
     mechanics::SolveOptions solve = solve_options(options);
     solve.control = work.control();
@@ -101,7 +101,7 @@ ExitCode run(const Options& options) {
     return result.solution.converged() ? ExitCode::Done : ExitCode::DidNotSucceed;
 }
 
-void add_method(CLI::App& verb, Options& options) {
+void add_method(CLI::App& verb, SolveOptions& options) {
     verb.add_option("--solver", options.solver,
                     "linear; or, for large displacements and rotations, newton or dynamic-relaxation")
         ->check(CLI::IsMember({"linear", "newton", "dynamic-relaxation"}))
@@ -125,7 +125,7 @@ void add_method(CLI::App& verb, Options& options) {
 }
 
 /// What is solved, and what else is computed of it.
-void add_questions(CLI::App& verb, Options& options) {
+void add_questions(CLI::App& verb, SolveOptions& options) {
     CLI::Option* lumped = verb.add_flag("--lumped-gravity", options.solve.lumped_gravity,
                                         "half of a beam's weight on each end, no moments");
     verb.add_flag("--estimate-error", options.solve.estimate_error,
@@ -143,9 +143,9 @@ void add_questions(CLI::App& verb, Options& options) {
 }  // namespace
 
 void add_solve(CLI::App& app, ExitCode& exit_code) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<SolveOptions>();
     CLI::App* verb = app.add_subcommand("solve", "Solve any beam structure from a frame file.");
-    verb->footer(kExample);
+    verb->footer(kSolveExample);
     verb->add_option("frame", options->frame, "frame file, or the beams of a CalculiX or Abaqus deck (.inp)")
         ->required();
     add_method(*verb, *options);

@@ -21,7 +21,7 @@
 namespace fretwork::app {
 namespace {
 
-struct Options {
+struct StudioOptions {
     std::string project;
     std::string page;
     bool no_browser = false;
@@ -59,7 +59,7 @@ void open_browser(std::string address) {
     ::posix_spawn_file_actions_destroy(&quiet);
 }
 
-void run(Options options) {
+void run(StudioOptions options) {
     if (!options.project.empty()) {
         if (content_of(options.project).is_database)
             throw base::InputError(options.project, "", "is a pattern library, where a project is needed");
@@ -87,7 +87,7 @@ void run(Options options) {
 void add_studio(CLI::App& app, ExitCode&) {
     CLI::App* verb = app.add_subcommand(
         "studio", "Paint, hold and load a surface in the browser, and see it bend. Ends with Ctrl-C");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<StudioOptions>();
     verb->add_option("project", options->project, "Project file (default: a screen to choose one from)");
     verb->add_option("--address", options->studio.address, "Address to listen at")->capture_default_str();
     verb->add_option("--port", options->studio.port, "Port (default: 8080, or the next one that is free)")

@@ -31,7 +31,7 @@ namespace {
 using library::Library;
 using simulation::Project;
 
-struct Options {
+struct TileOptions {
     std::string outline;
     std::string part = "largest";
     std::optional<std::string> width;
@@ -68,7 +68,7 @@ double parse_length(const LengthOption& option, const std::string& text) {
     }
 }
 
-std::optional<double> wanted_width(const Options& options) {
+std::optional<double> wanted_width(const TileOptions& options) {
     if (!options.width) return std::nullopt;
     const double width = parse_length(kWidth, *options.width);
     if (!(width > 0))
@@ -76,13 +76,13 @@ std::optional<double> wanted_width(const Options& options) {
     return width;
 }
 
-tiling::OutlineFile read_outline(const Options& options, std::optional<double> width) {
+tiling::OutlineFile read_outline(const TileOptions& options, std::optional<double> width) {
     tiling::OutlineFile file = tiling::take_parts(tiling::read_outline_file(options.outline), options.part);
     return width ? tiling::scaled_to_width(std::move(file), *width) : file;
 }
 
 /// The library that is named; else that of the project which is tiled anew, if it has one.
-std::optional<Library> open_library(const Options& options) {
+std::optional<Library> open_library(const TileOptions& options) {
     if (!options.library.empty()) return Library::open(options.library);
     if (!std::filesystem::exists(options.out)) return std::nullopt;
     return simulation::open_project_library(options.out, simulation::read_project(options.out), "");
@@ -92,7 +92,7 @@ const std::map<std::string, tiling::Narrow> kNarrow = {
     {"refine", tiling::Narrow::Refine}, {"merge", tiling::Narrow::Merge}, {"refuse", tiling::Narrow::Refuse}};
 
 /// The library of a project is named relative to the project file. Its setting goes into the project.
-void name_library(Project& project, const Options& options, const Library* library) {
+void name_library(Project& project, const TileOptions& options, const Library* library) {
     project.library_path.clear();
     project.library_hash.clear();
     if (!library) return;
@@ -104,7 +104,7 @@ void name_library(Project& project, const Options& options, const Library* libra
 }
 
 /// What stays in a project that is tiled anew must fit the new tiles.
-void check_what_stays(const Project& project, const Options& options) {
+void check_what_stays(const Project& project, const TileOptions& options) {
     for (const simulation::LoadCase& load_case : project.load_cases) {
         try {
             simulation::check_selections(load_case, project.tessellation);
@@ -147,7 +147,7 @@ void drop_tile_models(Project& before, const Project& tiled) {
 }
 
 /// Put the new tiles into the project that is there, or into a new one, and write it.
-Project write(Project tiled, const Options& options, const Library* library) {
+Project write(Project tiled, const TileOptions& options, const Library* library) {
     std::optional<base::FileLock> lock;
     Project project;
     if (std::filesystem::exists(options.out)) {
@@ -175,7 +175,7 @@ void warn(const simulation::NewProject& made) {
 }
 
 /// What was done to the drawing, in one line.
-void tell(const tiling::OutlineFile& file, const Options& options) {
+void tell(const tiling::OutlineFile& file, const TileOptions& options) {
     if (file.remarks.empty()) return;
     std::fprintf(stderr, "fretwork: %s: %s\n", base::printable(options.outline).c_str(),
                  base::join(file.remarks, "; ").c_str());
@@ -208,7 +208,7 @@ void print_json(const tiling::TessellationReport& report, const Project& project
     std::fputs(base::json_text(json).c_str(), stdout);
 }
 
-void print(const tiling::TessellationReport& report, const Project& project, const Options& options) {
+void print(const tiling::TessellationReport& report, const Project& project, const TileOptions& options) {
     const std::size_t patterns = tiling::used_patterns(project.tessellation).size();
     std::printf("%d %s, %zu interface nodes, %zu %s in use\n", report.tiles,
                 report.tiles == 1 ? "tile" : "tiles", project.tessellation.interface_nodes.size(), patterns,
@@ -230,7 +230,7 @@ void print(const tiling::TessellationReport& report, const Project& project, con
 }
 
 /// What is typed is looked at before anything is read.
-simulation::NewProjectOptions wanted_project(const Options& options) {
+simulation::NewProjectOptions wanted_project(const TileOptions& options) {
     simulation::check(options.painting);
     simulation::NewProjectOptions wanted{
         .outline_name = options.outline, .layout = options.layout, .painting = options.painting};
@@ -240,7 +240,7 @@ simulation::NewProjectOptions wanted_project(const Options& options) {
     return wanted;
 }
 
-void run(const Options& options) {
+void run(const TileOptions& options) {
     simulation::NewProjectOptions wanted = wanted_project(options);
     const std::optional<double> width = wanted_width(options);
     const std::optional<Library> opened = open_library(options);
@@ -263,7 +263,7 @@ void run(const Options& options) {
 
 void add_tile(CLI::App& app, ExitCode&) {
     CLI::App* verb = app.add_subcommand("tile", "Cover an outline with tiles and paint them with patterns");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<TileOptions>();
     verb->add_option("outline", options->outline, "Outline: SVG, DXF, JSON, or a flat OBJ, PLY or OFF")
         ->required();
     verb->add_option(

@@ -24,8 +24,8 @@ constexpr int kMostPlaces = 1000;
 constexpr const char* kFormat = "fretwork/autosave/1";
 
 std::string stem_of(const std::optional<fs::path>& document) {
-    constexpr std::size_t kDigits = 16;
-    return document ? base::sha256(document->string()).substr(0, kDigits) : std::string("untitled");
+    constexpr std::size_t kNameDigits = 16;
+    return document ? base::sha256(document->string()).substr(0, kNameDigits) : std::string("untitled");
 }
 
 void make_folder(const fs::path& folder) {

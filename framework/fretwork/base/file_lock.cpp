@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/detail/open_file.hpp>
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/file_lock.hpp>
 
@@ -7,7 +8,6 @@
 #include <fcntl.h>
 #include <string>
 #include <sys/file.h>
-#include <sys/stat.h>
 #include <unistd.h>
 #include <utility>
 
@@ -37,14 +37,6 @@ bool lock(int descriptor, const std::filesystem::path& path, Wait wait) {
     return true;
 }
 
-/// False if another file has taken the place of the one that was opened.
-bool is_still_at(const std::filesystem::path& path, int descriptor) {
-    struct stat opened {};
-    struct stat present {};
-    return ::fstat(descriptor, &opened) == 0 && ::stat(path.c_str(), &present) == 0 &&
-           opened.st_dev == present.st_dev && opened.st_ino == present.st_ino;
-}
-
 /// A locked descriptor of what is at the path now; -1 if another holds the lock.
 int locked_descriptor(const std::filesystem::path& path, Wait wait) {
     for (;;) {
@@ -58,7 +50,7 @@ int locked_descriptor(const std::filesystem::path& path, Wait wait) {
             ::close(descriptor);
             throw;
         }
-        if (is_still_at(path, descriptor)) return descriptor;
+        if (detail::is_still_at(path, descriptor, detail::Links::Followed)) return descriptor;
         ::close(descriptor);
     }
 }

@@ -3,6 +3,7 @@
 
 #include <compare>
 #include <concepts>
+#include <cstddef>
 #include <cstdint>
 
 namespace fretwork::base {
@@ -23,5 +24,10 @@ struct Index {
     friend constexpr auto operator<=>(Index left, Index right) = default;
     friend constexpr bool operator==(Index left, Index right) = default;
 };
+
+/// The place of a plain, valid index in a container of the standard library.
+constexpr std::size_t at(int index) {
+    return static_cast<std::size_t>(index);
+}
 
 }  // namespace fretwork::base

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/detail/open_file.hpp>
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/scratch.hpp>
 
@@ -7,7 +8,6 @@
 #include <fcntl.h>
 #include <string_view>
 #include <sys/file.h>
-#include <sys/stat.h>
 #include <system_error>
 #include <unistd.h>
 #include <vector>
@@ -25,19 +25,13 @@ bool is_scratch_name(const fs::path& path) {
     return name.starts_with(kStart) && name.size() == kStart.size() + kPlaceholder.size();
 }
 
-bool is_still_at(const fs::path& path, int descriptor) {
-    struct stat opened {};
-    struct stat present {};
-    return ::fstat(descriptor, &opened) == 0 && ::lstat(path.c_str(), &present) == 0 &&
-           opened.st_dev == present.st_dev && opened.st_ino == present.st_ino;
-}
-
 /// Removes a scratch that nobody has locked.
 void remove_if_abandoned(const fs::path& path) {
     const int descriptor = ::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
     if (descriptor < 0) return;
     std::error_code ignored;
-    if (::flock(descriptor, LOCK_EX | LOCK_NB) == 0 && is_still_at(path, descriptor))
+    if (::flock(descriptor, LOCK_EX | LOCK_NB) == 0 &&
+        detail::is_still_at(path, descriptor, detail::Links::Themselves))
         fs::remove_all(path, ignored);
     ::close(descriptor);
 }
@@ -72,7 +66,7 @@ Scratch::Scratch(const fs::path& target, Kind kind) {
         // Where the file system has no locks nobody removes it, either.
         (void)::flock(descriptor_, LOCK_EX | LOCK_NB);
         // Another process may have taken it for abandoned before it was locked.
-    } while (!is_still_at(path_, descriptor_));
+    } while (!detail::is_still_at(path_, descriptor_, detail::Links::Themselves));
 }
 
 Scratch::~Scratch() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/exports/colours.hpp>
 #include <fretwork/exports/detail/fan_drawing.hpp>
+#include <fretwork/exports/detail/furniture.hpp>
 #include <fretwork/exports/pattern_drawing.hpp>
 
 #include <algorithm>
@@ -16,9 +17,7 @@ using pattern::NodeLayout;
 using pattern::Pattern;
 using pattern::Point2;
 
-constexpr const char* kBeamColour = "#22303c";
 constexpr const char* kEdgeColour = "#8fa3b5";
-constexpr const char* kRimColour = "#b8c0c8";
 constexpr const char* kInterfaceColour = "#1b9e77";
 
 Point2 at(const pattern::LayoutNode& node, const std::array<Point2, 3>& triangle) {
@@ -33,7 +32,7 @@ Point2 at(const pattern::LayoutNode& node, const std::array<Point2, 3>& triangle
 /// The base triangle with all nodes of the layout, numbered, and all candidate edges.
 void draw_base_triangle(SvgCanvas& canvas, const NodeLayout& layout, const std::array<Point2, 3>& triangle) {
     const double size = std::hypot(triangle[2].x - triangle[1].x, triangle[2].y - triangle[1].y);
-    canvas.polygon(triangle, {"#f4f6f8", kRimColour, 0.008 * size, 1.0});
+    canvas.polygon(triangle, {"#f4f6f8", detail::kRimColour, 0.008 * size, 1.0});
     std::vector<std::array<Point2, 2>> edges;
     for (const pattern::Edge& edge : layout.candidate_edges()) {
         edges.push_back({at(layout.nodes()[static_cast<std::size_t>(edge.first)], triangle),
@@ -45,7 +44,7 @@ void draw_base_triangle(SvgCanvas& canvas, const NodeLayout& layout, const std::
         const bool is_interface = node.region == pattern::Region::Interface;
         const Point2 place = at(node, triangle);
         canvas.circle(place, 0.03 * size,
-                      {is_interface ? kInterfaceColour : "#ffffff", kBeamColour, 0.008 * size, 1.0});
+                      {is_interface ? kInterfaceColour : "#ffffff", detail::kBeamColour, 0.008 * size, 1.0});
         canvas.text({place.x + 0.05 * size, place.y + 0.035 * size}, std::to_string(i), 0.07 * size);
     }
 }

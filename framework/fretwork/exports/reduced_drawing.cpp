@@ -17,7 +17,6 @@ using pattern::Point2;
 using reduction::Calibration;
 using reduction::Setting;
 
-constexpr const char* kReducedColour = "#2b8cbe";
 constexpr const char* kInterfaceColour = "#1b9e77";
 
 std::vector<Point2> moved(std::vector<Point2> points, const Point2& by) {
@@ -43,7 +42,7 @@ void draw_reduced(SvgCanvas& canvas, const ReducedTile& tile, const Setting& set
     const double width = std::sqrt(setting.section.area);
     canvas.polygon(moved(pattern::regular_polygon(setting.sides, setting.tile_side), center),
                    {"#f4f6f8", detail::kRimColour, 0.15 * width, 1.0});
-    canvas.segments(beams, {"none", kReducedColour, width, 1.0});
+    canvas.segments(beams, {"none", detail::kReducedColour, width, 1.0});
     for (int i = 0; i < interface_nodes; ++i)
         canvas.circle(nodes[static_cast<std::size_t>(i)], 0.8 * width,
                       {kInterfaceColour, "#ffffff", 0.2 * width, 1.0});

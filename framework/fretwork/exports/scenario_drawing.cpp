@@ -24,7 +24,6 @@ using simulation::Conditions;
 using simulation::Surface;
 
 constexpr const char* kFullColour = "#8a8f94";
-constexpr const char* kReducedColour = "#2b8cbe";
 constexpr int kDrawnDivisions = 6;  ///< of a beam: it is drawn as bent as it is
 
 // Lengths as multiples of the tile's side.
@@ -116,7 +115,8 @@ class CellPen {
         for (Point2& point : rim) point = moved(point, middle);
         canvas_.polygon(rim, {"#f4f6f8", detail::kRimColour, 0.15 * bar_, 1.0});
         draw_lines(cell.full.lines, middle, {"none", kFullColour, bar_, 1.0});
-        if (cell.reduced) draw_lines(*cell.reduced, middle, {"none", kReducedColour, 0.5 * bar_, 1.0});
+        if (cell.reduced)
+            draw_lines(*cell.reduced, middle, {"none", detail::kReducedColour, 0.5 * bar_, 1.0});
         for (detail::SupportMark mark : detail::support_marks(surface_, cell.conditions, projection_)) {
             mark.place = moved(mark.place, middle);
             draw_support(canvas_, mark, kBall * side_);

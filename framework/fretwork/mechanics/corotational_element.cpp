@@ -79,14 +79,15 @@ std::optional<CorotationalMotion> corotational_motion(const CorotationalBody& bo
                                                       const Eigen::Matrix3d& turn,
                                                       std::span<const NodeState> states) {
     const Eigen::Quaterniond turned(turn);
-    elements::CorotationalPose<Eigen::Dynamic> pose(body, turned, states);
+    elements::CorotationalPose pose(body, turned, states);
     if (!pose.has_frame()) return std::nullopt;
     CorotationalMotion motion{Eigen::Matrix3d::Identity(), Eigen::Vector3d::Zero(),
-                              NodeValues(pose.count(), kDofsPerNode)};
-    for (Eigen::Index i = 0; i < pose.count(); ++i) {
-        motion.shift += states[static_cast<std::size_t>(i)].displacement / static_cast<double>(pose.count());
-        motion.in_frame.row(i).head<3>() = (pose.arm(i) - pose.rest_arm(i)).transpose();
-        motion.in_frame.row(i).tail<3>() = pose.rotation(i).transpose();
+                              NodeValues(body.arms().cols(), kDofsPerNode)};
+    for (std::size_t i = 0; i < pose.count(); ++i) {
+        motion.shift += states[i].displacement / static_cast<double>(pose.count());
+        auto row = motion.in_frame.row(static_cast<Eigen::Index>(i));
+        row.head<3>() = (pose.arm(i) - pose.rest_arm(i)).transpose();
+        row.tail<3>() = pose.rotation(i).transpose();
     }
     pose.turn_into_structure(turned);
     motion.axes = pose.axes();

@@ -76,8 +76,8 @@ struct PatternSampler::Impl {
             detail::RuleTest<Word128> test(layout, filters);
             const std::uint64_t start = piece * kPiece;
             for (std::uint64_t i = start; i < std::min(count, start + kPiece); ++i) {
-                const Word128 graph = propose(first + i);
-                if (test.broken(graph) == 0) visit(piece, graph);
+                const Word128 proposal = propose(first + i);
+                if (test.broken(proposal) == 0) visit(piece, proposal);
             }
         });
     }

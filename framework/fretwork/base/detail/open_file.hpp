@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <filesystem>
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace fretwork::base::detail {
@@ -16,5 +18,17 @@ class OpenFile {
   private:
     int descriptor_;
 };
+
+/// What a path that is a symbolic link stands for: the file that it leads to, or the link itself.
+enum class Links { Followed, Themselves };
+
+/// False if another file has taken the place of the one that was opened.
+inline bool is_still_at(const std::filesystem::path& path, int descriptor, Links links) {
+    struct stat opened {};
+    struct stat present {};
+    const auto look = links == Links::Followed ? ::stat : ::lstat;
+    return ::fstat(descriptor, &opened) == 0 && look(path.c_str(), &present) == 0 &&
+           opened.st_dev == present.st_dev && opened.st_ino == present.st_ino;
+}
 
 }  // namespace fretwork::base::detail

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/exports/detail/fan_drawing.hpp>
+#include <fretwork/exports/detail/furniture.hpp>
 #include <fretwork/pattern/fan.hpp>
 
 #include <vector>
@@ -11,9 +12,7 @@ using pattern::NodeLayout;
 using pattern::Pattern;
 using pattern::Point2;
 
-constexpr const char* kBeamColour = "#22303c";
 constexpr const char* kGuiltyColour = "#d7191c";
-constexpr const char* kRimColour = "#b8c0c8";
 
 std::vector<Point2> moved(std::vector<Point2> points, const Point2& by) {
     for (Point2& point : points) point = {point.x + by.x, point.y + by.y};

@@ -11,6 +11,7 @@ namespace fretwork::exports::detail {
 
 inline constexpr const char* kBeamColour = "#22303c";
 inline constexpr const char* kRimColour = "#b8c0c8";
+inline constexpr const char* kReducedColour = "#2b8cbe";  ///< of a reduced model
 inline constexpr const char* kTextColour = "#333333";
 
 /// The height of text in a drawing of some width, metres.

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/fabrication/detail/fillets.hpp>
+#include <fretwork/fabrication/detail/inner_corners.hpp>
 #include <fretwork/fabrication/detail/plane.hpp>
 
 #include <vector>
 
 namespace fretwork::fabrication::detail {
 namespace {
-
-/// Corners that turn by less have no use for a fillet.
-constexpr double kLeastTurn = 0.01;  // rad
 
 /// A corner between two lines, and the part of both that its arc takes.
 struct Corner {
@@ -52,7 +50,7 @@ class Filleting {
         const Point2 in = place(i) - place(before(i));
         const Point2 out = place(after(i)) - place(i);
         const double turn = -std::atan2(cross(in, out), dot(in, out));
-        return turn > kLeastTurn ? turn : 0.0;
+        return turn > kLeastCornerTurn ? turn : 0.0;
     }
     void add(Contour& rounded, std::size_t i, const Corner& corner) const {
         if (corner.turn == 0.0) {

@@ -9,8 +9,7 @@ namespace {
 
 /// The material lies on the left of a contour: inner corners are where it turns right.
 void look_at(const Contour& contour, std::vector<double>& radii) {
-    constexpr double kLeastTurn = 0.01;  // rad
-    if (contour.size() == 2) return;     // the circle of a hole
+    if (contour.size() == 2) return;  // the circle of a hole
     for (std::size_t i = 0; i < contour.size(); ++i) {
         const ContourPoint& before = contour[(i + contour.size() - 1) % contour.size()];
         const Point2& after = contour[(i + 1) % contour.size()].place;
@@ -18,7 +17,7 @@ void look_at(const Contour& contour, std::vector<double>& radii) {
         if (contour[i].bulge != 0.0 || before.bulge != 0.0) continue;
         const Point2 in = contour[i].place - before.place;
         const Point2 out = after - contour[i].place;
-        if (std::atan2(cross(in, out), dot(in, out)) < -kLeastTurn) radii.push_back(0.0);
+        if (std::atan2(cross(in, out), dot(in, out)) < -kLeastCornerTurn) radii.push_back(0.0);
     }
 }
 

@@ -7,6 +7,9 @@
 
 namespace fretwork::fabrication::detail {
 
+/// A corner that turns by less counts as straight, rad: it needs no fillet.
+inline constexpr double kLeastCornerTurn = 0.01;
+
 /// The radius of each inner corner of the material between two straight lines, m; 0: sharp. Holes for bolts
 /// are no corners.
 std::vector<double> inner_corner_radii(const Shape& shape);

@@ -17,7 +17,7 @@ constexpr std::string_view kColumns =
 constexpr std::string_view kOfOne =
     " WHERE pattern_id = ? AND model = ? AND optimizer = ? AND seed = ? AND starts = ? AND budget = ?";
 
-bool is_finite(const CalibrationRecord& record) {
+bool has_only_finite_values(const CalibrationRecord& record) {
     const Calibration& calibration = record.calibration;
     const auto finite = [](double value) { return std::isfinite(value); };
     return finite(calibration.objective) && finite(record.seconds) &&
@@ -104,7 +104,8 @@ void check_calibration(const Database& database, const std::string& pattern_id,
         throw base::InputError(file, place,
                                "has " + std::to_string(errors) + " errors, where the setting has " +
                                    std::to_string(setting.scenarios.size()) + " scenarios");
-    if (!is_finite(record)) throw base::NumericalError(file + ": " + place + ": a value is not finite");
+    if (!has_only_finite_values(record))
+        throw base::NumericalError(file + ": " + place + ": a value is not finite");
 }
 
 void insert_calibration(const Database& database, const std::string& pattern_id,

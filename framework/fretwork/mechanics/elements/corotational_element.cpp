@@ -2,17 +2,69 @@
 // The formulas are derived in framework/fretwork/mechanics/corotational.md.
 #include <fretwork/mechanics/elements/corotational_element.hpp>
 #include <fretwork/mechanics/elements/corotational_pose.hpp>
+#include <fretwork/mechanics/elements/rotation.hpp>
 
+#include <algorithm>
 #include <limits>
 
 namespace fretwork::mechanics::elements {
 namespace {
 
-using Eigen::Index;
 using Eigen::Matrix3d;
+using Eigen::MatrixXd;
 using Eigen::Vector3d;
+using Eigen::VectorXd;
+using Pose = CorotationalPose;
 
-template <int Nodes>
+/// Three columns of derivatives: three rows for the displacement of each node, and after them three for its
+/// rotation.
+using Tall = Eigen::MatrixX3d;
+
+/// Where the three components of a block begin.
+Eigen::Index row_of(std::size_t block) {
+    return 3 * static_cast<Eigen::Index>(block);
+}
+
+Vector3d part_of(const VectorXd& vector, std::size_t block) {
+    return vector.segment<3>(row_of(block));
+}
+
+Matrix3d part_of(const Tall& columns, std::size_t block) {
+    return columns.middleRows<3>(row_of(block));
+}
+
+/// out += a m, or out = a m, where a and out are three columns of n rows. Plain loops, which the compiler
+/// turns into vector instructions: matrix expressions of unknown size need twice as many instructions here.
+enum class Sum { Add, Replace };
+void multiply(const double* a, const Matrix3d& m, Eigen::Index n, Sum sum, double* __restrict out) {
+    for (Eigen::Index c = 0; c < 3; ++c) {
+        const double x = m(0, c);
+        const double y = m(1, c);
+        const double z = m(2, c);
+        double* __restrict to = out + c * n;
+        if (sum == Sum::Replace) {
+            for (Eigen::Index i = 0; i < n; ++i) to[i] = a[i] * x + a[n + i] * y + a[2 * n + i] * z;
+        } else {
+            for (Eigen::Index i = 0; i < n; ++i) to[i] += a[i] * x + a[n + i] * y + a[2 * n + i] * z;
+        }
+    }
+}
+
+/// Three columns of a square matrix, the first of them that of this block.
+const double* columns_of(const MatrixXd& matrix, std::size_t block) {
+    return matrix.data() + row_of(block) * matrix.rows();
+}
+double* columns_of(MatrixXd& matrix, std::size_t block) {
+    return matrix.data() + row_of(block) * matrix.rows();
+}
+
+/// Copies the lower triangle into the upper one.
+void mirror(MatrixXd& matrix) {
+    for (Eigen::Index j = 0; j < matrix.cols(); ++j) {
+        for (Eigen::Index i = j + 1; i < matrix.rows(); ++i) matrix(j, i) = matrix(i, j);
+    }
+}
+
 class CorotationalElement final : public Element {
   public:
     CorotationalElement(std::vector<NodeIndex> nodes, std::shared_ptr<const CorotationalBody> body,
@@ -21,22 +73,21 @@ class CorotationalElement final : public Element {
 
     [[nodiscard]] std::span<const NodeIndex> nodes() const override { return nodes_; }
 
-    void rest_stiffness(Eigen::MatrixXd& stiffness) const override { stiffness = turned(body_->stiffness()); }
+    void rest_stiffness(MatrixXd& stiffness) const override { stiffness = turned(body_->stiffness()); }
 
-    void mass(Eigen::MatrixXd& mass) const override { mass = turned(body_->mass()); }
+    void mass(MatrixXd& mass) const override { mass = turned(body_->mass()); }
 
     void evaluate(std::span<const NodeState> states, Demand demand,
                   ElementResponse& response) const override {
         Pose pose(*body_, turn_, states);
         if (!pose.has_frame()) return refuse(response);
-        const Vector stress = write_energy(pose, response);
+        const VectorXd stress = write_energy(pose, response);
         pose.turn_into_structure(turn_);
-        const Vector force = balanced_force(pose, stress);
-        response.force = force;
-        if (demand == Demand::Tangent) write_tangent(pose, force, response.tangent);
+        balance(pose, stress, response.force);
+        if (demand == Demand::Tangent) write_tangent(pose, response.force, response.tangent);
     }
 
-    [[nodiscard]] Index stress_count() const override { return size(); }
+    [[nodiscard]] Eigen::Index stress_count() const override { return size(); }
 
     void evaluate_mixed(std::span<const NodeState> states, Demand demand, const ElementStresses& stresses,
                         MixedResponse& response) const override {
@@ -46,20 +97,20 @@ class CorotationalElement final : public Element {
             response.given_force = response.force;
             return;
         }
-        const Vector stress = write_energy(pose, response);
-        Eigen::Map<Vector>(stresses.own.data(), size()) = stress;
+        const VectorXd stress = write_energy(pose, response);
+        std::copy_n(stress.data(), size(), stresses.own.begin());
         pose.turn_into_structure(turn_);
-        response.force = balanced_force(pose, stress);
-        const Vector given = balanced_force(pose, Eigen::Map<const Vector>(stresses.given.data(), size()));
-        response.given_force = given;
+        balance(pose, stress, response.force);
+        const VectorXd given = Eigen::Map<const VectorXd>(stresses.given.data(), size());
+        balance(pose, given, response.given_force);
         if (demand == Demand::Force) return;
-        write_tangent(pose, given, response.tangent);
+        write_tangent(pose, response.given_force, response.tangent);
         write_slopes(pose, stresses.slopes);
     }
 
     void stresses_of(std::span<const double> strains, std::span<double> stresses) const override {
-        Eigen::Map<Vector>(stresses.data(), size()).noalias() =
-            body_->stiffness() * Eigen::Map<const Vector>(strains.data(), size());
+        Eigen::Map<VectorXd>(stresses.data(), size()).noalias() =
+            body_->stiffness() * Eigen::Map<const VectorXd>(strains.data(), size());
     }
 
     /// The largest rotation of a node against the frame.
@@ -67,35 +118,27 @@ class CorotationalElement final : public Element {
         const Pose pose(*body_, turn_, states);
         if (!pose.has_frame()) return std::numeric_limits<double>::infinity();
         double largest = 0.0;
-        for (Index i = 0; i < pose.count(); ++i) largest = std::max(largest, pose.rotation(i).norm());
+        for (std::size_t i = 0; i < pose.count(); ++i) largest = std::max(largest, pose.rotation(i).norm());
         return largest;
     }
 
-    void geometric_stiffness(const Eigen::VectorXd& displacements,
-                             Eigen::MatrixXd& stiffness) const override {
-        Vector local(size());
-        const Matrix3d axes = turn_.toRotationMatrix();
-        for (Index at = 0; at < size(); at += 3)
-            local.template segment<3>(at) = axes.transpose() * displacements.segment<3>(at);
+    void geometric_stiffness(const VectorXd& displacements, MatrixXd& stiffness) const override {
+        VectorXd local(size());
+        const Matrix3d back = turn_.toRotationMatrix().transpose();
+        for (std::size_t i = 0; i < block_count(); ++i)
+            local.segment<3>(row_of(i)) = back * part_of(displacements, i);
         Pose rest(*body_);
         rest.turn_into_structure(turn_);
-        const Vector force = balanced_force(rest, body_->stiffness() * local);
+        const VectorXd stress = body_->stiffness() * local;
+        VectorXd force;
+        balance(rest, stress, force);
         stiffness.setZero(size(), size());
-        project<Eigen::MatrixXd>(rest, force, stiffness);
+        let_frame_follow(rest, force, stiffness);
     }
 
   private:
-    using Pose = CorotationalPose<Nodes>;
-    using Sizes = CorotationalSizes<Nodes>;
-    using Vector = typename Sizes::Vector;
-    using Square = typename Sizes::Square;
-    using Wide = typename Sizes::Wide;
-    using Tall = typename Sizes::Tall;
-
-    [[nodiscard]] Index size() const {
-        if constexpr (Nodes != Eigen::Dynamic) return Sizes::kDofs;
-        return static_cast<Index>(nodes_.size()) * kDofsPerNode;
-    }
+    [[nodiscard]] std::size_t block_count() const { return 2 * nodes_.size(); }
+    [[nodiscard]] Eigen::Index size() const { return row_of(block_count()); }
 
     /// A state without a frame has no energy: the solver sees that, and takes a shorter step.
     void refuse(ElementResponse& response) const {
@@ -105,147 +148,182 @@ class CorotationalElement final : public Element {
     }
 
     /// A matrix of the body in the structure's axes.
-    [[nodiscard]] Eigen::MatrixXd turned(const Eigen::MatrixXd& own) const {
+    [[nodiscard]] MatrixXd turned(const MatrixXd& own) const {
         const Matrix3d turn = turn_.toRotationMatrix();
-        Eigen::MatrixXd result(size(), size());
-        for (Index j = 0; j < size(); j += 3) {
-            for (Index i = 0; i < size(); i += 3)
-                result.block<3, 3>(i, j) = turn * own.block<3, 3>(i, j) * turn.transpose();
-        }
-        return result;
-    }
-
-    /// Returns the stresses f = K q.
-    Vector write_energy(const Pose& pose, ElementResponse& response) const {
-        Vector q(size());
-        for (Index i = 0; i < pose.count(); ++i) {
-            q.template segment<3>(kDofsPerNode * i) = pose.arm(i) - pose.rest_arm(i);
-            q.template segment<3>(kDofsPerNode * i + 3) = pose.rotation(i);
-        }
-        Vector stress = body_->stiffness() * q;
-        response.energy = 0.5 * q.dot(stress);
-        return stress;
-    }
-
-    void write_tangent(const Pose& pose, const Vector& force, Eigen::MatrixXd& tangent) const {
-        Square own = spin_stiffness(pose);
-        project<Square>(pose, force, own);
-        tangent = own;
-    }
-
-    /// B = J_x + J_w W, from motions in the structure's axes to strains in the body's.
-    void write_slopes(const Pose& pose, std::span<double> result) const {
-        Eigen::Map<Square> slopes(result.data(), size(), size());
-        const Matrix3d back = pose.axes().transpose();
-        Tall by_frame(size(), 3);  // J_w
-        for (Index i = 0; i < pose.count(); ++i) {
-            by_frame.template middleRows<3>(kDofsPerNode * i) = back.lazyProduct(cross_matrix(pose.arm(i)));
-            by_frame.template middleRows<3>(kDofsPerNode * i + 3) = -back.lazyProduct(pose.inverse_map(i));
-        }
-        slopes = by_frame.lazyProduct(frame_slope(pose));
-        const Matrix3d mean = back / static_cast<double>(pose.count());
-        for (Index i = 0; i < pose.count(); ++i) {
-            const Index at = kDofsPerNode * i;
-            for (Index j = 0; j < pose.count(); ++j)
-                slopes.template block<3, 3>(at, kDofsPerNode * j) -= mean;
-            slopes.template block<3, 3>(at, at) += back;
-            slopes.template block<3, 3>(at + 3, at + 3) += back.lazyProduct(pose.inverse_map(i));
-        }
-    }
-
-    /// W = dw/dx: how the frame follows the nodes.
-    Wide frame_slope(const Pose& pose) const {
-        Wide follow(3, size());
-        for (Index i = 0; i < pose.count(); ++i) {
-            const Index at = kDofsPerNode * i;
-            follow.template middleCols<3>(at) = -pose.inverse_slope() * cross_matrix(pose.rest_arm(i));
-            follow.template middleCols<3>(at + 3) =
-                -body_->rotation_weight() * pose.inverse_slope() * pose.inverse_map(i);
-        }
-        return follow;
-    }
-
-    /// J_x^T (f + G^T l): forces and moments on the nodes, which balance each other. The stresses f are in
-    /// the body's axes.
-    Vector balanced_force(const Pose& pose, const Vector& stress) const {
-        Vector force(size());
-        for (Index at = 0; at < size(); at += 3)
-            force.template segment<3>(at) = pose.axes() * stress.template segment<3>(at);
-        Vector3d mean = Vector3d::Zero();
-        for (Index i = 0; i < pose.count(); ++i) mean += force.template segment<3>(kDofsPerNode * i);
-        mean /= static_cast<double>(pose.count());
-        Vector3d moment = Vector3d::Zero();
-        for (Index i = 0; i < pose.count(); ++i) {
-            force.template segment<3>(kDofsPerNode * i) -= mean;
-            auto own = force.template segment<3>(kDofsPerNode * i + 3);
-            own = (pose.inverse_map(i).transpose() * own).eval();
-            moment += pose.arm(i).cross(force.template segment<3>(kDofsPerNode * i)) + own;
-        }
-        const Vector3d multiplier = pose.inverse_slope().transpose() * moment;
-        for (Index i = 0; i < pose.count(); ++i) {
-            force.template segment<3>(kDofsPerNode * i) += multiplier.cross(pose.rest_arm(i));
-            force.template segment<3>(kDofsPerNode * i + 3) +=
-                body_->rotation_weight() * (pose.inverse_map(i).transpose() * multiplier);
-        }
-        return force;
-    }
-
-    /// J_x^T K J_x: the stiffness against motions of the nodes, the frame held.
-    Square spin_stiffness(const Pose& pose) const {
-        Square result(size(), size());
-        const Eigen::MatrixXd& own = body_->stiffness();
-        Eigen::Matrix<double, 3, Nodes == Eigen::Dynamic ? Eigen::Dynamic : 6 * Nodes> maps(3, size());
-        for (Index i = 0; i < pose.count(); ++i) {
-            maps.template middleCols<3>(kDofsPerNode * i) = pose.axes().transpose();
-            maps.template middleCols<3>(kDofsPerNode * i + 3) =
-                pose.axes().transpose().lazyProduct(pose.inverse_map(i));
-        }
-        for (Index j = 0; j < size(); j += 3) {
-            const Matrix3d right = maps.template middleCols<3>(j);
-            for (Index i = j; i < size(); i += 3) {
-                const Matrix3d half = own.template block<3, 3>(i, j).lazyProduct(right);
-                const Matrix3d block = maps.template middleCols<3>(i).transpose().lazyProduct(half);
-                result.template block<3, 3>(i, j) = block;
-                result.template block<3, 3>(j, i) = block.transpose();
+        const Matrix3d back = turn.transpose();
+        MatrixXd result(size(), size());
+        for (std::size_t j = 0; j < block_count(); ++j) {
+            for (std::size_t i = 0; i < block_count(); ++i) {
+                const Matrix3d half = turn * own.block<3, 3>(row_of(i), row_of(j));
+                result.block<3, 3>(row_of(i), row_of(j)) = half * back;
             }
         }
         return result;
     }
 
+    /// Returns the stresses f = K q.
+    VectorXd write_energy(const Pose& pose, ElementResponse& response) const {
+        VectorXd q(size());
+        for (std::size_t i = 0; i < pose.count(); ++i) {
+            q.segment<3>(row_of(2 * i)) = pose.arm(i) - pose.rest_arm(i);
+            q.segment<3>(row_of(2 * i + 1)) = pose.rotation(i);
+        }
+        VectorXd stress = body_->stiffness() * q;
+        response.energy = 0.5 * q.dot(stress);
+        return stress;
+    }
+
+    /// J_x^T (f + G^T l): forces and moments on the nodes, which balance each other. The stresses f are in
+    /// the body's axes.
+    void balance(const Pose& pose, const VectorXd& stress, VectorXd& force) const {
+        force.resize(size());
+        Vector3d mean = Vector3d::Zero();
+        for (std::size_t i = 0; i < pose.count(); ++i) {
+            const Vector3d push = pose.axes() * part_of(stress, 2 * i);
+            force.segment<3>(row_of(2 * i)) = push;
+            mean += push;
+        }
+        mean /= static_cast<double>(pose.count());
+        Vector3d moment = Vector3d::Zero();
+        for (std::size_t i = 0; i < pose.count(); ++i) {
+            force.segment<3>(row_of(2 * i)) -= mean;
+            const Vector3d own = pose.axes() * part_of(stress, 2 * i + 1);
+            const Vector3d turned = pose.inverse_map(i).transpose() * own;
+            force.segment<3>(row_of(2 * i + 1)) = turned;
+            moment += pose.arm(i).cross(part_of(force, 2 * i)) + turned;
+        }
+        const Vector3d multiplier = pose.inverse_slope().transpose() * moment;
+        for (std::size_t i = 0; i < pose.count(); ++i) {
+            force.segment<3>(row_of(2 * i)) += multiplier.cross(pose.rest_arm(i));
+            const Vector3d turned = pose.inverse_map(i).transpose() * multiplier;
+            force.segment<3>(row_of(2 * i + 1)) += body_->rotation_weight() * turned;
+        }
+    }
+
+    void write_tangent(const Pose& pose, const VectorXd& force, MatrixXd& tangent) const {
+        write_spin_stiffness(pose, tangent);
+        let_frame_follow(pose, force, tangent);
+    }
+
+    /// J_x^T K J_x: the stiffness against motions of the nodes, the frame held.
+    void write_spin_stiffness(const Pose& pose, MatrixXd& result) const {
+        const Matrix3d back = pose.axes().transpose();
+        MatrixXd half(size(), size());  // K J_x
+        for (std::size_t j = 0; j < block_count(); ++j)
+            multiply(columns_of(body_->stiffness(), j), map_of(pose, back, j), size(), Sum::Replace,
+                     columns_of(half, j));
+        const MatrixXd turned = half.transpose();
+        result.resize(size(), size());
+        for (std::size_t j = 0; j < block_count(); ++j)
+            multiply(columns_of(turned, j), map_of(pose, back, j), size(), Sum::Replace,
+                     columns_of(result, j));
+        mirror(result);
+    }
+
+    /// From motions in the structure's axes to strains in the body's, the frame held.
+    static Matrix3d map_of(const Pose& pose, const Matrix3d& back, std::size_t block) {
+        if (block % 2 == 0) return back;
+        return back * pose.inverse_map(block / 2);
+    }
+
+    /// W^T, where W = dw/dx: how the frame follows the nodes.
+    [[nodiscard]] Tall frame_slope(const Pose& pose) const {
+        Tall follow(size(), 3);
+        const Matrix3d slope = pose.inverse_slope().transpose();
+        for (std::size_t i = 0; i < pose.count(); ++i) {
+            const Matrix3d by_rotation = pose.inverse_map(i).transpose() * slope;
+            follow.middleRows<3>(row_of(2 * i)) = cross_matrix(pose.rest_arm(i)) * slope;
+            follow.middleRows<3>(row_of(2 * i + 1)) = -body_->rotation_weight() * by_rotation;
+        }
+        return follow;
+    }
+
+    /// B = J_x + J_w W, from motions in the structure's axes to strains in the body's.
+    void write_slopes(const Pose& pose, std::span<double> result) const {
+        Eigen::Map<MatrixXd> slopes(result.data(), size(), size());
+        const Matrix3d back = pose.axes().transpose();
+        Tall by_frame(size(), 3);  // J_w
+        for (std::size_t i = 0; i < pose.count(); ++i) {
+            by_frame.middleRows<3>(row_of(2 * i)) = back * cross_matrix(pose.arm(i));
+            by_frame.middleRows<3>(row_of(2 * i + 1)) = -map_of(pose, back, 2 * i + 1);
+        }
+        const Tall follow = frame_slope(pose);
+        for (std::size_t j = 0; j < block_count(); ++j) {
+            const Matrix3d own = part_of(follow, j).transpose();
+            multiply(by_frame.data(), own, size(), Sum::Replace, result.data() + row_of(j) * size());
+        }
+        const Matrix3d mean = back / static_cast<double>(pose.count());
+        for (std::size_t j = 0; j < pose.count(); ++j) {
+            const Eigen::Index at = row_of(2 * j);
+            for (std::size_t i = 0; i < pose.count(); ++i) slopes.block<3, 3>(row_of(2 * i), at) -= mean;
+            slopes.block<3, 3>(at, at) += back;
+            slopes.block<3, 3>(at + 3, at + 3) -= part_of(by_frame, 2 * j + 1);
+        }
+    }
+
+    /// K_x N: N are the motions of the nodes against a spin of the frame.
+    [[nodiscard]] Tall coupling_of(const Pose& pose, const MatrixXd& tangent) const {
+        Tall coupling = Tall::Zero(size(), 3);
+        for (std::size_t j = 0; j < pose.count(); ++j) {
+            multiply(columns_of(tangent, 2 * j), cross_matrix(pose.arm(j)), size(), Sum::Add,
+                     coupling.data());
+            coupling -= tangent.middleCols<3>(row_of(2 * j + 1));
+        }
+        return coupling;
+    }
+
     /// From the stiffness with the frame held to that with the frame following the nodes, and the change of
     /// the geometry under these forces.
-    template <class Matrix>
-    void project(const Pose& pose, const Vector& force, Matrix& tangent) const {
-        const Wide follow = frame_slope(pose);
-        Tall against(size(), 3);
+    void let_frame_follow(const Pose& pose, const VectorXd& force, MatrixXd& tangent) const {
+        const Tall coupling = coupling_of(pose, tangent);
+        Tall against = coupling;
         Matrix3d frame_curvature = Matrix3d::Zero();  // H_ww, and that of the stiffness
-        Tall coupling = Tall::Zero(size(), 3);  // K_x N, N the nodes' motions against a spin of the frame
-        for (Index i = 0; i < pose.count(); ++i) {
-            const Index at = kDofsPerNode * i;
-            coupling += tangent.template middleCols<3>(at).lazyProduct(cross_matrix(pose.arm(i)));
-            coupling -= tangent.template middleCols<3>(at + 3);
-        }
-        for (Index i = 0; i < pose.count(); ++i) {
-            const Index at = kDofsPerNode * i;
-            const Vector3d push = force.template segment<3>(at);
-            const Vector3d moment = force.template segment<3>(at + 3);
-            const Vector3d arm = pose.arm(i);
-            const Matrix3d map = pose.inverse_map(i);
-            const Matrix3d change = spin_map_derivative(pose.rotation(i), moment);
-            const Matrix3d curvature = -0.5 * map.transpose() * (change + change.transpose()) * map;  // H_i
-            tangent.template block<3, 3>(at + 3, at + 3) += curvature;
-            against.template middleRows<3>(at) = -cross_matrix(push);
-            against.template middleRows<3>(at + 3) = -curvature - 0.5 * cross_matrix(moment);
-            frame_curvature += 0.5 * (push * arm.transpose() + arm * push.transpose()) + curvature;
+        for (std::size_t i = 0; i < pose.count(); ++i) {
+            const Vector3d push = part_of(force, 2 * i);
+            const Vector3d moment = part_of(force, 2 * i + 1);
+            const Vector3d& arm = pose.arm(i);
+            const Matrix3d curvature = node_curvature(pose, i, moment);
+            tangent.block<3, 3>(row_of(2 * i + 1), row_of(2 * i + 1)) += curvature;
+            against.middleRows<3>(row_of(2 * i)) -= cross_matrix(push);
+            against.middleRows<3>(row_of(2 * i + 1)) -= curvature + 0.5 * cross_matrix(moment);
+            const Matrix3d dyad = push * arm.transpose();
+            const Matrix3d turned = cross_matrix(arm) * part_of(coupling, 2 * i);
+            frame_curvature += 0.5 * (dyad + dyad.transpose()) + curvature;
             frame_curvature.diagonal().array() -= push.dot(arm);
-            frame_curvature -= cross_matrix(arm) * coupling.template middleRows<3>(at);
-            frame_curvature -= coupling.template middleRows<3>(at + 3);
+            frame_curvature -= turned + part_of(coupling, 2 * i + 1);
         }
-        against += coupling;
-        against += 0.5 * follow.transpose().lazyProduct(frame_curvature);
-        Square followed = against.lazyProduct(follow);
-        tangent += followed;
-        tangent += followed.transpose();
+        const Tall follow = frame_slope(pose);
+        const Matrix3d half = 0.5 * frame_curvature;
+        multiply(follow.data(), half, size(), Sum::Add, against.data());
+        add_following(follow, against, tangent);
+    }
+
+    /// H_i: the curvature of the energy in the rotation of a node, which is not linear in its spin.
+    static Matrix3d node_curvature(const Pose& pose, std::size_t i, const Vector3d& moment) {
+        const Matrix3d& map = pose.inverse_map(i);
+        const Matrix3d change = spin_map_derivative(pose.rotation(i), moment);
+        const Matrix3d symmetric = -0.5 * (change + change.transpose());
+        const Matrix3d half = symmetric * map;
+        return map.transpose() * half;
+    }
+
+    /// Adds A W + W^T A^T.
+    /// @param follow   W^T
+    /// @param against  A
+    static void add_following(const Tall& follow, const Tall& against, MatrixXd& tangent) {
+        const Eigen::Index size = tangent.rows();
+        const double* w = follow.data();
+        const double* a = against.data();
+        for (Eigen::Index j = 0; j < size; ++j) {
+            const double w0 = w[j], w1 = w[size + j], w2 = w[2 * size + j];
+            const double a0 = a[j], a1 = a[size + j], a2 = a[2 * size + j];
+            double* __restrict column = tangent.data() + j * size;
+            for (Eigen::Index i = j; i < size; ++i) {
+                column[i] += a[i] * w0 + a[size + i] * w1 + a[2 * size + i] * w2 + w[i] * a0 +
+                             w[size + i] * a1 + w[2 * size + i] * a2;
+            }
+        }
+        mirror(tangent);
     }
 
     std::vector<NodeIndex> nodes_;
@@ -253,27 +331,12 @@ class CorotationalElement final : public Element {
     Eigen::Quaterniond turn_;  ///< from the body's axes to the structure's
 };
 
-template <int Nodes>
-std::unique_ptr<const Element> make(std::vector<NodeIndex>&& nodes,
-                                    std::shared_ptr<const CorotationalBody>&& body, const Matrix3d& turn) {
-    return std::make_unique<CorotationalElement<Nodes>>(std::move(nodes), std::move(body), turn);
-}
-
 }  // namespace
 
 std::unique_ptr<const Element> make_corotational_element(std::vector<NodeIndex> nodes,
                                                          std::shared_ptr<const CorotationalBody> body,
                                                          const Matrix3d& turn) {
-    switch (nodes.size()) {
-        case 5:
-            return make<5>(std::move(nodes), std::move(body), turn);
-        case 6:
-            return make<6>(std::move(nodes), std::move(body), turn);
-        case 7:
-            return make<7>(std::move(nodes), std::move(body), turn);
-        default:
-            return make<Eigen::Dynamic>(std::move(nodes), std::move(body), turn);
-    }
+    return std::make_unique<CorotationalElement>(std::move(nodes), std::move(body), turn);
 }
 
 }  // namespace fretwork::mechanics::elements

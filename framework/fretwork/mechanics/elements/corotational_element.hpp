@@ -5,8 +5,7 @@
 
 namespace fretwork::mechanics::elements {
 
-/// The body has as many nodes as are given. The usual numbers of nodes have code of their own, in which the
-/// compiler knows all sizes.
+/// The body has as many nodes as are given.
 std::unique_ptr<const Element> make_corotational_element(std::vector<NodeIndex> nodes,
                                                          std::shared_ptr<const CorotationalBody> body,
                                                          const Eigen::Matrix3d& turn);

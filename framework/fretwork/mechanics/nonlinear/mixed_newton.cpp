@@ -6,7 +6,7 @@
 namespace fretwork::mechanics::nonlinear {
 namespace {
 
-constexpr int kMostIterations = 30;
+constexpr int kMostMixedIterations = 30;
 
 /// rad: the last step of an approach is at most so long.
 constexpr double kApproach = 0.2;
@@ -169,7 +169,7 @@ Termination MixedNewton::solve(double load_factor, Goal goal, const Eigen::Vecto
     Iteration iteration{goal,  load_factor, outcome_.negative_pivots,
                         first, size,        unknowns_.largest_rotation(first)};
     bool anew = iteration.turn > kLongStep;
-    for (int i = 0; i < kMostIterations; ++i) {
+    for (int i = 0; i < kMostMixedIterations; ++i) {
         anew = anew || wants_own_factors(iteration);
         const auto ended = anew ? step_with_new_factors(iteration, configuration)
                                 : step_with_old_factors(iteration, configuration);

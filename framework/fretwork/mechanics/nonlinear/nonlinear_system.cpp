@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/index.hpp>
 #include <fretwork/base/parallel.hpp>
 #include <fretwork/mechanics/elements/rotation.hpp>
 #include <fretwork/mechanics/nonlinear/nonlinear_system.hpp>
@@ -10,9 +11,7 @@
 namespace fretwork::mechanics::nonlinear {
 namespace {
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
+using base::at;
 
 /// Numbers in the tangents that threads evaluate before these are added, one after the other, and in what one
 /// thread takes of them at a time. What is in a batch stays in the cache.

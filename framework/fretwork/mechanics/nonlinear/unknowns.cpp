@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/index.hpp>
 #include <fretwork/mechanics/elements/rotation.hpp>
 #include <fretwork/mechanics/nonlinear/unknowns.hpp>
 #include <fretwork/mechanics/structure/coupling.hpp>
@@ -9,9 +10,7 @@
 namespace fretwork::mechanics::nonlinear {
 namespace {
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
+using base::at;
 
 std::unique_ptr<sparse::SystemLayout> lay_out(const Assembly& assembly,
                                               const structure::Constraints& constraints,

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/index.hpp>
 #include <fretwork/mechanics/sparse/elimination_plan.hpp>
 
 #include <algorithm>
@@ -13,9 +14,7 @@ constexpr double kLittleWork = 5e6;
 /// Subtrees have at most this share of one thread's work, so that threads end at about the same time.
 constexpr double kPiece = 0.25;
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
+using base::at;
 
 /// Hands out places in one piece of storage, and takes them back.
 class Storage {

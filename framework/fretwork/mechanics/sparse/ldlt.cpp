@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
+#include <fretwork/base/index.hpp>
 #include <fretwork/base/parallel.hpp>
 #include <fretwork/mechanics/sparse/ldlt.hpp>
 
@@ -10,9 +11,7 @@
 namespace fretwork::mechanics::sparse {
 namespace {
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
+using base::at;
 
 /// Where each entry of the matrix comes in its column of a front.
 std::vector<int> entry_places(const SystemLayout& layout, const SupernodeTree& tree) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/index.hpp>
 #include <fretwork/mechanics/sparse/system_layout.hpp>
 
 #include <algorithm>
@@ -6,9 +7,7 @@
 namespace fretwork::mechanics::sparse {
 namespace {
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
+using base::at;
 
 }  // namespace
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/index.hpp>
 #include <fretwork/mechanics/sparse/dense_ldlt.hpp>
 #include <fretwork/mechanics/structure/condensing.hpp>
 #include <fretwork/mechanics/structure/plane_split.hpp>
@@ -9,9 +10,7 @@
 namespace fretwork::mechanics::structure {
 namespace {
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
+using base::at;
 
 /// All dofs, or those of the membrane or of bending: the inner ones are eliminated in one dense front.
 class Part {

@@ -8,8 +8,6 @@
 namespace fretwork::tiling::detail {
 namespace {
 
-using Ends = DxfCurve::Ends;
-
 constexpr double kTurn = 2 * std::numbers::pi;
 constexpr double kDegree = std::numbers::pi / 180;
 
@@ -25,7 +23,7 @@ double sweep_of(double start, double end) {
 
 DxfDrawn closed(Polygon points) {
     points.pop_back();  // the first again
-    return {DxfCurve{std::move(points), Ends::Closed}, ""};
+    return {DxfCurve{std::move(points), DxfCurve::Ends::Closed}, ""};
 }
 
 DxfDrawn draw_arc(const DxfFile& file, const DxfEntity& entity, const Flattening& how) {
@@ -40,7 +38,7 @@ DxfDrawn draw_arc(const DxfFile& file, const DxfEntity& entity, const Flattening
     Polygon points =
         flatten({beziers_of(Arc{center, {Point2{radius, 0}, Point2{0, radius}}, start, sweep}), false}, how);
     if (is_circle) return closed(std::move(points));
-    return {DxfCurve{std::move(points), Ends::Open}, ""};
+    return {DxfCurve{std::move(points), DxfCurve::Ends::Open}, ""};
 }
 
 /// The second axis is the first one turned left and shortened; seen from below, turned right.
@@ -56,7 +54,7 @@ DxfDrawn draw_ellipse(const DxfFile& file, const DxfEntity& entity, const Flatte
     Polygon points =
         flatten({beziers_of(Arc{point(file, entity, 10), {major, minor}, start, sweep}), false}, how);
     if (sweep == kTurn) return closed(std::move(points));
-    return {DxfCurve{std::move(points), Ends::Open}, ""};
+    return {DxfCurve{std::move(points), DxfCurve::Ends::Open}, ""};
 }
 
 /// A vertex of a polyline; the side behind it is an arc whose quarter angle has the tangent `bulge`.
@@ -119,7 +117,7 @@ DxfDrawn draw_polyline(const DxfFile& file, const DxfEntity& entity, const std::
     if (pieces.empty()) return {std::nullopt, std::string(entity.name) + " of less than two points"};
     Polygon points = flatten({std::move(pieces), false}, how);
     if (is_closed) return closed(std::move(points));
-    return {DxfCurve{std::move(points), Ends::Open}, ""};
+    return {DxfCurve{std::move(points), DxfCurve::Ends::Open}, ""};
 }
 
 DxfDrawn draw_heavy_polyline(const DxfFile& file, std::span<const DxfEntity> from, const Flattening& how) {
@@ -149,7 +147,7 @@ DxfDrawn draw_dxf_entity(const DxfFile& file, std::span<const DxfEntity> from, c
     Flattening how = given;
     if (name == "LINE") {
         Polygon points = flatten({{straight(point(file, entity, 10), point(file, entity, 11))}, false}, how);
-        return {DxfCurve{std::move(points), Ends::Open}, ""};
+        return {DxfCurve{std::move(points), DxfCurve::Ends::Open}, ""};
     }
     const auto orientation = dxf_orientation(file, entity);
     if (!orientation) return {std::nullopt, std::string(name) + " that does not lie flat"};
@@ -160,7 +158,7 @@ DxfDrawn draw_dxf_entity(const DxfFile& file, std::span<const DxfEntity> from, c
     if (name == "POLYLINE") return draw_heavy_polyline(file, from, how);
     if (name == "SPLINE") {
         if (!file.find(entity, 10)) return {std::nullopt, "SPLINE without control points"};
-        return {DxfCurve{draw_dxf_spline(file, entity, how), Ends::Open}, ""};
+        return {DxfCurve{draw_dxf_spline(file, entity, how), DxfCurve::Ends::Open}, ""};
     }
     return {std::nullopt, std::string(name)};
 }

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kMostShown = 40;  // characters of a value in a message
 
-std::string_view trimmed(std::string_view text) {
+std::string_view trimmed_line(std::string_view text) {
     const auto first = text.find_first_not_of(" \t\r");
     if (first == std::string_view::npos) return {};
     return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
@@ -61,7 +61,7 @@ void DxfFile::split_groups() {
     const auto next_line = [&]() -> std::optional<std::string_view> {
         if (rest.empty()) return std::nullopt;
         const std::size_t end = std::min(rest.find('\n'), rest.size());
-        const std::string_view line = trimmed(rest.substr(0, end));
+        const std::string_view line = trimmed_line(rest.substr(0, end));
         rest.remove_prefix(std::min(end + 1, rest.size()));
         return line;
     };

@@ -10,10 +10,10 @@
 namespace fretwork::tiling::detail {
 namespace {
 
-constexpr double kSampling = 0.05;  // of the width that counts as narrow: between points of the boundary
-constexpr double kLeastCut = 1.0;   // area that is cut off, over the square of the cut's length
-constexpr double kSharpCut = 0.9;   // the same of what is cut off as a sharp tip: of 31 degrees
-constexpr double kStraight = 1.2;   // length of a cut over the width there, at most
+constexpr double kSampling = 0.05;    // of the width that counts as narrow: between points of the boundary
+constexpr double kLeastCut = 1.0;     // area that is cut off, over the square of the cut's length
+constexpr double kSharpCut = 0.9;     // the same of what is cut off as a sharp tip: of 31 degrees
+constexpr double kStraightCut = 1.2;  // length of a cut over the width there, at most
 constexpr double kEndless = std::numeric_limits<double>::infinity();
 
 void add_loop(const Polygon& points, int loop, double longest, Rim& rim) {
@@ -164,7 +164,7 @@ std::vector<TipCut> tip_cuts(const Triangulation& triangulation, const Cuts& cut
             if (area > most || !cuts.is_end(i, side)) continue;
             const double length = distance(cuts.corner(i, (side + 1) % 3), cuts.corner(i, (side + 2) % 3));
             if (area < kSharpCut * length * length) continue;
-            if (length > kStraight * width_at(triangulation, cuts, i, side)) continue;
+            if (length > kStraightCut * width_at(triangulation, cuts, i, side)) continue;
             result.push_back({area, triangulation.triangles[i][(side + 1) % 3],
                               triangulation.triangles[i][(side + 2) % 3]});
         }

@@ -16,7 +16,7 @@
 namespace fretwork::tiling::detail {
 namespace {
 
-constexpr int kDeepest = 32;                  // blocks in blocks
+constexpr int kDeepestBlock = 32;             // blocks in blocks
 constexpr int kMostEntities = 200'000;        // blocks of blocks grow fast
 constexpr std::size_t kMostPoints = 200'000;  // of which crossings are looked for
 
@@ -163,9 +163,9 @@ class DxfReader {
     void read_insert(const DxfEntity& insert, const Place& place) {
         const DxfFile::Block* block = file_.block(file_.text_or(insert, 2, ""));
         if (!block) return remarks_.leave_out("INSERT of a block that is not there");
-        if (place.depth > kDeepest || std::ranges::find(inserting_, block) != inserting_.end())
+        if (place.depth > kDeepestBlock || std::ranges::find(inserting_, block) != inserting_.end())
             file_.fail(insert.line, "INSERT: the block contains itself, or blocks lie more than " +
-                                        std::to_string(kDeepest) + " deep");
+                                        std::to_string(kDeepestBlock) + " deep");
         const auto orientation = dxf_orientation(file_, insert);
         if (!orientation) return remarks_.leave_out("INSERT that does not lie flat");
         inserting_.push_back(block);

@@ -13,7 +13,7 @@ namespace {
 /// A document may grow to this many times its length, and a little more if it is short.
 constexpr std::size_t kMostGrowth = 10;
 constexpr std::size_t kLittle = 100'000;
-constexpr int kDeepest = 16;  // entities in entities
+constexpr int kDeepestEntity = 16;  // entities in entities
 
 constexpr std::string_view kSpace = " \t\r\n";
 
@@ -58,7 +58,7 @@ class Replacer {
 
   private:
     void add(std::string_view text, int depth) {
-        if (depth > kDeepest)
+        if (depth > kDeepestEntity)
             throw base::InputError("entities of the document contain one another too deeply");
         while (!text.empty()) {
             const std::size_t mark = std::min(text.find('&'), text.size());
