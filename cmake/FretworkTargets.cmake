@@ -27,6 +27,7 @@ function(fretwork_add_tests label)
   target_link_libraries(${target} PRIVATE ${ARG_LINK} GTest::gmock GTest::gtest_main fretwork_flags)
   target_compile_definitions(${target} PRIVATE FRETWORK_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   target_include_directories(${target} PRIVATE "${PROJECT_SOURCE_DIR}/tests")
+  fretwork_compile_tests_quickly(${target})
   gtest_discover_tests(${target} TEST_PREFIX "${label}." PROPERTIES LABELS ${label} DISCOVERY_TIMEOUT 60)
 endfunction()
 
