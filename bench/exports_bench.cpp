@@ -18,7 +18,7 @@ const Scene& scene_of(int tiles) {
     const reduction::Setting setting = reduction::paper_setting();
     const double side = setting.tile_side * std::sqrt(2.598 * tiles);
     simulation::Project project;
-    project.outline = tiling::make_outline({{0, 0}, {side, 0}, {side, side}, {0, side}}, {});
+    project.outline = outlines::make_outline({{0, 0}, {side, 0}, {side, side}, {0, side}}, {});
     tiling::TessellationOptions options;
     options.edge_length = setting.tile_side;
     project.tessellation = tiling::tessellate(project.outline, project.layout, options).tessellation;

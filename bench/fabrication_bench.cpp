@@ -6,8 +6,8 @@
 #include <fretwork/fabrication/sheets.hpp>
 #include <fretwork/fabrication/solid.hpp>
 #include <fretwork/pattern/enumerate.hpp>
-#include <fretwork/simulation/project.hpp>
-#include <fretwork/tiling/painting.hpp>
+#include <fretwork/simulation/project/project.hpp>
+#include <fretwork/tiling/painting/painting.hpp>
 #include <fretwork/tiling/tessellate.hpp>
 
 #include <benchmark/benchmark.h>
@@ -36,7 +36,7 @@ const simulation::Surface& surface_of(int tiles) {
     simulation::Project project;
     const double tile_side = reduction::paper_setting().tile_side;
     const double side = tile_side * std::sqrt(2.598 * tiles);
-    project.outline = tiling::make_outline({{0, 0}, {side, 0}, {side, side}, {0, side}}, {});
+    project.outline = outlines::make_outline({{0, 0}, {side, 0}, {side, side}, {0, side}}, {});
     tiling::TessellationOptions options;
     options.edge_length = tile_side;
     project.tessellation = tiling::tessellate(project.outline, project.layout, options).tessellation;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Reading and writing of the files that grow with a structure, beside the linear solve of the same structure.
-#include <fretwork/base/file.hpp>
-#include <fretwork/mechanics/equilibrium.hpp>
-#include <fretwork/mechanics/frame_file.hpp>
+#include <fretwork/base/files/file.hpp>
+#include <fretwork/mechanics/frame/frame_file.hpp>
 #include <fretwork/mechanics/linear_solver.hpp>
-#include <fretwork/mechanics/result_file.hpp>
-#include <fretwork/simulation/project_file.hpp>
+#include <fretwork/mechanics/paths/equilibrium.hpp>
+#include <fretwork/mechanics/results/result_file.hpp>
+#include <fretwork/simulation/project/project_file.hpp>
 #include <fretwork/tiling/tessellate.hpp>
 
 #include <benchmark/benchmark.h>
@@ -103,7 +103,7 @@ simulation::Project project_of(std::int64_t tiles) {
     const double side = kTileSide * std::sqrt(2.598 * static_cast<double>(tiles));
     simulation::Project project;
     project.layout = pattern::find_node_layout("paper7");
-    project.outline = tiling::make_outline({{0, 0}, {side, 0}, {side, side}, {0, side}}, {});
+    project.outline = outlines::make_outline({{0, 0}, {side, 0}, {side, side}, {0, side}}, {});
     project.tessellation =
         tiling::tessellate(project.outline, project.layout, {.edge_length = kTileSide}).tessellation;
     return project;

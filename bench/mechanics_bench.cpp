@@ -6,9 +6,9 @@
 // For one thread of theirs, set OPENBLAS_NUM_THREADS=1 and OMP_NUM_THREADS=1.
 #include <fretwork/mechanics/condensation.hpp>
 #include <fretwork/mechanics/corotational_element.hpp>
-#include <fretwork/mechanics/equilibrium.hpp>
 #include <fretwork/mechanics/linear_solver.hpp>
 #include <fretwork/mechanics/nonlinear/nonlinear_system.hpp>
+#include <fretwork/mechanics/paths/equilibrium.hpp>
 #include <fretwork/mechanics/sparse/ldlt.hpp>
 #include <fretwork/mechanics/structure/condensing.hpp>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/pattern/census.hpp>
-#include <fretwork/pattern/detail/rule_test.hpp>
 #include <fretwork/pattern/enumerate.hpp>
 #include <fretwork/pattern/fan.hpp>
 #include <fretwork/pattern/judge.hpp>
 #include <fretwork/pattern/sameness.hpp>
 #include <fretwork/pattern/sample.hpp>
+#include <fretwork/pattern/search/rule_test.hpp>
 
 #include <benchmark/benchmark.h>
 

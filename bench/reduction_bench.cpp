@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fretwork/reduction/calibration.hpp>
-#include <fretwork/reduction/condensed_tile.hpp>
+#include <fretwork/reduction/calibration/calibration.hpp>
 #include <fretwork/reduction/effective_properties.hpp>
-#include <fretwork/reduction/ring_problem.hpp>
+#include <fretwork/reduction/models/condensed_tile.hpp>
+#include <fretwork/reduction/ring/ring_problem.hpp>
 
 #include <benchmark/benchmark.h>
 
@@ -47,7 +47,7 @@ BENCHMARK_CAPTURE(responses, five_edges, five_edges);
 
 void condensation(benchmark::State& state, const Case& (*make)()) {
     const Case& c = make();
-    const auto polygon = pattern::regular_polygon(6, c.setting.tile_side);
+    const auto polygon = geometry::regular_polygon(6, c.setting.tile_side);
     for (auto _ : state) {
         benchmark::DoNotOptimize(condensed_frame(
             pattern_frame(c.layout, c.pattern, polygon, {c.setting.section, c.setting.material}), 6));

@@ -21,13 +21,13 @@ enum class Lattice { Equal, Irregular };
 /// Numbers points; those within a micrometre are one.
 class Points {
   public:
-    int number(const pattern::Point2& point) {
+    int number(const geometry::Point2& point) {
         const auto key = std::pair(std::lround(point.x * 1e6), std::lround(point.y * 1e6));
         const auto [entry, is_new] = numbers_.emplace(key, static_cast<int>(points.size()));
         if (is_new) points.push_back(point);
         return entry->second;
     }
-    std::vector<pattern::Point2> points;
+    std::vector<geometry::Point2> points;
 
   private:
     std::map<std::pair<long, long>, int> numbers_;
@@ -46,7 +46,7 @@ const std::vector<std::string>& patterns() {
 
 tiling::Tessellation hexagons(int count, double side) {
     const int rows = static_cast<int>(std::lround(std::sqrt(count)));
-    const pattern::Polygon hexagon = pattern::regular_polygon(6, side);
+    const geometry::Polygon hexagon = geometry::regular_polygon(6, side);
     tiling::Tessellation tessellation;
     tessellation.layout = "paper7";
     tessellation.patterns = patterns();
@@ -58,7 +58,7 @@ tiling::Tessellation hexagons(int count, double side) {
         const double y = std::sqrt(3.0) * side * (i % rows + 0.5 * (column % 2));
         tiling::Tile tile;
         tile.pattern = static_cast<int>(random.uniform() * 24.0);
-        for (const pattern::Point2& vertex : hexagon)
+        for (const geometry::Point2& vertex : hexagon)
             tile.vertices.emplace_back(vertices.number({x + vertex.x, y + vertex.y}));
         tessellation.tiles.push_back(std::move(tile));
     }
@@ -86,7 +86,7 @@ const Surface& surface_of(Lattice lattice, int tiles) {
     Project project;
     project.tessellation = hexagons(tiles, side);
     optimization::RandomStream random(2, 0);
-    for (pattern::Point2& vertex : project.tessellation.vertices) {
+    for (geometry::Point2& vertex : project.tessellation.vertices) {
         const double reach = lattice == Lattice::Equal ? 0.0 : 0.1 * side;
         vertex.x += reach * (random.uniform() - 0.5);
         vertex.y += reach * (random.uniform() - 0.5);
@@ -190,7 +190,7 @@ double bending_force(const Surface& surface) {
     if (const auto found = forces.find(&surface); found != forces.end()) return found->second;
     const mechanics::Result result = simulate(surface, cantilever(1.0), {.model = "condensed"});
     double length = 0.0;
-    for (const pattern::Point2& point : surface.tessellation.vertices) length = std::max(length, point.x);
+    for (const geometry::Point2& point : surface.tessellation.vertices) length = std::max(length, point.x);
     return forces[&surface] =
                0.45 * length / result.solution.displacements.leftCols<3>().rowwise().norm().maxCoeff();
 }

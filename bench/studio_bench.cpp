@@ -5,7 +5,7 @@
 #include "studio/running_studio.hpp"
 
 #include <fretwork/optimization/random.hpp>
-#include <fretwork/simulation/load_case_file.hpp>
+#include <fretwork/simulation/load_cases/load_case_file.hpp>
 #include <fretwork/simulation/simulate.hpp>
 
 #include <benchmark/benchmark.h>
@@ -25,7 +25,7 @@ double bending_force(const simulation::Project& project) {
     const mechanics::Result result = simulation::simulate(
         simulation::make_surface(project, nullptr), test::cantilever({0, 0, -1}), {.model = "condensed"});
     double length = 0.0;
-    for (const pattern::Point2& point : project.tessellation.vertices) length = std::max(length, point.x);
+    for (const geometry::Point2& point : project.tessellation.vertices) length = std::max(length, point.x);
     return 0.45 * length / result.solution.displacements.leftCols<3>().rowwise().norm().maxCoeff();
 }
 
@@ -35,7 +35,7 @@ simulation::Project irregular(int tiles) {
     tiling::Tessellation& tessellation = project.tessellation;
     optimization::RandomStream random(2, 0);
     const double reach = 0.1 * reduction::paper_setting().tile_side;
-    for (pattern::Point2& vertex : tessellation.vertices) {
+    for (geometry::Point2& vertex : tessellation.vertices) {
         vertex.x += reach * (random.uniform() - 0.5);
         vertex.y += reach * (random.uniform() - 0.5);
     }

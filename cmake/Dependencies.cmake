@@ -27,9 +27,9 @@ if(NOT TARGET pagmo::archive)
                                                  Eigen3::Eigen Threads::Threads)
 endif()
 
+find_package(CGAL 5.5 REQUIRED)                                # geometry, pattern: exact predicates; outlines: arrangements; tiling: remeshing
 if(NOT FRETWORK_ONLY_LIGHT_STAGES)
-  find_package(CGAL 5.5 REQUIRED)                              # pattern: exact predicates; tiling: remeshing
-  find_package(pugixml 1.12 REQUIRED)                          # tiling: SVG outlines
+  find_package(pugixml 1.12 REQUIRED)                          # outlines: SVG
   find_package(SQLite3 3.40 REQUIRED)                          # library
   find_package(PNG 1.6 REQUIRED)                               # tiling: images to paint by; exports: pictures
   find_library(MUPARSER_LIBRARY muparser REQUIRED)             # tiling: expressions to paint by
@@ -51,7 +51,7 @@ if(NOT FRETWORK_ONLY_LIGHT_STAGES)
   add_library(Clipper::Clipper UNKNOWN IMPORTED)
   set_target_properties(Clipper::Clipper PROPERTIES IMPORTED_LOCATION "${CLIPPER_LIBRARY}"
                                                     INTERFACE_INCLUDE_DIRECTORIES "${CLIPPER_INCLUDE_DIR}")
-  find_library(OPENMESH_CORE_LIBRARY OpenMeshCore REQUIRED)    # tiling: rims of meshes (Debian ships no CMake package)
+  find_library(OPENMESH_CORE_LIBRARY OpenMeshCore REQUIRED)    # outlines: rims of meshes (Debian ships no CMake package)
   find_path(OPENMESH_INCLUDE_DIR OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh REQUIRED)
   add_library(OpenMesh::Core UNKNOWN IMPORTED)
   set_target_properties(OpenMesh::Core PROPERTIES IMPORTED_LOCATION "${OPENMESH_CORE_LIBRARY}"

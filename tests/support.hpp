@@ -3,7 +3,7 @@
 #pragma once
 
 #include <fretwork/base/error.hpp>
-#include <fretwork/base/file.hpp>
+#include <fretwork/base/files/file.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

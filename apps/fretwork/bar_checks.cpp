@@ -3,7 +3,7 @@
 
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/quantity.hpp>
-#include <fretwork/simulation/bar_clearance.hpp>
+#include <fretwork/simulation/results/bar_clearance.hpp>
 #include <fretwork/simulation/surface.hpp>
 
 #include <cstdio>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <fretwork/library/library.hpp>
-#include <fretwork/simulation/project.hpp>
+#include <fretwork/simulation/project/project.hpp>
 
 #include <CLI/CLI.hpp>
 

@@ -3,7 +3,7 @@
 #include "file_identity.hpp"
 
 #include <fretwork/base/error.hpp>
-#include <fretwork/base/file.hpp>
+#include <fretwork/base/files/file.hpp>
 #include <fretwork/base/text.hpp>
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "file_identity.hpp"
 
-#include <fretwork/base/file.hpp>
+#include <fretwork/base/files/file.hpp>
 
 #include <algorithm>
 #include <cctype>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "beams.hpp"
-#include "draw.hpp"
 #include "file_guard.hpp"
 #include "program.hpp"
+#include "verbs/beams.hpp"
+#include "verbs/draw.hpp"
 
-#include <fretwork/base/provenance.hpp>
+#include <fretwork/base/files/provenance.hpp>
 
 namespace fretwork::app {
 namespace {

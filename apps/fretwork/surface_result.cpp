@@ -2,8 +2,8 @@
 #include "surface_result.hpp"
 
 #include <fretwork/base/text.hpp>
-#include <fretwork/simulation/result_subject.hpp>
-#include <fretwork/simulation/surface_linear_range.hpp>
+#include <fretwork/simulation/results/result_subject.hpp>
+#include <fretwork/simulation/results/surface_linear_range.hpp>
 
 #include <cstdio>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <fretwork/mechanics/result_file.hpp>
+#include <fretwork/mechanics/results/result_file.hpp>
 
 #include <string>
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edits.hpp"
-#include "studio.hpp"
-#include "studio_impl.hpp"
-#include "words.hpp"
-
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/text.hpp>
+#include <studio/document/edits.hpp>
+#include <studio/server/words.hpp>
+#include <studio/studio.hpp>
+#include <studio/studio_impl.hpp>
 
 #include <algorithm>
 

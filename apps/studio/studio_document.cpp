@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The document, and what pages are shown of it.
-#include "examples.hpp"
-#include "frames.hpp"
-#include "making_doubts.hpp"
-#include "studio_impl.hpp"
-#include "words.hpp"
-
 #include <fretwork/base/error.hpp>
-#include <fretwork/base/provenance.hpp>
+#include <fretwork/base/files/provenance.hpp>
 #include <fretwork/exports/writer_catalogue.hpp>
 #include <fretwork/fabrication/facts.hpp>
-#include <fretwork/reduction/tile_model.hpp>
+#include <fretwork/reduction/models/tile_model.hpp>
+#include <studio/document/examples.hpp>
+#include <studio/server/binary_messages.hpp>
+#include <studio/server/words.hpp>
+#include <studio/solving/making_doubts.hpp>
+#include <studio/studio_impl.hpp>
 
 #include <algorithm>
 #include <chrono>

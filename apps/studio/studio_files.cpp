@@ -1,30 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Documents from files and outlines, and files from documents.
-#include "examples.hpp"
-#include "first_painting.hpp"
-#include "making_doubts.hpp"
-#include "painting_request.hpp"
-#include "pattern_list.hpp"
-#include "sent_file.hpp"
-#include "sent_name.hpp"
-#include "sent_outline.hpp"
-#include "studio_impl.hpp"
-#include "words.hpp"
-
-#include <fretwork/base/base64.hpp>
 #include <fretwork/base/error.hpp>
-#include <fretwork/base/file.hpp>
-#include <fretwork/base/file_lock.hpp>
+#include <fretwork/base/files/base64.hpp>
+#include <fretwork/base/files/file.hpp>
+#include <fretwork/base/files/file_lock.hpp>
+#include <fretwork/base/files/sha256.hpp>
 #include <fretwork/base/quantity.hpp>
-#include <fretwork/base/sha256.hpp>
 #include <fretwork/base/text.hpp>
-#include <fretwork/exports/making_choice.hpp>
-#include <fretwork/exports/picture_options.hpp>
+#include <fretwork/exports/making/making_choice.hpp>
+#include <fretwork/exports/space/picture_options.hpp>
 #include <fretwork/exports/writer_catalogue.hpp>
-#include <fretwork/simulation/new_project.hpp>
-#include <fretwork/simulation/project_file.hpp>
-#include <fretwork/simulation/project_library.hpp>
-#include <fretwork/simulation/result_subject.hpp>
+#include <fretwork/simulation/project/new_project.hpp>
+#include <fretwork/simulation/project/project_file.hpp>
+#include <fretwork/simulation/project/project_library.hpp>
+#include <fretwork/simulation/results/result_subject.hpp>
+#include <studio/document/examples.hpp>
+#include <studio/document/painting_request.hpp>
+#include <studio/document/pattern_list.hpp>
+#include <studio/server/sent_file.hpp>
+#include <studio/server/sent_name.hpp>
+#include <studio/server/sent_outline.hpp>
+#include <studio/server/words.hpp>
+#include <studio/solving/first_painting.hpp>
+#include <studio/solving/making_doubts.hpp>
+#include <studio/studio_impl.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -36,8 +35,8 @@ using simulation::Project;
 
 namespace {
 
-double width_of(const std::vector<pattern::Point2>& points) {
-    const auto [left, right] = std::ranges::minmax(points, {}, &pattern::Point2::x);
+double width_of(const std::vector<geometry::Point2>& points) {
+    const auto [left, right] = std::ranges::minmax(points, {}, &geometry::Point2::x);
     return right.x - left.x;
 }
 
@@ -70,12 +69,12 @@ void add_remarks(const simulation::NewProject& made, std::vector<std::string>& r
 
 void scale(tiling::Tessellation& tessellation, double factor) {
     for (auto* points : {&tessellation.vertices, &tessellation.interface_nodes}) {
-        for (pattern::Point2& point : *points) point = {factor * point.x, factor * point.y};
+        for (geometry::Point2& point : *points) point = {factor * point.x, factor * point.y};
     }
 }
 
 /// The faces of a mesh are read from its file, and scaled as its outline was.
-simulation::NewProject make_from(const SentOutline& sent, const tiling::OutlineFile& file,
+simulation::NewProject make_from(const SentOutline& sent, const outlines::OutlineFile& file,
                                  simulation::NewProjectOptions options) {
     if (options.tiles == simulation::TilesFrom::Outline)
         return simulation::make_project(file.parts, options, nullptr);
@@ -93,7 +92,7 @@ NamedProject make(const NewRequest& wanted, const base::Control& control) {
         return {example_title(wanted.example), make_example(wanted.example, control), {}, true};
     simulation::NewProjectOptions options = wanted.options;
     options.control = control;
-    tiling::OutlineFile file = take_outline(wanted.outline).file;
+    outlines::OutlineFile file = take_outline(wanted.outline).file;
     simulation::NewProject made = make_from(wanted.outline, file, options);
     add_remarks(made, file.remarks);
     if (wanted.is_to_be_made) {

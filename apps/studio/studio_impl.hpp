@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "autosave.hpp"
-#include "background.hpp"
-#include "document.hpp"
-#include "http_server.hpp"
-#include "live_solver.hpp"
-#include "studio.hpp"
-
 #include <fretwork/base/internal/json_text.hpp>
 #include <fretwork/base/json_reader.hpp>
-#include <fretwork/simulation/surface_modes.hpp>
+#include <fretwork/simulation/results/surface_modes.hpp>
+#include <studio/document/autosave.hpp>
+#include <studio/document/document.hpp>
+#include <studio/server/background.hpp>
+#include <studio/server/http_server.hpp>
+#include <studio/solving/live_solver.hpp>
+#include <studio/studio.hpp>
 
 #include <map>
 #include <span>

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What takes longer and is asked for: other models, modes, the load path, comparisons.
-#include "edits.hpp"
-#include "frames.hpp"
-#include "studio_impl.hpp"
-#include "words.hpp"
-
 #include <fretwork/base/error.hpp>
-#include <fretwork/simulation/comparison.hpp>
-#include <fretwork/simulation/surface_modes.hpp>
+#include <fretwork/simulation/results/comparison.hpp>
+#include <fretwork/simulation/results/surface_modes.hpp>
+#include <studio/document/edits.hpp>
+#include <studio/server/binary_messages.hpp>
+#include <studio/server/words.hpp>
+#include <studio/studio_impl.hpp>
 
 #include <functional>
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Documents that were not saved when a studio ended, or when another document took their place.
-#include "document_json.hpp"
-#include "studio_impl.hpp"
-#include "words.hpp"
-
 #include <fretwork/base/error.hpp>
-#include <fretwork/simulation/project_library.hpp>
+#include <fretwork/simulation/project/project_library.hpp>
+#include <studio/document/document_json.hpp>
+#include <studio/server/words.hpp>
+#include <studio/studio_impl.hpp>
 
 #include <algorithm>
 

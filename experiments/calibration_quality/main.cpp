@@ -2,12 +2,12 @@
 // What each method and number of starts buys: every calibration of a stratified sample of patterns against
 // the best objective that is known for it. See README.md.
 #include <fretwork/base/error.hpp>
-#include <fretwork/base/file.hpp>
+#include <fretwork/base/files/file.hpp>
 #include <fretwork/base/parallel.hpp>
 #include <fretwork/base/progress.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/pattern/enumerate.hpp>
-#include <fretwork/reduction/calibration.hpp>
+#include <fretwork/reduction/calibration/calibration.hpp>
 #include <fretwork/reduction/stratified_sample.hpp>
 
 #include <CLI/CLI.hpp>

@@ -2,9 +2,9 @@
 #include "tables.hpp"
 
 #include <fretwork/base/parallel.hpp>
-#include <fretwork/reduction/calibration.hpp>
-#include <fretwork/reduction/objective.hpp>
-#include <fretwork/reduction/ring_hexagon.hpp>
+#include <fretwork/reduction/calibration/calibration.hpp>
+#include <fretwork/reduction/calibration/objective.hpp>
+#include <fretwork/reduction/ring/ring_hexagon.hpp>
 
 #include <cstdio>
 #include <optional>

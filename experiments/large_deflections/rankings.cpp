@@ -3,10 +3,10 @@
 // case, by each ranking. See README.md.
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/internal/json_text.hpp>
-#include <fretwork/simulation/comparison.hpp>
-#include <fretwork/simulation/load_case_file.hpp>
+#include <fretwork/simulation/load_cases/load_case_file.hpp>
 #include <fretwork/simulation/mixed_model.hpp>
-#include <fretwork/simulation/project_library.hpp>
+#include <fretwork/simulation/project/project_library.hpp>
+#include <fretwork/simulation/results/comparison.hpp>
 #include <fretwork/simulation/session.hpp>
 #include <fretwork/simulation/simulate.hpp>
 

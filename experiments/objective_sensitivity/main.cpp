@@ -2,13 +2,13 @@
 // What changes if E were the mean over samples, or the weights of Table 2 were others: the paper's model
 // fitted to the same responses by several objectives, all with Ceres. See README.md.
 #include <fretwork/base/error.hpp>
-#include <fretwork/base/file.hpp>
+#include <fretwork/base/files/file.hpp>
 #include <fretwork/base/parallel.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/optimization/minimize.hpp>
 #include <fretwork/pattern/enumerate.hpp>
 #include <fretwork/reduction/response.hpp>
-#include <fretwork/reduction/ring_problem.hpp>
+#include <fretwork/reduction/ring/ring_problem.hpp>
 #include <fretwork/reduction/stratified_sample.hpp>
 
 #include <CLI/CLI.hpp>

@@ -4,7 +4,7 @@
 #include "symmetric_stiffness.hpp"
 
 #include <fretwork/mechanics/condensation.hpp>
-#include <fretwork/reduction/model_response.hpp>
+#include <fretwork/reduction/calibration/model_response.hpp>
 
 #include <gtest/gtest.h>
 

@@ -5,8 +5,8 @@
 #include "surfaces.hpp"
 
 #include <fretwork/base/error.hpp>
-#include <fretwork/base/file.hpp>
-#include <fretwork/base/provenance.hpp>
+#include <fretwork/base/files/file.hpp>
+#include <fretwork/base/files/provenance.hpp>
 
 #include <CLI/CLI.hpp>
 

@@ -6,8 +6,8 @@
 #include <fretwork/base/parallel.hpp>
 #include <fretwork/base/progress.hpp>
 #include <fretwork/pattern/enumerate.hpp>
-#include <fretwork/reduction/model_response.hpp>
-#include <fretwork/reduction/objective.hpp>
+#include <fretwork/reduction/calibration/model_response.hpp>
+#include <fretwork/reduction/calibration/objective.hpp>
 #include <fretwork/reduction/stratified_sample.hpp>
 
 #include <ctime>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <fretwork/reduction/calibration.hpp>
+#include <fretwork/reduction/calibration/calibration.hpp>
 
 #include <string>
 #include <vector>

@@ -5,8 +5,8 @@
 #include <fretwork/base/progress.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/optimization/random.hpp>
-#include <fretwork/simulation/comparison.hpp>
-#include <fretwork/simulation/new_project.hpp>
+#include <fretwork/simulation/project/new_project.hpp>
+#include <fretwork/simulation/results/comparison.hpp>
 #include <fretwork/simulation/simulate.hpp>
 
 #include <algorithm>
@@ -109,7 +109,7 @@ Surface make_surface(const reduction::Setting& setting, const std::vector<Calibr
         const auto pick = static_cast<std::size_t>(random.uniform() * static_cast<double>(patterns.size()));
         if (std::ranges::find(ids, patterns[pick].id) == ids.end()) ids.push_back(patterns[pick].id);
     }
-    const auto outline = tiling::make_outline(
+    const auto outline = outlines::make_outline(
         {{0.0, 0.0}, {shape.width, 0.0}, {shape.width, shape.height}, {0.0, shape.height}}, {});
     auto made = simulation::make_project(
         outline,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "symmetric_stiffness.hpp"
 
-#include <fretwork/reduction/condensed_tile.hpp>
+#include <fretwork/reduction/models/condensed_tile.hpp>
 #include <fretwork/reduction/response.hpp>
 
 #include <Eigen/QR>
@@ -99,7 +99,7 @@ Eigen::Matrix3cd in_basis(const BlockPlace& place, const Factor& inner) {
     return V * inner * V.adjoint();
 }
 
-double area_of(const pattern::Polygon& polygon) {
+double area_of(const geometry::Polygon& polygon) {
     double twice = 0.0;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
         const auto& a = polygon[i];
@@ -110,13 +110,13 @@ double area_of(const pattern::Polygon& polygon) {
 }
 
 /// The centroid-to-side distance of the regular polygon of as many sides and the same area.
-double size_of(const pattern::Polygon& polygon) {
+double size_of(const geometry::Polygon& polygon) {
     const auto n = static_cast<double>(polygon.size());
     return std::sqrt(area_of(polygon) / (n * std::tan(std::numbers::pi / n)));
 }
 
 double reference_size(const reduction::Setting& setting) {
-    return size_of(pattern::regular_polygon(setting.sides, setting.tile_side));
+    return size_of(geometry::regular_polygon(setting.sides, setting.tile_side));
 }
 
 /// A node's three components of a plane, by its six.
@@ -176,10 +176,10 @@ const std::vector<SymmetricStiffness::Parameter>& SymmetricStiffness::parameters
     return table;
 }
 
-SymmetricStiffness::SymmetricStiffness(const pattern::Polygon& polygon, double size)
+SymmetricStiffness::SymmetricStiffness(const geometry::Polygon& polygon, double size)
     : sides_(static_cast<int>(polygon.size())), scale_(std::pow(size / size_of(polygon), 3)) {
     const double h = size_of(polygon);
-    const pattern::Point2 center = pattern::centroid(polygon);
+    const geometry::Point2 center = geometry::centroid(polygon);
     std::vector<Eigen::Vector2d> nodes;
     for (Eigen::MatrixXd& strains : strains_) strains = Eigen::MatrixXd::Zero(3 * sides_, 6 * sides_);
     for (int i = 0; i < sides_; ++i) {
@@ -294,7 +294,7 @@ reduction::TileModel symmetric_stiffness_model(const std::vector<double>& around
 
 std::vector<double> condensed_values(const pattern::NodeLayout& layout, const pattern::Pattern& pattern,
                                      const reduction::Setting& setting) {
-    const auto polygon = pattern::regular_polygon(setting.sides, setting.tile_side);
+    const auto polygon = geometry::regular_polygon(setting.sides, setting.tile_side);
     const auto frame =
         reduction::pattern_frame(layout, pattern, polygon, {setting.section, setting.material});
     return SymmetricStiffness(polygon, reference_size(setting))

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <fretwork/reduction/tile_model.hpp>
+#include <fretwork/reduction/models/tile_model.hpp>
 
 #include <Eigen/Core>
 
@@ -45,7 +45,7 @@ class SymmetricStiffness {
     /// regular hexagon of `size` it is the stiffness of the parameters. Stiffness falls with the third power
     /// of a tile's size, as that of bent beams does.
     /// @param size  the centroid-to-side distance for which the parameters are given, m
-    SymmetricStiffness(const pattern::Polygon& polygon, double size);
+    SymmetricStiffness(const geometry::Polygon& polygon, double size);
 
     /// 6n x 6n for n sides, SI.
     [[nodiscard]] Eigen::MatrixXd stiffness(std::span<const double> values) const;

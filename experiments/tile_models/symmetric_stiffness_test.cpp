@@ -2,7 +2,7 @@
 #include "reduction/fixtures.hpp"
 #include "symmetric_stiffness.hpp"
 
-#include <fretwork/reduction/condensed_tile.hpp>
+#include <fretwork/reduction/models/condensed_tile.hpp>
 
 #include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
@@ -14,15 +14,15 @@ namespace {
 
 using namespace reduction;
 
-const pattern::Polygon& hexagon() {
-    static const pattern::Polygon polygon = pattern::regular_polygon(6, paper_setting().tile_side);
+const geometry::Polygon& hexagon() {
+    static const geometry::Polygon polygon = geometry::regular_polygon(6, paper_setting().tile_side);
     return polygon;
 }
 double apothem() {
     return paper_setting().tile_side * std::sqrt(0.75);
 }
 constexpr const char* kDenser = "0-1+1-2+1-5+2-6+5-6";
-const pattern::Polygon kIrregular = {
+const geometry::Polygon kIrregular = {
     {0.0, 0.0}, {0.03, -0.004}, {0.05, 0.02}, {0.035, 0.045}, {-0.002, 0.03}};
 
 /// Pivots of 10 to 1000 N/m, couplings within 1.
@@ -38,7 +38,7 @@ std::vector<double> random_values(std::uint64_t seed) {
 }
 
 /// Shifts, and turns about the origin by one radian, of the middles of the sides.
-Eigen::MatrixXd rigid_motions(const pattern::Polygon& polygon) {
+Eigen::MatrixXd rigid_motions(const geometry::Polygon& polygon) {
     Eigen::MatrixXd motions(6 * polygon.size(), 6);
     for (std::size_t i = 0; i < polygon.size(); ++i) {
         const auto& a = polygon[i];
@@ -68,7 +68,7 @@ TEST(SymmetricStiffness, HasFortyFourParametersOfDifferentNames) {
 }
 
 TEST(SymmetricStiffness, RigidMotionsMeetNoForceInAnyPolygon) {
-    for (const pattern::Polygon& polygon : {hexagon(), kIrregular, pattern::regular_polygon(7, 0.02)}) {
+    for (const geometry::Polygon& polygon : {hexagon(), kIrregular, geometry::regular_polygon(7, 0.02)}) {
         const Eigen::MatrixXd K = SymmetricStiffness(polygon, apothem()).stiffness(random_values(1));
         const Eigen::MatrixXd motions = rigid_motions(polygon);
         EXPECT_LT((K * motions).norm(), 1e-12 * K.norm() * motions.norm()) << polygon.size() << " sides";
@@ -76,7 +76,7 @@ TEST(SymmetricStiffness, RigidMotionsMeetNoForceInAnyPolygon) {
 }
 
 TEST(SymmetricStiffness, ResistsEveryOtherMotion) {
-    for (const pattern::Polygon& polygon : {hexagon(), kIrregular, pattern::regular_polygon(7, 0.02)}) {
+    for (const geometry::Polygon& polygon : {hexagon(), kIrregular, geometry::regular_polygon(7, 0.02)}) {
         for (std::uint64_t seed = 1; seed <= 5; ++seed) {
             Eigen::MatrixXd K = SymmetricStiffness(polygon, apothem()).stiffness(random_values(seed));
             for (Eigen::Index i = 0; i < K.rows(); ++i) {  // rotations times the size: all entries in N/m

@@ -39,7 +39,7 @@ struct Shapes {
     }
 };
 
-void add_tile(const pattern::Polygon& polygon, Shapes& shapes) {
+void add_tile(const geometry::Polygon& polygon, Shapes& shapes) {
     ++shapes.tiles;
     shapes.hexagons += polygon.size() == 6 ? 1 : 0;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -108,7 +108,7 @@ void run(const std::vector<std::string>& files, double edge_length) {
         const double before = cpu_seconds();
         try {
             const auto result =
-                tiling::tessellate(tiling::read_outline(file), layout, {.edge_length = edge_length});
+                tiling::tessellate(outlines::read_outline(file), layout, {.edge_length = edge_length});
             print_row(name, result, cpu_seconds() - before);
             ++tiled;
         } catch (const base::Error& error) {

@@ -4,7 +4,7 @@
 // three or four digits, from few elements. The tests and the experiment use the same frames.
 #pragma once
 
-#include <fretwork/mechanics/frame.hpp>
+#include <fretwork/mechanics/frame/frame.hpp>
 
 #include <cmath>
 #include <numbers>

@@ -4,10 +4,10 @@
 #include "benchmark_frames.hpp"
 #include "plot.hpp"
 
-#include <fretwork/base/file.hpp>
+#include <fretwork/base/files/file.hpp>
 #include <fretwork/mechanics/discretization.hpp>
 #include <fretwork/mechanics/modes.hpp>
-#include <fretwork/mechanics/path_tracing.hpp>
+#include <fretwork/mechanics/paths/path_tracing.hpp>
 
 #include <cstdio>
 

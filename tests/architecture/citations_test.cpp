@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Citations: comments and pages cite as [Key], or [Key, Other], and docs/references.bib has the keys.
-#include <fretwork/base/file.hpp>
+#include <fretwork/base/files/file.hpp>
 
 #include <gtest/gtest.h>
 

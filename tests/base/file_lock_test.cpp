@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "support.hpp"
 
-#include <fretwork/base/file_lock.hpp>
+#include <fretwork/base/files/file_lock.hpp>
 
 #include <csignal>
 #include <sys/wait.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "support.hpp"
 
-#include <fretwork/base/scratch.hpp>
+#include <fretwork/base/files/scratch.hpp>
 
 #include <csignal>
 #include <sys/wait.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fretwork/base/sha256.hpp>
+#include <fretwork/base/files/sha256.hpp>
 
 #include <gtest/gtest.h>
 

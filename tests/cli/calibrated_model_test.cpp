@@ -3,7 +3,7 @@
 #include "cli/command.hpp"
 #include "support.hpp"
 
-#include <fretwork/reduction/tile_model.hpp>
+#include <fretwork/reduction/models/tile_model.hpp>
 
 namespace fretwork::app {
 namespace {

@@ -2,7 +2,7 @@
 // Run the program as its user does: in a shell, in a folder.
 #pragma once
 
-#include <fretwork/base/file.hpp>
+#include <fretwork/base/files/file.hpp>
 
 #include <cstdlib>
 #include <filesystem>

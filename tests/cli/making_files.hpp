@@ -13,8 +13,8 @@
 namespace fretwork::test {
 
 using exports::test::polylines;
-using fabrication::Box;
 using fabrication::Contour;
+using geometry::Box;
 
 inline double area(const std::vector<Contour>& contours) {
     double sum = 0.0;
@@ -42,8 +42,8 @@ inline std::vector<double> arc_radii(const std::vector<Contour>& contours, Turn 
 }
 
 /// The middles of round holes of a diameter.
-inline std::vector<pattern::Point2> holes(const std::vector<Contour>& contours, double diameter) {
-    std::vector<pattern::Point2> middles;
+inline std::vector<geometry::Point2> holes(const std::vector<Contour>& contours, double diameter) {
+    std::vector<geometry::Point2> middles;
     for (const Contour& contour : contours) {
         const Box box = box_of(contour);
         const double disc = 0.25 * std::numbers::pi * diameter * diameter;

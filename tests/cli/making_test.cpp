@@ -5,6 +5,8 @@
 namespace fretwork::app {
 namespace {
 
+using geometry::Box;
+
 using namespace test;
 using nlohmann::json;
 

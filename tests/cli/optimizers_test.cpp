@@ -2,7 +2,7 @@
 #include "cli/command.hpp"
 #include "support.hpp"
 
-#include <fretwork/base/file.hpp>
+#include <fretwork/base/files/file.hpp>
 #include <fretwork/base/text.hpp>
 
 #include <set>

@@ -3,8 +3,8 @@
 #include "cli/command.hpp"
 #include "support.hpp"
 
-#include <fretwork/simulation/project_file.hpp>
-#include <fretwork/tiling/tile_choice.hpp>
+#include <fretwork/simulation/project/project_file.hpp>
+#include <fretwork/tiling/painting/tile_choice.hpp>
 
 #include <map>
 

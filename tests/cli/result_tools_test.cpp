@@ -4,7 +4,7 @@
 #include "support.hpp"
 
 #include <fretwork/base/text.hpp>
-#include <fretwork/reduction/setting_file.hpp>
+#include <fretwork/reduction/scenarios/setting_file.hpp>
 
 #include <nlohmann/json.hpp>
 

@@ -3,7 +3,7 @@
 #include "cli/command.hpp"
 #include "support.hpp"
 
-#include <fretwork/base/file_lock.hpp>
+#include <fretwork/base/files/file_lock.hpp>
 #include <fretwork/base/text.hpp>
 
 #include <algorithm>

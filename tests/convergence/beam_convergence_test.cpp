@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fretwork/mechanics/equilibrium.hpp>
+#include <fretwork/mechanics/paths/equilibrium.hpp>
 
 #include <gtest/gtest.h>
 

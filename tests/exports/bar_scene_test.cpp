@@ -3,12 +3,12 @@
 #include "sample.hpp"
 #include "stops.hpp"
 
-#include <fretwork/base/base64.hpp>
+#include <fretwork/base/files/base64.hpp>
 #include <fretwork/base/internal/json_text.hpp>
-#include <fretwork/exports/bar_scene.hpp>
 #include <fretwork/exports/colours.hpp>
-#include <fretwork/exports/picture.hpp>
-#include <fretwork/exports/view_page.hpp>
+#include <fretwork/exports/space/bar_scene.hpp>
+#include <fretwork/exports/space/picture.hpp>
+#include <fretwork/exports/space/view_page.hpp>
 #include <fretwork/simulation/simulate.hpp>
 
 #include <cstring>

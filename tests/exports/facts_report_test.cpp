@@ -2,7 +2,7 @@
 #include "made_sample.hpp"
 
 #include <fretwork/base/json_reader.hpp>
-#include <fretwork/exports/facts_report.hpp>
+#include <fretwork/exports/making/facts_report.hpp>
 
 namespace fretwork::exports {
 namespace {
@@ -54,7 +54,7 @@ TEST(FactsReport, ThePageHasACircleForEveryWarningWithAPlace) {
     const std::string guides =
         page.substr(page.find("id=\"guides\""), page.find("id=\"labels\"") - page.find("id=\"guides\""));
     std::size_t placed = 0;
-    for (const auto& warning : sample.facts.warnings) placed += warning.place == pattern::Point2{} ? 0U : 1U;
+    for (const auto& warning : sample.facts.warnings) placed += warning.place == geometry::Point2{} ? 0U : 1U;
     std::size_t circles = 0;
     for (std::size_t at = guides.find("<path"); at != std::string::npos; at = guides.find("<path", at + 1))
         ++circles;

@@ -2,9 +2,9 @@
 // What is cut and printed, measured by programs that are not ours. Where one is missing, its test is skipped.
 #include "made_sample.hpp"
 
-#include <fretwork/exports/cut_files.hpp>
-#include <fretwork/exports/series_files.hpp>
-#include <fretwork/exports/solid_files.hpp>
+#include <fretwork/exports/making/cut_files.hpp>
+#include <fretwork/exports/making/solid_files.hpp>
+#include <fretwork/exports/tables/series_files.hpp>
 
 #include <cstdio>
 #include <memory>

@@ -2,7 +2,7 @@
 #include "library/sample.hpp"
 
 #include <fretwork/base/text.hpp>
-#include <fretwork/exports/library_meshes.hpp>
+#include <fretwork/exports/tables/library_meshes.hpp>
 
 #include <cmath>
 

@@ -3,9 +3,9 @@
 #include "sample.hpp"
 
 #include <fretwork/base/text.hpp>
-#include <fretwork/exports/line_files.hpp>
-#include <fretwork/mechanics/equilibrium.hpp>
+#include <fretwork/exports/tables/line_files.hpp>
 #include <fretwork/mechanics/modes.hpp>
+#include <fretwork/mechanics/paths/equilibrium.hpp>
 
 #include <pugixml.hpp>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sample.hpp"
 
-#include <fretwork/exports/surface_drawing.hpp>
+#include <fretwork/exports/drawings/surface_drawing.hpp>
 
 namespace fretwork::exports {
 namespace {

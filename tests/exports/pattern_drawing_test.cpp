@@ -2,7 +2,7 @@
 #include "sample.hpp"
 #include "svg_reading.hpp"
 
-#include <fretwork/exports/pattern_drawing.hpp>
+#include <fretwork/exports/drawings/pattern_drawing.hpp>
 
 namespace fretwork::exports {
 namespace {

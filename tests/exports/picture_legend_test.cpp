@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fretwork/exports/detail/picture_legend.hpp>
+#include <fretwork/exports/space/detail/picture_legend.hpp>
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "support.hpp"
 
-#include <fretwork/exports/detail/log_axis.hpp>
-#include <fretwork/exports/property_chart.hpp>
+#include <fretwork/exports/drawings/detail/log_axis.hpp>
+#include <fretwork/exports/drawings/property_chart.hpp>
 
 #include <pugixml.hpp>
 

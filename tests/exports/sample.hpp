@@ -20,17 +20,17 @@ inline constexpr double kSide = 0.026;
 /// Points that are the same to a tenth of a micrometre are one.
 class PointSet {
   public:
-    int index(const pattern::Point2& point) {
+    int index(const geometry::Point2& point) {
         const auto key = std::pair{std::lround(point.x * 1e7), std::lround(point.y * 1e7)};
         const auto [place, is_new] = indices_.try_emplace(key, static_cast<int>(points_.size()));
         if (is_new) points_.push_back(point);
         return place->second;
     }
-    [[nodiscard]] const std::vector<pattern::Point2>& points() const { return points_; }
+    [[nodiscard]] const std::vector<geometry::Point2>& points() const { return points_; }
 
   private:
     std::map<std::pair<long, long>, int> indices_;
-    std::vector<pattern::Point2> points_;
+    std::vector<geometry::Point2> points_;
 };
 
 /// A honeycomb of the paper's layout, tile t painted with pattern t modulo their number.
@@ -38,7 +38,7 @@ inline tiling::Tessellation honeycomb(int columns, int rows, std::vector<std::st
     tiling::Tessellation tessellation;
     PointSet vertices;
     PointSet interfaces;
-    const pattern::Polygon hexagon = pattern::regular_polygon(6, kSide);
+    const geometry::Polygon hexagon = geometry::regular_polygon(6, kSide);
     for (int row = 0; row < rows; ++row) {
         for (int column = 0; column < columns; ++column) {
             const double x = 1.5 * kSide * column;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "svg_reading.hpp"
 
-#include <fretwork/exports/detail/furniture.hpp>
-#include <fretwork/exports/scenario_drawing.hpp>
+#include <fretwork/exports/drawings/detail/furniture.hpp>
+#include <fretwork/exports/drawings/scenario_drawing.hpp>
 #include <fretwork/mechanics/linear_solver.hpp>
 #include <fretwork/reduction/response.hpp>
 

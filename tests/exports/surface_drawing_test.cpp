@@ -3,8 +3,8 @@
 #include "svg_reading.hpp"
 
 #include <fretwork/exports/colours.hpp>
-#include <fretwork/exports/detail/panels.hpp>
-#include <fretwork/exports/surface_drawing.hpp>
+#include <fretwork/exports/drawings/detail/panels.hpp>
+#include <fretwork/exports/drawings/surface_drawing.hpp>
 
 #include <algorithm>
 #include <array>

@@ -4,6 +4,8 @@
 namespace fretwork::fabrication {
 namespace {
 
+using geometry::Point2;
+
 using namespace test;
 using testing::AllOf;
 using testing::HasSubstr;

@@ -9,6 +9,8 @@
 namespace fretwork::fabrication {
 namespace {
 
+using geometry::Box;
+
 constexpr double kPi = std::numbers::pi;
 
 /// A stadium: two half circles of radius 1 on two sides of a square of side 2.
@@ -47,13 +49,13 @@ TEST(Contour, ABulgeIsTheTangentOfAQuarterOfTheAngle) {
 TEST(Contour, ChordsAreOffByNoMoreThanTheTolerance) {
     const Contour whole = circle({0.0, 0.0}, 1.0);
     for (const double tolerance : {0.1, 1e-2, 1e-4}) {
-        const pattern::Polygon polygon = flattened(whole, tolerance);
+        const geometry::Polygon polygon = flattened(whole, tolerance);
         for (std::size_t i = 0; i < polygon.size(); ++i) {
             const auto& a = polygon[i];
             const auto& b = polygon[(i + 1) % polygon.size()];
             EXPECT_GE(std::hypot(0.5 * (a.x + b.x), 0.5 * (a.y + b.y)), 1.0 - tolerance - 1e-12);
         }
-        EXPECT_LE(pattern::signed_area(polygon), kPi);
+        EXPECT_LE(geometry::signed_area(polygon), kPi);
     }
 }
 

@@ -10,6 +10,8 @@
 namespace fretwork::fabrication {
 namespace {
 
+using geometry::Point2;
+
 using namespace test;
 
 using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;

@@ -2,7 +2,7 @@
 #include "sample.hpp"
 
 #include <fretwork/fabrication/facts.hpp>
-#include <fretwork/simulation/result_subject.hpp>
+#include <fretwork/simulation/results/result_subject.hpp>
 #include <fretwork/simulation/simulate.hpp>
 
 namespace fretwork::fabrication {

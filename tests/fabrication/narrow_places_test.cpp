@@ -9,7 +9,7 @@ namespace {
 using namespace test;
 
 TEST(NarrowPlaces, TheLargestCircleInATriangleIsItsIncircle) {
-    const pattern::Polygon triangle = {{0.0, 0.0}, {4.0, 0.0}, {0.0, 3.0}};
+    const geometry::Polygon triangle = {{0.0, 0.0}, {4.0, 0.0}, {0.0, 3.0}};
     const InnerCircle circle = inner_circle(triangle);
     EXPECT_NEAR(circle.radius, 1.0, 0.011);  // the promise: a hundredth
     EXPECT_NEAR(circle.center.x, 1.0, 0.05);

@@ -7,7 +7,7 @@
 #include <fretwork/fabrication/shape.hpp>
 #include <fretwork/optimization/random.hpp>
 #include <fretwork/pattern/enumerate.hpp>
-#include <fretwork/simulation/project.hpp>
+#include <fretwork/simulation/project/project.hpp>
 
 #include <cmath>
 #include <map>
@@ -18,7 +18,7 @@ namespace fretwork::fabrication::test {
 
 using fretwork::test::complaint_of;
 using fretwork::test::TemporaryFolder;
-using pattern::Point2;
+using geometry::Point2;
 
 inline constexpr double kSide = 0.026;   // m
 inline constexpr double kWidth = 0.002;  // m
@@ -40,7 +40,7 @@ class PointSet {
 };
 
 inline tiling::Tile add_hexagon(const Point2& center, PointSet& vertices, PointSet& interfaces) {
-    const pattern::Polygon hexagon = pattern::regular_polygon(6, kSide);
+    const geometry::Polygon hexagon = geometry::regular_polygon(6, kSide);
     tiling::Tile tile;
     for (std::size_t k = 0; k < 6; ++k) {
         const Point2& a = hexagon[k];

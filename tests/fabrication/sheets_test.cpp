@@ -6,6 +6,8 @@
 namespace fretwork::fabrication {
 namespace {
 
+using geometry::Box;
+
 using namespace test;
 using testing::AllOf;
 using testing::HasSubstr;

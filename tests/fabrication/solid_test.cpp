@@ -56,8 +56,8 @@ TEST(Solid, ACheckFindsAMissingTriangle) {
 }
 
 TEST(Solid, AnOutlineThatTouchesItselfIsRefusedWithThePlace) {
-    const pattern::Polygon left = {{0.0, 0.0}, {0.01, 0.01}, {0.0, 0.02}};
-    const pattern::Polygon right = {{0.02, 0.0}, {0.02, 0.02}, {0.01, 0.01}};
+    const geometry::Polygon left = {{0.0, 0.0}, {0.01, 0.01}, {0.0, 0.02}};
+    const geometry::Polygon right = {{0.02, 0.0}, {0.02, 0.02}, {0.01, 0.01}};
     const Shape shape{{{straight({{-0.01, -0.01}, {0.03, -0.01}, {0.03, 0.03}, {-0.01, 0.03}}),
                         {reversed(straight(left)), reversed(straight(right))}}},
                       0.002};

@@ -6,7 +6,7 @@
 #include <fretwork/library/fill.hpp>
 #include <fretwork/library/merge.hpp>
 #include <fretwork/library/statistics.hpp>
-#include <fretwork/reduction/calibration_problem.hpp>
+#include <fretwork/reduction/calibration/calibration_problem.hpp>
 
 #include <atomic>
 #include <thread>

@@ -4,7 +4,7 @@
 #include <fretwork/base/text.hpp>
 #include <fretwork/library/detail/pattern_order.hpp>
 #include <fretwork/library/statistics.hpp>
-#include <fretwork/reduction/setting_file.hpp>
+#include <fretwork/reduction/scenarios/setting_file.hpp>
 #include <fretwork/reduction/stratified_sample.hpp>
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 #include "sample.hpp"
 
 #include <fretwork/base/error.hpp>
-#include <fretwork/base/file.hpp>
+#include <fretwork/base/files/file.hpp>
 #include <fretwork/library/detail/draft.hpp>
 #include <fretwork/library/merge.hpp>
 

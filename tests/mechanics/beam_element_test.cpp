@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "element_kinds.hpp"
 
+#include <fretwork/geometry/rotation.hpp>
 #include <fretwork/mechanics/elements/beam_element.hpp>
 
 #include <gtest/gtest.h>
@@ -73,7 +74,7 @@ TEST(Element, TangentIsTheDerivativeOfTheForceAtLargeRotations) {
             MatrixXd derivative = response.tangent;
             for (Eigen::Index at = 3; at < derivative.rows(); at += kDofsPerNode) {
                 const Vector3d moment = response.force.segment<3>(at);
-                derivative.block<3, 3>(at, at) -= 0.5 * elements::cross_matrix(moment);
+                derivative.block<3, 3>(at, at) -= 0.5 * geometry::cross_matrix(moment);
             }
             const MatrixXd difference = scaled(differentiate(*element, states).tangent);
             EXPECT_LT((scaled(derivative) - difference).norm(), 1e-8 * difference.norm()) << name;

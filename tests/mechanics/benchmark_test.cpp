@@ -3,8 +3,8 @@
 // hold the others. Sources: experiments/verification/benchmark_frames.hpp.
 #include "verification/benchmark_frames.hpp"
 
-#include <fretwork/mechanics/equilibrium.hpp>
 #include <fretwork/mechanics/modes.hpp>
+#include <fretwork/mechanics/paths/equilibrium.hpp>
 
 #include <gtest/gtest.h>
 

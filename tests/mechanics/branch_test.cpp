@@ -2,8 +2,8 @@
 #include "sample.hpp"
 #include "verification/benchmark_frames.hpp"
 
-#include <fretwork/mechanics/equilibrium.hpp>
 #include <fretwork/mechanics/modes.hpp>
+#include <fretwork/mechanics/paths/equilibrium.hpp>
 
 #include <gtest/gtest.h>
 

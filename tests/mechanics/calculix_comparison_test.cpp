@@ -5,9 +5,9 @@
 #include "sample.hpp"
 #include "support.hpp"
 
-#include <fretwork/base/file.hpp>
-#include <fretwork/mechanics/calculix_file.hpp>
-#include <fretwork/mechanics/equilibrium.hpp>
+#include <fretwork/base/files/file.hpp>
+#include <fretwork/mechanics/decks/calculix_file.hpp>
+#include <fretwork/mechanics/paths/equilibrium.hpp>
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #include "support.hpp"
 
 #include <fretwork/base/error.hpp>
-#include <fretwork/mechanics/calculix_file.hpp>
+#include <fretwork/mechanics/decks/calculix_file.hpp>
 #include <fretwork/mechanics/linear_solver.hpp>
 
 #include <gmock/gmock.h>

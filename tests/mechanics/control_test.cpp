@@ -4,11 +4,11 @@
 
 #include <fretwork/base/control.hpp>
 #include <fretwork/mechanics/discretization.hpp>
-#include <fretwork/mechanics/equilibrium.hpp>
 #include <fretwork/mechanics/linear_solver.hpp>
 #include <fretwork/mechanics/modes.hpp>
-#include <fretwork/mechanics/path_tracing.hpp>
-#include <fretwork/mechanics/relaxation.hpp>
+#include <fretwork/mechanics/paths/equilibrium.hpp>
+#include <fretwork/mechanics/paths/path_tracing.hpp>
+#include <fretwork/mechanics/paths/relaxation.hpp>
 
 #include <gtest/gtest.h>
 

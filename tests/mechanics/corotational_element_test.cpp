@@ -2,12 +2,13 @@
 #include "../support.hpp"
 #include "sample.hpp"
 
+#include <fretwork/geometry/rotation.hpp>
 #include <fretwork/mechanics/assembly.hpp>
 #include <fretwork/mechanics/condensation.hpp>
 #include <fretwork/mechanics/corotational_element.hpp>
-#include <fretwork/mechanics/equilibrium.hpp>
 #include <fretwork/mechanics/linear_element.hpp>
 #include <fretwork/mechanics/modes.hpp>
+#include <fretwork/mechanics/paths/equilibrium.hpp>
 
 #include <algorithm>
 #include <numeric>
@@ -47,7 +48,7 @@ struct Tile {
 
 /// Flat with six nodes, in space with four, and two nodes on a line.
 std::vector<Tile> every_shape() {
-    const Quaterniond turn = elements::exponential({0.3, -0.5, 0.9});
+    const Quaterniond turn = geometry::exponential({0.3, -0.5, 0.9});
     Frame beam;
     beam.nodes = {{0, 0, 0}, {kLength, 0, 0}};
     beam.beams.push_back(sample::beam_between(0, 1));
@@ -67,7 +68,7 @@ std::vector<NodeState> random_states(const Tile& tile, double amplitude, Random&
     for (const Vector3d& place : tile.places) {
         const Vector3d moved = place + amplitude * kLength * random.vector(1.0 / std::sqrt(3.0));
         states.push_back({common * moved + shift - place,
-                          common * elements::exponential(amplitude * random.vector(1.0 / std::sqrt(3.0)))});
+                          common * geometry::exponential(amplitude * random.vector(1.0 / std::sqrt(3.0)))});
     }
     return states;
 }
@@ -83,7 +84,7 @@ void move(NodeState& state, int dof, double by) {
     if (dof < 3) {
         state.displacement[dof] += by * kLength;
     } else {
-        state.rotation = (elements::exponential(by * Vector3d::Unit(dof - 3)) * state.rotation).normalized();
+        state.rotation = (geometry::exponential(by * Vector3d::Unit(dof - 3)) * state.rotation).normalized();
     }
 }
 
@@ -145,7 +146,7 @@ TEST(CorotationalElement, TangentIsTheDerivativeOfTheForceAtLargeRotations) {
             EXPECT_LT((tangent - tangent.transpose()).norm(), 1e-13 * tangent.norm());
             MatrixXd derivative = tangent;
             for (Eigen::Index at = 3; at < derivative.rows(); at += kDofsPerNode)
-                derivative.block<3, 3>(at, at) -= 0.5 * elements::cross_matrix(response.force.segment<3>(at));
+                derivative.block<3, 3>(at, at) -= 0.5 * geometry::cross_matrix(response.force.segment<3>(at));
             derivative = in_moments(derivative);
             const MatrixXd difference = differences(
                 states, [&](const auto& at) { return in_moments(response_of(*tile.element, at).force); });
@@ -180,7 +181,7 @@ TEST(CorotationalElement, GivenStressesMeetTheSlopesOfItsStrains) {
         MatrixXd expected = slopes.transpose() * tile.stiffness * slopes;
         expected = in_moments(expected) + geometric;
         for (Eigen::Index at = 3; at < size; at += kDofsPerNode)
-            expected.block<3, 3>(at, at) += 0.5 * elements::cross_matrix(response.given_force.segment<3>(at));
+            expected.block<3, 3>(at, at) += 0.5 * geometry::cross_matrix(response.given_force.segment<3>(at));
         EXPECT_LT((in_moments(response.tangent) - expected).norm(), 1e-8 * expected.norm());
     }
 }
@@ -201,7 +202,7 @@ TEST(CorotationalElement, TurnsOfTheWholeByAnyAngleCostNoEnergy) {
     for (const Tile& tile : every_shape()) {
         const Vector3d axis = Vector3d(0.2, -0.7, 0.4).normalized();
         for (double angle = 0.0; angle < 13.0; angle += 0.1) {  // more than two whole turns
-            const Quaterniond turn = elements::exponential(angle * axis);
+            const Quaterniond turn = geometry::exponential(angle * axis);
             std::vector<NodeState> states;
             for (const Vector3d& place : tile.places) states.push_back({turn * place - place, turn});
             const ElementResponse response = response_of(*tile.element, states);
@@ -298,7 +299,7 @@ TEST(CorotationalElement, DoesNotDependOnTheOrderOfItsNodes) {
     for (int i = 0; i < 6; ++i) nodes.emplace_back(i);
     const auto renumbered = corotational_element(
         nodes, std::make_shared<CorotationalBody>(CorotationalBody::Parts{places, stiffness}),
-        elements::exponential({0.3, -0.5, 0.9}).toRotationMatrix());
+        geometry::exponential({0.3, -0.5, 0.9}).toRotationMatrix());
     Random random(7);
     const auto states = random_states(tile, 0.4, random);
     std::vector<NodeState> reordered;
@@ -326,7 +327,7 @@ TEST(CorotationalElement, DiffersFromTheLinearElementBySecondOrderOnly) {
             std::vector<NodeState> states;
             for (std::size_t i = 0; i < nodes.size(); ++i) {
                 const Vector3d shift = amplitude * kLength * random.vector(1.0);
-                states.push_back({shift, elements::exponential(amplitude * random.vector(1.0))});
+                states.push_back({shift, geometry::exponential(amplitude * random.vector(1.0))});
             }
             return in_moments(
                        (response_of(*tile.element, states).force - response_of(*linear, states).force).eval())
@@ -349,7 +350,7 @@ TEST(CorotationalElement, AColumnOfThemBucklesUnderEulersLoad) {
     const auto body = std::make_shared<CorotationalBody>(CorotationalBody::Parts{piece.nodes, stiffness});
     Assembly column;
     for (int i = 0; i <= kPieces; ++i) column.nodes.emplace_back(0.0, length * i / kPieces, 0.0);
-    const Eigen::Matrix3d turn = elements::exponential({0, 0, std::numbers::pi / 2}).toRotationMatrix();
+    const Eigen::Matrix3d turn = geometry::exponential({0, 0, std::numbers::pi / 2}).toRotationMatrix();
     for (int i = 0; i < kPieces; ++i)
         column.elements.push_back(corotational_element({NodeIndex(i), NodeIndex(i + 1)}, body, turn));
     column.supports = {{NodeIndex(0), {{true, true, true, false, true, false}}},
@@ -370,7 +371,7 @@ TEST(CorotationalElement, KnowsTheLargestTurnOfANodeAgainstTheOthers) {
     const Tile tile = std::move(every_shape()[0]);
     std::vector<NodeState> states(tile.places.size());
     EXPECT_NEAR(tile.element->relative_turn(states), 0.0, 1e-15);
-    states[2].rotation = elements::exponential({0, 0, 0.5});
+    states[2].rotation = geometry::exponential({0, 0, 0.5});
     const double turn = tile.element->relative_turn(states);
     EXPECT_GT(turn, 0.4);  // the frame follows a node by less than its share of six
     EXPECT_LT(turn, 0.5);
@@ -382,7 +383,7 @@ TEST(CorotationalElement, TurnsItsMassIntoTheStructuresAxes) {
     CorotationalBody::Parts parts{sample::flat_wheel().nodes, tile.stiffness, [&] { return MatrixXd(own); }};
     parts.nodes.resize(6);
     const auto nodes = tile.element->nodes();
-    const Eigen::Matrix3d turn = elements::exponential({0.1, 0.7, -0.4}).toRotationMatrix();
+    const Eigen::Matrix3d turn = geometry::exponential({0.1, 0.7, -0.4}).toRotationMatrix();
     const auto element =
         corotational_element({nodes.begin(), nodes.end()}, std::make_shared<CorotationalBody>(parts), turn);
     MatrixXd mass;

@@ -3,6 +3,7 @@
 
 #include "sample.hpp"
 
+#include <fretwork/geometry/rotation.hpp>
 #include <fretwork/mechanics/assembly.hpp>
 #include <fretwork/mechanics/linear_element.hpp>
 
@@ -61,7 +62,7 @@ inline std::vector<NodeState> random_states(std::size_t count, double amplitude,
     const Eigen::Quaterniond common = random.rotation();
     for (std::size_t i = 0; i < count; ++i) {
         states[i].displacement = amplitude * kLength * random.vector(1.0);
-        states[i].rotation = elements::exponential(amplitude * random.vector(1.0));
+        states[i].rotation = geometry::exponential(amplitude * random.vector(1.0));
         if (i >= 2) continue;
         const Eigen::Vector3d rest = static_cast<double>(i) * kLength * Eigen::Vector3d(0.6, -0.48, 0.64);
         states[i].displacement += common * rest - rest;
@@ -75,7 +76,7 @@ inline void move(NodeState& state, int dof, double by) {
         state.displacement[dof] += by;
     } else {
         state.rotation =
-            (elements::exponential(by * Eigen::Vector3d::Unit(dof - 3)) * state.rotation).normalized();
+            (geometry::exponential(by * Eigen::Vector3d::Unit(dof - 3)) * state.rotation).normalized();
     }
 }
 

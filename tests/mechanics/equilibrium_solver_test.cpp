@@ -4,7 +4,7 @@
 #include "verification/benchmark_frames.hpp"
 
 #include <fretwork/base/error.hpp>
-#include <fretwork/mechanics/equilibrium_solver.hpp>
+#include <fretwork/mechanics/paths/equilibrium_solver.hpp>
 
 #include <gtest/gtest.h>
 

@@ -4,9 +4,10 @@
 #include "verification/benchmark_frames.hpp"
 
 #include <fretwork/base/error.hpp>
-#include <fretwork/mechanics/equilibrium.hpp>
+#include <fretwork/geometry/rotation.hpp>
 #include <fretwork/mechanics/linear_solver.hpp>
-#include <fretwork/mechanics/relaxation.hpp>
+#include <fretwork/mechanics/paths/equilibrium.hpp>
+#include <fretwork/mechanics/paths/relaxation.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -47,7 +48,7 @@ TEST(Equilibrium, EndMomentRollsCantileverIntoCircularArcs) {
 
 TEST(Equilibrium, RollUpIsIndependentOfOrientation) {
     Frame frame = thin_cantilever(20);
-    const Eigen::Quaterniond turn = elements::exponential({0.7, -0.4, 1.1});
+    const Eigen::Quaterniond turn = geometry::exponential({0.7, -0.4, 1.1});
     frame.nodes[1] = turn * frame.nodes[1];
     frame.loads.push_back({NodeIndex(1), Vector3d::Zero(), turn * Vector3d(0.0, -2.0 * kPi, 0.0)});
     const Solution solution = full_load(frame, 10);
@@ -180,7 +181,7 @@ TEST(Equilibrium, SmallLoadsGiveTheLinearSolution) {
 TEST(Equilibrium, RotatingStructureRotatesSolution) {
     Frame frame = sample::star();
     const Solution before = full_load(frame, 4);
-    const Eigen::Quaterniond turn = elements::exponential({0.7, -0.4, 1.1});
+    const Eigen::Quaterniond turn = geometry::exponential({0.7, -0.4, 1.1});
     for (Beam& beam : frame.beams) beam.normal = turn * Vector3d::UnitZ();
     for (Vector3d& node : frame.nodes) node = turn * node;
     frame.loads[0].force = turn * frame.loads[0].force;

@@ -3,9 +3,9 @@
 #include "support.hpp"
 
 #include <fretwork/base/error.hpp>
-#include <fretwork/base/file.hpp>
-#include <fretwork/mechanics/frame.hpp>
-#include <fretwork/mechanics/frame_file.hpp>
+#include <fretwork/base/files/file.hpp>
+#include <fretwork/mechanics/frame/frame.hpp>
+#include <fretwork/mechanics/frame/frame_file.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 
 #include <fretwork/base/error.hpp>
 #include <fretwork/mechanics/assembly.hpp>
-#include <fretwork/mechanics/frame.hpp>
+#include <fretwork/mechanics/frame/frame.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sample.hpp"
 
-#include <fretwork/mechanics/equilibrium.hpp>
-#include <fretwork/mechanics/linear_range.hpp>
 #include <fretwork/mechanics/linear_solver.hpp>
+#include <fretwork/mechanics/paths/equilibrium.hpp>
+#include <fretwork/mechanics/paths/linear_range.hpp>
 
 #include <gtest/gtest.h>
 

@@ -3,8 +3,9 @@
 #include "sample.hpp"
 
 #include <fretwork/base/error.hpp>
-#include <fretwork/mechanics/equilibrium.hpp>
+#include <fretwork/geometry/rotation.hpp>
 #include <fretwork/mechanics/linear_solver.hpp>
+#include <fretwork/mechanics/paths/equilibrium.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -210,7 +211,7 @@ TEST(LinearSolver, TiltedFlatFrameGivesRotatedSolution) {
     Frame frame = sample::flat_wheel();
     frame.loads.push_back({NodeIndex(4), {0.5, -0.3, 0.7}, {0.001, 0.002, 0.003}});
     const Solution flat = solve_linear(assemble(frame));
-    const Eigen::Quaterniond turn = elements::exponential({0.4, -0.8, 0.3});
+    const Eigen::Quaterniond turn = geometry::exponential({0.4, -0.8, 0.3});
     for (Vector3d& node : frame.nodes) node = turn * node;
     for (Beam& beam : frame.beams) beam.normal = turn * Vector3d::UnitZ();
     frame.loads[0].force = turn * frame.loads[0].force;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "element_kinds.hpp"
 
+#include <fretwork/geometry/rotation.hpp>
+
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -148,7 +150,7 @@ TEST(MixedResponse, TangentHasTheGivenStressesInItsGeometricTerms) {
             });
             for (Eigen::Index at = 3; at < geometric.rows(); at += kDofsPerNode) {
                 const Eigen::Vector3d moment = answer.response.given_force.segment<3>(at);
-                geometric.block<3, 3>(at, at) += 0.5 * elements::cross_matrix(moment);
+                geometric.block<3, 3>(at, at) += 0.5 * geometry::cross_matrix(moment);
             }
             MatrixXd material(answer.slopes.cols(), answer.slopes.cols());
             for (Eigen::Index column = 0; column < material.cols(); ++column) {

@@ -3,7 +3,7 @@
 #include "verification/benchmark_frames.hpp"
 
 #include <fretwork/base/error.hpp>
-#include <fretwork/mechanics/path_tracing.hpp>
+#include <fretwork/mechanics/paths/path_tracing.hpp>
 
 #include <gtest/gtest.h>
 

@@ -2,8 +2,8 @@
 #include "sample.hpp"
 
 #include <fretwork/base/error.hpp>
-#include <fretwork/mechanics/equilibrium.hpp>
-#include <fretwork/mechanics/relaxation.hpp>
+#include <fretwork/mechanics/paths/equilibrium.hpp>
+#include <fretwork/mechanics/paths/relaxation.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

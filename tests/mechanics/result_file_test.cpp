@@ -2,8 +2,8 @@
 #include "support.hpp"
 
 #include <fretwork/base/error.hpp>
-#include <fretwork/base/file.hpp>
-#include <fretwork/mechanics/result_file.hpp>
+#include <fretwork/base/files/file.hpp>
+#include <fretwork/mechanics/results/result_file.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

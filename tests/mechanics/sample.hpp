@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <fretwork/geometry/rotation.hpp>
 #include <fretwork/mechanics/element.hpp>
-#include <fretwork/mechanics/elements/rotation.hpp>
 
 #include <cstdint>
 #include <numbers>
@@ -25,7 +25,7 @@ class Random {
         const double y = next();
         return size * Eigen::Vector3d(x, y, next());
     }
-    Eigen::Quaterniond rotation() { return elements::exponential(vector(2.5)); }
+    Eigen::Quaterniond rotation() { return geometry::exponential(vector(2.5)); }
 
   private:
     std::uint64_t state_;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
+#include <fretwork/geometry/rotation.hpp>
 #include <fretwork/mechanics/assembly.hpp>
-#include <fretwork/mechanics/rotation_vector.hpp>
-#include <fretwork/mechanics/section_forces.hpp>
+#include <fretwork/mechanics/node_states.hpp>
+#include <fretwork/mechanics/results/section_forces.hpp>
 #include <fretwork/mechanics/solve.hpp>
 
 #include <gtest/gtest.h>
@@ -60,11 +61,11 @@ TEST(SectionForces, TurnWithTheBeam) {
     const NodeValues moved = solve({frame, {}}, {.solver = Solver::Linear}).solution.displacements;
     const BeamSection section = section_of(frame);
     const auto at_rest = section.large(
-        {}, {moved.row(1).head<3>().transpose(), rotation_of(moved.row(1).tail<3>().transpose())});
-    const Eigen::Quaterniond turn = rotation_of({0.4, 2.0, -1.1});
+        {}, {moved.row(1).head<3>().transpose(), geometry::exponential(moved.row(1).tail<3>().transpose())});
+    const Eigen::Quaterniond turn = geometry::exponential({0.4, 2.0, -1.1});
     const auto turned = [&](const Eigen::Vector3d& place, const Eigen::Vector<double, 6>& row) {
         const Eigen::Vector3d now = turn * (place + row.head<3>());
-        return NodeState{now - place, turn * rotation_of(row.tail<3>())};
+        return NodeState{now - place, turn * geometry::exponential(row.tail<3>())};
     };
     const auto after = section.large(turned(frame.nodes[0], moved.row(0).transpose()),
                                      turned(frame.nodes[1], moved.row(1).transpose()));
@@ -81,7 +82,7 @@ TEST(SectionForces, OfSmallDisplacementsAreTheSameEitherWay) {
     const NodeValues moved = solve({frame, {}}, {.solver = Solver::Linear}).solution.displacements;
     const auto linear = linear_forces(frame);
     const auto large = section_of(frame).large(
-        {}, {moved.row(1).head<3>().transpose(), rotation_of(moved.row(1).tail<3>().transpose())});
+        {}, {moved.row(1).head<3>().transpose(), geometry::exponential(moved.row(1).tail<3>().transpose())});
     // Displacements are 1e-4 of the length: what is of their second order is left out.
     for (std::size_t i = 0; i < 2; ++i) {
         EXPECT_NEAR(large[i].M2, linear[i].M2, 1e-3 * std::abs(linear[i].M2) + 1e-12);

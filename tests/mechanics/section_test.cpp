@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
-#include <fretwork/mechanics/frame.hpp>
+#include <fretwork/mechanics/frame/frame.hpp>
 
 #include <gtest/gtest.h>
 

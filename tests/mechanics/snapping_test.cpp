@@ -2,9 +2,9 @@
 // Shallow structures of which the load has a limit: beyond it they snap through.
 #include "sample.hpp"
 
-#include <fretwork/mechanics/equilibrium.hpp>
-#include <fretwork/mechanics/relaxation.hpp>
-#include <fretwork/mechanics/snapping.hpp>
+#include <fretwork/mechanics/paths/equilibrium.hpp>
+#include <fretwork/mechanics/paths/relaxation.hpp>
+#include <fretwork/mechanics/paths/snapping.hpp>
 
 #include <gtest/gtest.h>
 

@@ -3,8 +3,8 @@
 #include "support.hpp"
 
 #include <fretwork/base/error.hpp>
-#include <fretwork/mechanics/calculix_file.hpp>
-#include <fretwork/mechanics/frame_file.hpp>
+#include <fretwork/mechanics/decks/calculix_file.hpp>
+#include <fretwork/mechanics/frame/frame_file.hpp>
 #include <fretwork/mechanics/linear_solver.hpp>
 #include <fretwork/mechanics/solve.hpp>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sample.hpp"
 
-#include <fretwork/mechanics/staged_path.hpp>
+#include <fretwork/mechanics/paths/staged_path.hpp>
 
 #include <gtest/gtest.h>
 

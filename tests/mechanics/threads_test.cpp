@@ -2,9 +2,9 @@
 // Results do not depend on the number of threads: not by a bit.
 #include "sample.hpp"
 
-#include <fretwork/mechanics/equilibrium.hpp>
 #include <fretwork/mechanics/linear_solver.hpp>
 #include <fretwork/mechanics/nonlinear/nonlinear_system.hpp>
+#include <fretwork/mechanics/paths/equilibrium.hpp>
 #include <fretwork/mechanics/sparse/ldlt.hpp>
 
 #include <gtest/gtest.h>

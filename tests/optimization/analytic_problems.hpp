@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <fretwork/optimization/least_squares_problem.hpp>
+#include <fretwork/optimization/problems/least_squares_problem.hpp>
 
 namespace fretwork::optimization {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fretwork/optimization/analytic_problems.hpp>
+#include <fretwork/optimization/problems/analytic_problems.hpp>
 #include <fretwork/optimization/random.hpp>
 
 #include <gtest/gtest.h>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Simulated annealing beside the trace that annealing_trace.py writes from the published description.
-#include <fretwork/base/file.hpp>
+#include <fretwork/base/files/file.hpp>
 #include <fretwork/base/text.hpp>
+#include <fretwork/optimization/methods/simulated_annealing.hpp>
 #include <fretwork/optimization/minimize.hpp>
-#include <fretwork/optimization/simulated_annealing.hpp>
 
 #include <gtest/gtest.h>
 

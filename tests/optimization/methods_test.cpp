@@ -2,13 +2,13 @@
 #include "analytic_problems.hpp"
 
 #include <fretwork/base/error.hpp>
-#include <fretwork/optimization/ceres_multistart.hpp>
-#include <fretwork/optimization/detail/box_quadratic.hpp>
-#include <fretwork/optimization/distance_sum_problem.hpp>
-#include <fretwork/optimization/gauss_newton_multistart.hpp>
+#include <fretwork/optimization/methods/ceres_multistart.hpp>
+#include <fretwork/optimization/methods/detail/box_quadratic.hpp>
+#include <fretwork/optimization/methods/gauss_newton_multistart.hpp>
+#include <fretwork/optimization/methods/simulated_annealing.hpp>
 #include <fretwork/optimization/minimize.hpp>
+#include <fretwork/optimization/problems/distance_sum_problem.hpp>
 #include <fretwork/optimization/random.hpp>
-#include <fretwork/optimization/simulated_annealing.hpp>
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include "analytic_problems.hpp"
 #include "evolution_strategy.hpp"
 
-#include <fretwork/base/file.hpp>
+#include <fretwork/base/files/file.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/optimization/minimize.hpp>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pattern/small_layouts.hpp"
 
-#include <fretwork/base/file.hpp>
+#include <fretwork/base/files/file.hpp>
 #include <fretwork/pattern/census.hpp>
-#include <fretwork/pattern/detail/rule_counts.hpp>
+#include <fretwork/pattern/search/rule_counts.hpp>
 
 #include <gtest/gtest.h>
 

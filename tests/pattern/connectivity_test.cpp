@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pattern/small_layouts.hpp"
 
-#include <fretwork/pattern/detail/connectivity.hpp>
 #include <fretwork/pattern/detail/fan_graph.hpp>
+#include <fretwork/pattern/search/connectivity.hpp>
 
 #include <gtest/gtest.h>
 

@@ -92,14 +92,14 @@ TEST(Fan, HasAtLeastThreeSectors) {
 
 TEST(PlaceFan, CommutesWithAffineMaps) {
     const Fan fan = paper7_fan("0-1+1-5+5-6+2-6+4-6");
-    const Polygon hexagon = regular_polygon(6, 0.026);
-    const auto affine = [](const Point2& p) {
-        return Point2{1.7 * p.x - 0.4 * p.y + 0.3, 0.2 * p.x + 0.8 * p.y - 1.1};
+    const geometry::Polygon hexagon = geometry::regular_polygon(6, 0.026);
+    const auto affine = [](const geometry::Point2& p) {
+        return geometry::Point2{1.7 * p.x - 0.4 * p.y + 0.3, 0.2 * p.x + 0.8 * p.y - 1.1};
     };
-    Polygon image;
-    for (const Point2& vertex : hexagon) image.push_back(affine(vertex));
-    const std::vector<Point2> places = place_fan(paper7(), fan, hexagon);
-    const std::vector<Point2> images = place_fan(paper7(), fan, image);
+    geometry::Polygon image;
+    for (const geometry::Point2& vertex : hexagon) image.push_back(affine(vertex));
+    const std::vector<geometry::Point2> places = place_fan(paper7(), fan, hexagon);
+    const std::vector<geometry::Point2> images = place_fan(paper7(), fan, image);
     for (std::size_t i = 0; i < places.size(); ++i) {
         EXPECT_NEAR(images[i].x, affine(places[i]).x, 1e-15);
         EXPECT_NEAR(images[i].y, affine(places[i]).y, 1e-15);
@@ -108,12 +108,13 @@ TEST(PlaceFan, CommutesWithAffineMaps) {
 
 TEST(PlaceFan, RotationByOneSectorMapsTheRegularFanOntoItself) {
     const Fan fan = paper7_fan("0-1+1-5+5-6+2-6+4-6");
-    const std::vector<Point2> places = place_fan(paper7(), fan, regular_polygon(6, 0.026));
+    const std::vector<geometry::Point2> places =
+        place_fan(paper7(), fan, geometry::regular_polygon(6, 0.026));
     const double c = 0.5;
     const double s = std::sqrt(3.0) / 2;
-    for (const Point2& p : places) {
-        const Point2 rotated{c * p.x - s * p.y, s * p.x + c * p.y};
-        const bool found = std::any_of(places.begin(), places.end(), [&](const Point2& q) {
+    for (const geometry::Point2& p : places) {
+        const geometry::Point2 rotated{c * p.x - s * p.y, s * p.x + c * p.y};
+        const bool found = std::any_of(places.begin(), places.end(), [&](const geometry::Point2& q) {
             return std::hypot(q.x - rotated.x, q.y - rotated.y) < 1e-15;
         });
         EXPECT_TRUE(found);
@@ -121,18 +122,18 @@ TEST(PlaceFan, RotationByOneSectorMapsTheRegularFanOntoItself) {
 }
 
 TEST(PlaceFan, InterfaceNodesLieOnTheSidesAsTheLayoutSays) {
-    const Polygon quad = {{0, 0}, {3, 0}, {2, 2}, {0, 1}};
+    const geometry::Polygon quad = {{0, 0}, {3, 0}, {2, 2}, {0, 1}};
     const Fan fan = paper7_fan("0-6", 4);
-    const std::vector<Point2> places = place_fan(paper7(), fan, quad);
-    EXPECT_EQ(places[0], (Point2{1.5, 0}));
-    EXPECT_EQ(places[1], (Point2{2.5, 1}));
-    const Point2 center = centroid(quad);
+    const std::vector<geometry::Point2> places = place_fan(paper7(), fan, quad);
+    EXPECT_EQ(places[0], (geometry::Point2{1.5, 0}));
+    EXPECT_EQ(places[1], (geometry::Point2{2.5, 1}));
+    const geometry::Point2 center = centroid(quad);
     EXPECT_EQ(places[4], center);
 }
 
 TEST(PlaceFan, RefusesPolygonsThatDoNotFit) {
     const Fan fan = paper7_fan("0-6", 4);
-    EXPECT_THROW(place_fan(paper7(), fan, regular_polygon(5, 1.0)), base::InputError);
+    EXPECT_THROW(place_fan(paper7(), fan, geometry::regular_polygon(5, 1.0)), base::InputError);
     EXPECT_THROW(place_fan(paper7(), fan, {{0, 0}, {2, 0}, {0.5, 0.5}, {0, 2}}), base::GeometryError);
     EXPECT_THROW(place_fan(paper7(), fan, {{0, 0}, {0, 1}, {1, 1}, {1, 0}}), base::GeometryError);
 }

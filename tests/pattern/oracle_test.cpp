@@ -4,8 +4,8 @@
 #include "pattern/small_layouts.hpp"
 #include "support.hpp"
 
-#include <fretwork/pattern/detail/random.hpp>
 #include <fretwork/pattern/enumerate.hpp>
+#include <fretwork/pattern/search/random.hpp>
 
 #include <gtest/gtest.h>
 

@@ -45,15 +45,15 @@ TEST(Mirror, IsItsOwnInverse) {
 // The reflection x -> -x, at the axis of sector 0, maps the placed fan of a pattern onto that of its image,
 // up to a few roundings of coordinates of magnitude 1.
 TEST(Mirror, ImageIsTheReflectedFan) {
-    const Polygon hexagon = regular_polygon(6, 1.0);
+    const geometry::Polygon hexagon = geometry::regular_polygon(6, 1.0);
     const Mirror mirror(paper7());
     for (const char* id : {"1-4+4-6+1-2", "0-1+1-6+3-6", "2-3+3-6+0-6"}) {
         const auto places = place_fan(paper7(), make_fan(paper7(), pattern_of(id), 6), hexagon);
         const auto images =
             place_fan(paper7(), make_fan(paper7(), *mirror.image(pattern_of(id)), 6), hexagon);
         ASSERT_EQ(places.size(), images.size());
-        for (const Point2& p : places) {
-            EXPECT_TRUE(std::any_of(images.begin(), images.end(), [&](const Point2& q) {
+        for (const geometry::Point2& p : places) {
+            EXPECT_TRUE(std::any_of(images.begin(), images.end(), [&](const geometry::Point2& q) {
                 return std::hypot(q.x + p.x, q.y - p.y) < 1e-14;
             }));
         }

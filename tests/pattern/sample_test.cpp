@@ -3,9 +3,9 @@
 #include "stops.hpp"
 
 #include <fretwork/base/error.hpp>
-#include <fretwork/pattern/detail/independent_sets.hpp>
 #include <fretwork/pattern/judge.hpp>
 #include <fretwork/pattern/sample.hpp>
+#include <fretwork/pattern/search/independent_sets.hpp>
 
 #include <boost/math/distributions/chi_squared.hpp>
 #include <gtest/gtest.h>

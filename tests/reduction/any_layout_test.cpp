@@ -5,10 +5,10 @@
 
 #include <fretwork/mechanics/linear_solver.hpp>
 #include <fretwork/pattern/sample.hpp>
-#include <fretwork/reduction/condensed_tile.hpp>
-#include <fretwork/reduction/difference_problem.hpp>
+#include <fretwork/reduction/calibration/difference_problem.hpp>
 #include <fretwork/reduction/effective_properties.hpp>
-#include <fretwork/reduction/ring_tile.hpp>
+#include <fretwork/reduction/models/condensed_tile.hpp>
+#include <fretwork/reduction/ring/ring_tile.hpp>
 
 #include <gtest/gtest.h>
 
@@ -129,7 +129,7 @@ TEST(AnyLayout, RingIsThePolygonOfInterfaceNodesTurnedAndScaled) {
     const Setting setting = paper_setting();
     const double theta = 0.2;
     const double R = 0.013;
-    const auto polygon = pattern::regular_polygon(setting.sides, setting.tile_side);
+    const auto polygon = geometry::regular_polygon(setting.sides, setting.tile_side);
     const double apothem = setting.tile_side * std::numbers::sqrt3 / 2.0;
     const auto frame =
         ring_tile(Paper6Parameters{1e-6, 1e-12, 1e-12, 1e-12, theta, R}, two_node_layout(), setting, polygon);

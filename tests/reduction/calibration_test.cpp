@@ -2,8 +2,8 @@
 #include "fixtures.hpp"
 
 #include <fretwork/base/error.hpp>
-#include <fretwork/reduction/calibration.hpp>
-#include <fretwork/reduction/setting_file.hpp>
+#include <fretwork/reduction/calibration/calibration.hpp>
+#include <fretwork/reduction/scenarios/setting_file.hpp>
 
 #include <gtest/gtest.h>
 

@@ -3,8 +3,8 @@
 
 #include <fretwork/base/error.hpp>
 #include <fretwork/mechanics/linear_solver.hpp>
-#include <fretwork/reduction/condensed_tile.hpp>
-#include <fretwork/reduction/objective.hpp>
+#include <fretwork/reduction/calibration/objective.hpp>
+#include <fretwork/reduction/models/condensed_tile.hpp>
 
 #include <Eigen/Eigenvalues>
 #include <gmock/gmock.h>
@@ -14,17 +14,17 @@ namespace fretwork::reduction {
 namespace {
 
 /// The stiffness of a pattern of the paper's layout and bars in a polygon.
-Eigen::MatrixXd condensed_pattern(const pattern::Pattern& pattern, const pattern::Polygon& polygon) {
+Eigen::MatrixXd condensed_pattern(const pattern::Pattern& pattern, const geometry::Polygon& polygon) {
     const TileMaterial bars{paper_setting().section, paper_setting().material};
     return condensed_frame(pattern_frame(paper_layout(), pattern, polygon, bars),
                            static_cast<int>(polygon.size()));
 }
 
 TEST(CondensedTile, IsSymmetricSemidefiniteOfRank6nMinus6InAnyPolygon) {
-    const pattern::Polygon irregular = {
+    const geometry::Polygon irregular = {
         {0.0, 0.0}, {0.03, -0.004}, {0.05, 0.02}, {0.035, 0.045}, {-0.002, 0.03}};
     for (const auto& polygon :
-         {pattern::regular_polygon(6, 0.026), pattern::regular_polygon(3, 0.03), irregular}) {
+         {geometry::regular_polygon(6, 0.026), geometry::regular_polygon(3, 0.03), irregular}) {
         const auto K = condensed_pattern(paper_pattern("0-1+1-6"), polygon);
         const auto size = static_cast<Eigen::Index>(6 * polygon.size());
         ASSERT_EQ(K.rows(), size);
@@ -43,7 +43,7 @@ TEST(CondensedTile, HasTheDisplacementsOfTheWholeFrameUnderEveryScenario) {
     const Setting setting = paper_setting();
     for (const char* id : {"0-1+1-6", "1-6+3-6"}) {
         const auto pattern = paper_pattern(id);
-        const auto K = condensed_pattern(pattern, pattern::regular_polygon(6, setting.tile_side));
+        const auto K = condensed_pattern(pattern, geometry::regular_polygon(6, setting.tile_side));
         const auto model = unit_displacements(K, setting);
         const auto tile = pattern_frame(paper_layout(), pattern, setting);
         for (std::size_t s = 0; s < 5; ++s) {
@@ -71,7 +71,7 @@ TEST(CondensedTile, ErrorTendsToZeroWithTheLoads) {
 
 TEST(CondensedTile, RefusesAPatternThatLeavesInterfaceNodesFree) {
     try {
-        (void)condensed_pattern(paper_pattern("0-1"), pattern::regular_polygon(6, 0.026));
+        (void)condensed_pattern(paper_pattern("0-1"), geometry::regular_polygon(6, 0.026));
         FAIL();
     } catch (const base::InputError& error) {
         EXPECT_THAT(error.what(), testing::HasSubstr("interface node 0"));
@@ -82,7 +82,7 @@ TEST(UnitDisplacements, RefuseATileThatCanMoveFreely) {
     Setting setting = paper_setting();
     setting.scenarios[4].supports.clear();
     const auto K =
-        condensed_pattern(paper_pattern("0-1+1-6"), pattern::regular_polygon(6, setting.tile_side));
+        condensed_pattern(paper_pattern("0-1+1-6"), geometry::regular_polygon(6, setting.tile_side));
     EXPECT_THROW((void)unit_displacements(K, setting), base::NumericalError);
 }
 

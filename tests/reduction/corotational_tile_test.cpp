@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fixtures.hpp"
 
-#include <fretwork/mechanics/equilibrium.hpp>
 #include <fretwork/mechanics/linear_solver.hpp>
 #include <fretwork/mechanics/modes.hpp>
-#include <fretwork/reduction/corotational_tile.hpp>
-#include <fretwork/reduction/model_response.hpp>
+#include <fretwork/mechanics/paths/equilibrium.hpp>
+#include <fretwork/reduction/calibration/model_response.hpp>
+#include <fretwork/reduction/models/corotational_tile.hpp>
 
 #include <gtest/gtest.h>
 

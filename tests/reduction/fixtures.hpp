@@ -4,10 +4,10 @@
 #include <fretwork/optimization/random.hpp>
 #include <fretwork/pattern/node_layout.hpp>
 #include <fretwork/pattern/pattern.hpp>
-#include <fretwork/reduction/calibration.hpp>
+#include <fretwork/reduction/calibration/calibration.hpp>
 #include <fretwork/reduction/linear_response.hpp>
 #include <fretwork/reduction/response.hpp>
-#include <fretwork/reduction/ring_problem.hpp>
+#include <fretwork/reduction/ring/ring_problem.hpp>
 
 #include <cmath>
 #include <numbers>

@@ -3,9 +3,9 @@
 
 #include <fretwork/mechanics/condensation.hpp>
 #include <fretwork/mechanics/solve.hpp>
-#include <fretwork/reduction/condensed_tile.hpp>
 #include <fretwork/reduction/effective_properties.hpp>
-#include <fretwork/reduction/joints.hpp>
+#include <fretwork/reduction/models/condensed_tile.hpp>
+#include <fretwork/reduction/scenarios/joints.hpp>
 
 #include <gtest/gtest.h>
 
@@ -27,7 +27,7 @@ Setting stiff_setting() {
 std::vector<double> reaches_of_star(const std::vector<double>& directions) {
     pattern::Fan fan{.sides = 3};
     fan.nodes.resize(directions.size() + 1);
-    std::vector<pattern::Point2> places{{0.0, 0.0}};
+    std::vector<geometry::Point2> places{{0.0, 0.0}};
     for (std::size_t i = 0; i < directions.size(); ++i) {
         const double angle = directions[i] * kDegree;
         places.push_back({std::cos(angle), std::sin(angle)});
@@ -59,7 +59,7 @@ TEST(JointReach, OfTwoNeighboursTheOneThatPartsLaterCounts) {
 /// The reach along a fan's bars of one pattern in the regular hexagon.
 std::vector<double> reaches_of(std::string_view id) {
     const pattern::Fan fan = pattern::make_fan(paper_layout(), paper_pattern(id), 6);
-    return joint_reaches(fan, pattern::place_fan(paper_layout(), fan, pattern::regular_polygon(6, 0.026)));
+    return joint_reaches(fan, pattern::place_fan(paper_layout(), fan, geometry::regular_polygon(6, 0.026)));
 }
 
 TEST(JointReach, BeyondASideTheTileCountsAsItsOwnNeighbour) {

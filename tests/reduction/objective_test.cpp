@@ -2,7 +2,7 @@
 #include "fixtures.hpp"
 
 #include <fretwork/base/error.hpp>
-#include <fretwork/reduction/objective.hpp>
+#include <fretwork/reduction/calibration/objective.hpp>
 
 #include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>

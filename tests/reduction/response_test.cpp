@@ -4,7 +4,7 @@
 
 #include <fretwork/base/error.hpp>
 #include <fretwork/mechanics/linear_solver.hpp>
-#include <fretwork/reduction/model_response.hpp>
+#include <fretwork/reduction/calibration/model_response.hpp>
 #include <fretwork/reduction/response.hpp>
 
 #include <gtest/gtest.h>

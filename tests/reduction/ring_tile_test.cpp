@@ -3,8 +3,8 @@
 
 #include <fretwork/base/error.hpp>
 #include <fretwork/mechanics/linear_solver.hpp>
-#include <fretwork/reduction/condensed_tile.hpp>
-#include <fretwork/reduction/ring_tile.hpp>
+#include <fretwork/reduction/models/condensed_tile.hpp>
+#include <fretwork/reduction/ring/ring_tile.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ namespace {
 /// The tile in the setting's own polygon.
 mechanics::Frame regular_tile(const RingParts& parts, const Setting& setting) {
     return ring_tile(parts, paper_layout(), setting,
-                     pattern::regular_polygon(setting.sides, setting.tile_side));
+                     geometry::regular_polygon(setting.sides, setting.tile_side));
 }
 
 /// The tile as any other frame, solved by the general solver, for 1 N.
@@ -200,9 +200,9 @@ TEST(RingTile, RingKeepsItsBarycentricCoordinatesInOtherPolygons) {
     const Setting setting = paper_setting();
     const Paper6Parameters parameters{1e-6, 1e-12, 1e-12, 1e-12, -0.2, 0.015};
     const auto regular = regular_tile(parameters, setting);
-    auto polygon = pattern::regular_polygon(6, setting.tile_side);
+    auto polygon = geometry::regular_polygon(6, setting.tile_side);
     const auto stretch = [](double x, double y) {
-        return pattern::Point2{1.3 * x + 0.2 * y + 5.0, 0.9 * y - 2.0};
+        return geometry::Point2{1.3 * x + 0.2 * y + 5.0, 0.9 * y - 2.0};
     };
     for (auto& point : polygon) point = stretch(point.x, point.y);
     const auto stretched = ring_tile(parameters, paper_layout(), setting, polygon);
@@ -211,12 +211,12 @@ TEST(RingTile, RingKeepsItsBarycentricCoordinatesInOtherPolygons) {
         EXPECT_NEAR(stretched.nodes[i].x(), expected.x, 1e-12);
         EXPECT_NEAR(stretched.nodes[i].y(), expected.y, 1e-12);
     }
-    EXPECT_EQ(ring_tile(parameters, paper_layout(), setting, pattern::regular_polygon(5, 0.02)).beams.size(),
+    EXPECT_EQ(ring_tile(parameters, paper_layout(), setting, geometry::regular_polygon(5, 0.02)).beams.size(),
               10U);
 }
 
 TEST(RingTile, RefusesAPolygonThatIsNotConvex) {
-    const pattern::Polygon dart = {{0, 0}, {2, -1}, {1, 0}, {2, 1}};
+    const geometry::Polygon dart = {{0, 0}, {2, -1}, {1, 0}, {2, 1}};
     EXPECT_THROW((void)ring_tile(Paper6Parameters{1e-6, 1e-12, 1e-12, 1e-12, 0, 0.01}, paper_layout(),
                                  paper_setting(), dart),
                  base::GeometryError);

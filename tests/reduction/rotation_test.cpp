@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/geometry/rotation.hpp>
 #include <fretwork/reduction/detail/rotation.hpp>
 
 #include <gtest/gtest.h>
@@ -88,7 +89,8 @@ TEST(GrowingRotation, IsTheRotationOfTheGrownVector) {
                 growing.advance();
                 magnitude += step;
                 const Eigen::Vector3d vector = magnitude * rate;
-                const Eigen::Vector4d difference = growing.rotation().coeffs() - rotation_of(vector).coeffs();
+                const Eigen::Vector4d difference =
+                    growing.rotation().coeffs() - geometry::exponential(vector).coeffs();
                 EXPECT_LT(difference.norm(), kTolerance * (1.0 + vector.norm()));
                 // The imaginary part is exact relative to itself, however small.
                 EXPECT_LE(difference.head<3>().norm(), kTolerance * vector.norm());
@@ -109,7 +111,8 @@ TEST(GrowingRotation, JacobianAgreesWithFiniteDifferences) {
                 constexpr double kStep = 1e-5;
                 const Eigen::Vector3d e = kStep * Eigen::Vector3d::Unit(i);
                 const auto change = [&](const Eigen::Vector3d& moved) {
-                    return rotation_vector_of(rotation_of(v).conjugate() * rotation_of(moved));
+                    return geometry::logarithm(geometry::exponential(v).conjugate() *
+                                               geometry::exponential(moved));
                 };
                 const Eigen::Vector3d slope = (change(v + e) - change(v - e)) / (2.0 * kStep);
                 EXPECT_LT((jacobian.col(i) - slope).norm(), 1e-9) << v.transpose();

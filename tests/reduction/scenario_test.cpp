@@ -2,9 +2,9 @@
 #include "fixtures.hpp"
 
 #include <fretwork/base/error.hpp>
-#include <fretwork/base/file.hpp>
+#include <fretwork/base/files/file.hpp>
 #include <fretwork/mechanics/linear_solver.hpp>
-#include <fretwork/reduction/scenario.hpp>
+#include <fretwork/reduction/scenarios/scenario.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

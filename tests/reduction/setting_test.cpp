@@ -2,8 +2,8 @@
 #include "support.hpp"
 
 #include <fretwork/base/error.hpp>
-#include <fretwork/reduction/setting.hpp>
-#include <fretwork/reduction/setting_file.hpp>
+#include <fretwork/reduction/scenarios/setting.hpp>
+#include <fretwork/reduction/scenarios/setting_file.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -4,10 +4,10 @@
 
 #include <fretwork/base/error.hpp>
 #include <fretwork/mechanics/condensation.hpp>
-#include <fretwork/reduction/condensed_tile.hpp>
-#include <fretwork/reduction/difference_problem.hpp>
-#include <fretwork/reduction/model_response.hpp>
-#include <fretwork/reduction/tile_model.hpp>
+#include <fretwork/reduction/calibration/difference_problem.hpp>
+#include <fretwork/reduction/calibration/model_response.hpp>
+#include <fretwork/reduction/models/condensed_tile.hpp>
+#include <fretwork/reduction/models/tile_model.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -45,7 +45,7 @@ TEST(TileModels, AreFoundByName) {
 /// Each spring to the ground resists some motions; the one that it resists most is named.
 TEST(TileModels, OfAStiffnessThatResistsARigidMotionAreRefusedWithTheMotion) {
     const Setting setting = paper_setting();
-    const pattern::Polygon polygon = pattern::regular_polygon(6, setting.tile_side);
+    const geometry::Polygon polygon = geometry::regular_polygon(6, setting.tile_side);
     const auto fan = pattern::make_fan(paper_layout(), paper_pattern("0-1+1-6"), 6);
     const TileInput input{paper_layout(), fan, setting, polygon, {}};
     const Eigen::MatrixXd free =
@@ -87,7 +87,7 @@ TEST(TileModels, HaveParametersWithUnitsAndBounds) {
 
 TEST(TileModels, BuildATileBetweenTheInterfaceNodesOfAnyPolygon) {
     const Setting setting = paper_setting();
-    const pattern::Polygon irregular = {
+    const geometry::Polygon irregular = {
         {0.0, 0.0}, {0.03, -0.004}, {0.05, 0.02}, {0.035, 0.045}, {-0.002, 0.03}};
     const auto fan = pattern::make_fan(paper_layout(), paper_pattern("0-1+1-6"), 5);
     for (const TileModel& model : tile_models()) {

@@ -3,9 +3,9 @@
 #include "support.hpp"
 
 #include <fretwork/pattern/sample.hpp>
-#include <fretwork/reduction/condensed_tile.hpp>
-#include <fretwork/simulation/comparison.hpp>
-#include <fretwork/simulation/new_project.hpp>
+#include <fretwork/reduction/models/condensed_tile.hpp>
+#include <fretwork/simulation/project/new_project.hpp>
+#include <fretwork/simulation/results/comparison.hpp>
 #include <fretwork/simulation/simulate.hpp>
 
 #include <gtest/gtest.h>
@@ -29,7 +29,7 @@ Surface sheet(const pattern::NodeLayout& layout) {
         if (!options.painting.palette.empty()) options.painting.palette += ",";
         options.painting.palette += pattern_id(layout, pattern);
     }
-    const auto outline = tiling::make_outline({{0, 0}, {0.3, 0}, {0.3, 0.18}, {0, 0.18}}, {});
+    const auto outline = outlines::make_outline({{0, 0}, {0.3, 0}, {0.3, 0.18}, {0, 0.18}}, {});
     Surface surface = make_surface(make_project(outline, options, nullptr).project, nullptr);
     surface.setting.divisions = 1;
     surface.setting.magnitudes = 2;

@@ -4,10 +4,10 @@
 #include "support.hpp"
 
 #include <fretwork/library/fill.hpp>
-#include <fretwork/reduction/condensed_tile.hpp>
-#include <fretwork/reduction/model_response.hpp>
-#include <fretwork/reduction/objective.hpp>
-#include <fretwork/simulation/comparison.hpp>
+#include <fretwork/reduction/calibration/model_response.hpp>
+#include <fretwork/reduction/calibration/objective.hpp>
+#include <fretwork/reduction/models/condensed_tile.hpp>
+#include <fretwork/simulation/results/comparison.hpp>
 #include <fretwork/simulation/simulate.hpp>
 
 #include <gmock/gmock.h>

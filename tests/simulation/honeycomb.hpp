@@ -15,13 +15,13 @@ namespace fretwork::test {
 /// Collects points; equal ones (to a micrometre) are one.
 class PointSet {
   public:
-    int add(const pattern::Point2& point) {
+    int add(const geometry::Point2& point) {
         const auto key = std::pair(std::lround(point.x * 1e6), std::lround(point.y * 1e6));
         const auto [place, is_new] = numbers_.emplace(key, static_cast<int>(points.size()));
         if (is_new) points.push_back(point);
         return place->second;
     }
-    std::vector<pattern::Point2> points;
+    std::vector<geometry::Point2> points;
 
   private:
     std::map<std::pair<long, long>, int> numbers_;
@@ -32,7 +32,7 @@ class PointSet {
 inline simulation::Project honeycomb(int columns, int rows, std::vector<std::string> patterns,
                                      int first_vertex = 0) {
     const double side = 0.015 * std::sqrt(3.0);
-    const pattern::Polygon hexagon = pattern::regular_polygon(6, side);
+    const geometry::Polygon hexagon = geometry::regular_polygon(6, side);
     simulation::Project project;
     tiling::Tessellation& tessellation = project.tessellation;
     tessellation.layout = "paper7";
@@ -46,8 +46,8 @@ inline simulation::Project honeycomb(int columns, int rows, std::vector<std::str
             tiling::Tile tile;
             tile.pattern = static_cast<int>(tessellation.tiles.size() % tessellation.patterns.size());
             for (int k = 0; k < 6; ++k) {
-                const pattern::Point2& a = hexagon[static_cast<std::size_t>((k + first_vertex) % 6)];
-                const pattern::Point2& b = hexagon[static_cast<std::size_t>((k + first_vertex + 1) % 6)];
+                const geometry::Point2& a = hexagon[static_cast<std::size_t>((k + first_vertex) % 6)];
+                const geometry::Point2& b = hexagon[static_cast<std::size_t>((k + first_vertex + 1) % 6)];
                 tile.vertices.emplace_back(vertices.add({x + a.x, y + a.y}));
                 tile.interface_nodes.emplace_back(
                     interface_nodes.add({x + (a.x + b.x) / 2, y + (a.y + b.y) / 2}));
@@ -59,7 +59,7 @@ inline simulation::Project honeycomb(int columns, int rows, std::vector<std::str
     tessellation.interface_nodes = interface_nodes.points;
     const double w = 1.5 * side * (columns + 1);
     const double h = std::sqrt(3.0) * side * (rows + 1);
-    project.outline = tiling::make_outline({{-w, -h}, {w, -h}, {w, h}, {-w, h}}, {});
+    project.outline = outlines::make_outline({{-w, -h}, {w, -h}, {w, h}, {-w, h}}, {});
     return project;
 }
 

@@ -2,10 +2,10 @@
 #include "honeycomb.hpp"
 #include "support.hpp"
 
-#include <fretwork/simulation/combination.hpp>
-#include <fretwork/simulation/conditions.hpp>
-#include <fretwork/simulation/load_case_file.hpp>
-#include <fretwork/simulation/load_case_text.hpp>
+#include <fretwork/simulation/load_cases/combination.hpp>
+#include <fretwork/simulation/load_cases/conditions.hpp>
+#include <fretwork/simulation/load_cases/load_case_file.hpp>
+#include <fretwork/simulation/load_cases/load_case_text.hpp>
 
 namespace fretwork::simulation {
 namespace {
@@ -183,7 +183,7 @@ TEST(LoadCaseFile, RefusesUnknownKeysAndBadValuesWithTheirPlace) {
 const NodesInBox kEverywhere{{-10, -10, 10, 10}};
 
 double area_of(const tiling::Tessellation& tessellation, std::size_t tile) {
-    return pattern::signed_area(tiling::tile_polygon(tessellation, tiling::TileIndex(tile)));
+    return geometry::signed_area(tiling::tile_polygon(tessellation, tiling::TileIndex(tile)));
 }
 
 Eigen::Vector3d total_force(const Conditions& conditions) {
@@ -264,9 +264,9 @@ TEST(LineLoad, BetweenTwoPointsRunsTheShorterWayAlongTheRim) {
     const Surface surface = make_surface(test::honeycomb(4, 3, {"0-1+1-6"}), nullptr);
     const auto& vertices = surface.tessellation.vertices;
     const tiling::Tile& corner = surface.tessellation.tiles.front();  // its first side faces down
-    const pattern::Point2 a = vertices[static_cast<std::size_t>(corner.vertices[0])];
-    const pattern::Point2 b = vertices[static_cast<std::size_t>(corner.vertices[1])];
-    const pattern::Point2 middle{(a.x + b.x) / 2, (a.y + b.y) / 2 - 0.01};
+    const geometry::Point2 a = vertices[static_cast<std::size_t>(corner.vertices[0])];
+    const geometry::Point2 b = vertices[static_cast<std::size_t>(corner.vertices[1])];
+    const geometry::Point2 middle{(a.x + b.x) / 2, (a.y + b.y) / 2 - 0.01};
     LoadCase load_case;
     load_case.name = "rail";
     for (const auto& ends : {std::array{a, b}, std::array{b, a}}) {

@@ -2,12 +2,12 @@
 #include "../support.hpp"
 #include "honeycomb.hpp"
 
-#include <fretwork/simulation/comparison.hpp>
 #include <fretwork/simulation/mixed_model.hpp>
-#include <fretwork/simulation/model_error.hpp>
+#include <fretwork/simulation/results/comparison.hpp>
+#include <fretwork/simulation/results/model_error.hpp>
+#include <fretwork/simulation/results/tile_stability.hpp>
 #include <fretwork/simulation/session.hpp>
 #include <fretwork/simulation/simulate.hpp>
-#include <fretwork/simulation/tile_stability.hpp>
 
 namespace fretwork::simulation {
 namespace {

@@ -3,8 +3,8 @@
 #include "support.hpp"
 
 #include <fretwork/base/text.hpp>
-#include <fretwork/simulation/load_case_file.hpp>
-#include <fretwork/simulation/project_file.hpp>
+#include <fretwork/simulation/load_cases/load_case_file.hpp>
+#include <fretwork/simulation/project/project_file.hpp>
 
 #include <regex>
 

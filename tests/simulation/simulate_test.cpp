@@ -3,9 +3,9 @@
 #include "support.hpp"
 
 #include <fretwork/base/text.hpp>
-#include <fretwork/mechanics/frame_file.hpp>
+#include <fretwork/mechanics/frame/frame_file.hpp>
 #include <fretwork/mechanics/linear_solver.hpp>
-#include <fretwork/simulation/comparison.hpp>
+#include <fretwork/simulation/results/comparison.hpp>
 #include <fretwork/simulation/simulate.hpp>
 #include <fretwork/simulation/surface_frame.hpp>
 

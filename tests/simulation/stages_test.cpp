@@ -2,7 +2,7 @@
 #include "honeycomb.hpp"
 #include "support.hpp"
 
-#include <fretwork/simulation/result_subject.hpp>
+#include <fretwork/simulation/results/result_subject.hpp>
 #include <fretwork/simulation/simulate.hpp>
 #include <fretwork/simulation/stages.hpp>
 

@@ -3,8 +3,8 @@
 #include "support.hpp"
 
 #include <fretwork/reduction/response.hpp>
+#include <fretwork/simulation/results/surface_beams.hpp>
 #include <fretwork/simulation/simulate.hpp>
-#include <fretwork/simulation/surface_beams.hpp>
 
 #include <gtest/gtest.h>
 

@@ -11,7 +11,7 @@ namespace {
 /// A surface of one hexagon, larger than the paper's.
 Surface one_tile(double scale) {
     Surface surface = make_surface(test::honeycomb(1, 1, {"0-1+1-6"}), nullptr);
-    for (pattern::Point2& vertex : surface.tessellation.vertices)
+    for (geometry::Point2& vertex : surface.tessellation.vertices)
         vertex = {scale * vertex.x, scale * vertex.y};
     return surface;
 }

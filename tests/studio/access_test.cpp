@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "running_studio.hpp"
 
+#include <studio/server/access.hpp>
+#include <studio/server/http_server.hpp>
+
 #include <gmock/gmock.h>
 
-#include <studio/access.hpp>
-#include <studio/http_server.hpp>
 #include <sys/resource.h>
 
 namespace fretwork::studio {

@@ -4,7 +4,7 @@
 
 #include <fretwork/base/text.hpp>
 #include <fretwork/exports/writer_catalogue.hpp>
-#include <fretwork/simulation/load_case_file.hpp>
+#include <fretwork/simulation/load_cases/load_case_file.hpp>
 #include <fretwork/simulation/simulate.hpp>
 
 #include <gmock/gmock.h>

@@ -2,7 +2,7 @@
 // Names and paths in messages that no file can have.
 #include "running_studio.hpp"
 
-#include <fretwork/base/base64.hpp>
+#include <fretwork/base/files/base64.hpp>
 
 #include <gmock/gmock.h>
 

@@ -2,7 +2,7 @@
 // What the studio paints, and what `fretwork paint` does.
 #include "running_studio.hpp"
 
-#include <fretwork/base/base64.hpp>
+#include <fretwork/base/files/base64.hpp>
 
 #include <gmock/gmock.h>
 

@@ -2,18 +2,18 @@
 // Parts of the server by themselves.
 #include "running_studio.hpp"
 
-#include <fretwork/base/base64.hpp>
-#include <fretwork/reduction/setting_file.hpp>
+#include <fretwork/base/files/base64.hpp>
+#include <fretwork/reduction/scenarios/setting_file.hpp>
 #include <fretwork/tiling/rim_loops.hpp>
+#include <studio/document/edits.hpp>
+#include <studio/document/history.hpp>
+#include <studio/server/background.hpp>
+#include <studio/server/outgoing.hpp>
 
 #include <gmock/gmock.h>
 
 #include <future>
 #include <random>
-#include <studio/background.hpp>
-#include <studio/edits.hpp>
-#include <studio/history.hpp>
-#include <studio/outgoing.hpp>
 
 namespace fretwork::studio {
 namespace {

@@ -2,8 +2,8 @@
 // What was not saved, when a server ends or another document is opened.
 #include "running_studio.hpp"
 
-#include <fretwork/base/base64.hpp>
-#include <fretwork/base/file.hpp>
+#include <fretwork/base/files/base64.hpp>
+#include <fretwork/base/files/file.hpp>
 
 #include <gmock/gmock.h>
 

@@ -6,11 +6,11 @@
 #include "simulation/honeycomb.hpp"
 #include "support.hpp"
 
-#include <fretwork/simulation/project_file.hpp>
+#include <fretwork/simulation/project/project_file.hpp>
+#include <studio/studio.hpp>
 
 #include <memory>
 #include <optional>
-#include <studio/studio.hpp>
 #include <thread>
 
 namespace fretwork::test {

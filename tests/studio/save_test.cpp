@@ -2,8 +2,8 @@
 // Nobody's work is lost where several programs write one project.
 #include "running_studio.hpp"
 
-#include <fretwork/base/file.hpp>
-#include <fretwork/base/file_lock.hpp>
+#include <fretwork/base/files/file.hpp>
+#include <fretwork/base/files/file_lock.hpp>
 
 #include <gmock/gmock.h>
 

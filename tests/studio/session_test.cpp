@@ -2,8 +2,8 @@
 // What pages ask of a server, and what they are told.
 #include "running_studio.hpp"
 
-#include <fretwork/base/base64.hpp>
-#include <fretwork/simulation/load_case_file.hpp>
+#include <fretwork/base/files/base64.hpp>
+#include <fretwork/simulation/load_cases/load_case_file.hpp>
 #include <fretwork/simulation/simulate.hpp>
 
 #include <gmock/gmock.h>

@@ -2,7 +2,7 @@
 // Memory of a server that is edited for long. FRETWORK_SOAK_EDITS=200000 makes it an hour.
 #include "running_studio.hpp"
 
-#include <fretwork/simulation/load_case_file.hpp>
+#include <fretwork/simulation/load_cases/load_case_file.hpp>
 
 #include <cstdlib>
 #include <fstream>

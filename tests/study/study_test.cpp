@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "support.hpp"
 
-#include <fretwork/base/file.hpp>
+#include <fretwork/base/files/file.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/study/run_table.hpp>
 #include <fretwork/study/study.hpp>

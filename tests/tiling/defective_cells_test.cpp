@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fretwork/tiling/detail/defective_cells.hpp>
+#include <fretwork/tiling/dual/defective_cells.hpp>
 
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@ Dual row_of_squares() {
 double area_of_all(const Dual& dual) {
     double area = 0.0;
     for (std::size_t cell = 0; cell < dual.cells.size(); ++cell)
-        area += pattern::signed_area(polygon_of(dual, cell));
+        area += geometry::signed_area(polygon_of(dual, cell));
     return area;
 }
 

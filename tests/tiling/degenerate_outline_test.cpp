@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Outlines with parts that are far smaller than a tile: needles, slits, near touches, points that are almost
 // one.
-#include "outlines.hpp"
+#include "outlines/outlines.hpp"
 
 #include <fretwork/tiling/tessellate.hpp>
 #include <fretwork/tiling/tessellation_check.hpp>
@@ -12,15 +12,15 @@
 namespace fretwork::tiling {
 namespace {
 
-using pattern::Point2;
-using pattern::Polygon;
+using geometry::Point2;
+using geometry::Polygon;
 using test::complaint_of;
 using testing::AllOf;
 using testing::HasSubstr;
 
 constexpr double kSide = 0.026;  // m, of the tiles
 
-TessellationResult tile(const Outline& outline, int relaxations = 50) {
+TessellationResult tile(const outlines::Outline& outline, int relaxations = 50) {
     const auto layout = pattern::find_node_layout("paper7");
     TessellationResult result =
         tessellate(outline, layout, {.edge_length = kSide, .relaxation_iterations = relaxations});
@@ -28,7 +28,7 @@ TessellationResult tile(const Outline& outline, int relaxations = 50) {
     return result;
 }
 
-std::string complaint_about(const Outline& outline) {
+std::string complaint_about(const outlines::Outline& outline) {
     return complaint_of([&] { tile(outline); });
 }
 
@@ -37,74 +37,77 @@ const Polygon kPlate = {{0, 0}, {0.4, 0}, {0.4, 0.3}, {0, 0.3}};
 class TinyGap : public testing::TestWithParam<double> {};
 
 TEST_P(TinyGap, BetweenAHoleAndTheBoundaryIsRefusedWithItsPlace) {
-    const Outline outline = make_outline(kPlate, {{{0.2, GetParam()}, {0.25, 0.1}, {0.15, 0.1}}});
+    const outlines::Outline outline =
+        outlines::make_outline(kPlate, {{{0.2, GetParam()}, {0.25, 0.1}, {0.15, 0.1}}});
     EXPECT_THAT(complaint_about(outline), AllOf(HasSubstr("from another part of the outline"),
                                                 HasSubstr("near (0.2, "), HasSubstr("need 2.6e-06 m")));
 }
 TEST_P(TinyGap, BetweenAHoleAndAnAxisChangesNothing) {
     Polygon plate = kPlate;
     for (Point2& p : plate) p.y -= 0.15;
-    const Outline outline = make_outline(plate, {{{0.2, GetParam()}, {0.25, 0.1}, {0.15, 0.1}}});
-    const Outline exact = make_outline(plate, {{{0.2, 0}, {0.25, 0.1}, {0.15, 0.1}}});
+    const outlines::Outline outline =
+        outlines::make_outline(plate, {{{0.2, GetParam()}, {0.25, 0.1}, {0.15, 0.1}}});
+    const outlines::Outline exact = outlines::make_outline(plate, {{{0.2, 0}, {0.25, 0.1}, {0.15, 0.1}}});
     EXPECT_EQ(tile(outline).report.tiles, tile(exact).report.tiles);
 }
 INSTANTIATE_TEST_SUITE_P(Sizes, TinyGap, testing::Values(1e-300, 1e-200, 1e-170, 1e-150, 1e-20));
 
 TEST(DegenerateOutline, ANeedleIsRefusedWithItsWidthAndPlace) {
-    const Outline pointed =
-        make_outline({{0, 0}, {1, 0}, {1, 0.5}, {100, 0.5 + 1e-9}, {1, 0.5 + 2e-9}, {1, 1}, {0, 1}}, {});
+    const outlines::Outline pointed = outlines::make_outline(
+        {{0, 0}, {1, 0}, {1, 0.5}, {100, 0.5 + 1e-9}, {1, 0.5 + 2e-9}, {1, 1}, {0, 1}}, {});
     EXPECT_THAT(complaint_about(pointed), AllOf(HasSubstr("the boundary is"), HasSubstr("needle")));
-    const Outline blunt = make_outline(
+    const outlines::Outline blunt = outlines::make_outline(
         {{0, 0}, {1, 0}, {1, 0.5}, {101, 0.5}, {101, 0.5 + 1e-7}, {1, 0.5 + 1e-7}, {1, 1}, {0, 1}}, {});
     EXPECT_THAT(complaint_about(blunt), HasSubstr("is 1e-07 m from"));
-    const Outline strip = make_outline({{0, 0}, {10, 0}, {10, 1e-7}, {0, 1e-7}}, {});
+    const outlines::Outline strip = outlines::make_outline({{0, 0}, {10, 0}, {10, 1e-7}, {0, 1e-7}}, {});
     EXPECT_THAT(complaint_about(strip), HasSubstr("is 1e-07 m from"));
 }
 
 TEST(DegenerateOutline, ASlitIsRefusedWhereItIsTooNarrowAndTakenWhereItIsNot) {
     const auto with_slit = [](double width) {
-        return make_outline({{0, 0},
-                             {0.4, 0},
-                             {0.4, 0.15},
-                             {0.3, 0.15},
-                             {0.3, 0.15 + width},
-                             {0.4, 0.15 + width},
-                             {0.4, 0.3},
-                             {0, 0.3}},
-                            {});
+        return outlines::make_outline({{0, 0},
+                                       {0.4, 0},
+                                       {0.4, 0.15},
+                                       {0.3, 0.15},
+                                       {0.3, 0.15 + width},
+                                       {0.4, 0.15 + width},
+                                       {0.4, 0.3},
+                                       {0, 0.3}},
+                                      {});
     };
     EXPECT_THAT(complaint_about(with_slit(1e-6)), HasSubstr("is 1e-06 m from"));
     EXPECT_NO_THROW(tile(with_slit(1e-4)));
 }
 
 TEST(DegenerateOutline, AHoleLikeAPointIsRefused) {
-    const Outline outline = make_outline(kPlate, {{{0.2, 0.1}, {0.2 + 1e-6, 0.1}, {0.2, 0.1 + 1e-6}}});
+    const outlines::Outline outline =
+        outlines::make_outline(kPlate, {{{0.2, 0.1}, {0.2 + 1e-6, 0.1}, {0.2, 0.1 + 1e-6}}});
     EXPECT_THAT(complaint_about(outline), AllOf(HasSubstr("hole 0"), HasSubstr("near (0.2, 0.1)")));
 }
 
 TEST(DegenerateOutline, ASharpTipIsNoNeedle) {
     // Tips of 6 degrees occur in drawings. No tile fits into them, and they stay uncovered.
-    const Outline kite = make_outline({{0, 0}, {0.2, -0.1}, {2, 0}, {0.2, 0.1}}, {});
+    const outlines::Outline kite = outlines::make_outline({{0, 0}, {0.2, -0.1}, {2, 0}, {0.2, 0.1}}, {});
     EXPECT_LT(tile(kite).report.covered_share, 1.0);
 }
 
 TEST(DegenerateOutline, PointsThatAreAlmostOneAreLeftOutAndCounted) {
-    const Outline outline =
-        make_outline({{0, 0}, {1e-200, 0}, {0.4, 0}, {0.4, 0.3}, {0.4 - 1e-9, 0.3}, {0, 0.3}}, {});
+    const outlines::Outline outline =
+        outlines::make_outline({{0, 0}, {1e-200, 0}, {0.4, 0}, {0.4, 0.3}, {0.4 - 1e-9, 0.3}, {0, 0.3}}, {});
     const TessellationReport report = tile(outline).report;
     EXPECT_EQ(report.negligible_points, 2);
-    EXPECT_EQ(report.tiles, tile(make_outline(kPlate, {})).report.tiles);
+    EXPECT_EQ(report.tiles, tile(outlines::make_outline(kPlate, {})).report.tiles);
 }
 
 TEST(DegenerateOutline, APointThatIsTheWholeOutlineIsRefused) {
-    const Outline speck = make_outline({{0, 0}, {1e-12, 0}, {0, 1e-12}}, {});
+    const outlines::Outline speck = outlines::make_outline({{0, 0}, {1e-12, 0}, {0, 1e-12}}, {});
     EXPECT_THAT(complaint_about(speck), HasSubstr("the boundary has 1 points"));
 }
 
 TEST(DegenerateOutline, FarFromTheOriginDetailsWouldBeLost) {
     Polygon far = kPlate;
     for (Point2& p : far) p.x = p.x * 4 + 1e10;
-    EXPECT_THAT(complaint_about(make_outline(far, {})),
+    EXPECT_THAT(complaint_about(outlines::make_outline(far, {})),
                 AllOf(HasSubstr("1e+10 m from the origin"), HasSubstr("move it to within 2.6e+07 m")));
 }
 
@@ -117,7 +120,7 @@ TEST(DegenerateOutline, AVeryLongRimIsRefusedBeforeWorkBegins) {
         comb.push_back({1e-3 * (tooth + 0.5), 0});
     }
     comb.push_back({4, -1});
-    EXPECT_THAT(complaint_about(make_outline(comb, {})), HasSubstr("the most"));
+    EXPECT_THAT(complaint_about(outlines::make_outline(comb, {})), HasSubstr("the most"));
 }
 
 /// Outlines by chance, of coordinates that are likely to be equal, nearly equal, or tiny.
@@ -125,13 +128,13 @@ class Degenerate {
   public:
     explicit Degenerate(std::uint32_t seed) : random_(seed) {}
 
-    Outline make() {
+    outlines::Outline make() {
         Polygon boundary = {{0, 0}, {0.15, 0}, {0.15, 0.12}, {0, 0.12}};
         if (chance(0.7)) add_spike(boundary);
         std::vector<Polygon> holes;
         if (chance(0.7)) holes.push_back(hole());
         for (Point2& p : boundary) p = {nudged(p.x), nudged(p.y)};
-        return make_outline(boundary, holes);
+        return outlines::make_outline(boundary, holes);
     }
 
   private:
@@ -165,7 +168,7 @@ TEST(DegenerateOutline, ByChanceIsTiledValidlyOrRefusedInOneLine) {
     for (std::uint32_t seed = 0; seed < 300; ++seed) {
         SCOPED_TRACE(seed);
         try {
-            const Outline outline = Degenerate(seed).make();
+            const outlines::Outline outline = Degenerate(seed).make();
             EXPECT_GT(tile(outline, 5).report.tiles, 0);
             ++tiled;
         } catch (const base::InputError& error) {  // GeometryError is one

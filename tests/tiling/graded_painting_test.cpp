@@ -2,10 +2,10 @@
 // Painting by fields, and by the colours of a drawing.
 #include "support.hpp"
 
-#include <fretwork/tiling/coloured_drawing.hpp>
-#include <fretwork/tiling/field.hpp>
-#include <fretwork/tiling/graded_painting.hpp>
-#include <fretwork/tiling/tile_choice.hpp>
+#include <fretwork/outlines/coloured_drawing.hpp>
+#include <fretwork/tiling/painting/field.hpp>
+#include <fretwork/tiling/painting/graded_painting.hpp>
+#include <fretwork/tiling/painting/tile_choice.hpp>
 
 #include <algorithm>
 #include <map>
@@ -76,14 +76,14 @@ TEST(GradedPainting, DitheringHandsNothingOnBeyondTheReachOfThePatterns) {
 
 TEST(Field, ExpressionsKnowPlacesInMetresAndInShares) {
     const PlaneBox box{{10, 20}, {12, 24}};
-    const std::vector<pattern::Point2> points = {{10, 20}, {11, 24}};
+    const std::vector<geometry::Point2> points = {{10, 20}, {11, 24}};
     EXPECT_THAT(expression_values("x + 100*y", box, points), ElementsAre(2010, 2411));
     EXPECT_THAT(expression_values("u + 100*v", box, points), ElementsAre(0, 100.5));
     EXPECT_THAT(expression_values("x > 10.5 ? 1 : 0", box, points), ElementsAre(0, 1));
 }
 
 TEST(Field, RefusesWhatHasNoFiniteValue) {
-    const std::vector<pattern::Point2> points = {{0, 0}};
+    const std::vector<geometry::Point2> points = {{0, 0}};
     const auto complaint = [&](const std::string& expression) {
         return complaint_of([&] { (void)expression_values(expression, {{0, 0}, {1, 1}}, points); });
     };
@@ -114,7 +114,7 @@ std::filesystem::path grey_ramp(const TemporaryFolder& folder, unsigned pixels) 
     return path;
 }
 
-std::vector<pattern::Point2> middles(const Tessellation& row) {
+std::vector<geometry::Point2> middles(const Tessellation& row) {
     return tile_centers(row);
 }
 
@@ -169,8 +169,8 @@ TEST(TileChoice, NumbersAndRangesAreTilesOnce) {
 TEST(TileChoice, ATileLiesWhereItsMiddleDoes) {
     const Tessellation row = row_of_squares(4);
     EXPECT_THAT(tiles_in(PlaneBox{{0.6, 0}, {2.5, 1}}, row), ElementsAre(1, 2));
-    EXPECT_THAT(tiles_in(pattern::Polygon{{0, 0}, {2, 0}, {2, 1}, {0, 1}}, row), ElementsAre(0, 1));
-    EXPECT_THAT(tiles_in(pattern::Polygon{{0, 1}, {2, 1}, {2, 0}, {0, 0}}, row), ElementsAre(0, 1))
+    EXPECT_THAT(tiles_in(geometry::Polygon{{0, 0}, {2, 0}, {2, 1}, {0, 1}}, row), ElementsAre(0, 1));
+    EXPECT_THAT(tiles_in(geometry::Polygon{{0, 1}, {2, 1}, {2, 0}, {0, 0}}, row), ElementsAre(0, 1))
         << "clockwise means the same";
 }
 
@@ -203,7 +203,7 @@ constexpr const char* kDrawing =
 
 TEST(ColouredDrawing, ShowsTheColourThatIsPaintedLast) {
     const TemporaryFolder folder;
-    const ColouredDrawing drawing(folder.file("regions.svg", kDrawing));
+    const outlines::ColouredDrawing drawing(folder.file("regions.svg", kDrawing));
     EXPECT_THAT(drawing.colours(), ElementsAre("#ff0000", "#00ff00", "#0000ff"));
     EXPECT_EQ(drawing.colour_at({0.05, 0.05}), "#ff0000");
     EXPECT_EQ(drawing.colour_at({0.15, 0.02}), "#00ff00") << "y runs upwards";
@@ -216,9 +216,9 @@ TEST(ColouredDrawing, ShowsTheColourThatIsPaintedLast) {
 TEST(ColouredDrawing, ColoursAreThoseOfCss) {
     for (const char* red :
          {"red", "RED", "#f00", "#ff0000", "rgb(255, 0, 0)", "rgb(100% 0% 0% / 50%)", "#f00f"})
-        EXPECT_EQ(parse_colour(red), "#ff0000") << red;
-    EXPECT_EQ(parse_colour("rebeccapurple"), "#663399");
-    EXPECT_NE(complaint_of([] { (void)parse_colour("reddish"); }), "");
+        EXPECT_EQ(outlines::parse_colour(red), "#ff0000") << red;
+    EXPECT_EQ(outlines::parse_colour("rebeccapurple"), "#663399");
+    EXPECT_NE(complaint_of([] { (void)outlines::parse_colour("reddish"); }), "");
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "outlines.hpp"
+#include "outlines/outlines.hpp"
 
 #include <fretwork/tiling/mesh_tessellation.hpp>
 #include <fretwork/tiling/tessellation_check.hpp>

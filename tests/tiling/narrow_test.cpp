@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Outlines with parts narrower than a tile: they keep their shape, or are refused.
-#include "outlines.hpp"
+#include "outlines/outlines.hpp"
 
 #include <fretwork/tiling/detail/narrow_parts.hpp>
-#include <fretwork/tiling/detail/size_field.hpp>
+#include <fretwork/tiling/remeshing/size_field.hpp>
 #include <fretwork/tiling/rim_loops.hpp>
 #include <fretwork/tiling/tessellate.hpp>
 #include <fretwork/tiling/tessellation_check.hpp>
@@ -13,15 +13,16 @@
 namespace fretwork::tiling {
 namespace {
 
-using pattern::Point2;
-using pattern::Polygon;
+using geometry::Point2;
+using geometry::Polygon;
 using test::complaint_of;
 using testing::AllOf;
 using testing::HasSubstr;
 
 constexpr double kSide = 0.026;  // m, of the tiles
 
-TessellationResult tile(const Outline& outline, const TessellationOptions& options = {.edge_length = kSide}) {
+TessellationResult tile(const outlines::Outline& outline,
+                        const TessellationOptions& options = {.edge_length = kSide}) {
     const auto layout = pattern::find_node_layout("paper7");
     TessellationResult result = tessellate(outline, layout, options);
     validate(result.tessellation, layout);
@@ -40,7 +41,7 @@ Polygon circle(Point2 center, double radius) {
 const Polygon kPlate = {{0, 0}, {0.4, 0}, {0.4, 0.3}, {0, 0.3}};
 
 /// The law of all tilings that are given back, but for overlaps, which random outlines are tested for.
-void expect_good(const TessellationResult& result, const Outline& outline) {
+void expect_good(const TessellationResult& result, const outlines::Outline& outline) {
     EXPECT_EQ(rim_loops(result.tessellation).size(), 1 + outline.holes.size());
     EXPECT_GE(result.report.covered_share, 0.98);
     EXPECT_GE(result.report.smallest_angle, 25 * std::numbers::pi / 180);
@@ -49,7 +50,8 @@ void expect_good(const TessellationResult& result, const Outline& outline) {
 class Rings : public testing::TestWithParam<double> {};
 
 TEST_P(Rings, StayClosedWhenTheirHoleIsOffTheMiddle) {
-    const Outline ring = make_outline(circle({0, 0}, 0.15), {circle({GetParam(), 0}, 0.118)});
+    const outlines::Outline ring =
+        outlines::make_outline(circle({0, 0}, 0.15), {circle({GetParam(), 0}, 0.118)});
     const TessellationResult result = tile(ring);
     expect_good(result, ring);
     EXPECT_GT(result.report.refined_share, 0.0);
@@ -72,7 +74,7 @@ Polygon sharp_star() {
 }
 
 TEST(Narrow, TheSharpPointsOfAStarAreTiledWithSidesAsLongAsTheBarsNeed) {
-    const Outline star = make_outline(sharp_star(), {});
+    const outlines::Outline star = outlines::make_outline(sharp_star(), {});
     TessellationOptions options{.edge_length = kSide};
     options.smallest_side = 0.002;
     const TessellationResult result = tile(star, options);
@@ -87,63 +89,63 @@ TEST(Narrow, TheSharpPointsOfAStarAreTiledWithSidesAsLongAsTheBarsNeed) {
 }
 
 TEST(Narrow, ABandOfHalfATileIsTiledFromEndToEnd) {
-    const Outline band = make_outline({{0, 0}, {0.5, 0}, {0.5, 0.02}, {0, 0.02}}, {});
+    const outlines::Outline band = outlines::make_outline({{0, 0}, {0.5, 0}, {0.5, 0.02}, {0, 0.02}}, {});
     const TessellationResult result = tile(band);
     expect_good(result, band);
     EXPECT_NEAR(result.report.covered_share, 1.0, 1e-9);
 }
 
 TEST(Narrow, TwoPlatesStayJoinedByAStripBetweenThem) {
-    const Outline dumbbell = make_outline({{0, 0},
-                                           {0.2, 0},
-                                           {0.2, 0.09},
-                                           {0.3, 0.09},
-                                           {0.3, 0},
-                                           {0.5, 0},
-                                           {0.5, 0.2},
-                                           {0.3, 0.2},
-                                           {0.3, 0.11},
-                                           {0.2, 0.11},
-                                           {0.2, 0.2},
-                                           {0, 0.2}},
-                                          {});
+    const outlines::Outline dumbbell = outlines::make_outline({{0, 0},
+                                                               {0.2, 0},
+                                                               {0.2, 0.09},
+                                                               {0.3, 0.09},
+                                                               {0.3, 0},
+                                                               {0.5, 0},
+                                                               {0.5, 0.2},
+                                                               {0.3, 0.2},
+                                                               {0.3, 0.11},
+                                                               {0.2, 0.11},
+                                                               {0.2, 0.2},
+                                                               {0, 0.2}},
+                                                              {});
     const TessellationResult result = tile(dumbbell);
     expect_good(result, dumbbell);
     EXPECT_LT(result.report.refined_share, 0.9) << "the plates keep large tiles";
 }
 
 TEST(Narrow, AHoleThatIsSmallerThanATileStaysAHole) {
-    const Outline outline = make_outline(kPlate, {circle({0.2, 0.15}, 0.006)});
+    const outlines::Outline outline = outlines::make_outline(kPlate, {circle({0.2, 0.15}, 0.006)});
     expect_good(tile(outline), outline);
 }
 
 TEST(Narrow, AStripThatNoTileFitsIntoIsRefusedWithItsPlace) {
-    const Outline outline = make_outline({{0, 0},
-                                          {0.2, 0},
-                                          {0.2, 0.0995},
-                                          {0.3, 0.0995},
-                                          {0.3, 0},
-                                          {0.5, 0},
-                                          {0.5, 0.2},
-                                          {0.3, 0.2},
-                                          {0.3, 0.1005},
-                                          {0.2, 0.1005},
-                                          {0.2, 0.2},
-                                          {0, 0.2}},
-                                         {});
+    const outlines::Outline outline = outlines::make_outline({{0, 0},
+                                                              {0.2, 0},
+                                                              {0.2, 0.0995},
+                                                              {0.3, 0.0995},
+                                                              {0.3, 0},
+                                                              {0.5, 0},
+                                                              {0.5, 0.2},
+                                                              {0.3, 0.2},
+                                                              {0.3, 0.1005},
+                                                              {0.2, 0.1005},
+                                                              {0.2, 0.2},
+                                                              {0, 0.2}},
+                                                             {});
     EXPECT_THAT(complaint_of([&] { tile(outline, {.edge_length = kSide, .smallest_side = 0.002}); }),
                 AllOf(HasSubstr("too narrow for tiles with sides of 0.026 m near (0.2"), HasSubstr(", 0.1")));
 }
 
 TEST(Narrow, ASharpTipIsCutOffAndTheRestIsCovered) {
-    const Outline wedge = make_outline({{0, 0}, {0.5, -0.05}, {0.5, 0.05}}, {});
+    const outlines::Outline wedge = outlines::make_outline({{0, 0}, {0.5, -0.05}, {0.5, 0.05}}, {});
     const TessellationResult result = tile(wedge);
     expect_good(result, wedge);
     EXPECT_LT(result.report.covered_share, 1.0);
 }
 
 TEST(Narrow, MergedABandHasFewerTilesThanRefined) {
-    const Outline band = make_outline({{0, 0}, {0.5, 0}, {0.5, 0.015}, {0, 0.015}}, {});
+    const outlines::Outline band = outlines::make_outline({{0, 0}, {0.5, 0}, {0.5, 0.015}, {0, 0.015}}, {});
     const TessellationResult refined = tile(band);
     const TessellationResult merged = tile(band, {.edge_length = kSide, .narrow = Narrow::Merge});
     expect_good(merged, band);
@@ -151,7 +153,7 @@ TEST(Narrow, MergedABandHasFewerTilesThanRefined) {
 }
 
 TEST(Narrow, RefusedABandIsNamedWithItsWidthAndASideThatWorks) {
-    const Outline band = make_outline({{0, 0}, {0.5, 0}, {0.5, 0.02}, {0, 0.02}}, {});
+    const outlines::Outline band = outlines::make_outline({{0, 0}, {0.5, 0}, {0.5, 0.02}, {0, 0.02}}, {});
     const std::string complaint =
         complaint_of([&] { tile(band, {.edge_length = kSide, .narrow = Narrow::Refuse}); });
     EXPECT_THAT(complaint, AllOf(HasSubstr("is 0.02 m wide near ("), HasSubstr("; sides of 0.011 m work")));
@@ -159,7 +161,7 @@ TEST(Narrow, RefusedABandIsNamedWithItsWidthAndASideThatWorks) {
 }
 
 TEST(Narrow, RefusedNoTileIsMadeSmallerThanWanted) {
-    const Outline disc = make_outline(circle({0, 0}, 0.035), {});
+    const outlines::Outline disc = outlines::make_outline(circle({0, 0}, 0.035), {});
     const TessellationOptions refuse{.edge_length = kSide, .narrow = Narrow::Refuse};
     ASSERT_GT(tile(disc).report.refined_share, 0.0);
     EXPECT_THAT(complaint_of([&] { tile(disc, refuse); }), HasSubstr("too narrow"));
@@ -172,22 +174,22 @@ TEST(Narrow, AStarSmallerThanATileIsToldASideThatWorks) {
         const double angle = std::numbers::pi * i / 5;
         star.push_back({radius * std::cos(angle), radius * std::sin(angle)});
     }
-    const std::string complaint = complaint_of([&] { tile(make_outline(star, {})); });
+    const std::string complaint = complaint_of([&] { tile(outlines::make_outline(star, {})); });
     EXPECT_THAT(complaint, HasSubstr("; sides of 0.0026 m work"));
-    EXPECT_NO_THROW(tile(make_outline(star, {}), {.edge_length = 0.0026}));
+    EXPECT_NO_THROW(tile(outlines::make_outline(star, {}), {.edge_length = 0.0026}));
 }
 
 TEST(NarrowPlaces, ABandIsNarrowAndTheCornersOfAPlateAreNot) {
     const detail::NarrowLimits limits{.width = 0.05, .least_area = 1e-5};
-    EXPECT_TRUE(detail::narrow_places(make_outline(kPlate, {}), limits, {}).empty());
-    const Outline band = make_outline({{0, 0}, {0.5, 0}, {0.5, 0.02}, {0, 0.02}}, {});
+    EXPECT_TRUE(detail::narrow_places(outlines::make_outline(kPlate, {}), limits, {}).empty());
+    const outlines::Outline band = outlines::make_outline({{0, 0}, {0.5, 0}, {0.5, 0.02}, {0, 0.02}}, {});
     const auto places = detail::narrow_places(band, limits, {});
     ASSERT_FALSE(places.empty());
     for (const detail::NarrowPlace& place : places) EXPECT_NEAR(place.width, 0.02, 0.002);
 }
 
 TEST(NarrowPlaces, LandBetweenAHoleAndTheBoundaryIsNarrow) {
-    const Outline outline = make_outline(kPlate, {circle({0.2, 0.06}, 0.05)});
+    const outlines::Outline outline = outlines::make_outline(kPlate, {circle({0.2, 0.06}, 0.05)});
     const auto places = detail::narrow_places(outline, {.width = 0.05, .least_area = 1e-5}, {});
     ASSERT_FALSE(places.empty());
     EXPECT_NEAR(places.front().width, 0.01, 0.001);
@@ -197,8 +199,8 @@ TEST(NarrowPlaces, LandBetweenAHoleAndTheBoundaryIsNarrow) {
 
 TEST(Blunt, OnlySharpTipsLoseTheirEnds) {
     const detail::BluntLimits limits{.tip = 1e-4, .all = 1e-3};
-    EXPECT_EQ(detail::blunt(make_outline(kPlate, {}), 0.05, limits, {}).lost_area, 0.0);
-    const Outline wedge = make_outline({{0, 0}, {0.5, -0.05}, {0.5, 0.05}}, {});
+    EXPECT_EQ(detail::blunt(outlines::make_outline(kPlate, {}), 0.05, limits, {}).lost_area, 0.0);
+    const outlines::Outline wedge = outlines::make_outline({{0, 0}, {0.5, -0.05}, {0.5, 0.05}}, {});
     const detail::BluntOutline result = detail::blunt(wedge, 0.05, limits, {});
     EXPECT_GT(result.lost_area, 0.5e-4);
     EXPECT_LE(result.lost_area, 1e-4);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "support.hpp"
 
-#include <fretwork/tiling/painting.hpp>
+#include <fretwork/tiling/painting/painting.hpp>
 
 #include <algorithm>
 

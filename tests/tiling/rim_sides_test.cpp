@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "outlines.hpp"
+#include "outlines/outlines.hpp"
 
-#include <fretwork/tiling/detail/plane.hpp>
-#include <fretwork/tiling/detail/rim_sides.hpp>
+#include <fretwork/geometry/plane.hpp>
+#include <fretwork/tiling/dual/rim_sides.hpp>
 #include <fretwork/tiling/rim_loops.hpp>
 #include <fretwork/tiling/tessellate.hpp>
 
@@ -11,6 +11,9 @@
 
 namespace fretwork::tiling::detail {
 namespace {
+
+using geometry::Point2;
+using geometry::Polygon;
 
 /// One cell that is the whole outline.
 Dual one_cell(const Polygon& polygon) {
@@ -26,7 +29,7 @@ Dual one_cell(const Polygon& polygon) {
 }
 
 Polygon divided(const Polygon& polygon, double wanted_side, double smallest_side = 0) {
-    const Outline outline{polygon, {}};
+    const outlines::Outline outline{polygon, {}};
     const SizeField field(wanted_side);
     const Rim rim = sample_rim(outline, {field, std::numbers::sqrt3}, {});
     Dual dual = one_cell(polygon);
@@ -40,7 +43,7 @@ TEST(LongRimSides, OfHalfAHexagonAreDividedSoThatAllItsSidesAreEqual) {
     ASSERT_EQ(polygon.size(), 5u);
     for (std::size_t i = 0; i < 5; ++i)
         EXPECT_NEAR(distance(polygon[i], polygon[(i + 1) % 5]), 1, 1e-12) << "side " << i;
-    EXPECT_TRUE(pattern::is_convex(polygon));
+    EXPECT_TRUE(geometry::is_convex(polygon));
 }
 
 TEST(LongRimSides, StayWhereTheOtherSidesAreAsLongOrTheHalvesWouldBeTooShort) {
@@ -67,9 +70,9 @@ TEST(ConvexPlace, KeepsAConvexCellConvexInWhateverDirectionTheSideRuns) {
         const Point2 along = to - from;
         const Point2 behind = between(from, to, 0.4) + Point2{-along.y, along.x};
         const Point2 place = convex_place(between(from, behind, 0.3), {from, to});
-        EXPECT_TRUE(pattern::is_convex({from, place, to, behind})) << from.x << " " << from.y;
+        EXPECT_TRUE(geometry::is_convex({from, place, to, behind})) << from.x << " " << from.y;
         // Rounding of coordinates up to 10 needs no more.
-        EXPECT_LT(distance(nearest_on_side(from, to, place), place), 1e-11 * length(along) + 1e-14);
+        EXPECT_LT(distance(nearest_on_segment(from, to, place), place), 1e-11 * length(along) + 1e-14);
     }
 }
 
@@ -91,9 +94,9 @@ double spread_at_rim(const Tessellation& tessellation) {
     for (std::size_t t = 0; t < tessellation.tiles.size(); ++t) {
         const auto at_rim = [&](InterfaceIndex node) { return is_on_rim[static_cast<std::size_t>(node)]; };
         if (std::ranges::none_of(tessellation.tiles[t].interface_nodes, at_rim)) continue;
-        const pattern::Polygon polygon = tile_polygon(tessellation, TileIndex(t));
+        const geometry::Polygon polygon = tile_polygon(tessellation, TileIndex(t));
         for (std::size_t i = 0; i < polygon.size(); ++i) {
-            const double side = detail::distance(polygon[i], polygon[(i + 1) % polygon.size()]);
+            const double side = geometry::distance(polygon[i], polygon[(i + 1) % polygon.size()]);
             count += 1;
             sum += side;
             squares += side * side;
@@ -102,7 +105,7 @@ double spread_at_rim(const Tessellation& tessellation) {
     return std::sqrt(squares * count / (sum * sum) - 1);
 }
 
-class Rims : public testing::TestWithParam<std::pair<const char*, Outline>> {};
+class Rims : public testing::TestWithParam<std::pair<const char*, outlines::Outline>> {};
 
 /// Of a row of hexagons, an outline along it leaves pentagons with sides 1, 1, h, h, sqrt(3): their spread is
 /// 0.21 at least, whatever h. Divided, sqrt(3) becomes two sides of 0.87, and the spread can be 0.06; between
@@ -113,8 +116,8 @@ TEST_P(Rims, HaveMoreEvenSidesThanUndividedRowsOfHexagonsCan) {
     EXPECT_LT(spread_at_rim(result.tessellation), 0.14);
 }
 
-pattern::Polygon disc(double radius) {
-    pattern::Polygon polygon;
+geometry::Polygon disc(double radius) {
+    geometry::Polygon polygon;
     for (int i = 0; i < 200; ++i) {
         const double angle = 2 * std::numbers::pi * i / 200;
         polygon.push_back({radius * std::cos(angle), radius * std::sin(angle)});
@@ -122,11 +125,11 @@ pattern::Polygon disc(double radius) {
     return polygon;
 }
 
-INSTANTIATE_TEST_SUITE_P(Outlines, Rims,
-                         testing::Values(std::pair{"disc", Outline{disc(0.25), {}}},
-                                         std::pair{"rectangle",
-                                                   Outline{{{0, 0}, {0.5, 0}, {0.5, 0.4}, {0, 0.4}}, {}}}),
-                         [](const auto& named) { return named.param.first; });
+INSTANTIATE_TEST_SUITE_P(
+    Outlines, Rims,
+    testing::Values(std::pair{"disc", outlines::Outline{disc(0.25), {}}},
+                    std::pair{"rectangle", outlines::Outline{{{0, 0}, {0.5, 0}, {0.5, 0.4}, {0, 0.4}}, {}}}),
+    [](const auto& named) { return named.param.first; });
 
 }  // namespace
 }  // namespace fretwork::tiling

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "outlines.hpp"
+#include "outlines/outlines.hpp"
 
 #include <fretwork/tiling/tessellate.hpp>
 
@@ -32,21 +32,21 @@ class Listener final : public base::Progress {
     std::stop_source source_;
 };
 
-TessellationResult tile(const Outline& outline, const base::Control& control) {
+TessellationResult tile(const outlines::Outline& outline, const base::Control& control) {
     return tessellate(outline, pattern::find_node_layout("paper7"),
                       {.edge_length = 0.026, .control = control});
 }
 
 TEST(TessellateControl, ProgressEndsWhenAllStepsAreDone) {
     Listener listener;
-    tile(read_outline(example_outline("specimen.svg")), listener.control());
+    tile(outlines::read_outline(outlines::example_outline("specimen.svg")), listener.control());
     EXPECT_EQ(listener.started_, 1);
     EXPECT_EQ(listener.finished_, 1);
     EXPECT_EQ(listener.done_, listener.total_);
 }
 
 TEST(TessellateControl, StopsAtWhateverStepItIsAsked) {
-    const Outline outline = read_outline(example_outline("specimen.svg"));
+    const outlines::Outline outline = outlines::read_outline(outlines::example_outline("specimen.svg"));
     Listener all;
     tile(outline, all.control());
     for (std::size_t share = 0; share < 8; ++share) {
@@ -59,7 +59,7 @@ TEST(TessellateControl, StopsAtWhateverStepItIsAsked) {
 TEST(TessellateControl, AStopBeforeTheBeginIsSeen) {
     std::stop_source source;
     source.request_stop();
-    EXPECT_THROW(tile(make_outline({{0, 0}, {1, 0}, {1, 1}}, {}), {.stop = source.get_token()}),
+    EXPECT_THROW(tile(outlines::make_outline({{0, 0}, {1, 0}, {1, 1}}, {}), {.stop = source.get_token()}),
                  base::Stopped);
 }
 

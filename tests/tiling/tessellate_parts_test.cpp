@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "outlines.hpp"
+#include "outlines/outlines.hpp"
 
 #include <fretwork/tiling/tessellate_parts.hpp>
 #include <fretwork/tiling/tessellation_check.hpp>
@@ -10,8 +10,8 @@ namespace {
 using test::complaint_of;
 using testing::HasSubstr;
 
-Outline square_at(double x, double side) {
-    return make_outline({{x, 0}, {x + side, 0}, {x + side, side}, {x, side}}, {});
+outlines::Outline square_at(double x, double side) {
+    return outlines::make_outline({{x, 0}, {x + side, 0}, {x + side, side}, {x, side}}, {});
 }
 const pattern::NodeLayout kLayout = pattern::find_node_layout("paper7");
 const TessellationOptions kOptions{.edge_length = 0.03};
@@ -37,7 +37,7 @@ TEST(TessellateParts, TheReportIsOfAllTiles) {
         tessellate_parts({square_at(0, 0.3), square_at(1, 0.2)}, kLayout, kOptions);
     double area = 0;
     for (int tile = 0; tile < both.report.tiles; ++tile)
-        area += pattern::signed_area(tile_polygon(both.tessellation, TileIndex(tile)));
+        area += geometry::signed_area(tile_polygon(both.tessellation, TileIndex(tile)));
     EXPECT_EQ(both.report.tiles, static_cast<int>(both.tessellation.tiles.size()));
     EXPECT_NEAR(both.report.covered_share, area / (0.09 + 0.04), 1e-9);
 }

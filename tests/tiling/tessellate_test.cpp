@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "outlines.hpp"
+#include "outlines/outlines.hpp"
 
 #include <fretwork/tiling/tessellate.hpp>
 #include <fretwork/tiling/tessellation_check.hpp>
@@ -11,8 +11,8 @@
 namespace fretwork::tiling {
 namespace {
 
-using pattern::Point2;
-using pattern::Polygon;
+using geometry::Point2;
+using geometry::Polygon;
 using test::complaint_of;
 using testing::AllOf;
 using testing::HasSubstr;
@@ -24,7 +24,7 @@ pattern::NodeLayout paper_layout() {
     return pattern::find_node_layout("paper7");
 }
 
-TessellationResult tile(const Outline& outline, double side = kPaperSide) {
+TessellationResult tile(const outlines::Outline& outline, double side = kPaperSide) {
     TessellationOptions options;
     options.edge_length = side;
     return tessellate(outline, paper_layout(), options);
@@ -64,20 +64,20 @@ std::vector<Polygon> rims_of(const Tessellation& tessellation) {
 }
 
 /// Convex tiles that share whole sides and whose rim is a simple outline with so many holes cannot overlap.
-void expect_sound(const TessellationResult& result, const Outline& outline, std::size_t holes) {
+void expect_sound(const TessellationResult& result, const outlines::Outline& outline, std::size_t holes) {
     const Tessellation& tessellation = result.tessellation;
     ASSERT_NO_THROW(validate(tessellation, paper_layout()));
     std::vector<Polygon> rims = rims_of(tessellation);
     const auto largest = std::max_element(rims.begin(), rims.end(), [](const Polygon& a, const Polygon& b) {
-        return std::abs(pattern::signed_area(a)) < std::abs(pattern::signed_area(b));
+        return std::abs(geometry::signed_area(a)) < std::abs(geometry::signed_area(b));
     });
     std::iter_swap(rims.begin(), largest);
-    Outline rim;
-    ASSERT_NO_THROW(rim = make_outline(rims.front(), {rims.begin() + 1, rims.end()}));
+    outlines::Outline rim;
+    ASSERT_NO_THROW(rim = outlines::make_outline(rims.front(), {rims.begin() + 1, rims.end()}));
     EXPECT_EQ(rim.holes.size(), holes);
     double sum = 0;
     for (std::size_t t = 0; t < tessellation.tiles.size(); ++t)
-        sum += pattern::signed_area(tile_polygon(tessellation, TileIndex(t)));
+        sum += geometry::signed_area(tile_polygon(tessellation, TileIndex(t)));
     EXPECT_NEAR(sum, area_of(rim), 1e-9 * sum);
     const double share = result.report.covered_share + result.report.outside_share;
     EXPECT_NEAR(sum, share * area_of(outline), 1e-9 * sum);
@@ -89,10 +89,10 @@ TEST(Tessellate, LeavesNoTinyTilesAtTheCornersOfARectangle) {
         {{0.310, 0.265}, {0.271, 0.401}, {0.909, 0.517}, {0.574, 0.260}}};
     for (const auto& [width, height] : kSizes) {
         const TessellationResult result =
-            tile(make_outline({{0, 0}, {width, 0}, {width, height}, {0, height}}, {}));
+            tile(outlines::make_outline({{0, 0}, {width, 0}, {width, height}, {0, height}}, {}));
         const double hexagon = 1.5 * std::numbers::sqrt3 * kPaperSide * kPaperSide;
         for (std::size_t t = 0; t < result.tessellation.tiles.size(); ++t)
-            EXPECT_GT(pattern::signed_area(tile_polygon(result.tessellation, TileIndex(t))), 0.25 * hexagon)
+            EXPECT_GT(geometry::signed_area(tile_polygon(result.tessellation, TileIndex(t))), 0.25 * hexagon)
                 << width << " x " << height << ", tile " << t;
     }
 }
@@ -100,7 +100,7 @@ TEST(Tessellate, LeavesNoTinyTilesAtTheCornersOfARectangle) {
 class Examples : public testing::TestWithParam<const char*> {};
 
 TEST_P(Examples, AreTiledSoundlyWithTheWantedMeanSideAndNearlyAllHexagonsInside) {
-    const Outline outline = read_outline(example_outline(GetParam()));
+    const outlines::Outline outline = outlines::read_outline(outlines::example_outline(GetParam()));
     const TessellationResult result = tile(outline);
     expect_sound(result, outline, outline.holes.size());
     EXPECT_NEAR(result.report.mean_side, kPaperSide, 0.01 * kPaperSide);
@@ -117,7 +117,7 @@ TEST_P(Examples, AreTiledSoundlyWithTheWantedMeanSideAndNearlyAllHexagonsInside)
 INSTANTIATE_TEST_SUITE_P(Sizes, Examples, testing::Values("example_a.svg", "example_b.svg", "example_c.svg"));
 
 TEST(Tessellate, ARectangleIsCoveredToItsCorners) {
-    const Outline outline = read_outline(example_outline("specimen.svg"));
+    const outlines::Outline outline = outlines::read_outline(outlines::example_outline("specimen.svg"));
     const TessellationResult result = tile(outline);
     expect_sound(result, outline, 0);
     EXPECT_NEAR(result.report.covered_share, 1.0, 1e-12);
@@ -125,7 +125,7 @@ TEST(Tessellate, ARectangleIsCoveredToItsCorners) {
 }
 
 TEST(Tessellate, TheResultDoesNotDependOnThreadsAndIsTheSameEachTime) {
-    const Outline outline = read_outline(example_outline("specimen.svg"));
+    const outlines::Outline outline = outlines::read_outline(outlines::example_outline("specimen.svg"));
     TessellationOptions options;
     options.edge_length = kPaperSide;
     options.threads = 1;
@@ -142,7 +142,7 @@ TEST(Tessellate, TheResultDoesNotDependOnThreadsAndIsTheSameEachTime) {
 }
 
 TEST(Tessellate, EachInterfaceNodeIsOnOneTileAtTheRimOrSharedByTwo) {
-    const TessellationResult result = tile(read_outline(example_outline("specimen.svg")));
+    const TessellationResult result = tile(outlines::read_outline(outlines::example_outline("specimen.svg")));
     std::vector<int> uses(result.tessellation.interface_nodes.size());
     std::size_t rim_sides = 0;
     for (const Polygon& rim : rims_of(result.tessellation)) rim_sides += rim.size();
@@ -161,13 +161,14 @@ TEST(Tessellate, SeveralInterfaceNodesOnASideRunTheOtherWayForTheNeighbour) {
     TessellationOptions options;
     options.edge_length = 0.03;
     const auto result =
-        tessellate(make_outline({{0, 0}, {0.3, 0}, {0.3, 0.2}, {0, 0.2}}, {}), layout, options);
+        tessellate(outlines::make_outline({{0, 0}, {0.3, 0}, {0.3, 0.2}, {0, 0.2}}, {}), layout, options);
     EXPECT_NO_THROW(validate(result.tessellation, layout));
     EXPECT_EQ(result.tessellation.interface_nodes.size() % 2, 0U);
 }
 
 TEST(Tessellate, InARegularRegionNeighboursHaveTheSameOrientation) {
-    const TessellationResult result = tile(make_outline({{0, 0}, {0.5, 0}, {0.5, 0.4}, {0, 0.4}}, {}));
+    const TessellationResult result =
+        tile(outlines::make_outline({{0, 0}, {0.5, 0}, {0.5, 0.4}, {0, 0.4}}, {}));
     const Tessellation& tessellation = result.tessellation;
     std::map<int, int> hexagons_by_facing;  // of the first side, to the nearest 60 degrees
     std::vector<double> facings;
@@ -191,10 +192,11 @@ TEST(Tessellate, InARegularRegionNeighboursHaveTheSameOrientation) {
 }
 
 TEST(Tessellate, TilesAreNumberedFromLeftToRight) {
-    const TessellationResult result = tile(make_outline({{0, 0}, {0.4, 0}, {0.4, 0.1}, {0, 0.1}}, {}));
+    const TessellationResult result =
+        tile(outlines::make_outline({{0, 0}, {0.4, 0}, {0.4, 0.1}, {0, 0.1}}, {}));
     double last = -1;
     for (std::size_t t = 0; t < result.tessellation.tiles.size(); ++t) {
-        const double x = pattern::centroid(tile_polygon(result.tessellation, TileIndex(t))).x;
+        const double x = geometry::centroid(tile_polygon(result.tessellation, TileIndex(t))).x;
         EXPECT_GE(x, last);
         last = x;
     }
@@ -209,7 +211,7 @@ struct RandomOutline {
         state ^= state >> 27U;
         return low + (high - low) * static_cast<double>((state * 0x2545f4914f6cdd1dU) >> 11U) * 0x1p-53;
     }
-    Outline make() {
+    outlines::Outline make() {
         const double size = next(0.09, 0.2);
         const double flatness = next(0.5, 1);
         std::array<double, 4> waves{};
@@ -234,7 +236,7 @@ struct RandomOutline {
             const double r = next(0.1, 0.2) * size * flatness;
             holes.push_back(circle({x, 0}, r, next(0, 1) < 0.5 ? static_cast<int>(next(3, 7)) : 40));
         }
-        return make_outline(boundary, holes);
+        return outlines::make_outline(boundary, holes);
     }
     std::uint64_t state;
 };
@@ -242,7 +244,7 @@ struct RandomOutline {
 TEST(Tessellate, RandomOutlinesAreTiledSoundly) {
     for (std::uint64_t seed = 0; seed < 16; ++seed) {
         SCOPED_TRACE(seed);
-        const Outline outline = RandomOutline(seed).make();
+        const outlines::Outline outline = RandomOutline(seed).make();
         const TessellationResult result = tile(outline);
         expect_sound(result, outline, outline.holes.size());
         EXPECT_GE(result.report.covered_share, 0.98);
@@ -254,8 +256,8 @@ TEST(Tessellate, RandomOutlinesAreTiledSoundly) {
 }
 
 TEST(Tessellate, ScalingTheOutlineScalesTheTiling) {
-    const Outline outline = make_outline({{0, 0}, {0.3, 0}, {0.25, 0.2}, {0, 0.22}}, {});
-    Outline doubled = outline;
+    const outlines::Outline outline = outlines::make_outline({{0, 0}, {0.3, 0}, {0.25, 0.2}, {0, 0.22}}, {});
+    outlines::Outline doubled = outline;
     for (Point2& p : doubled.boundary) p = {2 * p.x, 2 * p.y};
     const TessellationReport one = tile(outline, kPaperSide).report;
     const TessellationReport two = tile(doubled, 2 * kPaperSide).report;
@@ -264,7 +266,7 @@ TEST(Tessellate, ScalingTheOutlineScalesTheTiling) {
 }
 
 TEST(Tessellate, WhatCannotBeTiledIsRefused) {
-    const Outline square = make_outline({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {});
+    const outlines::Outline square = outlines::make_outline({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {});
     EXPECT_THAT(complaint_of([&] { tile(square, 0); }), HasSubstr("edge length of a tessellation is 0"));
     EXPECT_THAT(complaint_of([&] { tile(square, -0.1); }), HasSubstr("from 1e-09 m to 1e+06 m"));
     EXPECT_THAT(complaint_of([&] { tile(square, std::numeric_limits<double>::quiet_NaN()); }),
@@ -277,21 +279,22 @@ TEST(Tessellate, WhatCannotBeTiledIsRefused) {
 
 TEST(Tessellate, AnOutlineThatIsMuchNarrowerThanATileIsRefused) {
     for (const double width : {2e-3, 1e-3, 1e-5}) {
-        const Outline sliver = make_outline({{0, 0}, {1, 0}, {1, width}, {0, width}}, {});
+        const outlines::Outline sliver = outlines::make_outline({{0, 0}, {1, 0}, {1, width}, {0, width}}, {});
         EXPECT_THAT(complaint_of([&] { tile(sliver); }), HasSubstr("no tile fits there"));
     }
 }
 
 TEST(Tessellate, AnOutlineThatIsFarTooLargeIsRefusedByItsSize) {
-    const Outline huge = make_outline({{0, 0}, {1e200, 0}, {1e200, 1e200}, {0, 1e200}}, {});
+    const outlines::Outline huge =
+        outlines::make_outline({{0, 0}, {1e200, 0}, {1e200, 1e200}, {0, 1e200}}, {});
     EXPECT_THAT(complaint_of([&] { tile(huge); }), HasSubstr("1e+200 m wide and 1e+200 m high"));
-    const Outline thread = make_outline({{0, 0}, {1e5, 0}, {1e5, 1e-9}, {0, 1e-9}}, {});
+    const outlines::Outline thread = outlines::make_outline({{0, 0}, {1e5, 0}, {1e5, 1e-9}, {0, 1e-9}}, {});
     EXPECT_THAT(complaint_of([&] { tile(thread); }), HasSubstr("100000 m wide"));
 }
 
 TEST(Tessellate, ADiskThatIsHardlyLargerThanATileIsCovered) {
     for (const double size : {0.03, 0.045, 0.06}) {
-        const Outline outline = make_outline(circle({0, 0}, size, 60), {});
+        const outlines::Outline outline = outlines::make_outline(circle({0, 0}, size, 60), {});
         const TessellationResult result = tile(outline);
         expect_sound(result, outline, 0);
         // A hexagon covers 83 % of the disk around it: more and smaller tiles cover it as the law wants.

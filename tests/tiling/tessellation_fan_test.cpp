@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "outlines.hpp"
+#include "outlines/outlines.hpp"
 
 #include <fretwork/tiling/tessellate.hpp>
 #include <fretwork/tiling/tessellation_fan.hpp>
@@ -7,7 +7,7 @@
 namespace fretwork::tiling {
 namespace {
 
-using pattern::Point2;
+using geometry::Point2;
 using test::complaint_of;
 using testing::HasSubstr;
 
@@ -21,7 +21,8 @@ Tessellation painted_rectangle() {
     TessellationOptions options;
     options.edge_length = 0.03;
     Tessellation tessellation =
-        tessellate(make_outline({{0, 0}, {0.3, 0}, {0.3, 0.2}, {0, 0.2}}, {}), paper_layout(), options)
+        tessellate(outlines::make_outline({{0, 0}, {0.3, 0}, {0.3, 0.2}, {0, 0.2}}, {}), paper_layout(),
+                   options)
             .tessellation;
     paint_randomly(tessellation, kPalette, 3);
     return tessellation;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/detail/json_document.hpp>
 #include <fretwork/base/error.hpp>
-#include <fretwork/base/file.hpp>
+#include <fretwork/base/files/file.hpp>
 #include <fretwork/base/json_reader.hpp>
 #include <fretwork/base/text.hpp>
 

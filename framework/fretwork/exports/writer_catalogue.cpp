@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/text.hpp>
-#include <fretwork/exports/cut_files.hpp>
-#include <fretwork/exports/facts_report.hpp>
-#include <fretwork/exports/line_files.hpp>
-#include <fretwork/exports/picture.hpp>
-#include <fretwork/exports/solid_files.hpp>
-#include <fretwork/exports/surface_drawing.hpp>
-#include <fretwork/exports/view_page.hpp>
+#include <fretwork/exports/drawings/surface_drawing.hpp>
+#include <fretwork/exports/making/cut_files.hpp>
+#include <fretwork/exports/making/facts_report.hpp>
+#include <fretwork/exports/making/solid_files.hpp>
+#include <fretwork/exports/space/picture.hpp>
+#include <fretwork/exports/space/view_page.hpp>
+#include <fretwork/exports/tables/line_files.hpp>
 #include <fretwork/exports/writer_catalogue.hpp>
 #include <fretwork/fabrication/shape_remarks.hpp>
 

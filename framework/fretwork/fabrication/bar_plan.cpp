@@ -3,7 +3,8 @@
 #include <fretwork/base/text.hpp>
 #include <fretwork/fabrication/bar_plan.hpp>
 #include <fretwork/fabrication/detail/crossings.hpp>
-#include <fretwork/fabrication/detail/plane.hpp>
+#include <fretwork/fabrication/detail/length_text.hpp>
+#include <fretwork/geometry/plane.hpp>
 #include <fretwork/tiling/tessellation_check.hpp>
 
 #include <algorithm>
@@ -15,6 +16,8 @@
 
 namespace fretwork::fabrication {
 namespace {
+
+using geometry::Point2;
 
 using namespace detail;
 

@@ -8,7 +8,8 @@
 namespace fretwork::fabrication {
 namespace {
 
-using pattern::Point2;
+using geometry::Box;
+using geometry::Point2;
 
 /// Call visit(point, place of the next one) for every point.
 template <class Visit>
@@ -79,8 +80,8 @@ double length(const Contour& contour) {
     return sum;
 }
 
-pattern::Polygon flattened(const Contour& contour, double tolerance) {
-    pattern::Polygon polygon;
+geometry::Polygon flattened(const Contour& contour, double tolerance) {
+    geometry::Polygon polygon;
     each_segment(contour, [&](const ContourPoint& from, const Point2& to) {
         polygon.push_back(from.place);
         if (from.bulge == 0.0) return;
@@ -108,16 +109,10 @@ Contour reversed(const Contour& contour) {
     return other;
 }
 
-Contour straight(const pattern::Polygon& polygon) {
+Contour straight(const geometry::Polygon& polygon) {
     Contour contour;
     for (const Point2& point : polygon) contour.push_back({point, 0.0});
     return contour;
-}
-
-Box box_of(std::span<const Point2> points) {
-    Box box{points.front().x, points.front().y, points.front().x, points.front().y};
-    for (const Point2& point : points) include(box, point);
-    return box;
 }
 
 Box box_of(const Contour& contour) {
@@ -128,15 +123,6 @@ Box box_of(const Contour& contour) {
         if (from.bulge != 0.0) include_arc(box, from, to);
     });
     return box;
-}
-
-Box united(const Box& left, const Box& right) {
-    return {std::min(left.xmin, right.xmin), std::min(left.ymin, right.ymin), std::max(left.xmax, right.xmax),
-            std::max(left.ymax, right.ymax)};
-}
-
-Box grown(const Box& box, double margin) {
-    return {box.xmin - margin, box.ymin - margin, box.xmax + margin, box.ymax + margin};
 }
 
 }  // namespace fretwork::fabrication

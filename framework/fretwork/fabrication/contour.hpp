@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <fretwork/pattern/polygon.hpp>
+#include <fretwork/geometry/box.hpp>
+#include <fretwork/geometry/polygon.hpp>
 
 #include <span>
 #include <vector>
@@ -10,7 +11,7 @@ namespace fretwork::fabrication {
 
 /// A corner of a contour, and how the contour goes on to the next one.
 struct ContourPoint {
-    pattern::Point2 place;  ///< m
+    geometry::Point2 place;  ///< m
     /// Tangent of a quarter of the angle of the arc to the next point, counterclockwise positive; 0: a
     /// straight line. DXF has the same.
     double bulge = 0.0;
@@ -21,12 +22,12 @@ using Contour = std::vector<ContourPoint>;
 
 /// The circle of an arc.
 struct Arc {
-    pattern::Point2 center;
+    geometry::Point2 center;
     double radius = 0.0;  ///< m
     double sweep = 0.0;   ///< rad, counterclockwise positive
 };
 /// The arc from a point to the next one. Its bulge must not be zero.
-Arc arc_between(const ContourPoint& from, const pattern::Point2& to);
+Arc arc_between(const ContourPoint& from, const geometry::Point2& to);
 
 /// The area inside, m2; negative for a clockwise contour. Exact, arcs included.
 double signed_area(const Contour& contour);
@@ -34,31 +35,16 @@ double signed_area(const Contour& contour);
 double length(const Contour& contour);
 
 /// The contour with arcs as chords that are off by at most `tolerance` (m).
-pattern::Polygon flattened(const Contour& contour, double tolerance);
+geometry::Polygon flattened(const Contour& contour, double tolerance);
 
 /// A full circle, counterclockwise, as two arcs.
-Contour circle(const pattern::Point2& center, double radius);
+Contour circle(const geometry::Point2& center, double radius);
 /// The same curve in the other direction.
 Contour reversed(const Contour& contour);
 /// Straight lines between points.
-Contour straight(const pattern::Polygon& polygon);
+Contour straight(const geometry::Polygon& polygon);
 
-/// Part of the plane, m.
-struct Box {
-    double xmin = 0.0, ymin = 0.0, xmax = 0.0, ymax = 0.0;
-    [[nodiscard]] double width() const { return xmax - xmin; }
-    [[nodiscard]] double height() const { return ymax - ymin; }
-    [[nodiscard]] bool meets(const Box& other) const {
-        return xmin <= other.xmax && other.xmin <= xmax && ymin <= other.ymax && other.ymin <= ymax;
-    }
-};
-/// The smallest box around some points.
-Box box_of(std::span<const pattern::Point2> points);
 /// The smallest box around a contour, arcs included.
-Box box_of(const Contour& contour);
-/// The smallest box around two.
-Box united(const Box& left, const Box& right);
-/// Wider by a margin on every side, m.
-Box grown(const Box& box, double margin);
+geometry::Box box_of(const Contour& contour);
 
 }  // namespace fretwork::fabrication

@@ -3,13 +3,15 @@
 
 namespace fretwork::fabrication {
 
+using geometry::Box;
+
 std::vector<Label> tile_labels(const tiling::Tessellation& tessellation) {
     constexpr double kHeight = 0.12;  // of a tile's side
     std::vector<Label> labels;
     for (std::size_t t = 0; t < tessellation.tiles.size(); ++t) {
-        const pattern::Polygon polygon = tiling::tile_polygon(tessellation, TileIndex(t));
+        const geometry::Polygon polygon = tiling::tile_polygon(tessellation, TileIndex(t));
         labels.push_back(
-            {pattern::centroid(polygon), std::to_string(t), kHeight * pattern::mean_side(polygon)});
+            {geometry::centroid(polygon), std::to_string(t), kHeight * geometry::mean_side(polygon)});
     }
     return labels;
 }

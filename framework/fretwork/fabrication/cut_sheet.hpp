@@ -11,7 +11,7 @@ namespace fretwork::fabrication {
 
 /// One line of text, in the middle of a place.
 struct Label {
-    pattern::Point2 place;  ///< m
+    geometry::Point2 place;  ///< m
     std::string text;
     double height = 0.0;  ///< m
 };
@@ -33,6 +33,6 @@ CutSheet sheet_of_shape(const simulation::Surface& surface, const Shape& shape);
 /// The numbers of tiles, in their middles.
 std::vector<Label> tile_labels(const tiling::Tessellation& tessellation);
 
-Box box_of(const CutSheet& sheet);
+geometry::Box box_of(const CutSheet& sheet);
 
 }  // namespace fretwork::fabrication

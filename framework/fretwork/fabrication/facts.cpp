@@ -4,14 +4,14 @@
 #include <fretwork/fabrication/detail/bar_angles.hpp>
 #include <fretwork/fabrication/detail/inner_corners.hpp>
 #include <fretwork/fabrication/detail/length_text.hpp>
-#include <fretwork/fabrication/detail/plane.hpp>
 #include <fretwork/fabrication/facts.hpp>
 #include <fretwork/fabrication/shape_remarks.hpp>
+#include <fretwork/geometry/plane.hpp>
 #include <fretwork/mechanics/standard_gravity.hpp>
-#include <fretwork/simulation/bar_clearance.hpp>
-#include <fretwork/simulation/result_subject.hpp>
+#include <fretwork/simulation/results/bar_clearance.hpp>
+#include <fretwork/simulation/results/result_subject.hpp>
+#include <fretwork/simulation/results/surface_beams.hpp>
 #include <fretwork/simulation/simulate.hpp>
-#include <fretwork/simulation/surface_beams.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -19,6 +19,8 @@
 
 namespace fretwork::fabrication {
 namespace {
+
+using geometry::Point2;
 
 using namespace detail;
 using simulation::LoadCase;
@@ -36,7 +38,7 @@ void require_positive(double value, const char* what) {
                            ", where a number above zero is needed");
 }
 
-std::string where(TileIndex tile, TessellationNodeIndex node, const pattern::Point2& place) {
+std::string where(TileIndex tile, TessellationNodeIndex node, const geometry::Point2& place) {
     return "tile " + std::to_string(tile) + ", node " + std::to_string(node) + " at " + place_text(place) +
            ": ";
 }

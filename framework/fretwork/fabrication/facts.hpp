@@ -4,8 +4,8 @@
 #include <fretwork/base/control.hpp>
 #include <fretwork/fabrication/narrow_places.hpp>
 #include <fretwork/fabrication/shape.hpp>
-#include <fretwork/mechanics/result_file.hpp>
-#include <fretwork/simulation/load_case.hpp>
+#include <fretwork/mechanics/results/result_file.hpp>
+#include <fretwork/simulation/load_cases/load_case.hpp>
 
 #include <optional>
 #include <string>
@@ -27,7 +27,7 @@ struct FactsOptions {
 /// What a maker is warned of, and where.
 struct Warning {
     std::string message;  ///< one line, with tile, node and place
-    pattern::Point2 place;
+    geometry::Point2 place;
 };
 
 /// Whatever a maker asks of a surface before making it. SI.
@@ -37,7 +37,7 @@ struct Warning {
 /// eyes for bolts weigh is spread over the tiles; that they are stiff is left out.
 struct Facts {
     std::size_t tiles = 0, bars = 0, pieces = 0, openings = 0;
-    Box box{};
+    geometry::Box box{};
     double height = 0.0;
     double area = 0.0;                       ///< m2, of the true outline
     double volume = 0.0;                     ///< m3
@@ -56,7 +56,7 @@ struct Facts {
         std::string load_case;
         double weight = 0.0;      ///< N, what the supports bear: `mass` times 9.80665 m/s2
         double deflection = 0.0;  ///< m, the largest
-        pattern::Point2 place;
+        geometry::Point2 place;
     };
     std::optional<Sag> sag{};
     /// The largest normal stress of a beam.

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/parallel.hpp>
 #include <fretwork/fabrication/detail/assembling.hpp>
-#include <fretwork/fabrication/detail/box_grid.hpp>
-#include <fretwork/fabrication/detail/plane.hpp>
 #include <fretwork/fabrication/narrow_places.hpp>
+#include <fretwork/geometry/box_grid.hpp>
+#include <fretwork/geometry/plane.hpp>
 
 #include <algorithm>
 #include <limits>
@@ -15,15 +15,18 @@
 namespace fretwork::fabrication {
 namespace {
 
+using geometry::Box;
+using geometry::Point2;
+
 using namespace detail;
-using pattern::Polygon;
+using geometry::Polygon;
 
 constexpr double kChordTolerance = 2e-5;  // m
 
 double distance_to_rim(const Polygon& polygon, const Point2& point) {
     double nearest = std::numeric_limits<double>::max();
     for (std::size_t i = 0; i < polygon.size(); ++i) {
-        const Point2 foot = nearest_on_segment(point, polygon[i], polygon[(i + 1) % polygon.size()]);
+        const Point2 foot = nearest_on_segment(polygon[i], polygon[(i + 1) % polygon.size()], point);
         nearest = std::min(nearest, distance(point, foot));
     }
     return contains(polygon, point) ? nearest : -nearest;
@@ -58,11 +61,11 @@ class ThroatFinder {
     [[nodiscard]] std::vector<NarrowPlace> run() const {
         std::vector<Box> boxes;
         for (const Edge& edge : edges_) boxes.push_back(box_of(std::array{edge.from, edge.to}));
-        const BoxGrid grid(boxes);
+        const geometry::BoxGrid grid(boxes);
         std::vector<std::optional<NarrowPlace>> found(tips_.size());
         base::parallel_for(tips_.size(), 0, [&](std::size_t t) {
             const Point2& place = tips_[t].place;
-            const Box around = grown({place.x, place.y, place.x, place.y}, reach_);
+            const Box around = geometry::grown({place.x, place.y, place.x, place.y}, reach_);
             for (const std::size_t e : grid.meeting(around)) consider(tips_[t], edges_[e], found[t]);
         });
         std::vector<NarrowPlace> throats;
@@ -137,15 +140,15 @@ void name_places(std::vector<NarrowPlace>& places, const BarPlan& plan) {
         return plan.nodes[static_cast<std::size_t>(bar.nodes[i])];
     };
     for (const Bar& bar : plan.bars) boxes.push_back(box_of(std::array{end(bar, 0), end(bar, 1)}));
-    const BoxGrid grid(boxes);
+    const geometry::BoxGrid grid(boxes);
     for (NarrowPlace& narrow : places) {
         const Point2& p = narrow.place;
-        const Box around = grown({p.x, p.y, p.x, p.y}, narrow.width + 2.0 * plan.width);
+        const Box around = geometry::grown({p.x, p.y, p.x, p.y}, narrow.width + 2.0 * plan.width);
         double nearest = std::numeric_limits<double>::max();
         double nearest_node = nearest;
         for (const std::size_t b : grid.meeting(around)) {
             const Bar& bar = plan.bars[b];
-            const double to_bar = distance(p, nearest_on_segment(p, end(bar, 0), end(bar, 1)));
+            const double to_bar = distance(p, nearest_on_segment(end(bar, 0), end(bar, 1), p));
             if (to_bar < nearest) {
                 nearest = to_bar;
                 narrow.tile = bar.tile;
@@ -162,7 +165,7 @@ void name_places(std::vector<NarrowPlace>& places, const BarPlan& plan) {
 }  // namespace
 
 InnerCircle inner_circle(const Polygon& polygon) {
-    const Box box = box_of(std::span<const Point2>(polygon));
+    const Box box = geometry::box_of(std::span<const Point2>(polygon));
     const double half = 0.5 * std::min(box.width(), box.height());
     const auto cell = [&](const Point2& center, double size) {
         return Cell{center, size, distance_to_rim(polygon, center)};

@@ -14,7 +14,7 @@ struct NarrowPlace {
         Opening,  ///< an opening of which this is the largest circle that fits into it: a sliver falls out
     };
     Kind kind = Kind::Gap;
-    pattern::Point2 place;       ///< the middle of the gap or of the circle, m
+    geometry::Point2 place;      ///< the middle of the gap or of the circle, m
     double width = 0.0;          ///< m
     TileIndex tile;              ///< of the nearest bar
     TessellationNodeIndex node;  ///< the nearest one
@@ -26,9 +26,9 @@ std::vector<NarrowPlace> narrow_places(const Shape& shape, const BarPlan& plan, 
 
 /// The largest circle inside of an opening; off by at most a hundredth of it.
 struct InnerCircle {
-    pattern::Point2 center;
+    geometry::Point2 center;
     double radius = 0.0;  ///< m
 };
-InnerCircle inner_circle(const pattern::Polygon& polygon);
+InnerCircle inner_circle(const geometry::Polygon& polygon);
 
 }  // namespace fretwork::fabrication

@@ -3,13 +3,14 @@
 #include <fretwork/base/parallel.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/fabrication/detail/assembling.hpp>
-#include <fretwork/fabrication/detail/box_grid.hpp>
 #include <fretwork/fabrication/detail/clipping.hpp>
 #include <fretwork/fabrication/detail/fillets.hpp>
+#include <fretwork/fabrication/detail/length_text.hpp>
 #include <fretwork/fabrication/detail/patches.hpp>
 #include <fretwork/fabrication/detail/planar_faces.hpp>
-#include <fretwork/fabrication/detail/plane.hpp>
 #include <fretwork/fabrication/shape.hpp>
+#include <fretwork/geometry/box_grid.hpp>
+#include <fretwork/geometry/plane.hpp>
 
 #include <algorithm>
 #include <array>
@@ -19,8 +20,11 @@
 namespace fretwork::fabrication {
 namespace {
 
+using geometry::Box;
+using geometry::Point2;
+
 using namespace detail;
-using pattern::Polygon;
+using geometry::Polygon;
 
 void require_length(double value, const char* what) {
     if (std::isfinite(value) && value >= 0.0) return;
@@ -34,7 +38,7 @@ double eye_diameter(const ShapeOptions& options) {
 
 /// A length above the surface's own is a slip of units: "5" are metres. Fillets are as large as they can be.
 void require_below_surface(const BarPlan& plan, const ShapeOptions& options) {
-    const Box box = fabrication::box_of(std::span<const Point2>(plan.nodes));
+    const Box box = geometry::box_of(std::span<const Point2>(plan.nodes));
     const auto require = [&](double value, const char* what) {
         if (value < std::max(box.width(), box.height())) return;
         throw base::InputError(std::string(what) + " is " + base::format_number(value) +
@@ -101,7 +105,7 @@ class ShapeMaker {
         for (const std::size_t p : near(face)) add(patches_[p]);
         std::vector<Contour> contours;
         for (const Polygon& gap : difference(whole, parts)) {
-            if (endless && pattern::signed_area(gap) > 0.0 && is_far_around(gap)) continue;
+            if (endless && geometry::signed_area(gap) > 0.0 && is_far_around(gap)) continue;
             contours.push_back(with_fillets(reversed(with_arcs(gap, discs)), options_.contour_fillet()));
         }
         return contours;
@@ -120,20 +124,20 @@ class ShapeMaker {
     void add_near(std::vector<std::size_t>& found, const Walk& walk) const {
         for (std::size_t i = 0; i < walk.size(); ++i) {
             const std::array<Point2, 2> line = {walk[i], walk[(i + 1) % walk.size()]};
-            const auto meeting = grid_.meeting(fabrication::box_of(line));
+            const auto meeting = grid_.meeting(geometry::box_of(line));
             found.insert(found.end(), meeting.begin(), meeting.end());
         }
     }
 
     [[nodiscard]] Polygon far_around() const {
         Box box = patches_.front().box;
-        for (const Patch& patch : patches_) box = fabrication::united(box, patch.box);
+        for (const Patch& patch : patches_) box = geometry::united(box, patch.box);
         box = grown(box, kMargin);
         return {{box.xmin, box.ymin}, {box.xmax, box.ymin}, {box.xmax, box.ymax}, {box.xmin, box.ymax}};
     }
     [[nodiscard]] bool is_far_around(const Polygon& gap) const {
         const Polygon around = far_around();
-        const Box box = fabrication::box_of(std::span<const Point2>(gap));
+        const Box box = geometry::box_of(std::span<const Point2>(gap));
         return box.xmin < around[0].x + 0.5 * kMargin && box.xmax > around[2].x - 0.5 * kMargin;
     }
     void drill(Shape& shape) const {
@@ -154,7 +158,7 @@ class ShapeMaker {
     const BarPlan& plan_;
     const ShapeOptions& options_;
     std::vector<Patch> patches_;
-    BoxGrid grid_;
+    geometry::BoxGrid grid_;
 };
 
 }  // namespace

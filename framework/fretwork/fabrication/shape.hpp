@@ -55,6 +55,6 @@ std::size_t opening_count(const Shape& shape);
 double area(const Shape& shape);
 /// Of all contours, m.
 double cut_length(const Shape& shape);
-Box box_of(const Shape& shape);
+geometry::Box box_of(const Shape& shape);
 
 }  // namespace fretwork::fabrication

@@ -5,9 +5,10 @@
 #include <fretwork/fabrication/detail/clipping.hpp>
 #include <fretwork/fabrication/detail/fillets.hpp>
 #include <fretwork/fabrication/detail/joints.hpp>
+#include <fretwork/fabrication/detail/length_text.hpp>
 #include <fretwork/fabrication/detail/parts.hpp>
-#include <fretwork/fabrication/detail/plane.hpp>
 #include <fretwork/fabrication/sheets.hpp>
+#include <fretwork/geometry/plane.hpp>
 
 #include <algorithm>
 #include <map>
@@ -17,8 +18,11 @@
 namespace fretwork::fabrication {
 namespace {
 
+using geometry::Box;
+using geometry::Point2;
+
 using namespace detail;
-using pattern::Polygon;
+using geometry::Polygon;
 
 /// A part in its place in the surface.
 struct Part {
@@ -183,8 +187,8 @@ class SheetCutter {
             for (const JointSide side : {JointSide::Knob, JointSide::Socket}) {
                 if (part_of_side(joint, side) != number) continue;
                 add_side(cut, joint, side, {size_, bed_.fit, 0.5 * options_.kerf});
-                plates.push_back(
-                    grown({joint.place.x, joint.place.y, joint.place.x, joint.place.y}, 1.5 * size_.plate));
+                plates.push_back(geometry::grown({joint.place.x, joint.place.y, joint.place.x, joint.place.y},
+                                                 1.5 * size_.plate));
             }
         }
         std::vector<Contour> contours;
@@ -222,10 +226,10 @@ class SheetCutter {
 
     static std::vector<Disc> near_discs(const Polygon& polygon, const std::vector<Disc>& discs) {
         std::vector<Disc> near;
-        const Box box = fabrication::box_of(std::span<const Point2>(polygon));
+        const Box box = geometry::box_of(std::span<const Point2>(polygon));
         for (const Disc& disc : discs) {
             const Point2& c = disc.center;
-            if (grown({c.x, c.y, c.x, c.y}, disc.radius).meets(box)) near.push_back(disc);
+            if (geometry::grown({c.x, c.y, c.x, c.y}, disc.radius).meets(box)) near.push_back(disc);
         }
         return near;
     }
@@ -251,7 +255,7 @@ class SheetCutter {
         std::vector<Box> boxes;
         for (const Part& part : parts) {
             Box box = box_of(part.pieces.front().outer);
-            for (const Piece& piece : part.pieces) box = fabrication::united(box, box_of(piece.outer));
+            for (const Piece& piece : part.pieces) box = geometry::united(box, box_of(piece.outer));
             boxes.push_back(box);
         }
         const std::vector<Nest> nests = nested(boxes, bed_);

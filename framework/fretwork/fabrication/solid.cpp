@@ -11,8 +11,9 @@
 namespace fretwork::fabrication {
 namespace {
 
-using pattern::Point2;
-using pattern::Polygon;
+using geometry::Box;
+using geometry::Point2;
+using geometry::Polygon;
 
 class SolidMaker {
   public:

@@ -8,7 +8,7 @@
 #include <fretwork/library/detail/schema3.hpp>
 #include <fretwork/library/library.hpp>
 #include <fretwork/pattern/mirror.hpp>
-#include <fretwork/reduction/setting_file.hpp>
+#include <fretwork/reduction/scenarios/setting_file.hpp>
 
 #include <map>
 

@@ -4,9 +4,9 @@
 #include <fretwork/base/control.hpp>
 #include <fretwork/pattern/node_layout.hpp>
 #include <fretwork/pattern/pattern.hpp>
-#include <fretwork/reduction/calibration.hpp>
+#include <fretwork/reduction/calibration/calibration.hpp>
 #include <fretwork/reduction/response.hpp>
-#include <fretwork/reduction/setting.hpp>
+#include <fretwork/reduction/scenarios/setting.hpp>
 
 #include <cstdint>
 #include <filesystem>

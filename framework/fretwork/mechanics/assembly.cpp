@@ -2,7 +2,7 @@
 #include <fretwork/mechanics/assembly.hpp>
 #include <fretwork/mechanics/elements/beam_element.hpp>
 #include <fretwork/mechanics/elements/hinged_element.hpp>
-#include <fretwork/mechanics/structure/frame_check.hpp>
+#include <fretwork/mechanics/frame/detail/frame_check.hpp>
 
 #include <algorithm>
 
@@ -69,7 +69,7 @@ class Assembler {
     }
 
     void add_beam(const Beam& beam) {
-        const Eigen::Matrix3d axes = structure::beam_axes(frame_, beam);
+        const Eigen::Matrix3d axes = detail::beam_axes(frame_, beam);
         const Eigen::Vector3d start = position(beam.nodes[0]);
         const Eigen::Vector3d end = position(beam.nodes[1]);
         const std::array<DofSet, 2> free = released_dofs(beam);
@@ -139,7 +139,7 @@ class Assembler {
 }  // namespace
 
 Assembly assemble(const Frame& frame, const AssemblyOptions& options) {
-    structure::check_parts(frame);
+    detail::check_parts(frame);
     return Assembler(frame, options).run();
 }
 

@@ -3,7 +3,7 @@
 
 #include <fretwork/base/control.hpp>
 #include <fretwork/mechanics/element.hpp>
-#include <fretwork/mechanics/frame.hpp>
+#include <fretwork/mechanics/frame/frame.hpp>
 
 #include <memory>
 #include <vector>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
+#include <fretwork/geometry/rotation.hpp>
 #include <fretwork/mechanics/corotational_element.hpp>
 #include <fretwork/mechanics/elements/corotational_element.hpp>
 #include <fretwork/mechanics/elements/corotational_pose.hpp>
-#include <fretwork/mechanics/elements/rotation.hpp>
 
 #include <string>
 
@@ -30,7 +30,7 @@ Eigen::MatrixXd rigid_motions(const Eigen::Matrix3Xd& arms, double radius) {
     Eigen::MatrixXd motions = Eigen::MatrixXd::Zero(kDofsPerNode * arms.cols(), 6);
     for (Eigen::Index i = 0; i < arms.cols(); ++i) {
         motions.block<3, 3>(kDofsPerNode * i, 0).setIdentity();
-        motions.block<3, 3>(kDofsPerNode * i, 3) = -elements::cross_matrix(arms.col(i)) / radius;
+        motions.block<3, 3>(kDofsPerNode * i, 3) = -geometry::cross_matrix(arms.col(i)) / radius;
         motions.block<3, 3>(kDofsPerNode * i + 3, 3).setIdentity();
         motions.block<3, 3>(kDofsPerNode * i + 3, 3) /= radius;
     }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <fretwork/mechanics/equilibrium.hpp>
-#include <fretwork/mechanics/frame.hpp>
+#include <fretwork/mechanics/frame/frame.hpp>
+#include <fretwork/mechanics/paths/equilibrium.hpp>
 
 #include <span>
 #include <vector>

@@ -3,7 +3,7 @@
 
 #include <fretwork/base/control.hpp>
 #include <fretwork/mechanics/assembly.hpp>
-#include <fretwork/mechanics/solution.hpp>
+#include <fretwork/mechanics/results/solution.hpp>
 
 #include <memory>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/text.hpp>
-#include <fretwork/mechanics/calculix_file.hpp>
-#include <fretwork/mechanics/frame_file.hpp>
+#include <fretwork/mechanics/decks/calculix_file.hpp>
+#include <fretwork/mechanics/frame/frame_file.hpp>
 #include <fretwork/mechanics/linear_solver.hpp>
-#include <fretwork/mechanics/snapping.hpp>
+#include <fretwork/mechanics/paths/snapping.hpp>
 #include <fretwork/mechanics/solve.hpp>
 
 #include <chrono>

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <fretwork/base/control.hpp>
-#include <fretwork/mechanics/equilibrium.hpp>
-#include <fretwork/mechanics/relaxation.hpp>
-#include <fretwork/mechanics/result_file.hpp>
+#include <fretwork/mechanics/paths/equilibrium.hpp>
+#include <fretwork/mechanics/paths/relaxation.hpp>
+#include <fretwork/mechanics/results/result_file.hpp>
 
 #include <filesystem>
 #include <optional>

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/text.hpp>
-#include <fretwork/optimization/annealing_then_ceres.hpp>
-#include <fretwork/optimization/ceres_multistart.hpp>
-#include <fretwork/optimization/ceres_residuals.hpp>
-#include <fretwork/optimization/detail/nlopt_optimizer.hpp>
-#include <fretwork/optimization/gauss_newton_multistart.hpp>
+#include <fretwork/optimization/methods/annealing_then_ceres.hpp>
+#include <fretwork/optimization/methods/ceres_multistart.hpp>
+#include <fretwork/optimization/methods/ceres_residuals.hpp>
+#include <fretwork/optimization/methods/detail/nlopt_optimizer.hpp>
+#include <fretwork/optimization/methods/gauss_newton_multistart.hpp>
+#include <fretwork/optimization/methods/pagmo_methods.hpp>
+#include <fretwork/optimization/methods/random_search.hpp>
+#include <fretwork/optimization/methods/simulated_annealing.hpp>
 #include <fretwork/optimization/optimizer_catalogue.hpp>
-#include <fretwork/optimization/pagmo_methods.hpp>
-#include <fretwork/optimization/random_search.hpp>
-#include <fretwork/optimization/simulated_annealing.hpp>
 
 #include <algorithm>
 #include <array>

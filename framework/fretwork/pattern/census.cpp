@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/parallel.hpp>
 #include <fretwork/pattern/census.hpp>
-#include <fretwork/pattern/detail/rule_counts.hpp>
-#include <fretwork/pattern/detail/rule_test.hpp>
+#include <fretwork/pattern/search/rule_counts.hpp>
+#include <fretwork/pattern/search/rule_test.hpp>
 
 #include <algorithm>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/parallel.hpp>
-#include <fretwork/pattern/detail/search.hpp>
 #include <fretwork/pattern/enumerate.hpp>
+#include <fretwork/pattern/search/search.hpp>
 
 #include <algorithm>
 #include <mutex>

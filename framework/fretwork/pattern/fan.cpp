@@ -78,8 +78,9 @@ class FanBuilder {
     std::map<std::pair<int, int>, FanNodeIndex> numbers_;
 };
 
-Point2 barycentric_point(const std::array<Rational, 3>& place, const std::array<Point2, 3>& triangle) {
-    Point2 point;
+geometry::Point2 barycentric_point(const std::array<Rational, 3>& place,
+                                   const std::array<geometry::Point2, 3>& triangle) {
+    geometry::Point2 point;
     for (std::size_t i = 0; i < 3; ++i) {
         point.x += place[i].to_double() * triangle[i].x;
         point.y += place[i].to_double() * triangle[i].y;
@@ -98,7 +99,8 @@ Fan make_fan(const NodeLayout& layout, const Pattern& pattern, int sides) {
     return builder.take();
 }
 
-std::vector<Point2> place_fan(const NodeLayout& layout, const Fan& fan, const Polygon& polygon) {
+std::vector<geometry::Point2> place_fan(const NodeLayout& layout, const Fan& fan,
+                                        const geometry::Polygon& polygon) {
     if (polygon.size() != static_cast<std::size_t>(fan.sides)) {
         throw base::InputError("a fan of " + std::to_string(fan.sides) +
                                " sectors does not fit into a polygon of " + std::to_string(polygon.size()) +
@@ -106,12 +108,13 @@ std::vector<Point2> place_fan(const NodeLayout& layout, const Fan& fan, const Po
     }
     if (!is_convex(polygon))
         throw base::GeometryError("the polygon of a fan is not convex and counterclockwise");
-    const Point2 center = centroid(polygon);
-    std::vector<Point2> places;
+    const geometry::Point2 center = centroid(polygon);
+    std::vector<geometry::Point2> places;
     places.reserve(fan.nodes.size());
     for (const Fan::Node& node : fan.nodes) {
         const auto t = static_cast<std::size_t>(node.sector);
-        const std::array<Point2, 3> sector = {center, polygon[t], polygon[(t + 1) % polygon.size()]};
+        const std::array<geometry::Point2, 3> sector = {center, polygon[t],
+                                                        polygon[(t + 1) % polygon.size()]};
         const LayoutNode& layout_node = layout.nodes()[static_cast<std::size_t>(node.layout_node)];
         places.push_back(barycentric_point(layout_node.place, sector));
     }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <fretwork/geometry/polygon.hpp>
 #include <fretwork/pattern/node_layout.hpp>
 #include <fretwork/pattern/pattern.hpp>
-#include <fretwork/pattern/polygon.hpp>
 
 #include <array>
 #include <vector>
@@ -42,6 +42,7 @@ Fan make_fan(const NodeLayout& layout, const Pattern& pattern, int sides);
 /// vertex t and vertex t + 1, and a node keeps its barycentric coordinates in it. Paper, Section 4.1. Throws
 /// GeometryError if the polygon is not convex and counterclockwise; InputError if it has another number of
 /// sides.
-std::vector<Point2> place_fan(const NodeLayout& layout, const Fan& fan, const Polygon& polygon);
+std::vector<geometry::Point2> place_fan(const NodeLayout& layout, const Fan& fan,
+                                        const geometry::Polygon& polygon);
 
 }  // namespace fretwork::pattern

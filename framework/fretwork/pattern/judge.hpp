@@ -2,7 +2,7 @@
 #pragma once
 
 #include <fretwork/pattern/filter_catalogue.hpp>
-#include <fretwork/pattern/verdict.hpp>
+#include <fretwork/pattern/rule.hpp>
 
 #include <span>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fretwork/pattern/detail/rule_test.hpp>
 #include <fretwork/pattern/judge.hpp>
 #include <fretwork/pattern/rejections.hpp>
+#include <fretwork/pattern/search/rule_test.hpp>
 
 #include <algorithm>
 #include <bit>

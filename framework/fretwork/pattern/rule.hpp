@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <fretwork/pattern/verdict.hpp>
+#include <fretwork/pattern/pattern.hpp>
 
 #include <functional>
 #include <string>
@@ -9,6 +9,14 @@
 #include <vector>
 
 namespace fretwork::pattern {
+
+/// What a filter says of a pattern. A rejection is a normal outcome, with its reason as data.
+struct Verdict {
+    bool accepted = true;
+    std::string filter;             ///< the name of the filter that rejects; empty if accepted
+    std::string reason;             ///< one sentence for people; empty if accepted
+    std::vector<EdgeIndex> guilty;  ///< the beams to be drawn in red; empty where something is missing
+};
 
 // The forms in which a filter may state its rule. The form is what the search, the census and the verdict
 // work with: it declares what a rule costs and how far it prunes, so none of them knows any filter by name.

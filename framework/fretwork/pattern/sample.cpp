@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/parallel.hpp>
-#include <fretwork/pattern/detail/independent_sets.hpp>
-#include <fretwork/pattern/detail/rule_test.hpp>
 #include <fretwork/pattern/sample.hpp>
+#include <fretwork/pattern/search/independent_sets.hpp>
+#include <fretwork/pattern/search/rule_test.hpp>
 
 #include <boost/math/distributions/binomial.hpp>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
-#include <fretwork/reduction/condensed_tile.hpp>
 #include <fretwork/reduction/effective_properties.hpp>
+#include <fretwork/reduction/models/condensed_tile.hpp>
 
 #include <Eigen/LU>
 #include <Eigen/QR>
@@ -126,7 +126,7 @@ EffectiveProperties effective_properties(const pattern::NodeLayout& layout, cons
         membrane.middleRows<3>(3 * node) = strained(frame.nodes[static_cast<std::size_t>(node)]);
         bending.middleRows<3>(3 * node) = curved(frame.nodes[static_cast<std::size_t>(node)]);
     }
-    const double area = pattern::signed_area(pattern::regular_polygon(setting.sides, setting.tile_side));
+    const double area = geometry::signed_area(geometry::regular_polygon(setting.sides, setting.tile_side));
     const MatrixXd periodic = periodic_fluctuations(nodes, nodes_a_side);
     const auto membrane_dofs = dofs_of(nodes, kMembraneDofs);
     const auto bending_dofs = dofs_of(nodes, kBendingDofs);

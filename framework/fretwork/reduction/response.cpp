@@ -2,11 +2,11 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/task.hpp>
 #include <fretwork/mechanics/discretization.hpp>
-#include <fretwork/mechanics/equilibrium.hpp>
+#include <fretwork/mechanics/paths/equilibrium.hpp>
 #include <fretwork/pattern/fan.hpp>
 #include <fretwork/reduction/detail/scenario_loads.hpp>
-#include <fretwork/reduction/joints.hpp>
 #include <fretwork/reduction/response.hpp>
+#include <fretwork/reduction/scenarios/joints.hpp>
 
 namespace fretwork::reduction {
 namespace {
@@ -60,9 +60,9 @@ Response respond(const FreeTile& tile, const Scenario& scenario, const ResponseO
 }  // namespace
 
 mechanics::Frame fan_frame(const pattern::NodeLayout& layout, const pattern::Fan& fan,
-                           const pattern::Polygon& polygon, const TileMaterial& bars) {
+                           const geometry::Polygon& polygon, const TileMaterial& bars) {
     mechanics::Frame frame;
-    for (const pattern::Point2& point : pattern::place_fan(layout, fan, polygon)) {
+    for (const geometry::Point2& point : pattern::place_fan(layout, fan, polygon)) {
         frame.nodes.emplace_back(point.x, point.y, 0.0);
     }
     for (const auto& [first, second] : fan.edges) {
@@ -75,7 +75,7 @@ mechanics::Frame fan_frame(const pattern::NodeLayout& layout, const pattern::Fan
 }
 
 mechanics::Frame fan_frame(const pattern::NodeLayout& layout, const pattern::Fan& fan,
-                           const pattern::Polygon& polygon, const Setting& setting) {
+                           const geometry::Polygon& polygon, const Setting& setting) {
     mechanics::Frame frame = fan_frame(layout, fan, polygon, {setting.section, setting.material});
     if (setting.joints == Joints::Centreline) return frame;
     const auto places = pattern::place_fan(layout, fan, polygon);
@@ -93,7 +93,7 @@ mechanics::Frame fan_frame(const pattern::NodeLayout& layout, const pattern::Fan
 }
 
 mechanics::Frame pattern_frame(const pattern::NodeLayout& layout, const pattern::Pattern& pattern,
-                               const pattern::Polygon& polygon, const TileMaterial& bars) {
+                               const geometry::Polygon& polygon, const TileMaterial& bars) {
     return fan_frame(layout, pattern::make_fan(layout, pattern, static_cast<int>(polygon.size())), polygon,
                      bars);
 }
@@ -101,7 +101,7 @@ mechanics::Frame pattern_frame(const pattern::NodeLayout& layout, const pattern:
 mechanics::Frame pattern_frame(const pattern::NodeLayout& layout, const pattern::Pattern& pattern,
                                const Setting& setting) {
     return fan_frame(layout, pattern::make_fan(layout, pattern, setting.sides),
-                     pattern::regular_polygon(setting.sides, setting.tile_side), setting);
+                     geometry::regular_polygon(setting.sides, setting.tile_side), setting);
 }
 
 mechanics::Frame scenario_frame(mechanics::Frame tile, const Scenario& scenario) {

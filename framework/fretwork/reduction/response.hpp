@@ -2,12 +2,12 @@
 #pragma once
 
 #include <fretwork/base/control.hpp>
+#include <fretwork/geometry/polygon.hpp>
 #include <fretwork/mechanics/assembly.hpp>
-#include <fretwork/mechanics/solution.hpp>
+#include <fretwork/mechanics/results/solution.hpp>
 #include <fretwork/pattern/fan.hpp>
 #include <fretwork/pattern/pattern.hpp>
-#include <fretwork/pattern/polygon.hpp>
-#include <fretwork/reduction/setting.hpp>
+#include <fretwork/reduction/scenarios/setting.hpp>
 
 #include <optional>
 #include <string>
@@ -35,15 +35,15 @@ struct Response {
 /// The beams of a fan in a convex polygon, without supports and loads; interface node i is node i. Interface
 /// nodes that the pattern does not use have no beam.
 mechanics::Frame fan_frame(const pattern::NodeLayout& layout, const pattern::Fan& fan,
-                           const pattern::Polygon& polygon, const TileMaterial& bars);
+                           const geometry::Polygon& polygon, const TileMaterial& bars);
 
 /// The same with bars and joints of a setting.
 mechanics::Frame fan_frame(const pattern::NodeLayout& layout, const pattern::Fan& fan,
-                           const pattern::Polygon& polygon, const Setting& setting);
+                           const geometry::Polygon& polygon, const Setting& setting);
 
 /// From a pattern.
 mechanics::Frame pattern_frame(const pattern::NodeLayout& layout, const pattern::Pattern& pattern,
-                               const pattern::Polygon& polygon, const TileMaterial& bars);
+                               const geometry::Polygon& polygon, const TileMaterial& bars);
 
 /// The pattern's full model in the setting's polygon, without supports and loads; interface node i is node i.
 mechanics::Frame pattern_frame(const pattern::NodeLayout& layout, const pattern::Pattern& pattern,

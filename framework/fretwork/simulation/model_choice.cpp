@@ -43,7 +43,7 @@ std::string foreign_size_text(const Surface& surface, const ModelChoice& choice)
         const auto& model = tile_model(surface, choice, tiling::TileIndex(t));
         if (model.parameters.empty()) continue;
         calibrated = &model;
-        sides += pattern::mean_side(tiling::tile_polygon(surface.tessellation, tiling::TileIndex(t)));
+        sides += geometry::mean_side(tiling::tile_polygon(surface.tessellation, tiling::TileIndex(t)));
         ++count;
     }
     if (count == 0) return "";

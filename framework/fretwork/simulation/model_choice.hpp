@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <fretwork/reduction/tile_model.hpp>
+#include <fretwork/reduction/models/tile_model.hpp>
 #include <fretwork/simulation/surface.hpp>
 
 #include <span>

@@ -2,10 +2,10 @@
 #pragma once
 
 #include <fretwork/base/control.hpp>
-#include <fretwork/mechanics/equilibrium_solver.hpp>
 #include <fretwork/mechanics/linear_solver.hpp>
-#include <fretwork/mechanics/result_file.hpp>
-#include <fretwork/simulation/load_case.hpp>
+#include <fretwork/mechanics/paths/equilibrium_solver.hpp>
+#include <fretwork/mechanics/results/result_file.hpp>
+#include <fretwork/simulation/load_cases/load_case.hpp>
 #include <fretwork/simulation/simulation_options.hpp>
 #include <fretwork/simulation/surface.hpp>
 

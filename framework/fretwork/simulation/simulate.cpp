@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/text.hpp>
-#include <fretwork/simulation/model_error.hpp>
-#include <fretwork/simulation/result_subject.hpp>
+#include <fretwork/simulation/results/model_error.hpp>
+#include <fretwork/simulation/results/result_subject.hpp>
+#include <fretwork/simulation/results/tile_stability.hpp>
 #include <fretwork/simulation/session.hpp>
 #include <fretwork/simulation/simulate.hpp>
-#include <fretwork/simulation/tile_stability.hpp>
 
 #include <span>
 

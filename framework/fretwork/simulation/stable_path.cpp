@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
-#include <fretwork/mechanics/snapping.hpp>
-#include <fretwork/simulation/conditions.hpp>
+#include <fretwork/mechanics/paths/snapping.hpp>
 #include <fretwork/simulation/detail/joined_tiles.hpp>
-#include <fretwork/simulation/result_subject.hpp>
+#include <fretwork/simulation/load_cases/conditions.hpp>
+#include <fretwork/simulation/results/result_subject.hpp>
 #include <fretwork/simulation/stable_path.hpp>
 
 #include <chrono>

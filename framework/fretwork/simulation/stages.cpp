@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
-#include <fretwork/base/file.hpp>
+#include <fretwork/base/files/file.hpp>
 #include <fretwork/base/internal/json_text.hpp>
 #include <fretwork/base/json_reader.hpp>
-#include <fretwork/simulation/combination.hpp>
-#include <fretwork/simulation/conditions.hpp>
 #include <fretwork/simulation/detail/joined_tiles.hpp>
-#include <fretwork/simulation/load_case_file.hpp>
-#include <fretwork/simulation/result_subject.hpp>
+#include <fretwork/simulation/load_cases/combination.hpp>
+#include <fretwork/simulation/load_cases/conditions.hpp>
+#include <fretwork/simulation/load_cases/load_case_file.hpp>
+#include <fretwork/simulation/results/result_subject.hpp>
 #include <fretwork/simulation/stages.hpp>
 
 #include <algorithm>

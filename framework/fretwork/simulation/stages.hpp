@@ -2,9 +2,9 @@
 #pragma once
 
 #include <fretwork/base/control.hpp>
-#include <fretwork/mechanics/result_file.hpp>
-#include <fretwork/mechanics/staged_path.hpp>
-#include <fretwork/simulation/load_case.hpp>
+#include <fretwork/mechanics/paths/staged_path.hpp>
+#include <fretwork/mechanics/results/result_file.hpp>
+#include <fretwork/simulation/load_cases/load_case.hpp>
 #include <fretwork/simulation/simulation_options.hpp>
 #include <fretwork/simulation/surface.hpp>
 

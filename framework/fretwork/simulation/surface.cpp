@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
-#include <fretwork/simulation/project_library.hpp>
+#include <fretwork/simulation/project/project_library.hpp>
 #include <fretwork/simulation/surface.hpp>
 
 #include <algorithm>
@@ -29,8 +29,8 @@ std::vector<double> tile_masses(const Surface& surface) {
     const double mass_per_length = surface.setting.material.density * surface.setting.section.area;
     const tiling::TessellationFan fan = surface_fan(surface);
     for (const tiling::TessellationFan::Edge& edge : fan.edges) {
-        const pattern::Point2& a = fan.nodes[static_cast<std::size_t>(edge.nodes[0])];
-        const pattern::Point2& b = fan.nodes[static_cast<std::size_t>(edge.nodes[1])];
+        const geometry::Point2& a = fan.nodes[static_cast<std::size_t>(edge.nodes[0])];
+        const geometry::Point2& b = fan.nodes[static_cast<std::size_t>(edge.nodes[1])];
         masses[static_cast<std::size_t>(edge.tile)] += mass_per_length * std::hypot(b.x - a.x, b.y - a.y);
     }
     return masses;

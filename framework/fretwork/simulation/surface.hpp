@@ -3,9 +3,9 @@
 
 #include <fretwork/library/library.hpp>
 #include <fretwork/pattern/pattern.hpp>
-#include <fretwork/reduction/calibration.hpp>
-#include <fretwork/reduction/setting.hpp>
-#include <fretwork/simulation/project.hpp>
+#include <fretwork/reduction/calibration/calibration.hpp>
+#include <fretwork/reduction/scenarios/setting.hpp>
+#include <fretwork/simulation/project/project.hpp>
 #include <fretwork/tiling/tessellation_fan.hpp>
 
 #include <string_view>

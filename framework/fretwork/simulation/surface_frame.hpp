@@ -2,7 +2,7 @@
 #pragma once
 
 #include <fretwork/base/control.hpp>
-#include <fretwork/simulation/conditions.hpp>
+#include <fretwork/simulation/load_cases/conditions.hpp>
 #include <fretwork/simulation/model_choice.hpp>
 
 namespace fretwork::simulation {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
-#include <fretwork/base/file.hpp>
+#include <fretwork/base/files/file.hpp>
 #include <fretwork/base/parallel.hpp>
 #include <fretwork/base/quantity.hpp>
 #include <fretwork/base/text.hpp>

@@ -2,8 +2,8 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/parallel.hpp>
 #include <fretwork/base/text.hpp>
-#include <fretwork/optimization/ceres_residuals.hpp>
-#include <fretwork/optimization/gauss_newton_multistart.hpp>
+#include <fretwork/optimization/methods/ceres_residuals.hpp>
+#include <fretwork/optimization/methods/gauss_newton_multistart.hpp>
 #include <fretwork/optimization/minimize.hpp>
 #include <fretwork/study/landscape.hpp>
 #include <fretwork/study/study_problem.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
-#include <fretwork/base/file.hpp>
-#include <fretwork/base/file_lock.hpp>
+#include <fretwork/base/files/file.hpp>
+#include <fretwork/base/files/file_lock.hpp>
 #include <fretwork/base/parallel.hpp>
 #include <fretwork/study/run_table.hpp>
 #include <fretwork/study/study.hpp>

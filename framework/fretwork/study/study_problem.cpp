@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
-#include <fretwork/base/file.hpp>
+#include <fretwork/base/files/file.hpp>
 #include <fretwork/base/quantity.hpp>
 #include <fretwork/base/text.hpp>
-#include <fretwork/optimization/analytic_problems.hpp>
+#include <fretwork/optimization/problems/analytic_problems.hpp>
 #include <fretwork/optimization/random.hpp>
 #include <fretwork/pattern/enumerate.hpp>
 #include <fretwork/reduction/effective_properties.hpp>
 #include <fretwork/reduction/linear_response.hpp>
-#include <fretwork/reduction/ring_problem.hpp>
+#include <fretwork/reduction/ring/ring_problem.hpp>
 #include <fretwork/reduction/stratified_sample.hpp>
 #include <fretwork/study/study_problem.hpp>
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
-#include <fretwork/tiling/detail/cell_sides.hpp>
-#include <fretwork/tiling/detail/measures.hpp>
-#include <fretwork/tiling/detail/mesh_text.hpp>
-#include <fretwork/tiling/detail/message_text.hpp>
-#include <fretwork/tiling/detail/numbering.hpp>
-#include <fretwork/tiling/detail/outline_check.hpp>
-#include <fretwork/tiling/detail/plane.hpp>
-#include <fretwork/tiling/detail/rim_of_dual.hpp>
+#include <fretwork/geometry/internal/message_text.hpp>
+#include <fretwork/geometry/plane.hpp>
+#include <fretwork/outlines/flat_mesh.hpp>
+#include <fretwork/outlines/outline_check.hpp>
+#include <fretwork/tiling/dual/cell_sides.hpp>
+#include <fretwork/tiling/dual/measures.hpp>
+#include <fretwork/tiling/dual/numbering.hpp>
+#include <fretwork/tiling/dual/rim_of_dual.hpp>
 #include <fretwork/tiling/mesh_tessellation.hpp>
 
 #include <algorithm>
@@ -16,25 +16,25 @@ namespace fretwork::tiling {
 namespace {
 
 using detail::Dual;
-using pattern::Point2;
-using pattern::Polygon;
+using geometry::Point2;
+using geometry::Polygon;
 
 class MeshTiles {
   public:
     explicit MeshTiles(const std::filesystem::path& path) : path_(path) {
-        const detail::MeshFile file = detail::read_flat_mesh(path);
+        const outlines::MeshFile file = outlines::read_flat_mesh(path);
         for (const auto& [x, y, z] : file.points) dual_.vertices.push_back({{x, y}});
         dual_.cells = file.faces;
         double area = 0.0;
         for (std::size_t face = 0; face < dual_.cells.size(); ++face)
-            area += pattern::signed_area(detail::polygon_of(dual_, face));
+            area += geometry::signed_area(detail::polygon_of(dual_, face));
         if (area > 0) return;
         for (std::vector<int>& face : dual_.cells) std::ranges::reverse(face);
     }
 
     Dual run() {
         for (std::size_t face = 0; face < dual_.cells.size(); ++face) {
-            if (!pattern::is_convex(detail::polygon_of(dual_, face)))
+            if (!geometry::is_convex(detail::polygon_of(dual_, face)))
                 fail(face, "is not convex, or runs the other way around than most faces");
         }
         check_sides();
@@ -47,7 +47,7 @@ class MeshTiles {
         throw base::GeometryError(path_.string(), "face " + std::to_string(face), message);
     }
     [[nodiscard]] std::string place_of(int vertex) const {
-        return detail::place_text(dual_.vertices[static_cast<std::size_t>(vertex)].place);
+        return geometry::place_text(dual_.vertices[static_cast<std::size_t>(vertex)].place);
     }
 
     void check_sides() {
@@ -77,10 +77,10 @@ class MeshTiles {
                 dual_.vertices[static_cast<std::size_t>(v)].loop = static_cast<int>(line);
         }
         const std::vector<Polygon> loops = detail::loops_of(dual_, rim);
-        const auto crossings = detail::places_of_crossings(loops, {});
+        const auto crossings = outlines::places_of_crossings(loops, {});
         if (!crossings.empty())
             fail(face_at(crossings.front()), "has a side that touches or crosses another, near " +
-                                                 detail::place_text(crossings.front()) +
+                                                 geometry::place_text(crossings.front()) +
                                                  ": faces share whole sides, and do not overlap");
     }
     [[nodiscard]] std::size_t face_with(int vertex) const {
@@ -92,7 +92,7 @@ class MeshTiles {
         const auto off = [&](const detail::CellSide& side) {
             const Point2 from = dual_.vertices[static_cast<std::size_t>(side.from)].place;
             const Point2 to = dual_.vertices[static_cast<std::size_t>(side.to)].place;
-            return detail::distance(detail::between(from, to, 0.5), place);
+            return geometry::distance(geometry::between(from, to, 0.5), place);
         };
         return std::ranges::min_element(rim_sides_, {}, off)->cell;
     }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/parallel.hpp>
-#include <fretwork/tiling/detail/candidate.hpp>
-#include <fretwork/tiling/detail/message_text.hpp>
+#include <fretwork/geometry/internal/message_text.hpp>
+#include <fretwork/geometry/plane.hpp>
 #include <fretwork/tiling/detail/narrow_parts.hpp>
-#include <fretwork/tiling/detail/numbering.hpp>
-#include <fretwork/tiling/detail/plane.hpp>
 #include <fretwork/tiling/detail/small_parts.hpp>
+#include <fretwork/tiling/dual/candidate.hpp>
+#include <fretwork/tiling/dual/numbering.hpp>
 #include <fretwork/tiling/tessellate.hpp>
 
 #include <algorithm>
@@ -20,12 +20,12 @@ namespace fretwork::tiling {
 namespace {
 
 using detail::Candidate;
-using detail::metres;
-using detail::short_number;
 using detail::SizeField;
 using detail::Start;
 using detail::Task;
 using detail::Work;
+using geometry::metres;
+using geometry::short_number;
 
 constexpr int kMostTiles = 100000;
 /// So many tiles are made in all, about: a small outline can be tried in more ways.
@@ -56,9 +56,9 @@ constexpr double kFarthest = 1e9;
 constexpr double kHexagonArea = 1.5 * std::numbers::sqrt3;  // of side 1
 
 /// About how many tiles an outline needs.
-double estimated_tiles(const Outline& outline, const TessellationOptions& options) {
+double estimated_tiles(const outlines::Outline& outline, const TessellationOptions& options) {
     const double hexagon = kHexagonArea * options.edge_length * options.edge_length;
-    return std::abs(pattern::signed_area(outline.boundary)) / hexagon;
+    return std::abs(geometry::signed_area(outline.boundary)) / hexagon;
 }
 
 /// The starts that look best in a first sketch, best first, and as many as the number of tiles allows. A
@@ -103,21 +103,21 @@ double smallest_wanted(const TessellationOptions& options) {
 }
 
 /// A tile with this side is about as wide as the widest place that counts as narrow.
-detail::NarrowLimits narrow_limits(const Outline& outline, const TessellationOptions& options) {
+detail::NarrowLimits narrow_limits(const outlines::Outline& outline, const TessellationOptions& options) {
     const double side = options.edge_length;
-    return {side / kSideInBand, std::min(kNegligibleArea * detail::area_of(outline), 0.5 * side * side)};
+    return {side / kSideInBand, std::min(kNegligibleArea * outlines::area_of(outline), 0.5 * side * side)};
 }
 
 /// The length of the boundary and the holes, metres.
-double length_of_loops(const Outline& outline) {
-    double sum = detail::perimeter(outline.boundary);
-    for (const pattern::Polygon& hole : outline.holes) sum += detail::perimeter(hole);
+double length_of_loops(const outlines::Outline& outline) {
+    double sum = geometry::perimeter(outline.boundary);
+    for (const geometry::Polygon& hole : outline.holes) sum += geometry::perimeter(hole);
     return sum;
 }
 
 /// Whether an outline is far too narrow for tiles with this side, nearly all of it: no attempt would succeed.
-bool is_sliver(const Outline& outline, double side) {
-    const double mean_width = 2.0 * detail::area_of(outline) / length_of_loops(outline);
+bool is_sliver(const outlines::Outline& outline, double side) {
+    const double mean_width = 2.0 * outlines::area_of(outline) / length_of_loops(outline);
     return kSideInBand * mean_width < kSliver * side;
 }
 
@@ -128,27 +128,27 @@ struct WantedSides {
 };
 
 /// Smaller tiles where the outline is narrow, and around small holes.
-WantedSides wanted_sides(const Outline& outline, const TessellationOptions& options) {
+WantedSides wanted_sides(const outlines::Outline& outline, const TessellationOptions& options) {
     SizeField field(options.edge_length);
     const double side = options.edge_length;
     const detail::NarrowLimits limits = narrow_limits(outline, options);
     const double least = smallest_wanted(options);
     for (const detail::NarrowPlace& narrow : detail::narrow_places(outline, limits, options.control)) {
-        if (narrow.width < least && narrow.cut_off > kLimbArea * detail::area_of(outline))
+        if (narrow.width < least && narrow.cut_off > kLimbArea * outlines::area_of(outline))
             return {field, narrow};
         field.limit(narrow.place, std::max(least, kSideInBand * narrow.width));
     }
-    for (const pattern::Polygon& hole : outline.holes) {
-        const double wanted = std::max(least, kSideAtHole * detail::perimeter(hole));
+    for (const geometry::Polygon& hole : outline.holes) {
+        const double wanted = std::max(least, kSideAtHole * geometry::perimeter(hole));
         if (wanted < side) {
-            for (const pattern::Point2& point : hole) field.limit(point, wanted);
+            for (const geometry::Point2& point : hole) field.limit(point, wanted);
         }
     }
     return {field, std::nullopt};
 }
 
-detail::BluntLimits blunt_limits(const Outline& outline, const TessellationOptions& options) {
-    const double all = detail::area_of(outline);
+detail::BluntLimits blunt_limits(const outlines::Outline& outline, const TessellationOptions& options) {
+    const double all = outlines::area_of(outline);
     return {std::min(kTipArea * all, 0.25 * options.edge_length * options.edge_length), kTipsArea * all};
 }
 
@@ -186,7 +186,7 @@ Candidate best_attempt(const Subject& subject, const TessellationOptions& option
 }
 
 /// The best tiling of all attempts. Those that end with defects begin again with lattices turned otherwise.
-Candidate best_tiling(const Outline& outline, const TessellationOptions& options,
+Candidate best_tiling(const outlines::Outline& outline, const TessellationOptions& options,
                       std::span<const double> turns, Work& work) {
     if (is_sliver(outline, smallest_wanted(options))) {
         Candidate none;
@@ -201,7 +201,7 @@ Candidate best_tiling(const Outline& outline, const TessellationOptions& options
         best.defects.push_back({detail::DefectKind::TooNarrow, too_narrow->place});
         return best;
     }
-    const double share = blunt.lost_area / detail::area_of(outline);
+    const double share = blunt.lost_area / outlines::area_of(outline);
     const Subject subject{blunt,
                           field,
                           {.smallest_side = options.smallest_side,
@@ -216,7 +216,7 @@ Candidate best_tiling(const Outline& outline, const TessellationOptions& options
 }
 
 /// How far the boundary reaches in x and in y, metres.
-std::pair<double, double> extent(const Outline& outline) {
+std::pair<double, double> extent(const outlines::Outline& outline) {
     const auto [left, right] = std::minmax_element(outline.boundary.begin(), outline.boundary.end(),
                                                    [](auto& a, auto& b) { return a.x < b.x; });
     const auto [low, high] = std::minmax_element(outline.boundary.begin(), outline.boundary.end(),
@@ -225,41 +225,43 @@ std::pair<double, double> extent(const Outline& outline) {
 }
 
 /// A slip of units should not fill the memory. A needle without area has a long rim.
-void check_size(const Outline& outline, const TessellationOptions& options) {
+void check_size(const outlines::Outline& outline, const TessellationOptions& options) {
     const auto [width, height] = extent(outline);
     const double rim = length_of_loops(outline);
     const double tiles = std::max(0.5 * rim / options.edge_length, estimated_tiles(outline, options));
     if (tiles <= kMostTiles) return;
     const double enough =
         std::max(options.edge_length * std::sqrt(tiles / kMostTiles), 0.5 * rim / kMostTiles);
-    const std::string need = std::isfinite(tiles) ? "about " + short_number(std::round(tiles)) : "countless";
-    throw base::InputError("the outline is " + metres(width) + " wide and " + metres(height) +
-                           " high: with sides of " + metres(options.edge_length) + " it would need " + need +
+    const std::string need =
+        std::isfinite(tiles) ? "about " + geometry::short_number(std::round(tiles)) : "countless";
+    throw base::InputError("the outline is " + geometry::metres(width) + " wide and " +
+                           geometry::metres(height) + " high: with sides of " +
+                           geometry::metres(options.edge_length) + " it would need " + need +
                            " tiles, where " + std::to_string(kMostTiles) +
                            " are the most; is the unit of the outline right? Otherwise choose sides of " +
-                           metres(enough) + " or more");
+                           geometry::metres(enough) + " or more");
 }
 
 /// Coordinates have 53 bits: far from the origin small details are lost.
-void check_origin(const Outline& outline, const TessellationOptions& options) {
+void check_origin(const outlines::Outline& outline, const TessellationOptions& options) {
     double farthest = 0.0;
-    for (const pattern::Point2& point : outline.boundary)
+    for (const geometry::Point2& point : outline.boundary)
         farthest = std::max({farthest, std::abs(point.x), std::abs(point.y)});
     if (farthest <= kFarthest * options.edge_length) return;
-    throw base::InputError("the outline lies " + metres(farthest) +
+    throw base::InputError("the outline lies " + geometry::metres(farthest) +
                            " from the origin, where coordinates are too coarse for tiles with sides of " +
-                           metres(options.edge_length) + ": move it to within " +
-                           metres(kFarthest * options.edge_length));
+                           geometry::metres(options.edge_length) + ": move it to within " +
+                           geometry::metres(kFarthest * options.edge_length));
 }
 
 /// A smaller side of the tiles with which the outline can be tiled, found by trying; none of those tried.
-std::optional<double> side_that_works(const Outline& outline, const TessellationOptions& options,
+std::optional<double> side_that_works(const outlines::Outline& outline, const TessellationOptions& options,
                                       double first, Work& work) {
-    const double side_of_few = std::sqrt(detail::area_of(outline) / (kFewTiles * kHexagonArea));
+    const double side_of_few = std::sqrt(outlines::area_of(outline) / (kFewTiles * kHexagonArea));
     double side = std::min(first, side_of_few);
     for (int i = 0; i < kSidesTried; ++i, side *= kNextSide) {
         TessellationOptions smaller = options;
-        smaller.edge_length = std::stod(detail::two_digits(side));
+        smaller.edge_length = std::stod(geometry::two_digits(side));
         smaller.smallest_side = std::min(options.smallest_side, 0.25 * smaller.edge_length);
         if (estimated_tiles(outline, smaller) > kMostTilesTried) return std::nullopt;
         if (best_tiling(outline, smaller, std::span(kTurnedBy).first(1), work).defects.empty())
@@ -269,19 +271,20 @@ std::optional<double> side_that_works(const Outline& outline, const Tessellation
 }
 
 std::string advice(const std::optional<double>& side) {
-    if (side) return "; sides of " + metres(*side) + " work";
+    if (side) return "; sides of " + geometry::metres(*side) + " work";
     return "; no smaller side that was tried works: make the outline wider there";
 }
 
-[[noreturn]] void refuse(const Outline& outline, const TessellationOptions& options,
+[[noreturn]] void refuse(const outlines::Outline& outline, const TessellationOptions& options,
                          const detail::Defect& defect, Work& work) {
     const auto works = side_that_works(outline, options, kNextSide * options.edge_length, work);
     throw base::GeometryError("the outline is too narrow for tiles with sides of " +
-                              metres(options.edge_length) + " near " + detail::place_text(defect.place) +
-                              ": " + std::string(detail::words_for(defect.kind)) + advice(works));
+                              geometry::metres(options.edge_length) + " near " +
+                              geometry::place_text(defect.place) + ": " +
+                              std::string(detail::words_for(defect.kind)) + advice(works));
 }
 
-void refuse_narrow(const Outline& outline, const TessellationOptions& options) {
+void refuse_narrow(const outlines::Outline& outline, const TessellationOptions& options) {
     const auto places = detail::narrow_places(outline, narrow_limits(outline, options), options.control);
     if (places.empty()) return;
     const detail::NarrowPlace& place = places.front();
@@ -289,9 +292,9 @@ void refuse_narrow(const Outline& outline, const TessellationOptions& options) {
     silent.control = options.control.silent();
     Work work(silent.control, "");
     const auto works = side_that_works(outline, silent, kSideInBand * place.width, work);
-    throw base::GeometryError("the outline is " + metres(place.width) + " wide near " +
-                              detail::place_text(place.place) + ", narrower than tiles with sides of " +
-                              metres(options.edge_length) + advice(works) +
+    throw base::GeometryError("the outline is " + geometry::metres(place.width) + " wide near " +
+                              geometry::place_text(place.place) + ", narrower than tiles with sides of " +
+                              geometry::metres(options.edge_length) + advice(works) +
                               "; or refine the tiles where it is narrow");
 }
 
@@ -299,15 +302,15 @@ void refuse_narrow(const Outline& outline, const TessellationOptions& options) {
 
 void TessellationOptions::validate() const {
     if (!(edge_length >= kSmallestEdge) || !(edge_length <= kLargestEdge))
-        throw base::InputError("the edge length of a tessellation is " + metres(edge_length) +
-                               ", where a length from " + metres(kSmallestEdge) + " to " +
-                               metres(kLargestEdge) + " is needed");
+        throw base::InputError("the edge length of a tessellation is " + geometry::metres(edge_length) +
+                               ", where a length from " + geometry::metres(kSmallestEdge) + " to " +
+                               geometry::metres(kLargestEdge) + " is needed");
     if (remeshing_iterations < 1 || relaxation_iterations < 0 || lattice_angles < 0)
         throw base::InputError(
             "a tessellation needs at least one iteration of remeshing, and no number below zero");
 }
 
-TessellationResult tessellate(const Outline& outline, const pattern::NodeLayout& layout,
+TessellationResult tessellate(const outlines::Outline& outline, const pattern::NodeLayout& layout,
                               const TessellationOptions& options) {
     options.validate();
     check_size(outline, options);

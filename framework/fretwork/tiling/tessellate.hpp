@@ -2,9 +2,9 @@
 #pragma once
 
 #include <fretwork/base/control.hpp>
+#include <fretwork/outlines/outline.hpp>
 #include <fretwork/pattern/node_layout.hpp>
-#include <fretwork/tiling/outline.hpp>
-#include <fretwork/tiling/painting.hpp>
+#include <fretwork/tiling/painting/painting.hpp>
 #include <fretwork/tiling/tessellation.hpp>
 
 #include <string>
@@ -82,7 +82,7 @@ struct TessellationResult {
 /// needle, a slit); InputError if it would need more than 100,000 tiles or lies so far from the origin that
 /// its coordinates are too coarse; base::Stopped. Needles, slits, size and place are looked at before any
 /// triangle is made. Deterministic.
-TessellationResult tessellate(const Outline& outline, const pattern::NodeLayout& layout,
+TessellationResult tessellate(const outlines::Outline& outline, const pattern::NodeLayout& layout,
                               const TessellationOptions& options);
 
 }  // namespace fretwork::tiling

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
-#include <fretwork/tiling/detail/plane.hpp>
+#include <fretwork/geometry/plane.hpp>
 #include <fretwork/tiling/tessellate_parts.hpp>
 
 #include <algorithm>
@@ -41,7 +41,7 @@ void merge(TessellationReport& whole, const TessellationReport& part) {
     whole.negligible_points += part.negligible_points;
 }
 
-TessellationResult tessellate_part(const std::vector<Outline>& parts, std::size_t part,
+TessellationResult tessellate_part(const std::vector<outlines::Outline>& parts, std::size_t part,
                                    const pattern::NodeLayout& layout, const TessellationOptions& options) {
     try {
         return tessellate(parts[part], layout, options);
@@ -53,21 +53,21 @@ TessellationResult tessellate_part(const std::vector<Outline>& parts, std::size_
 
 }  // namespace
 
-TessellationResult tessellate_parts(const std::vector<Outline>& parts, const pattern::NodeLayout& layout,
-                                    const TessellationOptions& options) {
+TessellationResult tessellate_parts(const std::vector<outlines::Outline>& parts,
+                                    const pattern::NodeLayout& layout, const TessellationOptions& options) {
     if (parts.empty()) throw base::InputError("there is no outline to tile");
     if (parts.size() == 1) return tessellate(parts.front(), layout, options);
     TessellationResult whole = tessellate_part(parts, 0, layout, options);
-    double area = detail::area_of(parts.front());
+    double area = outlines::area_of(parts.front());
     double covered = area * whole.report.covered_share;
     double outside = area * whole.report.outside_share;
     for (std::size_t part = 1; part < parts.size(); ++part) {
         const TessellationResult next = tessellate_part(parts, part, layout, options);
         append(whole.tessellation, next.tessellation);
         merge(whole.report, next.report);
-        area += detail::area_of(parts[part]);
-        covered += detail::area_of(parts[part]) * next.report.covered_share;
-        outside += detail::area_of(parts[part]) * next.report.outside_share;
+        area += outlines::area_of(parts[part]);
+        covered += outlines::area_of(parts[part]) * next.report.covered_share;
+        outside += outlines::area_of(parts[part]) * next.report.outside_share;
     }
     whole.report.covered_share = covered / area;
     whole.report.outside_share = outside / area;

@@ -12,7 +12,7 @@ namespace fretwork::tiling {
 ///
 /// The report is that of the whole: of the outline as `tessellate` says, with the first part's `start`.
 /// Throws what `tessellate` throws, with the part's number if there are several.
-TessellationResult tessellate_parts(const std::vector<Outline>& parts, const pattern::NodeLayout& layout,
-                                    const TessellationOptions& options);
+TessellationResult tessellate_parts(const std::vector<outlines::Outline>& parts,
+                                    const pattern::NodeLayout& layout, const TessellationOptions& options);
 
 }  // namespace fretwork::tiling

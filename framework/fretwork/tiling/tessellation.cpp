@@ -15,8 +15,8 @@ void turn(Tile& tile, int vertices) {
     std::ranges::rotate(tile.interface_nodes, tile.interface_nodes.begin() + by * interface_nodes_a_side);
 }
 
-pattern::Polygon tile_polygon(const Tessellation& tessellation, TileIndex tile) {
-    pattern::Polygon polygon;
+geometry::Polygon tile_polygon(const Tessellation& tessellation, TileIndex tile) {
+    geometry::Polygon polygon;
     for (const VertexIndex vertex : tessellation.tiles[static_cast<std::size_t>(tile.value)].vertices) {
         polygon.push_back(tessellation.vertices[static_cast<std::size_t>(vertex.value)]);
     }
@@ -34,7 +34,7 @@ std::vector<std::size_t> used_patterns(const Tessellation& tessellation) {
 double mean_tile_side(const Tessellation& tessellation) {
     double sum = 0.0;
     for (std::size_t i = 0; i < tessellation.tiles.size(); ++i) {
-        sum += pattern::mean_side(tile_polygon(tessellation, TileIndex(i)));
+        sum += geometry::mean_side(tile_polygon(tessellation, TileIndex(i)));
     }
     return sum / static_cast<double>(tessellation.tiles.size());
 }

@@ -16,7 +16,7 @@ using VertexIndex = base::Index<struct VertexTag>;
 using InterfaceIndex = base::Index<struct InterfaceTag>;
 
 /// A convex polygon of the tessellation. Its first vertex is vertex 0, and so the orientation of its pattern:
-/// the first side faces down (against y), as in pattern::regular_polygon, as nearly as a direction within 30
+/// the first side faces down (against y), as in geometry::regular_polygon, as nearly as a direction within 30
 /// degrees of that allows which the sides of most hexagons face; so neighbours in a regular region have the
 /// same orientation.
 struct Tile {
@@ -29,18 +29,18 @@ struct Tile {
 /// A flat surface of polygons that share interface nodes, each painted with a pattern. `tessellate` numbers
 /// tiles from left to right by their centroids, and vertices and interface nodes as the tiles come to them.
 struct Tessellation {
-    std::string layout;                     ///< name of the node layout whose interface nodes it has
-    std::vector<pattern::Point2> vertices;  ///< metres
+    std::string layout;                      ///< name of the node layout whose interface nodes it has
+    std::vector<geometry::Point2> vertices;  ///< metres
     std::vector<Tile> tiles;
-    std::vector<pattern::Point2> interface_nodes;  ///< places, metres
-    std::vector<std::string> patterns;             ///< pattern ids, the palette in use
+    std::vector<geometry::Point2> interface_nodes;  ///< places, metres
+    std::vector<std::string> patterns;              ///< pattern ids, the palette in use
 };
 
 /// Turn a tile's pattern: its first vertex moves on by so many, counterclockwise, back if below zero.
 void turn(Tile& tile, int vertices);
 
 /// The polygon of a tile.
-pattern::Polygon tile_polygon(const Tessellation& tessellation, TileIndex tile);
+geometry::Polygon tile_polygon(const Tessellation& tessellation, TileIndex tile);
 
 /// The places in Tessellation::patterns of those that a tile has, ascending.
 std::vector<std::size_t> used_patterns(const Tessellation& tessellation);

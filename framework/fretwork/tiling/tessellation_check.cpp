@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/text.hpp>
+#include <fretwork/geometry/plane.hpp>
 #include <fretwork/pattern/pattern.hpp>
-#include <fretwork/tiling/detail/plane.hpp>
 #include <fretwork/tiling/tessellation_check.hpp>
 
 #include <algorithm>
@@ -11,6 +11,8 @@
 
 namespace fretwork::tiling {
 namespace {
+
+using geometry::Point2;
 
 using namespace detail;
 
@@ -92,7 +94,7 @@ class Checker {
     }
 
     void check_shape(std::size_t t) const {
-        if (!pattern::is_convex(tile_polygon(tessellation_, TileIndex(t))))
+        if (!geometry::is_convex(tile_polygon(tessellation_, TileIndex(t))))
             throw base::GeometryError("tile " + std::to_string(t) + " is not convex and counterclockwise");
     }
 

@@ -24,7 +24,7 @@ struct TessellationFan {
         friend bool operator==(const Edge&, const Edge&) = default;
     };
     int interface_node_count = 0;
-    std::vector<pattern::Point2> nodes;  ///< metres
+    std::vector<geometry::Point2> nodes;  ///< metres
     std::vector<Edge> edges;
     /// For each tile its nodes here, in the order of its pattern::Fan::nodes.
     std::vector<std::vector<TessellationNodeIndex>> tile_nodes;

@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
 #include <fretwork/fabrication/detail/assembling.hpp>
-#include <fretwork/fabrication/detail/plane.hpp>
+#include <fretwork/fabrication/detail/length_text.hpp>
+#include <fretwork/geometry/plane.hpp>
 
 #include <algorithm>
 
 namespace fretwork::fabrication::detail {
 namespace {
 
+using geometry::Box;
+using geometry::Point2;
+
 /// A piece that is looked up by points of it.
 struct Candidate {
-    pattern::Polygon polygon;
+    geometry::Polygon polygon;
     Box box;
     double area = 0.0;
 };
@@ -39,7 +43,7 @@ std::size_t smallest_around(std::span<const Candidate> candidates, const Point2&
 
 }  // namespace
 
-bool contains(const pattern::Polygon& polygon, const Point2& point) {
+bool contains(const geometry::Polygon& polygon, const Point2& point) {
     bool inside = false;
     for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
         const Point2& a = polygon[i];

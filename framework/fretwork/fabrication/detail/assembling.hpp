@@ -12,8 +12,8 @@ namespace fretwork::fabrication::detail {
 std::vector<Piece> assembled(std::span<const Contour> contours);
 
 /// The piece that has a point of material. Throws GeometryError if none has.
-Piece& piece_around(Shape& shape, const pattern::Point2& point);
+Piece& piece_around(Shape& shape, const geometry::Point2& point);
 
-bool contains(const pattern::Polygon& polygon, const pattern::Point2& point);
+bool contains(const geometry::Polygon& polygon, const geometry::Point2& point);
 
 }  // namespace fretwork::fabrication::detail

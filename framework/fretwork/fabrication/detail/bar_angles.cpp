@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/fabrication/detail/bar_angles.hpp>
-#include <fretwork/fabrication/detail/plane.hpp>
+#include <fretwork/geometry/plane.hpp>
 
 #include <map>
 #include <numbers>
 #include <tuple>
 
 namespace fretwork::fabrication::detail {
+
+using geometry::Point2;
 
 std::vector<BarAngle> bar_angles(const BarPlan& plan) {
     struct Direction {

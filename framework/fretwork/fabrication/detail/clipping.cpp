@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/fabrication/detail/clipping.hpp>
-#include <fretwork/fabrication/detail/plane.hpp>
+#include <fretwork/geometry/plane.hpp>
 
 #include <polyclipping/clipper.hpp>
 
 namespace fretwork::fabrication::detail {
 namespace {
 
+using geometry::Box;
+using geometry::Point2;
+
 using ClipperLib::IntPoint;
 using ClipperLib::Path;
 using ClipperLib::Paths;
-using pattern::Polygon;
+using geometry::Polygon;
 
 constexpr double kPerMetre = 1e9;  ///< grid points
 /// What is smaller is what rounding to the grid has left between corners that are one.
@@ -48,7 +51,7 @@ class Grid {
 };
 
 Box box_of_all(std::span<const Polygon> polygons, Box box) {
-    for (const Polygon& polygon : polygons) box = fabrication::united(box, box_of(polygon));
+    for (const Polygon& polygon : polygons) box = geometry::united(box, box_of(polygon));
     return box;
 }
 
@@ -94,7 +97,7 @@ std::vector<Polygon> polygons_of(const Paths& paths, const Grid& grid) {
     std::vector<Polygon> polygons;
     for (const Path& path : paths) {
         Polygon polygon = cleaned(grid.polygon(path));
-        if (polygon.empty() || std::abs(pattern::signed_area(polygon)) < kLeastArea) continue;
+        if (polygon.empty() || std::abs(geometry::signed_area(polygon)) < kLeastArea) continue;
         polygons.push_back(std::move(polygon));
     }
     return polygons;
@@ -120,7 +123,7 @@ std::vector<Polygon> combined(std::span<const Polygon> left, std::span<const Pol
     const std::span<const Polygon> any = left.empty() ? right : left;
     if (any.empty()) return {};
     const Grid grid(
-        box_of_all(right, box_of_all(left, fabrication::box_of(std::span<const Point2>(any.front())))));
+        box_of_all(right, box_of_all(left, geometry::box_of(std::span<const Point2>(any.front())))));
     return polygons_of(execute({as_they_are(left, grid), as_they_are(right, grid)}, type), grid);
 }
 
@@ -211,7 +214,7 @@ class ArcFinder {
 
     [[nodiscard]] Contour whole_circle() const {
         const Contour whole = circle(disc(0).center, disc(0).radius);
-        return pattern::signed_area(polygon_) > 0.0 ? whole : reversed(whole);
+        return geometry::signed_area(polygon_) > 0.0 ? whole : reversed(whole);
     }
 
     void add_arc(Contour& contour, std::size_t first) const {
@@ -230,7 +233,8 @@ class ArcFinder {
         }
         const double middle = std::atan2(from.y - center.y, from.x - center.x) + 0.5 * sweep;
         contour.push_back({from, std::tan(0.125 * sweep)});
-        contour.push_back({center + disc(first).radius * direction(middle), std::tan(0.125 * sweep)});
+        contour.push_back(
+            {center + disc(first).radius * geometry::direction(middle), std::tan(0.125 * sweep)});
     }
 
     const Polygon& polygon_;

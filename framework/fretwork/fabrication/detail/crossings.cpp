@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
-#include <fretwork/fabrication/detail/box_grid.hpp>
 #include <fretwork/fabrication/detail/crossings.hpp>
-#include <fretwork/fabrication/detail/plane.hpp>
+#include <fretwork/fabrication/detail/length_text.hpp>
+#include <fretwork/geometry/box_grid.hpp>
+#include <fretwork/geometry/plane.hpp>
 
 #include <optional>
 #include <string>
 
 namespace fretwork::fabrication::detail {
 namespace {
+
+using geometry::Box;
+using geometry::Point2;
 
 /// Bars nearer than this touch: what rounding leaves between a node and a bar that passes through it.
 constexpr double kTouching = 1e-9;  // m
@@ -40,7 +44,7 @@ std::optional<Point2> meeting_place(const Segment& a, const Segment& b) {
         return a.from + share * along;
     }
     const auto touches = [](const Point2& point, const Segment& line) {
-        return distance(point, nearest_on_segment(point, line.from, line.to)) <= kTouching;
+        return distance(point, nearest_on_segment(line.from, line.to, point)) <= kTouching;
     };
     if (touches(a.from, b)) return a.from;
     if (touches(a.to, b)) return a.to;
@@ -84,7 +88,7 @@ void require_no_crossings(const BarPlan& plan) {
         const Segment line = segment(plan, bar);
         boxes.push_back(grown(box_of(std::array{line.from, line.to}), kTouching));
     }
-    const BoxGrid grid(boxes);
+    const geometry::BoxGrid grid(boxes);
     for (std::size_t i = 0; i < plan.bars.size(); ++i) {
         const Bar& bar = plan.bars[i];
         for (const std::size_t j : grid.meeting(boxes[i])) {

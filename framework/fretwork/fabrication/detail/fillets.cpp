@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/fabrication/detail/fillets.hpp>
 #include <fretwork/fabrication/detail/inner_corners.hpp>
-#include <fretwork/fabrication/detail/plane.hpp>
+#include <fretwork/geometry/plane.hpp>
 
 #include <vector>
 
 namespace fretwork::fabrication::detail {
 namespace {
+
+using geometry::Point2;
 
 /// A corner between two lines, and the part of both that its arc takes.
 struct Corner {

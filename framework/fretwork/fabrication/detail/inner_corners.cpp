@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/fabrication/detail/inner_corners.hpp>
-#include <fretwork/fabrication/detail/plane.hpp>
+#include <fretwork/geometry/plane.hpp>
 
 #include <cmath>
 
 namespace fretwork::fabrication::detail {
 namespace {
+
+using geometry::Point2;
 
 /// The material lies on the left of a contour: inner corners are where it turns right.
 void look_at(const Contour& contour, std::vector<double>& radii) {

@@ -1,23 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/fabrication/detail/joints.hpp>
-#include <fretwork/fabrication/detail/plane.hpp>
+#include <fretwork/geometry/plane.hpp>
 
 namespace fretwork::fabrication::detail {
 namespace {
 
+using geometry::Point2;
+
 /// The part of a disc that lies further than `offset` along a normal from its center.
-pattern::Polygon disc_beyond(const Disc& disc, const Point2& normal, double offset) {
+geometry::Polygon disc_beyond(const Disc& disc, const Point2& normal, double offset) {
     const double half = std::acos(std::clamp(offset / disc.radius, -1.0, 1.0));
     const double middle = std::atan2(normal.y, normal.x);
     const int chords = static_cast<int>(std::ceil(2.0 * half / kChordAngle));
-    pattern::Polygon polygon;
+    geometry::Polygon polygon;
     for (int i = 0; i <= chords; ++i)
-        polygon.push_back(disc.center + disc.radius * direction(middle - half + 2.0 * half * i / chords));
+        polygon.push_back(disc.center +
+                          disc.radius * geometry::direction(middle - half + 2.0 * half * i / chords));
     return polygon;
 }
 
 /// The neck from behind the seam to the middle of the knob.
-pattern::Polygon neck(const Joint& joint, const JointMaking& making, double growth) {
+geometry::Polygon neck(const Joint& joint, const JointMaking& making, double growth) {
     const Point2 aside = (making.size.neck + growth) * left_of(joint.normal);
     const Point2 from = joint.place - making.size.neck * joint.normal;
     const Point2 to = joint.place + making.size.reach * joint.normal;

@@ -12,8 +12,8 @@ namespace fretwork::fabrication::detail {
 /// A joint at an interface node on a seam.
 struct Joint {
     std::size_t number = 0;
-    pattern::Point2 place;
-    pattern::Point2 normal;  ///< of length 1, from the part with the knob to that with the socket
+    geometry::Point2 place;
+    geometry::Point2 normal;  ///< of length 1, from the part with the knob to that with the socket
     std::size_t knob_part = 0;
     std::size_t socket_part = 0;
 };
@@ -31,9 +31,9 @@ struct JointSize {
 /// What joints do to a part: material that goes, then material that comes, then material that goes again. The
 /// circles of it.
 struct JointCut {
-    std::vector<pattern::Polygon> beyond;
-    std::vector<pattern::Polygon> added;
-    std::vector<pattern::Polygon> sockets;
+    std::vector<geometry::Polygon> beyond;
+    std::vector<geometry::Polygon> added;
+    std::vector<geometry::Polygon> sockets;
     std::vector<Disc> discs;
 };
 
@@ -48,6 +48,6 @@ enum class JointSide { Knob, Socket };
 void add_side(JointCut& cut, const Joint& joint, JointSide side, const JointMaking& making);
 
 /// Where a side's name is engraved.
-pattern::Point2 name_place(const Joint& joint, JointSide side, const JointSize& size);
+geometry::Point2 name_place(const Joint& joint, JointSide side, const JointSize& size);
 
 }  // namespace fretwork::fabrication::detail

@@ -3,7 +3,7 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/fabrication/detail/parts.hpp>
-#include <fretwork/fabrication/detail/plane.hpp>
+#include <fretwork/geometry/plane.hpp>
 
 #include <map>
 #include <numeric>
@@ -12,6 +12,9 @@
 
 namespace fretwork::fabrication::detail {
 namespace {
+
+using geometry::Box;
+using geometry::Point2;
 
 constexpr double kRounding = 1e-9;  // m
 
@@ -24,8 +27,8 @@ bool fits(double width, double height, const Bed& bed) {
 std::vector<Box> tile_boxes(const tiling::Tessellation& tessellation) {
     std::vector<Box> boxes;
     for (std::size_t t = 0; t < tessellation.tiles.size(); ++t) {
-        const pattern::Polygon polygon = tiling::tile_polygon(tessellation, TileIndex(t));
-        boxes.push_back(box_of(std::span<const Point2>(polygon)));
+        const geometry::Polygon polygon = tiling::tile_polygon(tessellation, TileIndex(t));
+        boxes.push_back(geometry::box_of(std::span<const Point2>(polygon)));
     }
     return boxes;
 }

@@ -17,10 +17,10 @@ std::vector<std::size_t> parts_of_tiles(const tiling::Tessellation& tessellation
 /// Where parts are put: sheet, place of the lower left corner, and whether they are turned by a quarter.
 struct Nest {
     std::size_t sheet = 0;
-    pattern::Point2 corner;
+    geometry::Point2 corner;
     bool turned = false;
 };
 /// Rows of boxes on sheets, the highest first. Every box fits the bed.
-std::vector<Nest> nested(const std::vector<Box>& boxes, const Bed& bed);
+std::vector<Nest> nested(const std::vector<geometry::Box>& boxes, const Bed& bed);
 
 }  // namespace fretwork::fabrication::detail

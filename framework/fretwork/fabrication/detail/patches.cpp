@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/fabrication/detail/patches.hpp>
-#include <fretwork/fabrication/detail/plane.hpp>
+#include <fretwork/geometry/plane.hpp>
 
 #include <map>
 #include <numbers>
@@ -8,11 +8,13 @@
 namespace fretwork::fabrication::detail {
 namespace {
 
+using geometry::Point2;
+
 constexpr double kFullTurn = 2.0 * std::numbers::pi;
 /// Bars that go straight on need no round end.
 constexpr double kStraightOn = 1e-6;  // rad
 
-Patch patch(pattern::Polygon polygon, std::optional<Disc> disc = std::nullopt) {
+Patch patch(geometry::Polygon polygon, std::optional<Disc> disc = std::nullopt) {
     Patch made{std::move(polygon), disc, {}};
     made.box = box_of(made.polygon);
     return made;
@@ -26,11 +28,12 @@ Patch rectangle(const Point2& from, const Point2& to, double width) {
 /// Around a node, with corners where an arc from one angle to another begins and ends. The whole circle, and
 /// not only the sector of the arc: so it lies over the bars, and does not just touch them.
 Patch round_end(const Disc& disc, double from, double to) {
-    pattern::Polygon polygon;
+    geometry::Polygon polygon;
     const auto add_arc = [&](double start, double end) {
         const int chords = std::max(1, static_cast<int>(std::ceil((end - start) / kChordAngle)));
         for (int i = 0; i < chords; ++i)
-            polygon.push_back(disc.center + disc.radius * direction(start + (end - start) * i / chords));
+            polygon.push_back(disc.center +
+                              disc.radius * geometry::direction(start + (end - start) * i / chords));
     };
     add_arc(from, to);
     add_arc(to, from + kFullTurn);

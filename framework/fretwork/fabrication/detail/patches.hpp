@@ -11,15 +11,15 @@
 namespace fretwork::fabrication::detail {
 
 struct Disc {
-    pattern::Point2 center;
+    geometry::Point2 center;
     double radius = 0.0;  ///< m
 };
 
 /// A convex polygon of material. Where it has arcs, its corners lie on their circle.
 struct Patch {
-    pattern::Polygon polygon;
+    geometry::Polygon polygon;
     std::optional<Disc> disc{};
-    Box box;
+    geometry::Box box;
 };
 
 /// The angle between neighbouring corners on a circle, rad. Where a line cuts a chord, the arc ends on the

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/fabrication/detail/assembling.hpp>
 #include <fretwork/fabrication/detail/planar_faces.hpp>
-#include <fretwork/fabrication/detail/plane.hpp>
+#include <fretwork/geometry/plane.hpp>
 
 #include <limits>
 #include <numeric>
@@ -9,6 +9,8 @@
 
 namespace fretwork::fabrication::detail {
 namespace {
+
+using geometry::Point2;
 
 /// Half-bars 2 b and 2 b + 1 are bar b and the same in the other direction.
 class HalfBars {
@@ -83,7 +85,7 @@ std::vector<FoundWalk> all_walks(const BarPlan& plan) {
             seen[half] = true;
             found.walk.push_back(halves.place(half));
         }
-        found.area = pattern::signed_area(found.walk);
+        found.area = geometry::signed_area(found.walk);
     }
     return walks;
 }

@@ -9,7 +9,7 @@
 namespace fretwork::fabrication::detail {
 
 /// A closed walk along bars with the region on its left; a bar with the region on both sides comes twice.
-using Walk = pattern::Polygon;
+using Walk = geometry::Polygon;
 
 struct Face {
     Walk outer;                 ///< counterclockwise; empty: the region without end

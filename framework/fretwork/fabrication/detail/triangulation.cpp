@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
-#include <fretwork/fabrication/detail/plane.hpp>
+#include <fretwork/fabrication/detail/length_text.hpp>
 #include <fretwork/fabrication/detail/triangulation.hpp>
+#include <fretwork/geometry/plane.hpp>
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -12,6 +13,8 @@
 
 namespace fretwork::fabrication::detail {
 namespace {
+
+using geometry::Point2;
 
 struct Depth {
     int lines = -1;  ///< how many lead around a face; -1: not known
@@ -32,9 +35,9 @@ using Triangulation =
 
 /// Insert all corners at once, which is faster, and return their vertices in their order.
 std::vector<Triangulation::Vertex_handle> insert_corners(Triangulation& triangulation,
-                                                         std::span<const pattern::Polygon> lines) {
+                                                         std::span<const geometry::Polygon> lines) {
     std::vector<std::pair<Kernel::Point_2, int>> corners;
-    for (const pattern::Polygon& line : lines)
+    for (const geometry::Polygon& line : lines)
         for (const Point2& point : line)
             corners.emplace_back(Kernel::Point_2(point.x, point.y), static_cast<int>(corners.size()));
     triangulation.insert(corners.begin(), corners.end());
@@ -48,10 +51,10 @@ std::vector<Triangulation::Vertex_handle> insert_corners(Triangulation& triangul
     return handles;
 }
 
-void insert_lines(Triangulation& triangulation, std::span<const pattern::Polygon> lines) {
+void insert_lines(Triangulation& triangulation, std::span<const geometry::Polygon> lines) {
     const auto handles = insert_corners(triangulation, lines);
     std::size_t first = 0;
-    for (const pattern::Polygon& line : lines) {
+    for (const geometry::Polygon& line : lines) {
         for (std::size_t i = 0; i < line.size(); ++i) {
             const auto from = handles[first + i];
             const auto to = handles[first + (i + 1) % line.size()];
@@ -87,7 +90,7 @@ void mark_depths(Triangulation& triangulation) {
 
 }  // namespace
 
-std::vector<std::array<int, 3>> triangulated(std::span<const pattern::Polygon> lines) {
+std::vector<std::array<int, 3>> triangulated(std::span<const geometry::Polygon> lines) {
     Triangulation triangulation;
     insert_lines(triangulation, lines);
     mark_depths(triangulation);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
-#include <fretwork/base/file.hpp>
-#include <fretwork/base/sha256.hpp>
+#include <fretwork/base/files/file.hpp>
+#include <fretwork/base/files/sha256.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/library/detail/content.hpp>
 #include <fretwork/library/detail/schema.hpp>
 #include <fretwork/library/detail/schema3.hpp>
-#include <fretwork/reduction/setting_file.hpp>
+#include <fretwork/reduction/scenarios/setting_file.hpp>
 
 #include <bit>
 #include <system_error>

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <fretwork/base/error.hpp>
-#include <fretwork/base/file.hpp>
-#include <fretwork/base/scratch.hpp>
+#include <fretwork/base/files/file.hpp>
+#include <fretwork/base/files/scratch.hpp>
 
 #include <cerrno>
 #include <cstdio>

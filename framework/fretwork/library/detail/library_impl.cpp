@@ -5,7 +5,7 @@
 #include <fretwork/library/detail/library_impl.hpp>
 #include <fretwork/library/detail/pattern_order.hpp>
 #include <fretwork/library/detail/provenance_rows.hpp>
-#include <fretwork/reduction/setting_file.hpp>
+#include <fretwork/reduction/scenarios/setting_file.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fretwork/base/provenance.hpp>
+#include <fretwork/base/files/provenance.hpp>
 #include <fretwork/library/detail/provenance_rows.hpp>
 
 #include <array>

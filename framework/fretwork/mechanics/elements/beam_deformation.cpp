@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/geometry/rotation.hpp>
 #include <fretwork/mechanics/elements/beam_deformation.hpp>
-#include <fretwork/mechanics/elements/rotation.hpp>
 
 #include <algorithm>
 #include <array>
@@ -171,7 +171,7 @@ void BeamDeformation::add_dot_curvature(const Vector3d& b, int spin, MotionMatri
     Matrix3d by_chord = across * direction_.transpose();
     by_chord += by_chord.transpose().eval();
     m.block<3, 3>(kChord, kChord) -= by_chord / (length_ * length_) + along / length_ * chord_projection();
-    const Matrix3d mixed = cross_matrix(b) * chord_projection();
+    const Matrix3d mixed = geometry::cross_matrix(b) * chord_projection();
     m.block<3, 3>(spin, kChord) += mixed;
     m.block<3, 3>(kChord, spin) += mixed.transpose();
     m.block<3, 3>(spin, spin) += spin_curvature(direction_, b);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The formulas are derived in framework/fretwork/mechanics/corotational.md.
+#include <fretwork/geometry/rotation.hpp>
 #include <fretwork/mechanics/elements/corotational_element.hpp>
 #include <fretwork/mechanics/elements/corotational_pose.hpp>
-#include <fretwork/mechanics/elements/rotation.hpp>
 
 #include <algorithm>
 #include <limits>
@@ -232,7 +232,7 @@ class CorotationalElement final : public Element {
         const Matrix3d slope = pose.inverse_slope().transpose();
         for (std::size_t i = 0; i < pose.count(); ++i) {
             const Matrix3d by_rotation = pose.inverse_map(i).transpose() * slope;
-            follow.middleRows<3>(row_of(2 * i)) = cross_matrix(pose.rest_arm(i)) * slope;
+            follow.middleRows<3>(row_of(2 * i)) = geometry::cross_matrix(pose.rest_arm(i)) * slope;
             follow.middleRows<3>(row_of(2 * i + 1)) = -body_->rotation_weight() * by_rotation;
         }
         return follow;
@@ -244,7 +244,7 @@ class CorotationalElement final : public Element {
         const Matrix3d back = pose.axes().transpose();
         Tall by_frame(size(), 3);  // J_w
         for (std::size_t i = 0; i < pose.count(); ++i) {
-            by_frame.middleRows<3>(row_of(2 * i)) = back * cross_matrix(pose.arm(i));
+            by_frame.middleRows<3>(row_of(2 * i)) = back * geometry::cross_matrix(pose.arm(i));
             by_frame.middleRows<3>(row_of(2 * i + 1)) = -map_of(pose, back, 2 * i + 1);
         }
         const Tall follow = frame_slope(pose);
@@ -265,7 +265,7 @@ class CorotationalElement final : public Element {
     [[nodiscard]] Tall coupling_of(const Pose& pose, const MatrixXd& tangent) const {
         Tall coupling = Tall::Zero(size(), 3);
         for (std::size_t j = 0; j < pose.count(); ++j) {
-            multiply(columns_of(tangent, 2 * j), cross_matrix(pose.arm(j)), size(), Sum::Add,
+            multiply(columns_of(tangent, 2 * j), geometry::cross_matrix(pose.arm(j)), size(), Sum::Add,
                      coupling.data());
             coupling -= tangent.middleCols<3>(row_of(2 * j + 1));
         }
@@ -284,10 +284,10 @@ class CorotationalElement final : public Element {
             const Vector3d& arm = pose.arm(i);
             const Matrix3d curvature = node_curvature(pose, i, moment);
             tangent.block<3, 3>(row_of(2 * i + 1), row_of(2 * i + 1)) += curvature;
-            against.middleRows<3>(row_of(2 * i)) -= cross_matrix(push);
-            against.middleRows<3>(row_of(2 * i + 1)) -= curvature + 0.5 * cross_matrix(moment);
+            against.middleRows<3>(row_of(2 * i)) -= geometry::cross_matrix(push);
+            against.middleRows<3>(row_of(2 * i + 1)) -= curvature + 0.5 * geometry::cross_matrix(moment);
             const Matrix3d dyad = push * arm.transpose();
-            const Matrix3d turned = cross_matrix(arm) * part_of(coupling, 2 * i);
+            const Matrix3d turned = geometry::cross_matrix(arm) * part_of(coupling, 2 * i);
             frame_curvature += 0.5 * (dyad + dyad.transpose()) + curvature;
             frame_curvature.diagonal().array() -= push.dot(arm);
             frame_curvature -= turned + part_of(coupling, 2 * i + 1);
@@ -301,7 +301,7 @@ class CorotationalElement final : public Element {
     /// H_i: the curvature of the energy in the rotation of a node, which is not linear in its spin.
     static Matrix3d node_curvature(const Pose& pose, std::size_t i, const Vector3d& moment) {
         const Matrix3d& map = pose.inverse_map(i);
-        const Matrix3d change = spin_map_derivative(pose.rotation(i), moment);
+        const Matrix3d change = geometry::spin_map_derivative(pose.rotation(i), moment);
         const Matrix3d symmetric = -0.5 * (change + change.transpose());
         const Matrix3d half = symmetric * map;
         return map.transpose() * half;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/geometry/rotation.hpp>
 #include <fretwork/mechanics/elements/corotational_pose.hpp>
-#include <fretwork/mechanics/elements/rotation.hpp>
 
 #include <Eigen/LU>
 
@@ -73,7 +73,7 @@ void CorotationalPose::fit() {
     for (int step = 0; step < kMostSteps; ++step) {
         const Vector3d spin = -inverse_slope_ * offset_;
         if (!spin.allFinite()) break;
-        frame_ = (frame_ * exponential(spin)).normalized();
+        frame_ = (frame_ * geometry::exponential(spin)).normalized();
         measure();
         if (spin.norm() < kSmallStep) return;
     }
@@ -85,7 +85,7 @@ void CorotationalPose::measure() {
     const Matrix3d back = inverse.toRotationMatrix();
     for (Node& node : nodes_) {
         node.arm = back * node.place;
-        const LogarithmWithMap own = logarithm_with_map(inverse * node.turn);
+        const geometry::LogarithmWithMap own = geometry::logarithm_with_map(inverse * node.turn);
         node.rotation = own.rotation_vector;
         node.inverse_map = own.inverse_spin_map;
     }

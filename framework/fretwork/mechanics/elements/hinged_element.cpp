@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/geometry/rotation.hpp>
 #include <fretwork/mechanics/elements/hinged_element.hpp>
-#include <fretwork/mechanics/elements/rotation.hpp>
 
 namespace fretwork::mechanics::elements {
 using Eigen::Matrix3d;
@@ -61,7 +61,7 @@ HingedElement::Hung HingedElement::hang(std::span<const NodeState> states) const
         HingedEnd& hinged = hung.hinged[end];
         hinged = compose(beam_->geometry().axes, states[end], states[static_cast<std::size_t>(hinge.slot)]);
         hung.ends[end] = hinged.state;
-        hung.map.block<3, 3>(6 * hinge.end, 6 * hinge.end + 3) = -cross_matrix(hinged.arm);
+        hung.map.block<3, 3>(6 * hinge.end, 6 * hinge.end + 3) = -geometry::cross_matrix(hinged.arm);
         for (Eigen::Index part = 0; part < 2; ++part)
             hung.map.block<3, 3>(6 * hinge.end + 3 * part, 6 * hinge.slot + 3 * part) = hinged.turned_axes;
     }
@@ -128,10 +128,10 @@ void HingedElement::add_hinge_curvature(const Eigen::VectorXd& force, const std:
         Matrix3d lever = 0.5 * (pull * arm.transpose() + arm * pull.transpose());
         lever.diagonal().array() -= pull.dot(arm);
         tangent.block<3, 3>(spin, spin) += lever;
-        const Matrix3d follow = -cross_matrix(pull) * turned;
+        const Matrix3d follow = -geometry::cross_matrix(pull) * turned;
         tangent.block<3, 3>(spin, slide) += follow;
         tangent.block<3, 3>(slide, spin) += follow.transpose();
-        const Matrix3d commute = -0.5 * cross_matrix(moment) * turned;
+        const Matrix3d commute = -0.5 * geometry::cross_matrix(moment) * turned;
         tangent.block<3, 3>(spin, slide + 3) += commute;
         tangent.block<3, 3>(slide + 3, spin) += commute.transpose();
     }

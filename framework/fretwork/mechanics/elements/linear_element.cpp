@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
+#include <fretwork/geometry/rotation.hpp>
 #include <fretwork/mechanics/elements/linear_element.hpp>
-#include <fretwork/mechanics/elements/rotation.hpp>
 
 #include <Eigen/LU>
 
@@ -15,7 +15,7 @@ void LinearElement::evaluate(std::span<const NodeState> states, Demand demand,
     for (Eigen::Index i = 0; i < count; ++i) {
         const NodeState& state = states[static_cast<std::size_t>(i)];
         d.segment<3>(i * kDofsPerNode) = state.displacement;
-        d.segment<3>(i * kDofsPerNode + 3) = logarithm(state.rotation);
+        d.segment<3>(i * kDofsPerNode + 3) = geometry::logarithm(state.rotation);
     }
     response.force.noalias() = matrices_.stiffness * d;
     response.energy = 0.5 * d.dot(response.force);
@@ -23,12 +23,12 @@ void LinearElement::evaluate(std::span<const NodeState> states, Demand demand,
     for (Eigen::Index i = 0; i < count; ++i) {
         const Eigen::Index at = i * kDofsPerNode + 3;
         const Eigen::Vector3d rotation = d.segment<3>(at);
-        const Eigen::Matrix3d inverse = spin_map(rotation).inverse();
+        const Eigen::Matrix3d inverse = geometry::spin_map(rotation).inverse();
         const Eigen::Vector3d moment = inverse.transpose() * response.force.segment<3>(at);
         response.force.segment<3>(at) = moment;
         if (demand == Demand::Force) continue;
         // From components of the rotation vector to spins: K = T^T K_spin T + the change of T^T m.
-        Eigen::Matrix3d change = spin_map_derivative(rotation, moment);
+        Eigen::Matrix3d change = geometry::spin_map_derivative(rotation, moment);
         change = 0.5 * (change + change.transpose()).eval();
         response.tangent.block<3, 3>(at, at) -= change;
         response.tangent.middleCols<3>(at) = (response.tangent.middleCols<3>(at) * inverse).eval();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/index.hpp>
 #include <fretwork/base/parallel.hpp>
-#include <fretwork/mechanics/elements/rotation.hpp>
+#include <fretwork/geometry/rotation.hpp>
 #include <fretwork/mechanics/nonlinear/nonlinear_system.hpp>
 
 #include <algorithm>
@@ -85,7 +85,7 @@ void NonlinearSystem::take_up_loads() {
 
 void NonlinearSystem::map_spins(const Configuration& configuration) {
     for (std::size_t i = 0; i < unknowns_.vector_nodes().size(); ++i)
-        spin_maps_[i] = elements::spin_map(configuration.rotation_vectors[at(unknowns_.vector_nodes()[i])]);
+        spin_maps_[i] = geometry::spin_map(configuration.rotation_vectors[at(unknowns_.vector_nodes()[i])]);
 }
 
 /// From spins to components of the rotation vector, where these are the unknowns.
@@ -223,7 +223,7 @@ void NonlinearSystem::add_moment_terms(const Configuration& configuration, doubl
         const Eigen::Vector3d excess =
             (internal.row(node) - load_factor * unknowns_.assembly().loads.row(node)).tail<3>().transpose();
         Eigen::Matrix3d change =
-            elements::spin_map_derivative(configuration.rotation_vectors[at(node)], excess);
+            geometry::spin_map_derivative(configuration.rotation_vectors[at(node)], excess);
         change = 0.5 * (change + change.transpose()).eval();
         Eigen::Matrix<double, kDofsPerNode, kDofsPerNode> block =
             Eigen::Matrix<double, kDofsPerNode, kDofsPerNode>::Zero();
@@ -244,7 +244,7 @@ void NonlinearSystem::add_moment_terms(const Configuration& configuration, doubl
 /// The skew part of the tangent that a node's applied moment leaves.
 Eigen::Matrix3d NonlinearSystem::skew_of_moment(int node, double load_factor) const {
     const Eigen::Vector3d moment = load_factor * unknowns_.assembly().loads.row(node).tail<3>().transpose();
-    Eigen::Matrix3d skew = -0.5 * elements::cross_matrix(moment);
+    Eigen::Matrix3d skew = -0.5 * geometry::cross_matrix(moment);
     const int slot = unknowns_.vector_slot(node);
     if (slot < 0) return skew;
     return spin_maps_[at(slot)].transpose() * skew * spin_maps_[at(slot)];

@@ -4,7 +4,7 @@
 #include <fretwork/base/control.hpp>
 #include <fretwork/mechanics/nonlinear/stress_workspace.hpp>
 #include <fretwork/mechanics/nonlinear/unknowns.hpp>
-#include <fretwork/mechanics/solution.hpp>
+#include <fretwork/mechanics/results/solution.hpp>
 #include <fretwork/mechanics/sparse/ldlt.hpp>
 
 #include <functional>

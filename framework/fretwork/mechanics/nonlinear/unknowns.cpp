@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/index.hpp>
-#include <fretwork/mechanics/elements/rotation.hpp>
+#include <fretwork/geometry/rotation.hpp>
 #include <fretwork/mechanics/nonlinear/unknowns.hpp>
 #include <fretwork/mechanics/structure/coupling.hpp>
 
@@ -74,7 +74,7 @@ void Unknowns::prescribe(double load_factor, Configuration& configuration) const
             configuration.states[node].displacement[dof] = load_factor * given.value;
         } else {
             configuration.rotation_vectors[node][dof - 3] = load_factor * given.value;
-            configuration.states[node].rotation = elements::exponential(configuration.rotation_vectors[node]);
+            configuration.states[node].rotation = geometry::exponential(configuration.rotation_vectors[node]);
         }
     }
 }
@@ -91,7 +91,7 @@ NodeValues Unknowns::hold(Configuration& configuration) const {
             component = constraints_.values(node, d);
         }
         if (!motions.row(node).tail<3>().isZero(0.0))
-            configuration.states[at(node)].rotation = elements::exponential(vector);
+            configuration.states[at(node)].rotation = geometry::exponential(vector);
     }
     return motions;
 }
@@ -113,10 +113,10 @@ void Unknowns::move(const Eigen::VectorXd& step, Configuration& configuration) c
         Eigen::Vector3d& vector = configuration.rotation_vectors[at(node)];
         if (vector_slot_[at(node)] >= 0) {
             vector += turn;
-            state.rotation = elements::exponential(vector);
+            state.rotation = geometry::exponential(vector);
         } else {
-            state.rotation = (elements::exponential(turn) * state.rotation).normalized();
-            vector = elements::logarithm_near(state.rotation, vector);
+            state.rotation = (geometry::exponential(turn) * state.rotation).normalized();
+            vector = geometry::logarithm_near(state.rotation, vector);
         }
     }
 }
@@ -125,7 +125,7 @@ void Unknowns::unwind(const Configuration& last, Configuration& configuration) c
     for (std::size_t node = 0; node < assembly_.nodes.size(); ++node) {
         if (vector_slot_[node] >= 0) continue;
         configuration.rotation_vectors[node] =
-            elements::logarithm_near(configuration.states[node].rotation, last.rotation_vectors[node]);
+            geometry::logarithm_near(configuration.states[node].rotation, last.rotation_vectors[node]);
     }
 }
 
@@ -138,7 +138,7 @@ Eigen::VectorXd Unknowns::step_between(const Configuration& from, const Configur
         const Eigen::Vector3d turn =
             vector_slot_[node] >= 0
                 ? Eigen::Vector3d(to.rotation_vectors[node] - from.rotation_vectors[node])
-                : elements::logarithm(to.states[node].rotation * from.states[node].rotation.conjugate());
+                : geometry::logarithm(to.states[node].rotation * from.states[node].rotation.conjugate());
         table.row(row).tail<3>() = turn.transpose();
     }
     Eigen::VectorXd step;
@@ -152,7 +152,7 @@ Eigen::VectorXd Unknowns::rate_of_steps(const Eigen::VectorXd& step, const Eigen
         const int first = layout_->equation(node, 3);
         if (first < 0 || vector_slot_[at(node)] >= 0) continue;
         result.segment<3>(first) =
-            elements::inverse_spin_map(step.segment<3>(first)) * rate.segment<3>(first);
+            geometry::inverse_spin_map(step.segment<3>(first)) * rate.segment<3>(first);
     }
     return result;
 }

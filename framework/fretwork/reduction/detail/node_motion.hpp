@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <fretwork/reduction/calibration/objective.hpp>
 #include <fretwork/reduction/detail/rotation.hpp>
-#include <fretwork/reduction/objective.hpp>
 
 namespace fretwork::reduction {
 

@@ -72,7 +72,7 @@ void require_free_motion(const TileStructure& tile, const TileModel& model, cons
     const auto places = pattern::place_fan(input.layout, input.fan, input.polygon);
     std::vector<Eigen::Vector3d> interface_nodes;
     for (int i = 0; i < input.fan.interface_node_count; ++i) {
-        const pattern::Point2& place = places[static_cast<std::size_t>(i)];
+        const geometry::Point2& place = places[static_cast<std::size_t>(i)];
         interface_nodes.emplace_back(place.x, place.y, 0.0);
     }
     const StructureParts parts = tile_parts(tile, interface_nodes);

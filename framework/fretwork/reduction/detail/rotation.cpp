@@ -7,30 +7,6 @@
 #include <numbers>
 
 namespace fretwork::reduction::detail {
-namespace {
-
-/// Below this square of an angle the series are exact to round-off.
-constexpr double kSmallSquare = 1e-8;
-
-}  // namespace
-
-Eigen::Quaterniond rotation_of(const Eigen::Vector3d& vector) {
-    const double square = vector.squaredNorm();
-    if (square < kSmallSquare) {
-        const Eigen::Vector3d half = (0.5 - square / 48.0) * vector;
-        return {1.0 - square / 8.0, half.x(), half.y(), half.z()};
-    }
-    const double angle = std::sqrt(square);
-    const Eigen::Vector3d half = std::sin(angle / 2.0) / angle * vector;
-    return {std::cos(angle / 2.0), half.x(), half.y(), half.z()};
-}
-
-Eigen::Vector3d rotation_vector_of(const Eigen::Quaterniond& rotation) {
-    const double sine = rotation.vec().norm();
-    const double sign = rotation.w() < 0.0 ? -1.0 : 1.0;
-    if (sine * sine < kSmallSquare) return sign * (2.0 + sine * sine / 3.0) * rotation.vec();
-    return sign * 2.0 * std::atan2(sine, std::abs(rotation.w())) / sine * rotation.vec();
-}
 
 GrowingRotation::GrowingRotation(const Eigen::Vector3d& rate)
     : rate_(rate.norm()), axis_(rate / std::max(rate_, std::numeric_limits<double>::min())) {}

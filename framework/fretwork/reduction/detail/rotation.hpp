@@ -5,11 +5,6 @@
 
 namespace fretwork::reduction::detail {
 
-/// The rotation of a rotation vector.
-Eigen::Quaterniond rotation_of(const Eigen::Vector3d& vector);
-/// The rotation vector of a rotation, at most pi long.
-Eigen::Vector3d rotation_vector_of(const Eigen::Quaterniond& rotation);
-
 /// The rotation about a fixed axis by an angle that is proportional to a magnitude. The magnitude grows by
 /// steps: half angles add up, so that steps of one size share one sine and cosine. Starts at 0.
 class GrowingRotation {

@@ -3,7 +3,7 @@
 
 #include <fretwork/base/internal/json_text.hpp>
 #include <fretwork/base/json_reader.hpp>
-#include <fretwork/reduction/scenario.hpp>
+#include <fretwork/reduction/scenarios/scenario.hpp>
 
 namespace fretwork::reduction::detail {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <fretwork/mechanics/frame.hpp>
-#include <fretwork/reduction/scenario.hpp>
+#include <fretwork/mechanics/frame/frame.hpp>
+#include <fretwork/reduction/scenarios/scenario.hpp>
 
 #include <vector>
 

@@ -24,7 +24,7 @@ JoinedTiles join_tiles(const Surface& surface, std::span<const BuiltTile> tiles,
                        const base::Control& control) {
     JoinedTiles joined;
     std::vector<Eigen::Vector3d>& nodes = joined.parts.beams.nodes;
-    for (const pattern::Point2& node : surface.tessellation.interface_nodes)
+    for (const geometry::Point2& node : surface.tessellation.interface_nodes)
         nodes.emplace_back(node.x, node.y, 0.0);
     for (std::size_t t = 0; t < tiles.size(); ++t) {
         control.check();

@@ -12,7 +12,7 @@
 namespace fretwork::simulation::detail {
 namespace {
 
-using pattern::Point2;
+using geometry::Point2;
 using tiling::InterfaceIndex;
 using tiling::Tessellation;
 

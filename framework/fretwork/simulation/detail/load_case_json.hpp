@@ -3,7 +3,7 @@
 
 #include <fretwork/base/internal/json_text.hpp>
 #include <fretwork/base/json_reader.hpp>
-#include <fretwork/simulation/load_case.hpp>
+#include <fretwork/simulation/load_cases/load_case.hpp>
 
 namespace fretwork::simulation::detail {
 

@@ -10,14 +10,14 @@ double congruence_grid(const tiling::Tessellation& tessellation) {
     return std::exp2(std::floor(std::log2(kShare * tiling::mean_tile_side(tessellation))));
 }
 
-OwnAxes own_axes(const pattern::Polygon& polygon, double grid) {
-    const pattern::Point2 center = pattern::centroid(polygon);
+OwnAxes own_axes(const geometry::Polygon& polygon, double grid) {
+    const geometry::Point2 center = geometry::centroid(polygon);
     const Eigen::Vector2d side(polygon[1].x - polygon[0].x, polygon[1].y - polygon[0].y);
     const Eigen::Vector2d along = side.normalized();
     OwnAxes axes;
     axes.turn << along.x(), -along.y(), 0.0, along.y(), along.x(), 0.0, 0.0, 0.0, 1.0;
     axes.origin = {center.x, center.y, 0.0};
-    for (const pattern::Point2& vertex : polygon) {
+    for (const geometry::Point2& vertex : polygon) {
         const double dx = vertex.x - center.x;
         const double dy = vertex.y - center.y;
         const double x = std::round((along.x() * dx + along.y() * dy) / grid);

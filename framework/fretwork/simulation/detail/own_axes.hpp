@@ -14,7 +14,7 @@ namespace fretwork::simulation::detail {
 struct OwnAxes {
     Eigen::Matrix3d turn;             ///< from these axes to the surface's, about z
     Eigen::Vector3d origin;           ///< of these axes in the surface, m
-    pattern::Polygon polygon;         ///< rounded to the grid, m
+    geometry::Polygon polygon;        ///< rounded to the grid, m
     std::vector<std::int64_t> steps;  ///< its coordinates in steps of the grid: equal for congruent polygons
 };
 
@@ -22,6 +22,6 @@ struct OwnAxes {
 /// stiffnesses by some billionths; rounding errors of the coordinates are a million times smaller.
 double congruence_grid(const tiling::Tessellation& tessellation);
 
-OwnAxes own_axes(const pattern::Polygon& polygon, double grid);
+OwnAxes own_axes(const geometry::Polygon& polygon, double grid);
 
 }  // namespace fretwork::simulation::detail

@@ -2,11 +2,11 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/quantity.hpp>
 #include <fretwork/base/text.hpp>
+#include <fretwork/outlines/coloured_drawing.hpp>
 #include <fretwork/pattern/pattern.hpp>
 #include <fretwork/reduction/effective_properties.hpp>
 #include <fretwork/simulation/detail/painting_palette.hpp>
-#include <fretwork/tiling/coloured_drawing.hpp>
-#include <fretwork/tiling/painting.hpp>
+#include <fretwork/tiling/painting/painting.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -140,7 +140,7 @@ std::vector<std::pair<std::string, std::string>> coloured_palette(const Painting
             if (entry.right.empty())
                 throw base::InputError("'" + entry.left + "' has no pattern; write colour=ID, as in red=" +
                                        "0-1+1-6,#00f=0-5+5-6");
-            palette.emplace_back(tiling::parse_colour(entry.left),
+            palette.emplace_back(outlines::parse_colour(entry.left),
                                  tiling::make_palette(ground.layout, std::vector{entry.right}).front());
         } catch (const base::InputError& error) {
             throw base::InputError(choice.names.palette, "", error.what());

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <fretwork/simulation/painting_choice.hpp>
-#include <fretwork/tiling/painting.hpp>
+#include <fretwork/simulation/project/painting_choice.hpp>
+#include <fretwork/tiling/painting/painting.hpp>
 
 #include <string>
 #include <utility>

@@ -2,7 +2,7 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/simulation/detail/calibrated_parameters.hpp>
 #include <fretwork/simulation/detail/session_impl.hpp>
-#include <fretwork/tiling/painting.hpp>
+#include <fretwork/tiling/painting/painting.hpp>
 
 #include <algorithm>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <fretwork/mechanics/equilibrium_solver.hpp>
 #include <fretwork/mechanics/linear_solver.hpp>
-#include <fretwork/simulation/conditions.hpp>
+#include <fretwork/mechanics/paths/equilibrium_solver.hpp>
 #include <fretwork/simulation/detail/joined_tiles.hpp>
+#include <fretwork/simulation/load_cases/conditions.hpp>
 #include <fretwork/simulation/session.hpp>
 
 #include <optional>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
 #include <fretwork/mechanics/discretization.hpp>
-#include <fretwork/mechanics/equilibrium.hpp>
-#include <fretwork/mechanics/rotation_vector.hpp>
+#include <fretwork/mechanics/node_states.hpp>
+#include <fretwork/mechanics/paths/equilibrium.hpp>
 #include <fretwork/mechanics/solve.hpp>
 #include <fretwork/simulation/detail/session_impl.hpp>
 #include <fretwork/simulation/surface_frame.hpp>

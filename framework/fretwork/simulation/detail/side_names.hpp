@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <fretwork/simulation/load_case.hpp>
+#include <fretwork/simulation/load_cases/load_case.hpp>
 
 #include <array>
 

@@ -25,8 +25,8 @@ struct TileBuilder::Request {
     const reduction::TileModel* model;
     const pattern::Fan* fan;
     std::vector<double> parameters;
-    pattern::Polygon polygon;  ///< in the axes in which the tile is built
-    std::string key;           ///< of a shared tile; empty: none
+    geometry::Polygon polygon;  ///< in the axes in which the tile is built
+    std::string key;            ///< of a shared tile; empty: none
     BuiltTile tile;
 
     [[nodiscard]] std::shared_ptr<const TileStructure> build(const Surface& surface) const {
@@ -56,7 +56,7 @@ TileBuilder::Request TileBuilder::request(const TilesToBuild& wanted, tiling::Ti
                     {}};
     if (model.sharing == reduction::Sharing::None) return request;
     OwnAxes axes = own_axes(request.polygon, grid);
-    if (!pattern::is_convex(axes.polygon)) return request;
+    if (!geometry::is_convex(axes.polygon)) return request;
     request.key = key_of(model, surface.tessellation.patterns[static_cast<std::size_t>(tile.pattern)], axes);
     request.polygon = std::move(axes.polygon);
     request.tile.turn = axes.turn;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/geometry/plane.hpp>
 #include <fretwork/tiling/detail/narrow_parts.hpp>
-#include <fretwork/tiling/detail/plane.hpp>
-#include <fretwork/tiling/detail/triangulation.hpp>
+#include <fretwork/tiling/remeshing/triangulation.hpp>
 
 #include <algorithm>
 #include <functional>
@@ -9,6 +9,9 @@
 
 namespace fretwork::tiling::detail {
 namespace {
+
+using geometry::Point2;
+using geometry::Polygon;
 
 constexpr double kSampling = 0.05;    // of the width that counts as narrow: between points of the boundary
 constexpr double kLeastCut = 1.0;     // area that is cut off, over the square of the cut's length
@@ -30,7 +33,7 @@ void add_loop(const Polygon& points, int loop, double longest, Rim& rim) {
     rim.next.back() = first;
 }
 
-Rim dense_rim(const Outline& outline, double longest) {
+Rim dense_rim(const outlines::Outline& outline, double longest) {
     Rim rim;
     add_loop(outline.boundary, 0, longest, rim);
     int loop = 0;
@@ -118,14 +121,14 @@ double width_at(const Triangulation& triangulation, const Cuts& cuts, std::size_
         const Point2 a = cuts.corner(triangle, (i + 1) % 3);
         const Point2 b = cuts.corner(triangle, (i + 2) % 3);
         const Point2 tip = cuts.corner(triangle, i);
-        width = std::min(width, distance(nearest_on_side(a, b, tip), tip));
+        width = std::min(width, distance(nearest_on_segment(a, b, tip), tip));
     }
     return width;
 }
 
 }  // namespace
 
-std::vector<NarrowPlace> narrow_places(const Outline& outline, const NarrowLimits& limits,
+std::vector<NarrowPlace> narrow_places(const outlines::Outline& outline, const NarrowLimits& limits,
                                        const base::Control& control) {
     const Work work(control.silent(), "");
     const Triangulation triangulation = triangulate(dense_rim(outline, kSampling * limits.width), {}, work);
@@ -174,7 +177,7 @@ std::vector<TipCut> tip_cuts(const Triangulation& triangulation, const Cuts& cut
 }
 
 /// The points of each loop that are left.
-Outline outline_of(const Rim& rim, const std::vector<bool>& is_gone, std::size_t loops) {
+outlines::Outline outline_of(const Rim& rim, const std::vector<bool>& is_gone, std::size_t loops) {
     std::vector<Polygon> polygons(loops);
     for (std::size_t i = 0; i < rim.points.size(); ++i) {
         if (!is_gone[i])
@@ -185,7 +188,7 @@ Outline outline_of(const Rim& rim, const std::vector<bool>& is_gone, std::size_t
 
 }  // namespace
 
-BluntOutline blunt(const Outline& outline, double narrow_width, const BluntLimits& limits,
+BluntOutline blunt(const outlines::Outline& outline, double narrow_width, const BluntLimits& limits,
                    const base::Control& control) {
     const Work work(control.silent(), "");
     const Rim rim = dense_rim(outline, kSampling * narrow_width);

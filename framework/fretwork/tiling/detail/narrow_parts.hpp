@@ -2,7 +2,7 @@
 #pragma once
 
 #include <fretwork/base/control.hpp>
-#include <fretwork/tiling/outline.hpp>
+#include <fretwork/outlines/outline.hpp>
 
 #include <vector>
 
@@ -10,7 +10,7 @@ namespace fretwork::tiling::detail {
 
 /// A place where an outline is narrow.
 struct NarrowPlace {
-    pattern::Point2 place;
+    geometry::Point2 place;
     double width = 0.0;    ///< m
     double cut_off = 0.0;  ///< m2, the smaller of the areas on both sides; infinite if they are one
 };
@@ -25,12 +25,12 @@ struct NarrowLimits {
 /// triangulation of its densely sampled boundary, whose edges inside run across the shape: such an edge is at
 /// a narrow place if what it cuts off is at least as large as the square of its length, or still hangs
 /// together another way. (The corner of a wide plate is not narrow: it cuts off too little.)
-std::vector<NarrowPlace> narrow_places(const Outline& outline, const NarrowLimits& limits,
+std::vector<NarrowPlace> narrow_places(const outlines::Outline& outline, const NarrowLimits& limits,
                                        const base::Control& control);
 
 /// An outline without its sharpest tips, and the area that they had, m2.
 struct BluntOutline {
-    Outline outline;
+    outlines::Outline outline;
     double lost_area = 0.0;
 };
 
@@ -42,7 +42,7 @@ struct BluntLimits {
 
 /// Cut off tips that are sharper than 31 degrees, and hairs: dead ends so long and narrow that no tile fits
 /// into their ends. What is cut off stays uncovered.
-BluntOutline blunt(const Outline& outline, double narrow_width, const BluntLimits& limits,
+BluntOutline blunt(const outlines::Outline& outline, double narrow_width, const BluntLimits& limits,
                    const base::Control& control);
 
 }  // namespace fretwork::tiling::detail

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
-#include <fretwork/tiling/detail/message_text.hpp>
-#include <fretwork/tiling/detail/outline_check.hpp>
-#include <fretwork/tiling/detail/outline_readers.hpp>
-#include <fretwork/tiling/detail/plane.hpp>
-#include <fretwork/tiling/detail/segment_box.hpp>
+#include <fretwork/geometry/internal/message_text.hpp>
+#include <fretwork/geometry/internal/segment_box.hpp>
+#include <fretwork/geometry/plane.hpp>
+#include <fretwork/outlines/outline_check.hpp>
 #include <fretwork/tiling/detail/small_parts.hpp>
 
 #include <CGAL/box_intersection_d.h>
@@ -16,6 +15,9 @@
 
 namespace fretwork::tiling::detail {
 namespace {
+
+using geometry::Point2;
+using geometry::Polygon;
 
 /// Parts that are so far from each other along the outline count as two; also the length of a piece.
 constexpr double kApart = 0.1;  // of the tiles' side
@@ -47,7 +49,7 @@ struct NearPlace {
 
 class NearPlaces {
   public:
-    NearPlaces(const Outline& outline, double edge, const base::Control& control)
+    NearPlaces(const outlines::Outline& outline, double edge, const base::Control& control)
         : edge_(edge), control_(control) {
         add_loop(outline.boundary);
         for (const Polygon& hole : outline.holes) add_loop(hole);
@@ -60,7 +62,7 @@ class NearPlaces {
         boxes.reserve(pieces_.size());
         const double reach = 0.5 * kNarrowest * edge_;
         for (const Piece& piece : pieces_) {
-            boxes.emplace_back(box_around(piece.from, piece.to, reach), &piece);
+            boxes.emplace_back(geometry::box_around(piece.from, piece.to, reach), &piece);
         }
         CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
             control_.check();
@@ -98,7 +100,7 @@ class NearPlaces {
     }
     void note(const Piece& piece, double along_piece, const Piece& other) {
         const Point2 point = along_piece > 0 ? piece.to : piece.from;
-        const Point2 nearest = nearest_on_side(other.from, other.to, point);
+        const Point2 nearest = nearest_on_segment(other.from, other.to, point);
         const double along = piece.along + along_piece;
         // plane.hpp's distance would underflow, and the message say 0.
         const double width = std::hypot(nearest.x - point.x, nearest.y - point.y);
@@ -122,13 +124,13 @@ class NearPlaces {
 /// Leave out the points too near to the one before them, or to the first. Returns how many.
 int remove_negligible_points(Polygon& points, double tolerance) {
     const std::size_t before = points.size();
-    remove_repeated_points(points, tolerance);
+    geometry::remove_repeated_points(points, tolerance);
     return static_cast<int>(before - points.size());
 }
 
 }  // namespace
 
-CleanOutline without_negligible_points(const Outline& outline, double edge) {
+CleanOutline without_negligible_points(const outlines::Outline& outline, double edge) {
     CleanOutline clean{outline, 0};
     clean.left_out = remove_negligible_points(clean.outline.boundary, kNegligibleShare * edge);
     std::vector<Polygon> loops{clean.outline.boundary};
@@ -137,21 +139,21 @@ CleanOutline without_negligible_points(const Outline& outline, double edge) {
         loops.push_back(hole);
     }
     if (clean.left_out == 0) return clean;
-    if (const auto flaw = outline_flaw(loops, {}))
-        throw base::GeometryError("points of the outline less than " + metres(kNegligibleShare * edge) +
-                                  " apart are one for tiles with sides of " + metres(edge) + ", and then " +
-                                  *flaw);
+    if (const auto flaw = outlines::outline_flaw(loops, {}))
+        throw base::GeometryError(
+            "points of the outline less than " + geometry::metres(kNegligibleShare * edge) +
+            " apart are one for tiles with sides of " + geometry::metres(edge) + ", and then " + *flaw);
     return clean;
 }
 
-void check_small_parts(const Outline& outline, double edge, const base::Control& control) {
+void check_small_parts(const outlines::Outline& outline, double edge, const base::Control& control) {
     const auto place = NearPlaces(outline, edge, control).narrowest();
     if (!place) return;
     const std::string loop = place->loop == 0 ? "the boundary" : "hole " + std::to_string(place->loop - 1);
-    const std::string width = place->width < 1e-15 ? "less than 1e-15 m" : metres(place->width);
+    const std::string width = place->width < 1e-15 ? "less than 1e-15 m" : geometry::metres(place->width);
     throw base::GeometryError(loop + " is " + width + " from another part of the outline near " +
-                              place_text(place->place) + "; tiles with sides of " + metres(edge) + " need " +
-                              metres(kNarrowest * edge) +
+                              place_text(place->place) + "; tiles with sides of " + geometry::metres(edge) +
+                              " need " + geometry::metres(kNarrowest * edge) +
                               " at least: remove the needle or slit there, or make it wider");
 }
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <fretwork/base/control.hpp>
-#include <fretwork/tiling/outline.hpp>
+#include <fretwork/outlines/outline.hpp>
 #include <fretwork/tiling/tessellate.hpp>
 
 namespace fretwork::tiling::detail {
@@ -13,18 +13,18 @@ inline constexpr double kNarrowest = 1e-4;
 
 /// An outline, and how many of its points were left out.
 struct CleanOutline {
-    Outline outline;
+    outlines::Outline outline;
     int left_out = 0;
 };
 
 /// Leave out the points that are negligible beside the tiles' side `edge` (metres): kNegligibleShare. Throws
 /// GeometryError if a loop has less than three others.
-CleanOutline without_negligible_points(const Outline& outline, double edge);
+CleanOutline without_negligible_points(const outlines::Outline& outline, double edge);
 
 /// Refuse an outline of which two parts are nearer to each other than kNarrowest allows: a needle, a slit, a
 /// hole that almost touches, a hole that is almost a point. No tile fits there, and triangles between such
 /// parts have no usable angles. Parts count as two if the way between them along the outline is at least a
 /// tenth of `edge`. Throws GeometryError that names the place, the width and the least allowed; Stopped.
-void check_small_parts(const Outline& outline, double edge, const base::Control& control);
+void check_small_parts(const outlines::Outline& outline, double edge, const base::Control& control);
 
 }  // namespace fretwork::tiling::detail

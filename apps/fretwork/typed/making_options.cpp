@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "typed/ignored_options.hpp"
+#include "typed/making_options.hpp"
+
+#include <algorithm>
+
+namespace fretwork::app {
+
+void add_making_options(CLI::App& verb, exports::MakingChoice& texts) {
+    const std::string group = "Cutting and printing";
+    const auto add = [&](const char* name, std::string& text, const char* words) {
+        return verb.add_option(name, text, words)->type_name("LENGTH")->group(group);
+    };
+    add("--fillet", texts.fillet, "Radius of inner corners between bars (default: sharp)");
+    add("--kerf", texts.kerf,
+        "Width that the cutter takes away; lines run half of it outside (solids have the true width)");
+    add("--frame", texts.frame, "Width of a frame along the rim");
+    add("--bolts", texts.bolts, "Diameter of holes at the supports of --case");
+    add("--eye", texts.eye, "Diameter of the discs around these holes (default: twice theirs)");
+    add("--bed", texts.bed,
+        "Cut into parts with joints that fit sheets of WIDTHxHEIGHT millimetres, and nest these")
+        ->type_name("WxH");
+    add("--fit", texts.fit, "Gap that is left in the joints of parts (default: 0.05mm)");
+    add("--clearance", texts.clearance, "Facts warn of gaps and openings that are narrower (default: 0.5mm)");
+    add("--layer", texts.layer, "Height of a print's layers, for facts (default: 0.2mm)");
+}
+
+void refuse_ignored_making(const CLI::App& verb, std::span<const exports::WriterRow* const> writers) {
+    const auto has_content = [&](exports::Content content) {
+        return std::ranges::any_of(writers, [&](const auto* writer) { return writer->content == content; });
+    };
+    if (std::ranges::none_of(writers, [](const auto* writer) { return writer->is_made(); }))
+        refuse_given(
+            verb, {"--fillet", "--frame", "--bolts", "--eye"},
+            "is for what is cut or printed, and no --to names such a file (.dxf, .stl, .3mf, or --content)");
+    if (!has_content(exports::Content::Cut))
+        refuse_given(verb, {"--bed", "--fit"},
+                     "is for what is cut, and no --to names such a file (.dxf, --content cut)");
+    if (!has_content(exports::Content::Cut) && !has_content(exports::Content::Facts))
+        refuse_given(verb, {"--kerf"}, "is for what is cut and for facts, and no --to names such a file");
+    if (!has_content(exports::Content::Facts))
+        refuse_given(verb, {"--clearance", "--layer"}, "is for --content facts");
+}
+
+}  // namespace fretwork::app

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// fretwork beams: what the beams of a surface bear in a result.
+#include "bar_checks.hpp"
+#include "surface_result.hpp"
+#include "typed/file_options.hpp"
+#include "verbs/beams.hpp"
+
+#include <fretwork/base/error.hpp>
+#include <fretwork/base/files/file.hpp>
+#include <fretwork/base/internal/json_text.hpp>
+#include <fretwork/base/text.hpp>
+#include <fretwork/simulation/project/project_library.hpp>
+#include <fretwork/simulation/results/beam_table.hpp>
+#include <fretwork/simulation/results/result_subject.hpp>
+#include <fretwork/simulation/stages.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+namespace fretwork::app {
+namespace {
+
+struct BeamsOptions {
+    std::string project;
+    std::string result;
+    std::string library;
+    std::string strength;
+    std::string out;
+    std::size_t top = 10;
+    bool json = false;
+};
+
+simulation::Surface read_surface(const BeamsOptions& options, const mechanics::Result& result) {
+    const simulation::Project project = simulation::read_checked_project(options.project);
+    const bool is_calibrated =
+        !result.subject ||
+        simulation::needs_library(
+            project, simulation::model_choice({.model = simulation::main_model(*result.subject)}));
+    std::optional<library::Library> library;
+    if (!options.library.empty() || !project.setting || is_calibrated)
+        library = simulation::open_project_library(options.project, project, options.library);
+    return simulation::make_surface(project, library ? &*library : nullptr);
+}
+
+void check_own_result(const mechanics::Result& result, const simulation::Surface& surface,
+                      const std::string& file) {
+    if (!result.subject) return;
+    const std::string difference =
+        simulation::subject_difference(*result.subject, simulation::surface_identity(surface));
+    if (!difference.empty())
+        throw base::InputError(file, "", "is no result of this project: they differ in " + difference);
+}
+
+/// At the end of which stages the beams bear this.
+void print_stages(const mechanics::Result& result) {
+    if (!result.subject || result.subject->stages_text.empty()) return;
+    std::vector<std::string> names;
+    for (const simulation::Stage& stage : simulation::parse_stages(result.subject->stages_text, "stages"))
+        names.push_back("'" + base::printable(stage.name) + "'");
+    names.resize(std::min(names.size(), result.load_steps.size()));
+    std::printf("after the stages %s\n", base::join(names, ", ").c_str());
+}
+
+void print(const simulation::BeamTable& table, const simulation::Surface& surface, std::size_t top) {
+    const auto& tessellation = surface.tessellation;
+    std::printf("%6s %6s  %-20s %9s %9s %10s %10s%s\n", "beam", "tile", "pattern", "x mm", "y mm", "N", "MPa",
+                table.strength ? "   share of strength" : "");
+    for (const simulation::BeamRow& row : simulation::most_stressed(table, top)) {
+        const int pattern = tessellation.tiles[static_cast<std::size_t>(row.tile)].pattern;
+        const std::size_t worse = row.stress[0] >= row.stress[1] ? 0 : 1;
+        const Eigen::Vector3d& place = row.places[worse];
+        std::printf("%6zu %6d  %-20s %9.1f %9.1f %10.4g %10.4g", row.beam, row.tile.value,
+                    tessellation.patterns[static_cast<std::size_t>(pattern)].c_str(), 1e3 * place.x(),
+                    1e3 * place.y(), row.forces[worse].N, 1e-6 * row.stress[worse]);
+        if (const auto share = table.utilization(row)) std::printf("   %.1f %%", 100.0 * *share);
+        std::puts("");
+    }
+    if (table.unknown > 0) std::printf("%zu beams are not known with this result's model\n", table.unknown);
+}
+
+ExitCode run(const BeamsOptions& options) {
+    const mechanics::Result result = read_surface_result(options.result);
+    const simulation::Surface surface = read_surface(options, result);
+    check_own_result(result, surface, options.result);
+    simulation::BeamTable table = simulation::beam_table(surface, result);
+    if (!options.strength.empty()) table.strength = parse_strength(options.strength);
+    const bool is_known = !table.rows.empty();
+    if (!options.out.empty()) {
+        const bool is_csv = std::filesystem::path(options.out).extension() == ".csv";
+        base::write_file_atomically(options.out, is_csv ? simulation::beam_table_csv(table, surface)
+                                                        : simulation::beam_table_json(table, surface));
+    }
+    if (options.json) {
+        table.rows = simulation::most_stressed(table, options.top);
+        std::fputs(simulation::beam_table_json(table, surface).c_str(), stdout);
+    } else {
+        print_stages(result);
+        print(table, surface, options.top);
+    }
+    return is_known ? ExitCode::Done : ExitCode::DidNotSucceed;
+}
+
+}  // namespace
+
+void add_beams(CLI::App& app, ExitCode& exit_code) {
+    CLI::App* verb = app.add_subcommand(
+        "beams", "Section forces, stress and utilization of every beam in a result, the worst first");
+    const auto options = std::make_shared<BeamsOptions>();
+    verb->add_option("project", options->project, "Project file")->required();
+    verb->add_option("result", options->result, "Result file of this project")->required();
+    verb->add_option("--top", options->top, "Print so many beams")->capture_default_str();
+    verb->add_option(
+            "--strength", options->strength,
+            "Stress that the material bears, such as 40MPa (default: that of the setting's material)")
+        ->type_name("STRESS");
+    verb->add_option("--library", options->library, "Library with the setting (default: the project's)");
+    verb->add_option("--out", options->out, "Table of all beams to write: .csv or .json");
+    verb->add_flag("--json", options->json, "Print JSON");
+    declare_files(*verb,
+                  {input("project"), input("result"), input("--library"), output("--out", kBeamTableFile)});
+    verb->footer(
+        "Normal stress, largest over the rectangle with the section's area and second moments; SI in files.\n"
+        "Example: fretwork beams project.json full.json --strength 40MPa --out beams.csv");
+    verb->callback([options, &exit_code] { exit_code = run(*options); });
+}
+
+}  // namespace fretwork::app

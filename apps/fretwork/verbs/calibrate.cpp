@@ -1,0 +1,319 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "interrupt.hpp"
+#include "typed/file_options.hpp"
+#include "typed/ignored_options.hpp"
+#include "typed/pattern_choice.hpp"
+#include "verbs.hpp"
+
+#include <fretwork/base/error.hpp>
+#include <fretwork/base/internal/json_text.hpp>
+#include <fretwork/base/text.hpp>
+#include <fretwork/library/fill.hpp>
+#include <fretwork/library/statistics.hpp>
+#include <fretwork/optimization/optimizer_catalogue.hpp>
+#include <fretwork/reduction/models/tile_model.hpp>
+#include <fretwork/reduction/scenarios/setting_file.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <functional>
+#include <memory>
+#include <ranges>
+#include <set>
+#include <span>
+
+namespace fretwork::app {
+namespace {
+
+using base::Json;
+using library::CalibrationStatistics;
+using library::FillReport;
+using library::Library;
+
+constexpr const char* kCalibrateExample = R"(
+Stopped at any moment, it goes on where it was when it is started again.
+
+Examples:
+  fretwork enumerate --library lib.db && fretwork calibrate --library lib.db
+  fretwork calibrate --library lib.db --patterns sample:24 --starts 16
+  fretwork calibrate --library part2.db --shard 2/4)";
+
+/// What a person asks for.
+struct CalibrateOptions {
+    std::string library_path;
+    std::string setting_path;
+    std::string policy;
+    std::string patterns = "all";
+    std::string shard;
+    library::FillOptions fill;
+    bool retry = false;
+    bool json = false;
+};
+
+/// Patterns that failed alike.
+struct FailureReason {
+    std::string reason;
+    std::string example;  ///< a pattern's id
+    std::size_t patterns = 0;
+};
+
+/// What came of it.
+struct Result {
+    library::CalibrationKey key;
+    std::string_view policy;
+    FillReport report{};
+    CalibrationStatistics statistics{};
+    std::vector<FailureReason> failures{};  ///< of this run and of earlier ones, most patterns first
+    double seconds = 0.0;
+    bool is_stopped = false;
+    bool is_papers = false;  ///< layout and setting, whatever the policy
+};
+
+void adopt_setting(Library& library, const CalibrateOptions& options) {
+    if (options.setting_path.empty() && options.policy.empty()) return;
+    reduction::Setting setting =
+        options.setting_path.empty() ? library.setting() : reduction::read_setting(options.setting_path);
+    if (!options.policy.empty())
+        setting.sample_policy =
+            options.policy == "paper" ? reduction::SamplePolicy::Paper : reduction::SamplePolicy::Stable;
+    const auto before = library.setting().strength;
+    library.adopt_setting(setting);
+    const auto after = library.setting().strength;
+    if (before != after)
+        std::fprintf(stderr, "fretwork: the library's strength is %s MPa now\n",
+                     base::format_number(after.value_or(0.0) / 1e6).c_str());
+}
+
+/// Whether its numbers are to be compared with the paper's.
+bool is_papers(const Library& library) {
+    reduction::Setting papers = reduction::paper_setting();
+    papers.sample_policy = library.setting().sample_policy;
+    return library.layout().name() == "paper7" &&
+           reduction::setting_difference(papers, library.setting()).empty();
+}
+
+/// What looks like a slip of units.
+void tell_doubts(const reduction::Setting& setting) {
+    const std::vector<std::string> doubts = reduction::doubts_about(setting);
+    if (!doubts.empty())
+        std::fprintf(stderr, "fretwork: is that meant? %s\n", base::join(doubts, "; ").c_str());
+}
+
+/// Why patterns lack this calibration, of those that were asked for.
+std::vector<FailureReason> failure_reasons(const Library& library,
+                                           std::span<const library::PatternEntry> patterns,
+                                           const library::CalibrationKey& key) {
+    std::set<std::string_view> wanted;
+    for (const library::PatternEntry& entry : patterns) wanted.insert(entry.id);
+    std::vector<FailureReason> reasons;
+    for (const library::Failure& failure : library.failures()) {
+        const bool is_stage =
+            failure.stage == library::responses_stage() || failure.stage == library::calibration_stage(key);
+        if (!is_stage || !wanted.contains(failure.pattern)) continue;
+        auto known = std::ranges::find(reasons, failure.reason, &FailureReason::reason);
+        if (known == reasons.end())
+            known = reasons.insert(known, FailureReason{failure.reason, failure.pattern, 0});
+        ++known->patterns;
+    }
+    std::ranges::stable_sort(reasons, std::greater(), &FailureReason::patterns);
+    return reasons;
+}
+
+void print_failures(const std::vector<FailureReason>& failures) {
+    constexpr std::size_t kShown = 5;
+    for (const FailureReason& failure : failures | std::views::take(kShown))
+        std::printf("failed: %zu pattern%s, such as %s: %s\n", failure.patterns,
+                    failure.patterns == 1 ? "" : "s", failure.example.c_str(),
+                    base::printable(failure.reason).c_str());
+    if (failures.size() > kShown) std::printf("failed for other reasons, too: library show tells\n");
+    if (!failures.empty()) std::printf("--retry tries them again\n");
+}
+
+void print_text(const Result& result) {
+    const CalibrationStatistics& s = result.statistics;
+    std::printf("%zu of %zu open patterns done in %.1f s; %zu failed\n", result.report.done,
+                result.report.open, result.seconds, result.report.failed);
+    print_failures(result.failures);
+    std::printf("%zu calibrated with model %s, optimizer %s\n", s.calibrated, result.key.model.c_str(),
+                result.key.optimizer.c_str());
+    const char* published =
+        result.key.model == "paper6" && result.is_papers
+            ? " (paper: 9.7 and 9.9, with magnitudes whose number and sizes it does not print)"
+            : "";
+    std::printf("objective E: mean %.2f, standard deviation %.2f, median %.2f%s\n", s.mean, s.deviation,
+                s.median, published);
+    for (const auto& [name, count] : s.at_bound) std::printf("%s at a bound: %zu\n", name.c_str(), count);
+    std::printf(
+        "samples: %zu, of which %zu did not converge (%zu beyond a limit load) and %zu are unstable (policy "
+        "%s: %s)\n",
+        s.samples, s.samples - s.converged, s.limit_load, s.unstable, std::string(result.policy).c_str(),
+        result.policy == "paper" ? "these are fitted, too" : "from the first of them on, not fitted");
+}
+
+Json failures_json(const std::vector<FailureReason>& failures) {
+    Json list = Json::array();
+    for (const FailureReason& failure : failures)
+        list.push_back(
+            {{"reason", failure.reason}, {"patterns", failure.patterns}, {"example", failure.example}});
+    return list;
+}
+
+Json far_above_json(const CalibrationStatistics& statistics) {
+    Json list = Json::array();
+    for (const library::FarAbove& far : statistics.far_above)
+        list.push_back({{"pattern", far.pattern}, {"objective", far.objective}});
+    return list;
+}
+
+void print_json(const Result& result) {
+    const CalibrationStatistics& s = result.statistics;
+    const Json document = {{"model", result.key.model},
+                           {"optimizer", result.key.optimizer},
+                           {"policy", result.policy},
+                           {"open", result.report.open},
+                           {"done", result.report.done},
+                           {"failed", result.report.failed},
+                           {"failures", failures_json(result.failures)},
+                           {"dead_starts", result.report.dead_starts},
+                           {"interrupted", result.is_stopped},
+                           {"calibrated", s.calibrated},
+                           {"objective_mean", s.mean},
+                           {"objective_standard_deviation", s.deviation},
+                           {"objective_median", s.median},
+                           {"far_above_its_like", far_above_json(s)},
+                           {"at_bound", Json(s.at_bound)},
+                           {"samples", s.samples},
+                           {"samples_not_converged", s.samples - s.converged},
+                           {"samples_beyond_limit_load", s.limit_load},
+                           {"samples_unstable", s.unstable},
+                           {"seconds", result.seconds}};
+    std::fputs(base::json_text(document).c_str(), stdout);
+}
+
+/// CalibrateOptions of a search, where there is nothing to search for.
+void refuse_ignored_options(const CLI::App& verb, const CalibrateOptions& options) {
+    if (!reduction::find_tile_model(options.fill.model).parameters.empty()) return;
+    refuse_given(verb, {"--optimizer", "--starts", "--budget", "--seed"},
+                 "is for models with parameters, and " + options.fill.model + " has none");
+}
+
+/// Searches that did not end by themselves are told: what they found may be far from what there is.
+void warn_of_spent_budgets(const Library& library, std::span<const library::PatternEntry> patterns,
+                           const library::CalibrationKey& key) {
+    std::size_t spent = 0;
+    std::size_t all = 0;
+    for (const library::PatternEntry& entry : patterns) {
+        for (const library::CalibrationRecord& record : library.calibrations(entry.id)) {
+            if (record.key() != key) continue;
+            ++all;
+            spent += record.calibration.converged ? 0 : 1;
+        }
+    }
+    if (spent > 0)
+        std::fprintf(stderr,
+                     "fretwork: %zu of %zu calibrations ended before their search met its own criterion (the "
+                     "budget of "
+                     "%d evaluations was spent, or no step went further down): their E may be too high; "
+                     "raise --budget, "
+                     "or change --starts\n",
+                     spent, all, key.budget);
+}
+
+/// A search that failed can end with a number like any other. Beside its like it stands out.
+void warn_of_odd_searches(const Result& result) {
+    if (result.report.dead_starts > 0)
+        std::fprintf(stderr, "fretwork: %zu starts of these searches died at their first point\n",
+                     result.report.dead_starts);
+    const std::vector<library::FarAbove>& far = result.statistics.far_above;
+    if (far.empty()) return;
+    const auto worst = std::ranges::max_element(far, {}, &library::FarAbove::objective);
+    std::fprintf(stderr,
+                 "fretwork: %zu calibration%s far above the like of %s (E over %s, where the median is %s), "
+                 "such as E = %s of %s: the search may have failed; try another --seed or more --starts\n",
+                 far.size(), far.size() == 1 ? " is" : "s are", far.size() == 1 ? "it" : "them",
+                 base::format_number(result.statistics.far_above_limit).c_str(),
+                 base::format_number(result.statistics.median).c_str(),
+                 base::format_number(worst->objective).c_str(), worst->pattern.c_str());
+}
+
+ExitCode calibrate(CalibrateOptions options) {
+    LongWork work;
+    options.fill.control = work.control();
+    options.fill.validate();
+    auto library = Library::open(options.library_path, library::Access::ReadWrite);
+    adopt_setting(library, options);
+    tell_doubts(library.setting());
+    const auto patterns = in_shard(wanted_patterns(library, options.patterns), options.shard);
+    if (options.retry) library.forget_failures();
+    Result result;
+    result.key = options.fill.key();
+    result.policy = sample_policy_name(library.setting().sample_policy);
+    result.is_papers = is_papers(library);
+    const auto start = std::chrono::steady_clock::now();
+    result.report = library::fill(library, patterns, options.fill);
+    result.is_stopped = work.is_stopped();
+    result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    result.statistics = library::calibration_statistics(library, patterns, result.key);
+    result.failures = failure_reasons(library, patterns, result.key);
+    options.json ? print_json(result) : print_text(result);
+    warn_of_spent_budgets(library, patterns, result.key);
+    warn_of_odd_searches(result);
+    if (result.is_stopped)
+        std::fputs("fretwork: interrupted; what is done is stored, run again to go on\n", stderr);
+    const bool is_done = result.report.done == result.report.open && result.statistics.calibrated > 0;
+    return is_done ? ExitCode::Done : ExitCode::DidNotSucceed;
+}
+
+template <class Rows>
+std::string catalogue_help(std::string text, const Rows& rows) {
+    for (const auto& row : rows) text += "\n" + std::string(row.name) + ": " + std::string(row.summary);
+    return text;
+}
+
+void add_method_options(CLI::App& verb, library::FillOptions& fill) {
+    verb.add_option("--model", fill.model, catalogue_help("The tile model:", reduction::tile_models()))
+        ->capture_default_str();
+    verb.add_option("--optimizer", fill.calibration.optimizer,
+                    catalogue_help("The method that fits the model:", optimization::optimizer_catalogue()))
+        ->capture_default_str();
+    verb.add_option("--starts", fill.calibration.starts, "Descents from different points")
+        ->capture_default_str();
+    verb.add_option("--budget", fill.calibration.budget, "Evaluations of the objective at most")
+        ->capture_default_str();
+    verb.add_option("--seed", fill.calibration.seed, "What random numbers begin with")
+        ->check(seed_check())
+        ->capture_default_str();
+    verb.add_option("--threads", fill.threads, "Threads to use; 0: all there are")->check(thread_check());
+}
+
+}  // namespace
+
+void add_calibrate(CLI::App& app, ExitCode& exit_code) {
+    const auto options = std::make_shared<CalibrateOptions>();
+    CLI::App* verb = app.add_subcommand(
+        "calibrate", "Compute the responses of a library's patterns, and fit a reduced model to each.");
+    verb->add_option("--library", options->library_path, "The library: patterns in, results out")->required();
+    verb->add_option("--setting", options->setting_path,
+                     "Material, section, tile side and scenarios, for a library that has no results yet");
+    verb->add_option("--policy", options->policy,
+                     "What becomes of samples past the first loss of stability, for a library that has no "
+                     "results yet:\npaper: they are fitted, too\nstable: they are left out\n(default: as the "
+                     "setting says, which is paper where it says nothing)")
+        ->check(CLI::IsMember({"paper", "stable"}));
+    verb->add_option("--patterns", options->patterns,
+                     "all, ids joined by commas, or sample:N for N spread over the numbers of edges")
+        ->capture_default_str();
+    add_method_options(*verb, options->fill);
+    verb->add_option("--shard", options->shard, "Only the I-th of N parts, as I/N: for several machines");
+    verb->add_flag("--retry", options->retry, "Try patterns again whose failure is recorded");
+    verb->add_flag("--json", options->json, "Print for programs");
+    declare_files(*verb, {update("--library", kLibraryFile), input("--setting")});
+    verb->footer(kCalibrateExample);
+    verb->callback([options, verb, &exit_code] {
+        refuse_ignored_options(*verb, *options);
+        exit_code = calibrate(*options);
+    });
+}
+
+}  // namespace fretwork::app

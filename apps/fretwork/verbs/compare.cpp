@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// fretwork compare: how far a reduced result is from the full one.
+#include "surface_result.hpp"
+#include "typed/file_options.hpp"
+#include "verbs.hpp"
+
+#include <fretwork/base/error.hpp>
+#include <fretwork/base/internal/json_text.hpp>
+#include <fretwork/base/quantity.hpp>
+#include <fretwork/base/text.hpp>
+#include <fretwork/simulation/results/comparison.hpp>
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+namespace fretwork::app {
+namespace {
+
+struct CompareOptions {
+    std::string full;
+    std::string reduced;
+    std::string name;
+    std::optional<double> tolerance;
+    bool csv = false;
+    bool json = false;
+};
+
+base::Json to_json(const std::string& name, const simulation::Comparison& comparison) {
+    return {{"example", name},
+            {"width_m", comparison.width},
+            {"height_m", comparison.height},
+            {"max_displacement_m", comparison.max_displacement},
+            {"max_translation_error_m", comparison.max_translation_error},
+            {"mean_translation_error_m", comparison.mean_translation_error},
+            {"sd_translation_error", comparison.sd_translation_error},
+            {"max_rotation_rad", comparison.max_rotation},
+            {"max_rotation_error_rad", comparison.max_rotation_error},
+            {"mean_rotation_error_rad", comparison.mean_rotation_error},
+            {"sd_rotation_error", comparison.sd_rotation_error},
+            {"relative_l2_error", comparison.relative_l2_error},
+            {"full_model_seconds", comparison.full_seconds},
+            {"reduced_model_seconds", comparison.reduced_seconds},
+            {"full_is_unstable", comparison.full_is_unstable}};
+}
+
+/// A refusal names the files, which the stage does not know.
+simulation::Comparison compare(const CompareOptions& options, const mechanics::Result& full,
+                               const mechanics::Result& reduced) {
+    try {
+        return simulation::compare(full, reduced);
+    } catch (const base::InputError& error) {
+        throw base::InputError(options.full + " and " + options.reduced, "", error.what());
+    }
+}
+
+/// CLI11's own check of numbers that are not negative names the largest double where it refuses infinity.
+CLI::Validator tolerance_check() {
+    const auto check = [](const std::string& text) {
+        const auto number = base::read_number<double>(text);
+        const bool is_valid = number && std::isfinite(*number) && *number >= 0.0;
+        return is_valid ? std::string() : "'" + text + "' is no tolerance: a finite number not below zero is";
+    };
+    return {check, "NUMBER", "tolerance"};
+}
+
+ExitCode run(const CompareOptions& options) {
+    const auto full = read_surface_result(options.full);
+    const auto reduced = read_surface_result(options.reduced);
+    const simulation::Comparison comparison = compare(options, full, reduced);
+    const std::string name =
+        options.name.empty() ? std::filesystem::path(options.full).stem().string() : options.name;
+    if (options.json) {
+        std::fputs(base::json_text(to_json(name, comparison)).c_str(), stdout);
+    } else if (!options.csv) {
+        std::printf("%s: %s", base::printable(name).c_str(), simulation::comparison_text(comparison).c_str());
+    } else {
+        std::printf("%s\n%s\n", simulation::comparison_header().c_str(),
+                    simulation::comparison_row(base::printable(name), comparison).c_str());
+    }
+    if (comparison.full_is_unstable)
+        std::fprintf(
+            stderr,
+            "fretwork: %s is an unstable equilibrium, which no specimen keeps: errors are from there; "
+            "simulate --branch stable finds where it goes\n",
+            base::printable(options.full).c_str());
+    if (options.tolerance && !(comparison.relative_l2_error <= *options.tolerance)) {
+        std::fprintf(stderr, "fretwork: the relative error %.4g is above the tolerance %.4g\n",
+                     comparison.relative_l2_error, *options.tolerance);
+        return ExitCode::DidNotSucceed;
+    }
+    return ExitCode::Done;
+}
+
+}  // namespace
+
+void add_compare(CLI::App& app, ExitCode& exit_code) {
+    CLI::App* verb = app.add_subcommand("compare", "Compare a reduced model's result with the full model's");
+    const auto options = std::make_shared<CompareOptions>();
+    verb->add_option("full", options->full, "Result of the full model")->required();
+    verb->add_option("reduced", options->reduced, "Result of a reduced model of the same project")
+        ->required();
+    verb->add_option("--name", options->name,
+                     "What the comparison is called (default: the first file's name)");
+    verb->add_option("--tolerance", options->tolerance,
+                     "Exit with 1 if the relative L2 error of the translations is above it")
+        ->check(tolerance_check());
+    CLI::Option* csv =
+        verb->add_flag("--csv", options->csv, "Print a header and a row of Table 3, in metres");
+    verb->add_flag("--json", options->json, "Print JSON")->excludes(csv);
+    declare_files(*verb, {input("full"), input("reduced")});
+    verb->footer(
+        "Example: fretwork compare full.json reduced.json\n"
+        "         fretwork compare full.json reduced.json --csv");
+    verb->callback([options, &exit_code] { exit_code = run(*options); });
+}
+
+}  // namespace fretwork::app

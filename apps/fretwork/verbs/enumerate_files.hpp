@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/base/files/file.hpp>
+#include <fretwork/exports/drawings/pattern_drawing.hpp>
+#include <fretwork/pattern/sameness.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace fretwork::app {
+
+/// The files that valid patterns go to; empty: not wanted.
+struct PatternFilePaths {
+    std::string list;     ///< ids, one a line
+    std::string library;  ///< made if it is not there
+    std::string sheet;    ///< a drawing of all of them
+    std::string classes;  ///< which of them are the same
+};
+
+/// Makes all files that are wanted from one search. Nothing is in its place before `finish`.
+///
+/// The list is written as patterns come. The others need all patterns at once, and are refused beyond a
+/// number that fits into memory, or on a sheet.
+class PatternFiles {
+  public:
+    PatternFiles(const pattern::NodeLayout& layout, PatternFilePaths paths,
+                 const exports::PatternDrawingOptions& drawing);
+
+    [[nodiscard]] bool are_wanted() const;
+    /// Throws InputError if this is one pattern too many for a file that is wanted.
+    void take(const pattern::Pattern& found);
+    /// One more file that belongs to the others.
+    void add(const std::string& path, std::string_view content) { others_.add(path, content); }
+    /// Put all files in their places. Gives what patterns have in common, if the classes are wanted.
+    std::optional<pattern::SamenessReport> finish(const pattern::SamenessOptions& options);
+
+  private:
+    void check_number() const;
+    void add_to_library(const base::Control& control) const;
+
+    const pattern::NodeLayout& layout_;
+    PatternFilePaths paths_;
+    exports::PatternDrawingOptions drawing_;
+    std::optional<base::AtomicFile> list_;
+    base::FileBatch others_;
+    std::vector<pattern::Pattern> kept_;
+};
+
+}  // namespace fretwork::app

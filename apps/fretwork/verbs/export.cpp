@@ -1,0 +1,316 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// fretwork export: a project, and what was computed of it, as a drawing or a file for other programs.
+#include "bar_checks.hpp"
+#include "interrupt.hpp"
+#include "surface_result.hpp"
+#include "typed/file_options.hpp"
+#include "typed/ignored_options.hpp"
+#include "typed/making_options.hpp"
+#include "verbs.hpp"
+
+#include <fretwork/base/error.hpp>
+#include <fretwork/base/files/file.hpp>
+#include <fretwork/base/internal/json_text.hpp>
+#include <fretwork/base/quantity.hpp>
+#include <fretwork/base/text.hpp>
+#include <fretwork/exports/space/bar_scene.hpp>
+#include <fretwork/exports/space/picture_options.hpp>
+#include <fretwork/exports/tables/line_set.hpp>
+#include <fretwork/exports/writer_catalogue.hpp>
+#include <fretwork/simulation/project/project_library.hpp>
+#include <fretwork/simulation/results/result_subject.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+namespace fretwork::app {
+namespace {
+
+struct ExportOptions {
+    std::string project;
+    std::vector<std::string> to;
+    std::string load_case;
+    std::vector<std::string> results;
+    std::string library;
+    std::string scale = "1";
+    std::string view;
+    std::string size;
+    std::string colour;
+    std::string strength;
+    std::vector<std::string> labels;
+    std::string content;
+    exports::MakingChoice making;
+    bool json = false;
+};
+
+/// Beyond this a drawing of any surface shows nothing.
+constexpr double kLargestScale = 1e6;
+
+double read_scale(const std::string& text) {
+    const auto number = base::read_number<double>(text);
+    if (!number || !(std::abs(*number) <= kLargestScale))
+        throw base::InputError("--scale", "", "'" + text + "' is not a number from -1e6 to 1e6");
+    return *number;
+}
+
+/// What `parse` makes of an option's text; it says which option was wrong.
+template <class Value>
+Value read_option(const std::string& option, const std::string& text, Value (*parse)(const std::string&)) {
+    try {
+        return parse(text);
+    } catch (const base::InputError& error) {
+        throw base::InputError(option, "", error.what());
+    }
+}
+
+/// A surface that results are to be of.
+struct OwnSurface {
+    const simulation::Surface& surface;
+    simulation::SurfaceIdentity identity;
+};
+
+/// A result that was read from a file must be one of the surface.
+void check_own_result(const mechanics::Result& result, const std::string& file, const OwnSurface& own) {
+    const std::string difference =
+        result.subject ? simulation::subject_difference(*result.subject, own.identity) : "";
+    if (!difference.empty())
+        throw base::InputError(file, "", "is no result of this project: they differ in " + difference);
+    try {
+        exports::require_same_surface(own.surface, result);
+    } catch (const base::InputError& error) {
+        throw base::InputError(file, "", error.what());
+    }
+}
+
+const exports::WriterRow& writer_of(const ExportOptions& options, const std::string& path) {
+    const auto content =
+        options.content.empty() ? std::nullopt : std::optional(exports::parse_content(options.content));
+    return exports::find_writer(path, content);
+}
+
+using Writers = std::vector<const exports::WriterRow*>;
+
+bool any_is(const Writers& writers, bool (exports::WriterRow::*is)() const) {
+    return std::ranges::any_of(writers, [&](const auto* writer) { return (writer->*is)(); });
+}
+
+/// A drawing in .svg is from above where there is no result; with a result and a case it is beside the
+/// others.
+void refuse_ignored_in_drawings(const CLI::App& verb, const ExportOptions& options, const Writers& writers) {
+    const bool has_svg = std::ranges::any_of(
+        writers, [](const auto* writer) { return writer->is_drawing() && !writer->is_picture(); });
+    const bool has_picture = any_is(writers, &exports::WriterRow::is_picture);
+    const bool is_from_above = options.results.empty() || !options.load_case.empty();
+    if (!has_svg || !is_from_above)
+        refuse_given(verb, {"--labels"},
+                     "is for drawings from above, which are .svg without --result, or with --case, too");
+    if (!has_picture && options.results.empty())
+        refuse_given(verb, {"--view"}, "is for bent surfaces (--result) and pictures (.png, .html)");
+    const bool tells_strength = std::ranges::any_of(writers, [](const auto* writer) {
+        return writer->is_picture() || writer->content == exports::Content::Facts || writer->ending == ".vtu";
+    });
+    if (!tells_strength) refuse_given(verb, {"--strength"}, "is for pictures, facts and .vtu");
+}
+
+/// ExportOptions that only some kinds of files look at.
+void refuse_ignored_options(const CLI::App& verb, const ExportOptions& options) {
+    Writers writers;
+    for (const std::string& path : options.to) writers.push_back(&writer_of(options, path));
+    refuse_ignored_making(verb, writers);
+    const bool has_facts = std::ranges::any_of(
+        writers, [](const auto* writer) { return writer->content == exports::Content::Facts; });
+    if (!any_is(writers, &exports::WriterRow::is_drawing)) {
+        refuse_given(verb, {"--scale", "--view", "--labels"},
+                     "is for drawings, and no --to names one (.svg, .png, .html)");
+        if (options.making.bolts.empty() && !has_facts)
+            refuse_given(verb, {"--case"}, "is for drawings, facts and --bolts, and there is none of them");
+    }
+    refuse_ignored_in_drawings(verb, options, writers);
+    if (!any_is(writers, &exports::WriterRow::is_picture))
+        refuse_given(verb, {"--colour"}, "is for pictures, and no --to names one (.png, .html)");
+    if (options.results.empty() && options.colour != "plain")
+        refuse_given(verb, {"--colour"},
+                     "shows what a result has, and there is no --result; plain needs none");
+    const bool has_pixels = std::ranges::any_of(
+        options.to, [&](const std::string& path) { return writer_of(options, path).ending == ".png"; });
+    if (!has_pixels)
+        refuse_given(verb, {"--size"}, "is for pictures made of pixels, and no --to names one (.png)");
+}
+
+/// The supports and loads that are drawn must be those of the results.
+void check_load_case(const simulation::LoadCase& load_case, const ExportOptions& options,
+                     const exports::Scene& scene) {
+    const auto drawn = simulation::result_subject(scene.surface, load_case, {});
+    for (std::size_t i = 0; i < scene.results.size(); ++i) {
+        const auto& subject = scene.results[i].result.subject;
+        const std::string difference = subject ? simulation::subject_difference(*subject, drawn) : "";
+        if (!difference.empty())
+            throw base::InputError(options.results[i], "",
+                                   "is no result of the load case '" + load_case.name +
+                                       "' of --case: they differ in " + difference);
+    }
+}
+
+/// The library is opened where it is asked for, where a project has no setting of its own, and where the
+/// tiles of a result are calibrated.
+bool needs_library(const ExportOptions& options, const simulation::Project& project,
+                   const std::vector<exports::Scene::LabelledResult>& results) {
+    if (!options.library.empty() || !project.setting) return true;
+    return std::ranges::any_of(results, [&](const exports::Scene::LabelledResult& shown) {
+        const auto& subject = shown.result.subject;
+        return !subject ||
+               simulation::needs_library(
+                   project, simulation::model_choice({.model = simulation::main_model(*subject)}));
+    });
+}
+
+/// What is wrong with the project's load cases names its file.
+simulation::LoadCase load_case_of(const simulation::Project& project, const ExportOptions& options) {
+    try {
+        return simulation::find_load_case(project, options.load_case);
+    } catch (const base::InputError& error) {
+        throw base::InputError(options.project, "", error.what());
+    }
+}
+
+exports::Scene make_scene(const ExportOptions& options, const base::Control& control) {
+    const simulation::Project project = simulation::read_checked_project(options.project);
+    std::vector<exports::Scene::LabelledResult> results;
+    for (const std::string& file : options.results) {
+        control.check();
+        results.push_back({std::filesystem::path(file).stem().string(), read_surface_result(file)});
+    }
+    std::optional<library::Library> library;
+    if (needs_library(options, project, results))
+        library = simulation::open_project_library(options.project, project, options.library);
+    exports::Scene scene{simulation::make_surface(project, library ? &*library : nullptr)};
+    OwnSurface own{scene.surface, {}};
+    if (!options.results.empty()) own.identity = simulation::surface_identity(scene.surface);
+    for (std::size_t i = 0; i < results.size(); ++i) {
+        control.check();
+        check_own_result(results[i].result, options.results[i], own);
+    }
+    scene.results = std::move(results);
+    if (!options.load_case.empty()) {
+        const simulation::LoadCase load_case = load_case_of(project, options);
+        check_load_case(load_case, options, scene);
+        scene.conditions = simulation::resolve(load_case, scene.surface);
+        scene.load_case = load_case;
+    }
+    scene.displacement_scale = read_scale(options.scale);
+    if (!options.view.empty()) scene.view = read_option("--view", options.view, exports::parse_view);
+    if (!options.size.empty()) scene.picture.size = read_option("--size", options.size, exports::parse_size);
+    if (!options.colour.empty()) scene.picture.colour = options.colour;
+    if (!options.strength.empty()) scene.strength = parse_strength(options.strength);
+    for (const std::string& what : options.labels)
+        (what == "tiles" ? scene.labels.tiles : scene.labels.interface_nodes) =
+            exports::DrawnLabels::Shown::Yes;
+    scene.making = exports::read_making(options.making, scene.conditions ? &*scene.conditions : nullptr);
+    scene.making.facts.strength = scene.strength;
+    scene.control = control;
+    return scene;
+}
+
+void run(const ExportOptions& options) {
+    for (const std::string& path : options.to) (void)writer_of(options, path);
+    (void)read_scale(options.scale);
+    LongWork work;
+    const base::Control control = work.control();
+    const exports::Scene scene = make_scene(options, control);
+    base::FileBatch files;
+    base::Json report = {{"files", base::Json::array()}};
+    std::vector<std::string> remarks;
+    for (const std::string& path : options.to) {
+        control.check();
+        const exports::WriterRow& writer = writer_of(options, path);
+        const exports::Written written = writer.write(scene);
+        files.add(path, written.text);
+        for (const std::string& remark : written.remarks)
+            if (std::ranges::find(remarks, remark) == remarks.end()) remarks.push_back(remark);
+        report["files"].push_back({{"path", path},
+                                   {"content", exports::content_name(writer.content)},
+                                   {"unit", exports::unit_of(writer)},
+                                   {"bytes", written.text.size()},
+                                   {"remarks", written.remarks}});
+    }
+    control.check();
+    files.commit();
+    for (const std::string& remark : remarks) std::fprintf(stderr, "fretwork: %s\n", remark.c_str());
+    if (options.json) std::fputs(base::json_text(report).c_str(), stdout);
+}
+
+std::string kinds_help() {
+    std::string text = "File to write; its ending says what kind (repeatable):";
+    for (const exports::WriterRow& writer : exports::writer_catalogue()) {
+        text +=
+            "\n  " + std::string(writer.ending) +
+            (exports::is_default(writer) ? "" : " --content " + std::string(content_name(writer.content))) +
+            ": " + std::string(writer.description);
+    }
+    return text;
+}
+
+}  // namespace
+
+void add_export(CLI::App& app, ExitCode&) {
+    CLI::App* verb = app.add_subcommand(
+        "export", "Write a project, and results of it, as drawings and files for other programs");
+    const auto options = std::make_shared<ExportOptions>();
+    verb->add_option("project", options->project, "Project file")->required();
+    verb->add_option("--to", options->to, kinds_help())->required()->allow_extra_args(false);
+    verb->add_option("--content", options->content,
+                     "What to write, where an ending has several: drawing, centrelines, cut, solid or facts")
+        ->type_name("CONTENT");
+    verb->add_option(
+        "--case", options->load_case,
+        "Load case whose supports and loads are drawn; facts are told for it, and --bolts are at its "
+        "supports");
+    verb->add_option("--result", options->results,
+                     "Result file of this project (repeatable: drawn over each other)")
+        ->allow_extra_args(false);
+    verb->add_option("--library", options->library, "Library with the setting (default: the project's)");
+    verb->add_option("--scale", options->scale, "Factor on the displacements in drawings")
+        ->capture_default_str();
+    verb->add_option("--view", options->view,
+                     "From where a deformed surface is seen: iso, front, right, back, left, top, or "
+                     "AZIMUTH,ELEVATION in "
+                     "degrees (default: from where most is seen)")
+        ->type_name("VIEW");
+    verb->add_option("--size", options->size, "Width and height of a .png in pixels (default: 1600x1000)")
+        ->type_name("WxH");
+    verb->add_option("--colour", options->colour,
+                     "What the colours of .png and .html show: " +
+                         base::join(exports::bar_field_names(), ", ") + ", or plain (default: displacement)")
+        ->type_name("FIELD");
+    verb->add_option(
+            "--strength", options->strength,
+            "Stress that the material bears, such as 40MPa (default: that of the setting's material): .vtu, "
+            ".png and .html then have utilization, and facts compare stresses with it")
+        ->type_name("STRESS");
+    verb->add_option("--labels", options->labels,
+                     "Numbers in an .svg from above: tiles, nodes (the interface nodes), or tiles,nodes")
+        ->delimiter(',')
+        ->check(CLI::IsMember({"tiles", "nodes"}))
+        ->type_name("WHAT");
+    add_making_options(*verb, options->making);
+    verb->add_flag("--json", options->json, "Print what was written as JSON");
+    declare_files(*verb,
+                  {input("project"), output("--to", kExportFile), input("--result"), input("--library")});
+    verb->footer(
+        "Example: fretwork export project.json --result full.json --result condensed.json --to deformed.svg\n"
+        "         fretwork export project.json --result full.json --to view.html --to picture.png --view "
+        "-35,25\n"
+        "         fretwork export project.json --to cut.dxf --kerf 0.15mm --fillet 0.5mm --bed 600x400\n"
+        "         fretwork export project.json --to solid.stl --to solid.3mf --frame 4mm\n"
+        "         fretwork export project.json --content facts --case hanging --strength 50MPa --to "
+        "facts.html");
+    verb->callback([options, verb] {
+        refuse_ignored_options(*verb, *options);
+        run(*options);
+    });
+}
+
+}  // namespace fretwork::app

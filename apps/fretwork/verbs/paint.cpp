@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// fretwork paint: patterns into the tiles of a project.
+#include "bar_checks.hpp"
+#include "typed/file_options.hpp"
+#include "typed/painting_options.hpp"
+#include "verbs.hpp"
+
+#include <fretwork/base/error.hpp>
+#include <fretwork/base/files/file_lock.hpp>
+#include <fretwork/base/internal/json_text.hpp>
+#include <fretwork/base/quantity.hpp>
+#include <fretwork/base/text.hpp>
+#include <fretwork/simulation/project/painting_choice.hpp>
+#include <fretwork/simulation/project/project_file.hpp>
+#include <fretwork/simulation/project/project_library.hpp>
+#include <fretwork/tiling/painting/tile_choice.hpp>
+
+#include <cstdio>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+
+namespace fretwork::app {
+namespace {
+
+using simulation::Project;
+using tiling::TileIndex;
+
+struct PaintOptions {
+    std::string project;
+    std::string out;
+    std::string library;
+    std::vector<std::string> tiles;
+    std::vector<std::string> boxes;
+    std::vector<std::string> polygons;
+    simulation::PaintingChoice painting;
+    int turn = 0;
+    std::string clearance;
+    bool mirror = false;
+    bool json = false;
+};
+
+/// With commas or blanks between.
+std::vector<double> parse_lengths(const std::string& text) {
+    std::vector<double> lengths;
+    std::string words = text;
+    for (char& c : words) c = c == ' ' ? ',' : c;
+    for (const std::string& word : base::split(words, ','))
+        if (!word.empty()) lengths.push_back(base::parse_length(word));
+    return lengths;
+}
+
+tiling::PlaneBox parse_box(const std::string& text) {
+    const auto sides = parse_lengths(text);
+    if (sides.size() != 4)
+        throw base::InputError("'" + text + "' is no box: XMIN,YMIN,XMAX,YMAX is, as 0,0,100mm,50mm");
+    for (const auto& [most, name] : {std::pair(2U, "XMAX"), std::pair(3U, "YMAX")})
+        if (sides[most] < sides[most - 2])
+            throw base::InputError("'" + text + "' is no box: its " + name +
+                                   " is less than its minimum (XMIN,YMIN,XMAX,YMAX)");
+    return {{sides[0], sides[1]}, {sides[2], sides[3]}};
+}
+
+geometry::Polygon parse_polygon(const std::string& text) {
+    const auto numbers = parse_lengths(text);
+    if (numbers.size() % 2 != 0)
+        throw base::InputError("'" + text + "' has " + std::to_string(numbers.size()) +
+                               " numbers, where points need two each");
+    geometry::Polygon corners;
+    for (std::size_t i = 0; i < numbers.size(); i += 2) corners.push_back({numbers[i], numbers[i + 1]});
+    if (corners.size() < 3)
+        throw base::InputError("'" + text + "' is no polygon: it needs three corners or more");
+    return corners;
+}
+
+/// What `pick` makes of each value of an option; complaints name the option.
+template <class Pick>
+void add_tiles(std::set<TileIndex>& chosen, const char* option, const std::vector<std::string>& values,
+               const Pick& pick) {
+    for (const std::string& value : values) {
+        try {
+            for (const TileIndex tile : pick(value)) chosen.insert(tile);
+        } catch (const base::InputError& error) {
+            throw base::InputError(option, "", error.what());
+        }
+    }
+}
+
+/// All tiles where none are named.
+std::vector<TileIndex> chosen_tiles(const PaintOptions& options, const tiling::Tessellation& tessellation) {
+    std::set<TileIndex> chosen;
+    add_tiles(chosen, "--tiles", options.tiles,
+              [&](const std::string& text) { return tiling::parse_tiles(text, tessellation); });
+    add_tiles(chosen, "--box", options.boxes,
+              [&](const std::string& text) { return tiling::tiles_in(parse_box(text), tessellation); });
+    add_tiles(chosen, "--polygon", options.polygons,
+              [&](const std::string& text) { return tiling::tiles_in(parse_polygon(text), tessellation); });
+    if (options.tiles.empty() && options.boxes.empty() && options.polygons.empty()) {
+        for (std::size_t t = 0; t < tessellation.tiles.size(); ++t) chosen.insert(TileIndex(t));
+    }
+    return {chosen.begin(), chosen.end()};
+}
+
+/// Where patterns and their properties come from.
+std::optional<library::Library> open_library(const Project& project, const PaintOptions& options) {
+    if (options.painting.patterns.empty()) return std::nullopt;
+    auto library = simulation::open_project_library(options.project, project, options.library);
+    if (library) library->check_layout(project.layout);
+    return library;
+}
+
+/// The colours of a drawing choose among the tiles.
+std::vector<TileIndex> paint_project(Project& project, std::vector<TileIndex> tiles,
+                                     const PaintOptions& options, const library::Library* library) {
+    tiling::Tessellation& tessellation = project.tessellation;
+    if (!options.painting.patterns.empty()) {
+        const reduction::Setting setting = simulation::setting_of(project, library);
+        tiles = simulation::paint(tessellation, tiles, options.painting, {project.layout, setting, library});
+    }
+    if (options.mirror) simulation::mirror(tessellation, tiles, project.layout);
+    for (const TileIndex tile : tiles)
+        tiling::turn(tessellation.tiles[static_cast<std::size_t>(tile)], options.turn);
+    return tiles;
+}
+
+/// How many of these tiles have each pattern.
+std::map<std::string, int> pattern_counts(const tiling::Tessellation& tessellation,
+                                          const std::vector<TileIndex>& tiles) {
+    std::map<std::string, int> counts;
+    for (const TileIndex tile : tiles) {
+        const int pattern = tessellation.tiles[static_cast<std::size_t>(tile)].pattern;
+        if (pattern >= 0) ++counts[tessellation.patterns[static_cast<std::size_t>(pattern)]];
+    }
+    return counts;
+}
+
+void print(const Project& project, const std::vector<TileIndex>& tiles, const PaintOptions& options) {
+    const auto counts = pattern_counts(project.tessellation, tiles);
+    const std::size_t unpainted = unpainted_count(project.tessellation);
+    if (options.json) {
+        std::vector<int> numbers;
+        for (const TileIndex tile : tiles) numbers.push_back(tile.value);
+        const base::Json json = {{"tiles", numbers}, {"patterns", counts}, {"unpainted_tiles", unpainted}};
+        std::fputs(base::json_text(json).c_str(), stdout);
+        return;
+    }
+    std::printf("%zu of %zu tiles:\n", tiles.size(), project.tessellation.tiles.size());
+    for (const auto& [pattern, count] : counts) std::printf("%6d  %s\n", count, pattern.c_str());
+    if (unpainted > 0) std::printf("not painted yet: %zu\n", unpainted);
+    if (!project.load_cases.empty())
+        std::printf("load cases kept: %zu; results of before are of another painting\n",
+                    project.load_cases.size());
+}
+
+ExitCode run(const PaintOptions& options) {
+    simulation::check(options.painting);
+    const std::string& target = options.out.empty() ? options.project : options.out;
+    std::optional<base::FileLock> lock;
+    if (std::filesystem::exists(target)) lock.emplace(target);
+    Project project = simulation::read_checked_project(options.project);
+    const auto library = open_library(project, options);
+    const library::Library* given = library ? &*library : nullptr;
+    const auto chosen = chosen_tiles(options, project.tessellation);
+    const auto tiles = paint_project(project, chosen, options, given);
+    if (tiles.empty()) {
+        std::fprintf(
+            stderr, "fretwork: %s; nothing is painted\n",
+            chosen.empty() ? "no tile lies there" : "none of the palette's colours lies on these tiles");
+        return ExitCode::DidNotSucceed;
+    }
+    simulation::write_project(project, target);
+    print(project, tiles, options);
+    warn_of_close_bars(project, given, options.clearance);
+    return ExitCode::Done;
+}
+
+}  // namespace
+
+void add_paint(CLI::App& app, ExitCode& exit_code) {
+    CLI::App* verb = app.add_subcommand("paint", "Paint tiles of a project with patterns; all else is kept");
+    const auto options = std::make_shared<PaintOptions>();
+    verb->add_option("project", options->project, "Project file")->required();
+    verb->add_option("--tiles", options->tiles,
+                     "Numbers of tiles, and ranges: 3,7-11 (export --labels tiles draws them)");
+    verb->add_option("--box", options->boxes,
+                     "Tiles whose middle lies in a box, such as 0,0,100mm,50mm (repeatable)")
+        ->type_name("XMIN,YMIN,XMAX,YMAX")
+        ->allow_extra_args(false);
+    verb->add_option("--polygon", options->polygons,
+                     "Tiles whose middle lies in a polygon, such as '0,0 0.1,0 0.1,0.2' (repeatable)")
+        ->type_name("X,Y X,Y ..")
+        ->allow_extra_args(false);
+    add_painting_options(*verb, options->painting);
+    verb->add_flag("--mirror", options->mirror, "Put the mirror image of its pattern into each of the tiles");
+    verb->add_option(
+            "--turn", options->turn,
+            "Number the sides of each of the tiles from that many vertices on (a pattern has a turn in "
+            "every sector of its tile, so it looks the same)")
+        ->check(CLI::Range(-1000, 1000));
+    add_clearance_option(*verb, options->clearance);
+    verb->add_option("--library", options->library,
+                     "Library with patterns and properties (default: the project's)");
+    verb->add_option("--out", options->out, "Project file to write (default: the same)");
+    verb->add_flag("--json", options->json,
+                   "Print JSON: tiles, patterns with their numbers, unpainted_tiles");
+    declare_files(*verb, {update("project", kProjectFile), input("--patterns"), input("--palette"),
+                          input("--library"), output("--out", kProjectFile)});
+    verb->footer(
+        "Example: fretwork paint project.json --box 0,0,100mm,1 --patterns 0-1+1-6\n"
+        "         fretwork paint project.json --patterns colours:regions.svg --palette "
+        "red=0-1+1-6,#00f=0-5+5-6\n"
+        "         fretwork paint project.json --patterns field:u --palette 0-1+1-6,0-5+5-6 --property "
+        "bending_stiffness --dither");
+    verb->callback([options, verb, &exit_code] {
+        const bool has_work =
+            !options->painting.patterns.empty() || options->mirror || verb->count("--turn") > 0;
+        if (!has_work)
+            throw base::InputError("paint", "",
+                                   "needs --patterns, --mirror or --turn: what is to be painted?");
+        exit_code = run(*options);
+    });
+}
+
+}  // namespace fretwork::app

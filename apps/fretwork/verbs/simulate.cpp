@@ -1,0 +1,375 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// fretwork simulate: a project under one of its load cases, with the full or a reduced model.
+#include "interrupt.hpp"
+#include "typed/file_options.hpp"
+#include "verbs.hpp"
+#include "verbs/solve_output.hpp"
+
+#include <fretwork/base/error.hpp>
+#include <fretwork/base/files/file.hpp>
+#include <fretwork/base/internal/json_text.hpp>
+#include <fretwork/base/text.hpp>
+#include <fretwork/exports/tables/series_files.hpp>
+#include <fretwork/exports/writer_catalogue.hpp>
+#include <fretwork/mechanics/decks/calculix_file.hpp>
+#include <fretwork/mechanics/frame/frame_file.hpp>
+#include <fretwork/simulation/load_cases/combination.hpp>
+#include <fretwork/simulation/load_cases/load_case_file.hpp>
+#include <fretwork/simulation/project/project_library.hpp>
+#include <fretwork/simulation/results/comparison.hpp>
+#include <fretwork/simulation/results/surface_linear_range.hpp>
+#include <fretwork/simulation/results/surface_modes.hpp>
+#include <fretwork/simulation/simulate.hpp>
+#include <fretwork/simulation/stable_path.hpp>
+#include <fretwork/simulation/stages.hpp>
+#include <fretwork/simulation/surface_frame.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+namespace fretwork::app {
+namespace {
+
+using simulation::LoadCase;
+using simulation::Project;
+using simulation::Surface;
+
+struct SimulateOptions {
+    std::string project;
+    std::string load_case;
+    std::string library;
+    std::string out;
+    std::string frame_out;
+    std::string deck;
+    std::string branch = "primary";
+    std::string stages;
+    int vibration_modes = 0;
+    int buckling_modes = 0;
+    std::string series;
+    std::vector<std::string> drawings;  ///< a VTU and an SVG file, where asked for
+    bool linear = false;
+    bool json = false;
+    simulation::SimulationOptions simulation;
+};
+
+/// What is wrong with a project's load cases or frame names its file.
+template <class Work>
+auto of_project(const SimulateOptions& options, const Work& work) {
+    try {
+        return work();
+    } catch (const base::InputError& error) {
+        throw base::InputError(options.project, "", error.what());
+    }
+}
+
+/// The name of a load case of the project; else a file is one by its ending or its folder.
+LoadCase chosen_load_case(const Project& project, const SimulateOptions& options) {
+    const std::string& name_or_file = options.load_case;
+    for (const LoadCase& own : project.load_cases) {
+        if (own.name == name_or_file)
+            return of_project(options, [&] { return simulation::find_load_case(project, name_or_file); });
+    }
+    const std::filesystem::path path(name_or_file);
+    if (path.extension() == ".json" || path.has_parent_path())
+        return simulation::combined(simulation::read_load_case(path), project.load_cases);
+    return of_project(options, [&] { return simulation::find_load_case(project, name_or_file); });
+}
+
+std::string numbers_text(const std::vector<int>& numbers) {
+    std::vector<std::string> texts;
+    for (const int number : numbers) texts.push_back(std::to_string(number));
+    return base::join(texts, ", ");
+}
+
+/// Null if it was not asked for, or is not known.
+base::Json model_error_json(const mechanics::Result& result) {
+    const auto& error = result.model_error;
+    if (!error) return nullptr;
+    return {{"mean", error->mean}, {"largest", error->largest}, {"relative_l2", error->relative_l2}};
+}
+
+base::Json linear_range_json(const mechanics::Result& result) {
+    const auto& range = result.linear_range;
+    if (!range) return nullptr;
+    return {{"error_estimate", range->error},
+            {"loses_stability", range->loses_stability},
+            {"is_exceeded", simulation::is_exceeded(*range)}};
+}
+
+base::Json values_of(const std::vector<mechanics::Mode>& modes) {
+    base::Json values = base::Json::array();
+    for (const mechanics::Mode& mode : modes) values.push_back(mode.value);
+    return values;
+}
+
+base::Json stability_losses_json(const mechanics::Result& result) {
+    base::Json losses = base::Json::array();
+    for (const mechanics::StabilityLoss& loss : result.solution.stability_losses)
+        losses.push_back({{"load_factor", loss.load_factor},
+                          {"node", result.nodes[static_cast<std::size_t>(loss.node.value)].id},
+                          {"component", mechanics::kDofNames[static_cast<std::size_t>(loss.dof)]},
+                          {"pushed", loss.pushed}});
+    return losses;
+}
+
+base::Json buckled_tiles_json(const mechanics::Result& result) {
+    return result.buckled_tiles ? base::Json(*result.buckled_tiles) : base::Json(nullptr);
+}
+
+void print_json(const mechanics::Result& result) {
+    const auto& solution = result.solution;
+    const mechanics::ResultSubject& subject = result.subject.value();
+    const base::Json json = {{"model", subject.model},
+                             {"load_case", subject.load_case},
+                             {"solver", result.solver},
+                             {"converged", solution.converged()},
+                             {"stable", solution.stable},
+                             {"termination", mechanics::termination_name(solution.termination)},
+                             {"largest_displacement", simulation::largest_displacement(result, solution)},
+                             {"largest_rotation", simulation::largest_rotation(result, solution)},
+                             {"iterations", solution.iterations},
+                             {"discretization_error", discretization_json(result)},
+                             {"full_tiles", subject.full_tiles},
+                             {"model_error_estimate", model_error_json(result)},
+                             {"buckled_tiles", buckled_tiles_json(result)},
+                             {"linear_range", linear_range_json(result)},
+                             {"stability_losses", stability_losses_json(result)},
+                             {"frequencies", values_of(result.vibration_modes)},
+                             {"buckling_load_factors", values_of(result.buckling_modes)},
+                             {"seconds", result.seconds}};
+    std::fputs(base::json_text(json).c_str(), stdout);
+}
+
+/// Of a path with several solutions, each.
+void print_steps(const mechanics::Result& result) {
+    for (std::size_t i = 0; i < result.load_steps.size(); ++i) {
+        const mechanics::Solution& step = result.load_steps[i];
+        std::printf("  %zu: %s at %.3g, largest displacement %.4g mm\n", i + 1,
+                    std::string(mechanics::termination_name(step.termination)).c_str(), step.load_factor,
+                    1e3 * simulation::largest_displacement(result, step));
+        for (const mechanics::StabilityLoss& loss : step.stability_losses)
+            std::printf("     jumped at %.4g: node %d along %s\n", loss.load_factor,
+                        result.nodes[static_cast<std::size_t>(loss.node.value)].id,
+                        mechanics::kDofNames[static_cast<std::size_t>(loss.dof)]);
+    }
+}
+
+void print(const mechanics::Result& result, const WantedModes& wanted) {
+    const auto& solution = result.solution;
+    const mechanics::ResultSubject& subject = result.subject.value();
+    std::printf("%s model, load case '%s', %s: %s%s\n", base::printable(subject.model).c_str(),
+                base::printable(subject.load_case).c_str(), result.solver.c_str(),
+                std::string(mechanics::termination_name(solution.termination)).c_str(),
+                solution.stable ? "" : ", unstable");
+    if (!solution.converged())
+        std::printf("the last equilibrium found is at %.3g of the load\n", solution.load_factor);
+    std::printf("largest displacement %.4g mm, largest rotation %.4g deg (interface nodes), %.3g s\n",
+                1e3 * simulation::largest_displacement(result, solution),
+                simulation::largest_rotation(result, solution) * kDegreesPerRadian, result.seconds);
+    print_losses_and_modes(result, wanted);
+    if (const auto& error = result.discretization_error)
+        std::printf("%s\n", discretization_text(*error).c_str());
+    if (!subject.full_tiles.empty())
+        std::printf("tiles in full: %s\n", numbers_text(subject.full_tiles).c_str());
+    if (const auto& error = result.model_error)
+        std::printf(
+            "error of the model, estimated: %.2g %% of the largest displacement on average, %.2g %% at "
+            "most\n",
+            100.0 * error->mean, 100.0 * error->largest);
+    if (result.buckled_tiles && !result.buckled_tiles->empty())
+        std::printf("tiles whose beams buckle between their interface nodes: %s\n",
+                    numbers_text(*result.buckled_tiles).c_str());
+}
+
+/// The result drawn or for ParaView, as `export` would write it.
+void add_drawings(const SimulateOptions& options, const Surface& surface, const mechanics::Result& result,
+                  base::FileBatch& files) {
+    if (options.drawings.empty()) return;
+    exports::Scene scene{surface};
+    scene.results.push_back({options.simulation.model, result});
+    for (const std::string& path : options.drawings)
+        files.add(path, exports::find_writer(path).write(scene).text);
+}
+
+/// The load steps or stages for ParaView. The files beside the named one are ours, or are not there.
+void add_series(const SimulateOptions& options, const Surface& surface, const mechanics::Result& result,
+                base::FileBatch& files) {
+    if (options.series.empty()) return;
+    const std::filesystem::path path(options.series);
+    for (const exports::NamedFile& file :
+         exports::series_files(surface, result, path.stem().string(), surface.setting.strength)) {
+        const std::filesystem::path place = path.parent_path() / file.name;
+        if (std::filesystem::exists(place) && !says_who_made_it(base::read_text_file(place)))
+            throw base::InputError(place.string(), "",
+                                   "is there, and not made by fretwork: it is not replaced by a step of " +
+                                       path.filename().string());
+        files.add(place, file.text);
+    }
+}
+
+/// Every beam of every tile, whatever models the tiles have.
+mechanics::Frame full_frame(Surface surface, const LoadCase& load_case) {
+    surface.tile_models.clear();
+    return simulation::surface_frame(surface, {}, simulation::resolve(load_case, surface));
+}
+
+/// Of the surface with all of its beams, at rest; shapes have a row for each node of the result.
+void add_modes(const SimulateOptions& options, const Surface& surface, const LoadCase& load_case,
+               mechanics::Result& result, const base::Control& control) {
+    const auto modes = [&](simulation::ModeKind kind, int count) {
+        if (count == 0) return std::vector<mechanics::Mode>{};
+        auto found = simulation::surface_modes(surface, load_case, kind, count, {.control = control});
+        for (mechanics::Mode& mode : found) {
+            // Other models have other inner nodes, which rest in the drawing.
+            const auto all = std::ssize(result.nodes);
+            const auto own =
+                mode.shape.rows() == all ? all : std::ssize(surface.tessellation.interface_nodes);
+            mechanics::NodeValues shape = mechanics::NodeValues::Zero(all, mechanics::kDofsPerNode);
+            shape.topRows(own) = mode.shape.topRows(own);
+            mode.shape = std::move(shape);
+        }
+        return found;
+    };
+    result.vibration_modes = modes(simulation::ModeKind::Vibration, options.vibration_modes);
+    result.buckling_modes = modes(simulation::ModeKind::Buckling, options.buckling_modes);
+}
+
+/// What is impossible numerically names the project.
+mechanics::Result simulate(const SimulateOptions& options, const Surface& surface, const LoadCase& load_case,
+                           const std::vector<LoadCase>& cases, const base::Control& control) {
+    try {
+        if (!options.stages.empty()) {
+            const auto snaps =
+                options.branch == "snapping" ? mechanics::Snaps::Cross : mechanics::Snaps::Stop;
+            const std::vector<simulation::Stage> stages = simulation::read_stages(options.stages);
+            return simulation::simulate_stages(surface, {load_case, cases, stages, snaps}, options.simulation,
+                                               control);
+        }
+        if (options.branch == "primary")
+            return simulation::simulate(surface, load_case, options.simulation, control);
+        const auto path =
+            options.branch == "stable" ? simulation::StablePath::Branches : simulation::StablePath::Snaps;
+        return simulation::simulate_stable_path(surface, load_case, options.simulation, path, control);
+    } catch (const base::NumericalError& error) {
+        throw base::NumericalError(options.project + ": " + error.what());
+    }
+}
+
+ExitCode run(SimulateOptions options) {
+    LongWork work;
+    if (options.linear) options.simulation.analysis = simulation::Analysis::Linear;
+    const Project project = simulation::read_checked_project(options.project);
+    const simulation::ModelChoice choice = simulation::model_choice(options.simulation);
+    std::optional<library::Library> library;
+    if (!options.library.empty() || simulation::needs_library(project, choice))
+        library = simulation::open_project_library(options.project, project, options.library);
+    const Surface surface = simulation::make_surface(project, library ? &*library : nullptr);
+    options.simulation.validate(surface);
+    simulation::check_calibrations(options.project, project, surface, choice);
+    if (const std::string foreign = simulation::foreign_size_text(surface, choice); !foreign.empty())
+        std::fprintf(stderr, "fretwork: %s\n", foreign.c_str());
+    const LoadCase load_case = chosen_load_case(project, options);
+    base::FileBatch files;
+    if (!options.frame_out.empty() || !options.deck.empty()) {
+        const mechanics::Frame frame = full_frame(surface, load_case);
+        if (!options.frame_out.empty()) files.add(options.frame_out, mechanics::frame_text(frame));
+        if (!options.deck.empty())
+            files.add(options.deck, of_project(options, [&] {
+                          return mechanics::calculix_text(frame, mechanics::DeckReader::Calculix);
+                      }));
+    }
+    mechanics::Result result = simulate(options, surface, load_case, project.load_cases, work.control());
+    add_modes(options, surface, load_case, result, work.control());
+    if (result.solver == "linear" && result.solution.converged())
+        result.linear_range =
+            simulation::surface_linear_range(surface, load_case, options.simulation.threads, work.control());
+    files.add(options.out, mechanics::result_text(result));
+    add_drawings(options, surface, result, files);
+    add_series(options, surface, result, files);
+    files.commit();
+    options.json ? print_json(result) : print(result, {options.vibration_modes, options.buckling_modes});
+    if (!options.json && !options.stages.empty()) print_steps(result);
+    if (result.linear_range && simulation::is_exceeded(*result.linear_range))
+        std::fprintf(stderr, "fretwork: %s; --model full, without --linear, or corotational tell\n",
+                     simulation::linear_range_text(*result.linear_range).c_str());
+    const bool misses_error = options.simulation.estimate_model_error && !result.model_error;
+    if (misses_error)
+        std::fprintf(stderr, "fretwork: the error of the model is not known: no better solution was found\n");
+    return result.solution.converged() && !misses_error ? ExitCode::Done : ExitCode::DidNotSucceed;
+}
+
+std::string models_help() {
+    std::string text = "Model:";
+    for (const reduction::TileModel& model : reduction::tile_models())
+        text += "\n  " + model.name + ": " + model.summary;
+    text += "\n  mixed:SHARE: corotational, with that share of the tiles, the worst, in full (mixed:0.05)";
+    return text;
+}
+
+}  // namespace
+
+void add_simulate(CLI::App& app, ExitCode& exit_code) {
+    CLI::App* verb = app.add_subcommand(
+        "simulate", "Simulate a project under a load case, with the full or a reduced model");
+    const auto options = std::make_shared<SimulateOptions>();
+    verb->add_option("project", options->project, "Project file")->required();
+    verb->add_option("--case", options->load_case, "Name of a load case of the project, or a load case file");
+    verb->add_option("--model", options->simulation.model, models_help())->capture_default_str();
+    verb->add_flag("--linear", options->linear, "Small displacements, whatever the model");
+    verb->add_option(
+            "--branch", options->branch,
+            "Where the path becomes unstable: primary goes on along it, stable is pushed off it along "
+            "the critical mode, snapping also goes on beyond limit loads, to the stable equilibrium "
+            "downhill")
+        ->check(CLI::IsMember({"primary", "stable", "snapping"}))
+        ->capture_default_str();
+    verb->add_option(
+        "--stages", options->stages,
+        "File of stages: loads, displacements, what is kept and let go, one after the other; supports "
+        "are those of --case");
+    verb->add_option("--modes", options->vibration_modes,
+                     "So many natural frequencies of the surface at rest, with all of its beams")
+        ->check(CLI::Range(0, 1000));
+    verb->add_option("--buckling", options->buckling_modes,
+                     "So many critical load factors by linearized buckling, with all of its beams")
+        ->check(CLI::Range(0, 1000));
+    verb->add_option("--steps", options->simulation.load_steps, "Results at so many equal shares of the load")
+        ->capture_default_str();
+    verb->add_flag("--estimate-error", options->simulation.estimate_error,
+                   "Tell how far the full model is from endlessly fine divisions of its beams");
+    verb->add_flag(
+        "--estimate-model-error", options->simulation.estimate_model_error,
+        "Tell how far a reduced model is from the full one, by a solution with 30 % of the tiles in "
+        "full");
+    verb->add_option("--threads", options->simulation.threads, "Threads to use; 0: all there are")
+        ->check(thread_check())
+        ->capture_default_str();
+    verb->add_option("--library", options->library,
+                     "Library with the setting and the calibrations (default: the project's)");
+    verb->add_option("--out", options->out, "Result file")->required();
+    verb->add_option("--frame-out", options->frame_out, "Write the full model as a frame file, too");
+    verb->add_option("--deck", options->deck,
+                     "Write the full model as an input deck for CalculiX, too: ccx -i NAME runs it");
+    for (const std::string ending : {"vtu", "svg"}) {
+        verb->add_option_function<std::string>(
+            "--" + ending, [options](const std::string& path) { options->drawings.push_back(path); },
+            "Write the displaced beams as ." + ending + ", too");
+    }
+    verb->add_option(
+        "--series", options->series,
+        "Write the load steps or stages as a series for ParaView, too: this .pvd, and a .vtu for "
+        "each beside it");
+    verb->add_flag("--json", options->json, "Print JSON");
+    declare_files(
+        *verb, {input("project"), input("--case"), input("--stages"), input("--library"),
+                output("--out", kResultFile), output("--frame-out", kFrameFile), output("--deck", kDeckFile),
+                output("--vtu", kVtuFile), output("--svg", kSvgFile), output("--series", kSeriesFile)});
+    verb->footer(
+        "Example: fretwork simulate project.json --case cantilever --model condensed --out reduced.json");
+    verb->callback([options, &exit_code] { exit_code = run(*options); });
+}
+
+}  // namespace fretwork::app

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// fretwork solve: any beam structure, from a frame file.
+#include "interrupt.hpp"
+#include "typed/file_options.hpp"
+#include "verbs.hpp"
+#include "verbs/solve_output.hpp"
+
+#include <fretwork/base/error.hpp>
+#include <fretwork/base/files/file.hpp>
+#include <fretwork/exports/tables/line_files.hpp>
+#include <fretwork/mechanics/decks/calculix_file.hpp>
+#include <fretwork/mechanics/paths/snapping.hpp>
+#include <fretwork/mechanics/solve.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+#include <optional>
+
+namespace fretwork::app {
+namespace {
+
+constexpr const char* kSolveExample = R"(
+Examples:
+  fretwork solve frame.json --out result.json                   nonlinear, to the full load
+  fretwork solve frame.json --solver linear --out result.json
+  fretwork solve frame.json --steps 20 --out result.json        with the 20 equilibria on the way
+  fretwork solve frame.json --estimate-error --out result.json  and how far it is from endlessly fine divisions
+  fretwork solve frame.json --branch stable --out result.json   past a bifurcation, as a specimen would go
+  fretwork solve frame.json --solver linear --buckling 3 --out result.json
+  fretwork solve frame.json --solver linear --modes 6 --out result.json --vtu result.vtu)";
+
+constexpr const char* kSnapping = "snapping";
+
+struct SolveOptions {
+    std::string frame;
+    std::string solver = "newton";
+    std::string out;
+    std::string vtu;
+    std::string deck;
+    std::string deck_for = "abaqus";
+    std::optional<std::string> branch;
+    std::optional<std::string> masses;
+    mechanics::SolveOptions solve;
+    bool json = false;
+};
+
+mechanics::SolveOptions solve_options(const SolveOptions& options) {
+    mechanics::SolveOptions solve = options.solve;
+    solve.solver = mechanics::find_solver(options.solver);
+    if (options.branch && *options.branch != kSnapping)
+        solve.branch = *options.branch == "stable" ? mechanics::Branch::Stable : mechanics::Branch::Primary;
+    if (options.masses)
+        solve.rotational_mass = *options.masses == "published" ? mechanics::RotationalMass::Published
+                                                               : mechanics::RotationalMass::Natural;
+    return solve;
+}
+
+void print_note_on_moments(const mechanics::Frame& frame, const SolveOptions& options) {
+    const bool has_moments = std::ranges::any_of(
+        frame.loads, [](const mechanics::NodalLoad& load) { return !load.moment.isZero(0.0); });
+    if (options.solve.buckling_modes > 0 && has_moments)
+        std::printf("buckling loads take moments of fixed direction for semi-tangential ones\n");
+}
+
+/// What a deck cannot hold names the frame's file.
+std::string deck_text(const mechanics::Frame& frame, const SolveOptions& options) {
+    try {
+        return mechanics::calculix_text(frame, options.deck_for == "calculix"
+                                                   ? mechanics::DeckReader::Calculix
+                                                   : mechanics::DeckReader::Abaqus);
+    } catch (const base::InputError& error) {
+        throw base::InputError(options.frame, "", error.what());
+    }
+}
+
+ExitCode run(const SolveOptions& options) {
+    LongWork work;
+    mechanics::SolveOptions solve = solve_options(options);
+    solve.control = work.control();
+    solve.validate();
+    const mechanics::LabelledFrame input = mechanics::read_structure(options.frame);
+    const mechanics::Result result = options.branch && *options.branch == kSnapping
+                                         ? mechanics::solve_snapping(input, solve)
+                                         : mechanics::solve(input, solve);
+    base::FileBatch files;
+    files.add(options.out, mechanics::result_text(result));
+    if (!options.deck.empty()) files.add(options.deck, deck_text(input.frame, options));
+    if (!options.vtu.empty())
+        files.add(options.vtu,
+                  exports::vtu_text(exports::solution_lines(mechanics::assemble(input.frame), result)));
+    files.commit();
+    if (options.json) {
+        print_solution_json(result);
+    } else {
+        print_solution(result, {options.solve.vibration_modes, options.solve.buckling_modes});
+        print_note_on_moments(input.frame, options);
+        std::printf("wrote %s\n", options.out.c_str());
+        if (!options.vtu.empty()) std::printf("wrote %s\n", options.vtu.c_str());
+    }
+    return result.solution.converged() ? ExitCode::Done : ExitCode::DidNotSucceed;
+}
+
+void add_method(CLI::App& verb, SolveOptions& options) {
+    verb.add_option("--solver", options.solver,
+                    "linear; or, for large displacements and rotations, newton or dynamic-relaxation")
+        ->check(CLI::IsMember({"linear", "newton", "dynamic-relaxation"}))
+        ->capture_default_str();
+    verb.add_option("--steps", options.solve.steps, "reach the load in so many steps, and write each of them")
+        ->check(CLI::Range(1, 100000));
+    verb.add_option(
+            "--branch", options.branch,
+            "where the path becomes unstable: primary goes on along it, stable is pushed off it along the "
+            "critical mode, snapping also goes on beyond limit loads (newton only; primary if not given)")
+        ->check(CLI::IsMember({"primary", "stable", kSnapping}));
+    verb.add_option(
+            "--masses", options.masses,
+            "rotational masses of dynamic-relaxation: natural, or those of published programs, which are "
+            "slower (natural if not given)")
+        ->check(CLI::IsMember({"natural", "published"}));
+    verb.add_option(
+            "--threads", options.solve.threads,
+            "threads to use; 0, or not given: all there are (linear and newton; the result is the same)")
+        ->check(thread_check());
+}
+
+/// What is solved, and what else is computed of it.
+void add_questions(CLI::App& verb, SolveOptions& options) {
+    CLI::Option* lumped = verb.add_flag("--lumped-gravity", options.solve.lumped_gravity,
+                                        "half of a beam's weight on each end, no moments");
+    verb.add_flag("--estimate-error", options.solve.estimate_error,
+                  "tell how far the solution is from that of endlessly fine divisions (newton only: linear "
+                  "solutions of straight beams are exact at the nodes)")
+        ->excludes(lumped);
+    verb.add_option("--buckling", options.solve.buckling_modes,
+                    "so many critical load factors by linearized buckling")
+        ->check(CLI::Range(1, 1000));
+    verb.add_option("--modes", options.solve.vibration_modes,
+                    "so many natural frequencies and modes of the structure at rest")
+        ->check(CLI::Range(1, 1000));
+}
+
+}  // namespace
+
+void add_solve(CLI::App& app, ExitCode& exit_code) {
+    auto options = std::make_shared<SolveOptions>();
+    CLI::App* verb = app.add_subcommand("solve", "Solve any beam structure from a frame file.");
+    verb->footer(kSolveExample);
+    verb->add_option("frame", options->frame, "frame file, or the beams of a CalculiX or Abaqus deck (.inp)")
+        ->required();
+    add_method(*verb, *options);
+    add_questions(*verb, *options);
+    verb->add_option("--vtu", options->vtu, "the displaced beams, and modes, for ParaView");
+    verb->add_option("--deck", options->deck, "write the frame as an input deck (.inp)");
+    verb->add_option("--deck-for", options->deck_for,
+                     "program that is to read --deck: abaqus (beams), or calculix (ccx makes solids of them)")
+        ->check(CLI::IsMember({"abaqus", "calculix"}))
+        ->capture_default_str();
+    verb->add_option("--out", options->out, "result file")->required();
+    verb->add_flag("--json", options->json, "print a summary for programs");
+    declare_files(*verb, {input("frame"), output("--out", kResultFile), output("--vtu", kVtuFile),
+                          output("--deck", kDeckFile)});
+    verb->callback([options, &exit_code] { exit_code = run(*options); });
+}
+
+}  // namespace fretwork::app

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/base/internal/json_text.hpp>
+#include <fretwork/mechanics/results/result_file.hpp>
+
+#include <numbers>
+#include <string>
+
+namespace fretwork::app {
+
+// What the verbs solve and simulate print.
+
+void print_solution_json(const mechanics::Result& result);
+
+inline constexpr double kDegreesPerRadian = 180.0 / std::numbers::pi;
+
+/// How many modes were asked for.
+struct WantedModes {
+    int vibration = 0;
+    int buckling = 0;
+};
+
+/// One line for each loss of stability, critical load and frequency, and for each reason why there are fewer
+/// than wanted.
+void print_losses_and_modes(const mechanics::Result& result, const WantedModes& wanted);
+
+void print_solution(const mechanics::Result& result, const WantedModes& wanted);
+
+/// The share, or null if there is none.
+base::Json discretization_json(const mechanics::Result& result);
+/// A line about how far a solution is from that of endlessly fine divisions.
+std::string discretization_text(const mechanics::DiscretizationError& error);
+
+}  // namespace fretwork::app

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// fretwork studio: a server of one document, for a page in the browser.
+#include "file_identity.hpp"
+#include "interrupt.hpp"
+#include "typed/file_options.hpp"
+#include "verbs.hpp"
+
+#include <fretwork/base/error.hpp>
+#include <studio/server/page.hpp>
+#include <studio/studio.hpp>
+
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <fcntl.h>
+#include <memory>
+#include <spawn.h>
+#include <stop_token>
+#include <unistd.h>
+
+namespace fretwork::app {
+namespace {
+
+struct StudioOptions {
+    std::string project;
+    std::string page;
+    bool no_browser = false;
+    studio::StudioOptions studio;
+};
+
+/// Where programs keep what outlives a run: $XDG_STATE_HOME, else ~/.local/state.
+std::filesystem::path state_folder() {
+    const char* state = std::getenv("XDG_STATE_HOME");
+    if (state != nullptr && *state == '/') return std::filesystem::path(state) / "fretwork";
+    const char* home = std::getenv("HOME");
+    const std::filesystem::path root = home != nullptr && *home == '/' ? home : "/tmp";
+    return root / ".local" / "state" / "fretwork";
+}
+
+/// The desktop's own command opens it; where there is none, people have the address.
+void open_browser(std::string address) {
+    std::string program = "xdg-open";
+    char* arguments[] = {program.data(), address.data(), nullptr};
+    posix_spawn_file_actions_t quiet;
+    ::posix_spawn_file_actions_init(&quiet);
+    for (const int stream : {1, 2})
+        ::posix_spawn_file_actions_addopen(&quiet, stream, "/dev/null", O_WRONLY, 0);
+    // What this program ignores, the browser need not.
+    sigset_t usual;
+    ::sigemptyset(&usual);
+    ::sigaddset(&usual, SIGXFSZ);
+    posix_spawnattr_t attributes;
+    ::posix_spawnattr_init(&attributes);
+    ::posix_spawnattr_setsigdefault(&attributes, &usual);
+    ::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF);
+    pid_t child = 0;
+    (void)::posix_spawnp(&child, program.c_str(), &quiet, &attributes, arguments, environ);
+    ::posix_spawnattr_destroy(&attributes);
+    ::posix_spawn_file_actions_destroy(&quiet);
+}
+
+void run(StudioOptions options) {
+    if (!options.project.empty()) {
+        if (content_of(options.project).is_database)
+            throw base::InputError(options.project, "", "is a pattern library, where a project is needed");
+        options.studio.project = std::filesystem::absolute(options.project);
+    }
+    if (!options.page.empty() && !std::filesystem::exists(options.page))
+        throw base::InputError(options.page, "",
+                               "there is no such file; the page is 'studio.html' of a build");
+    options.studio.page =
+        options.page.empty() ? studio::usual_page_path() : std::filesystem::path(options.page);
+    options.studio.state_folder = state_folder();
+    LongWork work(LongWork::StopsAt::HangUp);
+    studio::Studio studio(options.studio);
+    const std::stop_callback stop(work.control().stop, [&studio] { studio.stop(); });
+    std::printf("%s\n", studio.address().c_str());
+    std::fflush(stdout);
+    if (const std::string warning = studio.warning(); !warning.empty())
+        std::fprintf(stderr, "fretwork: %s\n", warning.c_str());
+    if (!options.no_browser) open_browser(studio.address());
+    studio.run();
+}
+
+}  // namespace
+
+void add_studio(CLI::App& app, ExitCode&) {
+    CLI::App* verb = app.add_subcommand(
+        "studio", "Paint, hold and load a surface in the browser, and see it bend. Ends with Ctrl-C");
+    const auto options = std::make_shared<StudioOptions>();
+    verb->add_option("project", options->project, "Project file (default: a screen to choose one from)");
+    verb->add_option("--address", options->studio.address, "Address to listen at")->capture_default_str();
+    verb->add_option("--port", options->studio.port, "Port (default: 8080, or the next one that is free)")
+        ->check(CLI::Range(1, 65535));
+    verb->add_flag("--no-browser", options->no_browser, "Print the address, and open no browser");
+    verb->add_option("--page", options->page,
+                     "Page to serve (default: the one that was built with the program)");
+    declare_files(*verb, {input("project"), input("--page")});
+    verb->footer(
+        "Example: fretwork studio project.json\n"
+        "On another machine: ssh -L 8080:localhost:8080 MACHINE fretwork studio --no-browser --port 8080 "
+        "project.json");
+    verb->callback([options] { run(*options); });
+}
+
+}  // namespace fretwork::app

@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// fretwork tile: an outline becomes a project, tiled and painted.
+#include "bar_checks.hpp"
+#include "interrupt.hpp"
+#include "typed/file_options.hpp"
+#include "typed/painting_options.hpp"
+#include "verbs.hpp"
+
+#include <fretwork/base/error.hpp>
+#include <fretwork/base/files/file_lock.hpp>
+#include <fretwork/base/internal/json_text.hpp>
+#include <fretwork/base/quantity.hpp>
+#include <fretwork/base/text.hpp>
+#include <fretwork/library/library.hpp>
+#include <fretwork/simulation/load_cases/conditions.hpp>
+#include <fretwork/simulation/project/new_project.hpp>
+#include <fretwork/simulation/project/project.hpp>
+#include <fretwork/simulation/project/project_file.hpp>
+#include <fretwork/simulation/project/project_library.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+
+namespace fretwork::app {
+namespace {
+
+using library::Library;
+using simulation::Project;
+
+struct TileOptions {
+    std::string outline;
+    std::string part = "largest";
+    std::optional<std::string> width;
+    std::optional<std::string> edge_length;
+    simulation::PaintingChoice painting;
+    std::string library;
+    std::string layout;
+    std::string out;
+    std::string narrow = "refine";
+    std::string clearance;
+    bool keep_mesh = false;
+    bool json = false;
+};
+
+/// An option that is a length, and what is questioned as a bare number.
+struct LengthOption {
+    const char* name;
+    double large;  ///< m
+};
+constexpr LengthOption kEdgeLength{"--edge-length", 1.0};
+constexpr LengthOption kWidth{"--width", 10.0};
+
+/// A bare number is in metres, and people mean millimetres by a large one.
+double parse_length(const LengthOption& option, const std::string& text) {
+    const auto bare = base::read_number<double>(text);
+    if (bare && *bare >= option.large)
+        throw base::InputError(option.name, "",
+                               text + " without a unit is in metres; did you mean " + text +
+                                   "mm? Metres are written " + text + "m");
+    try {
+        return base::parse_length(text);
+    } catch (const base::InputError& error) {
+        throw base::InputError(option.name, "", error.what());
+    }
+}
+
+std::optional<double> wanted_width(const TileOptions& options) {
+    if (!options.width) return std::nullopt;
+    const double width = parse_length(kWidth, *options.width);
+    if (!(width > 0))
+        throw base::InputError(kWidth.name, "", "'" + *options.width + "' is not a width, such as 400mm");
+    return width;
+}
+
+outlines::OutlineFile read_outline(const TileOptions& options, std::optional<double> width) {
+    outlines::OutlineFile file =
+        outlines::take_parts(outlines::read_outline_file(options.outline), options.part);
+    return width ? outlines::scaled_to_width(std::move(file), *width) : file;
+}
+
+/// The library that is named; else that of the project which is tiled anew, if it has one.
+std::optional<Library> open_library(const TileOptions& options) {
+    if (!options.library.empty()) return Library::open(options.library);
+    if (!std::filesystem::exists(options.out)) return std::nullopt;
+    return simulation::open_project_library(options.out, simulation::read_project(options.out), "");
+}
+
+const std::map<std::string, tiling::Narrow> kNarrow = {
+    {"refine", tiling::Narrow::Refine}, {"merge", tiling::Narrow::Merge}, {"refuse", tiling::Narrow::Refuse}};
+
+/// The library of a project is named relative to the project file. Its setting goes into the project.
+void name_library(Project& project, const TileOptions& options, const Library* library) {
+    project.library_path.clear();
+    project.library_hash.clear();
+    if (!library) return;
+    const auto folder = std::filesystem::absolute(options.out).parent_path();
+    project.library_path =
+        std::filesystem::absolute(library->path()).lexically_relative(folder).generic_string();
+    project.library_hash = library->content_hash();
+    project.setting = library->setting();
+}
+
+/// What stays in a project that is tiled anew must fit the new tiles.
+void check_what_stays(const Project& project, const TileOptions& options) {
+    for (const simulation::LoadCase& load_case : project.load_cases) {
+        try {
+            simulation::check_selections(load_case, project.tessellation);
+        } catch (const base::InputError& error) {
+            throw base::InputError(options.out, "",
+                                   std::string("its ") + error.what() +
+                                       " on the new tiles; nothing is written: choose another --out");
+        }
+    }
+}
+
+bool picks_by_number(const simulation::LoadCase& load_case) {
+    const auto is_by_number = [](const auto& entry) {
+        return std::holds_alternative<simulation::NodesById>(entry.where);
+    };
+    return std::ranges::any_of(load_case.supports, is_by_number) ||
+           std::ranges::any_of(load_case.prescribed, is_by_number) ||
+           std::ranges::any_of(load_case.loads, is_by_number);
+}
+
+/// Numbers of nodes mean other places on other tiles.
+void warn_of_numbers(const Project& before, const Project& tiled) {
+    if (before.tessellation.interface_nodes == tiled.tessellation.interface_nodes) return;
+    const auto count = std::ranges::count_if(before.load_cases, picks_by_number);
+    if (count == 0) return;
+    std::fprintf(
+        stderr,
+        "fretwork: %td of the load cases kept pick interface nodes by number, and these nodes now lie "
+        "elsewhere\n",
+        count);
+}
+
+/// The numbers of tiles mean others on other tiles.
+void drop_tile_models(Project& before, const Project& tiled) {
+    if (before.tile_models.empty()) return;
+    if (before.tessellation.interface_nodes == tiled.tessellation.interface_nodes) return;
+    before.tile_models.clear();
+    std::fputs("fretwork: the tile models of single tiles are dropped, for the tiles are others now\n",
+               stderr);
+}
+
+/// Put the new tiles into the project that is there, or into a new one, and write it.
+Project write(Project tiled, const TileOptions& options, const Library* library) {
+    std::optional<base::FileLock> lock;
+    Project project;
+    if (std::filesystem::exists(options.out)) {
+        lock.emplace(options.out);
+        project = simulation::read_project(options.out);
+        warn_of_numbers(project, tiled);
+        drop_tile_models(project, tiled);
+    }
+    project.layout = std::move(tiled.layout);
+    project.outline = std::move(tiled.outline);
+    project.further_outlines = std::move(tiled.further_outlines);
+    project.tessellation = std::move(tiled.tessellation);
+    name_library(project, options, library);
+    check_what_stays(project, options);
+    simulation::write_project(project, options.out);
+    return project;
+}
+
+/// What was left out of the outline, in the form of a warning.
+void warn(const simulation::NewProject& made) {
+    if (made.report.negligible_points == 0) return;
+    std::fprintf(stderr, "fretwork: %d %s of the outline left out: within %.3g mm of the point before\n",
+                 made.report.negligible_points, made.report.negligible_points == 1 ? "point" : "points",
+                 1e3 * tiling::kNegligibleShare * made.edge_length);
+}
+
+/// What was done to the drawing, in one line.
+void tell(const outlines::OutlineFile& file, const TileOptions& options) {
+    if (file.remarks.empty()) return;
+    std::fprintf(stderr, "fretwork: %s: %s\n", base::printable(options.outline).c_str(),
+                 base::join(file.remarks, "; ").c_str());
+}
+
+std::vector<std::string> names_of(const std::vector<simulation::LoadCase>& load_cases) {
+    std::vector<std::string> names;
+    for (const simulation::LoadCase& load_case : load_cases) names.push_back(load_case.name);
+    return names;
+}
+
+void print_json(const tiling::TessellationReport& report, const Project& project,
+                const outlines::OutlineFile& file) {
+    const base::Json json = {
+        {"outline", {{"size", outlines::size_text(file.parts)}, {"remarks", file.remarks}}},
+        {"tiles", report.tiles},
+        {"interface_nodes", project.tessellation.interface_nodes.size()},
+        {"patterns", tiling::used_patterns(project.tessellation).size()},
+        {"hexagon_share", report.hexagon_share},
+        {"inner_hexagon_share", report.inner_hexagon_share},
+        {"mean_side", report.mean_side},
+        {"sd_side", report.sd_side},
+        {"smallest_side", report.smallest_side},
+        {"smallest_angle", report.smallest_angle},
+        {"covered_share", report.covered_share},
+        {"outside_share", report.outside_share},
+        {"refined_share", report.refined_share},
+        {"library", project.library_path},
+        {"load_cases_kept", names_of(project.load_cases)}};
+    std::fputs(base::json_text(json).c_str(), stdout);
+}
+
+void print(const tiling::TessellationReport& report, const Project& project, const TileOptions& options) {
+    const std::size_t patterns = tiling::used_patterns(project.tessellation).size();
+    std::printf("%d %s, %zu interface nodes, %zu %s in use\n", report.tiles,
+                report.tiles == 1 ? "tile" : "tiles", project.tessellation.interface_nodes.size(), patterns,
+                patterns == 1 ? "pattern" : "patterns");
+    std::printf("hexagons %.0f %% (away from the rim %.0f %%), mean side %.2f mm (+- %.2f, smallest %.2f)\n",
+                100 * report.hexagon_share, 100 * report.inner_hexagon_share, 1e3 * report.mean_side,
+                1e3 * report.sd_side, 1e3 * report.smallest_side);
+    std::printf("covers %.2f %% of the outline\n", 100 * report.covered_share);
+    if (report.refined_share > 0)
+        std::printf("%.0f %% of the tiles are smaller, since the outline is narrow near them\n",
+                    std::max(1.0, 100 * report.refined_share));
+    const std::size_t unpainted = unpainted_count(project.tessellation);
+    if (unpainted > 0 && patterns > 0) std::printf("not painted yet: %zu\n", unpainted);
+    if (!project.load_cases.empty())
+        std::printf("the project keeps its load cases: %zu\n", project.load_cases.size());
+    if (options.library.empty() && !project.library_path.empty())
+        std::printf("the project keeps its library: %s\n", base::printable(project.library_path).c_str());
+    std::printf("%s\n", options.out.c_str());
+}
+
+/// What is typed is looked at before anything is read.
+simulation::NewProjectOptions wanted_project(const TileOptions& options) {
+    simulation::check(options.painting);
+    simulation::NewProjectOptions wanted{
+        .outline_name = options.outline, .layout = options.layout, .painting = options.painting};
+    if (options.edge_length) wanted.edge_length = parse_length(kEdgeLength, *options.edge_length);
+    wanted.narrow = kNarrow.at(options.narrow);
+    if (options.keep_mesh) wanted.tiles = simulation::TilesFrom::Mesh;
+    return wanted;
+}
+
+void run(const TileOptions& options) {
+    simulation::NewProjectOptions wanted = wanted_project(options);
+    const std::optional<double> width = wanted_width(options);
+    const std::optional<Library> opened = open_library(options);
+    const Library* library = opened ? &*opened : nullptr;
+    const outlines::OutlineFile file = read_outline(options, width);
+    tell(file, options);
+    LongWork work;  // until here nothing is held or written: Ctrl-C simply ends the program
+    wanted.control = work.control();
+    simulation::NewProject made = simulation::make_project(file.parts, wanted, library);
+    warn(made);
+    const Project project = write(std::move(made.project), options, library);
+    warn_of_close_bars(project, library, options.clearance);
+    if (options.json) return print_json(made.report, project, file);
+    std::printf("outline of %s%s\n", outlines::size_text(file.parts).c_str(),
+                file.parts.size() > 1 ? (", " + std::to_string(file.parts.size()) + " parts").c_str() : "");
+    print(made.report, project, options);
+}
+
+}  // namespace
+
+void add_tile(CLI::App& app, ExitCode&) {
+    CLI::App* verb = app.add_subcommand("tile", "Cover an outline with tiles and paint them with patterns");
+    const auto options = std::make_shared<TileOptions>();
+    verb->add_option("outline", options->outline, "Outline: SVG, DXF, JSON, or a flat OBJ, PLY or OFF")
+        ->required();
+    verb->add_option(
+        "--part", options->part,
+        "Which part of a drawing with several: largest, all (each then needs supports of its own), "
+        "or a number, 1 the largest (default: largest)");
+    CLI::Option* width =
+        verb->add_option("--width", options->width,
+                         "Scale the outline to this width, such as 400mm (default: the drawing's own)")
+            ->type_name("LENGTH");
+    CLI::Option* edge_length = verb->add_option(
+        "--edge-length", options->edge_length,
+        "Wanted mean side of the tiles, such as 26mm (default: the library's tile side, or the paper's)");
+    verb->add_option("--narrow", options->narrow,
+                     "Where the outline is narrower than a tile: refine makes smaller tiles, merge makes few "
+                     "and long ones "
+                     "of these, refuse refuses it")
+        ->check(CLI::IsMember(kNarrow))
+        ->capture_default_str();
+    verb->add_flag("--keep-mesh", options->keep_mesh,
+                   "Take the faces of a flat OBJ, PLY or OFF as the tiles, as they are")
+        ->excludes(edge_length)
+        ->excludes(width);
+    add_painting_options(*verb, options->painting);
+    add_clearance_option(*verb, options->clearance);
+    verb->add_option("--library", options->library,
+                     "Pattern library that the project is to use (default: that of the project at --out)");
+    verb->add_option("--layout", options->layout,
+                     "Node layout: a name or a file (default: the library's, or paper7)");
+    verb->add_option("--out", options->out,
+                     "Project file to write; one that is there keeps its load cases and its library")
+        ->required();
+    verb->add_flag("--json", options->json, "Print JSON");
+    declare_files(*verb, {input("outline"), input("--patterns"), input("--palette"), input("--library"),
+                          input("--layout"), update("--out", kProjectFile)});
+    verb->footer(
+        "Example: fretwork tile experiments/outlines/example_a.svg --patterns random:1 --palette "
+        "0-1+1-6,0-5+5-6 "
+        "--out project.json");
+    verb->callback([options] { run(*options); });
+}
+
+}  // namespace fretwork::app

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <studio/document/document_json.hpp>
+#include <studio/document/history.hpp>
+#include <studio/solving/live_solver.hpp>
+
+#include <filesystem>
+#include <optional>
+
+namespace fretwork::studio {
+
+/// A project's file, and the SHA-256 of what lay in it.
+struct ProjectFile {
+    std::filesystem::path path;
+    std::optional<std::string> hash;
+};
+/// Nothing if there is no such file. Throws IoError if it cannot be read.
+std::optional<std::string> hash_of_file(const std::filesystem::path& path);
+
+/// The document of a server: its history, its file, and which load case is looked at.
+class Document {
+  public:
+    Document(State state, std::int64_t revision);
+    /// One that was read from a file.
+    Document(State state, ProjectFile file, std::int64_t revision);
+    /// One whose unsaved changes were found: to undo them is to have what lies in its file.
+    static Document recovered(Document saved, State changed);
+    /// Another one with a name, which it has as long as it has no file.
+    Document named(std::string name) &&;
+    /// Another one whose first state is no work to be lost: it lies in an example, or in a file that was
+    /// sent.
+    Document found_elsewhere() &&;
+
+    [[nodiscard]] const StatePtr& now() const { return history_.now(); }
+    [[nodiscard]] const std::optional<std::filesystem::path>& path() const { return path_; }
+    /// What lay in its file when that was read or written last.
+    [[nodiscard]] const std::optional<std::string>& file_hash() const { return file_hash_; }
+    [[nodiscard]] std::int64_t revision() const { return revision_; }
+    [[nodiscard]] bool is_saved() const { return now() == saved_; }
+    [[nodiscard]] SolverInput solver_input() const { return {{now(), selected_}, revision_, {}}; }
+    [[nodiscard]] DocumentStatus status() const;
+    [[nodiscard]] const History& history() const { return history_; }
+
+    void add(Edited edited);
+    /// False if there is nothing to undo, or to redo.
+    bool undo();
+    bool redo();
+    void select_load_case(std::size_t index);
+    /// Its present state lies in this file now.
+    void saved_as(const std::filesystem::path& path, std::string hash);
+
+  private:
+    void moved();
+
+    History history_;
+    std::optional<std::filesystem::path> path_;
+    std::optional<std::string> file_hash_;
+    std::string name_ = "untitled";
+    StatePtr saved_;
+    std::int64_t revision_;
+    std::size_t selected_ = 0;
+    bool is_recovered_ = false;
+};
+
+/// The folder to which paths in a project are relative.
+std::filesystem::path folder_of(const std::optional<std::filesystem::path>& project);
+
+}  // namespace fretwork::studio

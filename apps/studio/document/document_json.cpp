@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/reduction/scenarios/setting_file.hpp>
+#include <fretwork/simulation/load_cases/conditions.hpp>
+#include <fretwork/simulation/load_cases/load_case_file.hpp>
+#include <fretwork/tiling/rim_loops.hpp>
+#include <studio/document/document_json.hpp>
+
+namespace fretwork::studio {
+namespace {
+
+using base::Json;
+
+template <class Index>
+Json numbers(const std::vector<Index>& indices) {
+    Json list = Json::array();
+    for (const Index index : indices) list.push_back(index.value);
+    return list;
+}
+
+Json points(const std::vector<geometry::Point2>& places) {
+    Json list = Json::array();
+    for (const geometry::Point2& place : places) list.push_back({place.x, place.y});
+    return list;
+}
+
+template <class Value>
+Json or_null(const std::optional<Value>& value) {
+    return value ? Json(*value) : Json();
+}
+
+/// The nodes along each side of the box, as a selection by side picks them.
+Json sides_json(const tiling::Tessellation& tessellation) {
+    constexpr std::pair<const char*, simulation::Side> kSides[] = {{"left", simulation::Side::Left},
+                                                                   {"right", simulation::Side::Right},
+                                                                   {"bottom", simulation::Side::Bottom},
+                                                                   {"top", simulation::Side::Top}};
+    Json sides;
+    for (const auto& [name, side] : kSides)
+        sides[name] = numbers(simulation::select_nodes(simulation::NodesAtSide{side}, tessellation));
+    return sides;
+}
+
+void add_ground(const State& state, Json& event) {
+    const tiling::Tessellation& tessellation = state.ground->tessellation;
+    event["layout"] = state.ground->layout.name();
+    event["layout_nodes"] = layout_nodes_json(state.ground->layout);
+    event["vertices"] = points(tessellation.vertices);
+    event["tiles"] = Json::array();
+    for (const tiling::Tile& tile : tessellation.tiles)
+        event["tiles"].push_back(
+            {{"vertices", numbers(tile.vertices)}, {"interface", numbers(tile.interface_nodes)}});
+    event["interface_nodes"] = points(tessellation.interface_nodes);
+    event["rim"] = Json::array();
+    for (const auto& loop : tiling::rim_loops(tessellation)) event["rim"].push_back(numbers(loop));
+    event["sides"] = sides_json(tessellation);
+}
+
+void add_painting(const State& state, Json& event) {
+    event["palette"] = state.painting->palette;
+    event["painting"] = state.painting->patterns;
+    event["turns"] = state.painting->turns;
+}
+
+template <class Index>
+Json lists_of_numbers(const std::vector<std::vector<Index>>& lists) {
+    Json all = Json::array();
+    for (const auto& list : lists) all.push_back(numbers(list));
+    return all;
+}
+
+Json vector_json(const Eigen::Vector3d& vector) {
+    return {vector.x(), vector.y(), vector.z()};
+}
+
+/// Which nodes each entry is on, and what they bear, so that no page has to work it out.
+Json marks_json(const simulation::EntryMarks& marks) {
+    Json loads = Json::array();
+    for (const simulation::EntryMarks::Load& load : marks.loads)
+        loads.push_back({{"nodes", numbers(load.nodes)},
+                         {"shares", load.shares},
+                         {"force", vector_json(load.force)},
+                         {"moment", vector_json(load.moment)},
+                         {"extent", load.extent > 0.0 ? Json(load.extent) : Json()}});
+    return {{"supports", lists_of_numbers(marks.supports)},
+            {"loads", std::move(loads)},
+            {"prescribed", lists_of_numbers(marks.prescribed)}};
+}
+
+void add_load_cases(const State& state, Json& event) {
+    event["load_cases"] = Json::array();
+    for (const simulation::LoadCase& load_case : *state.load_cases) {
+        Json json = Json::parse(simulation::load_case_text(load_case));
+        json.erase("format");
+        json["marks"] = marks_json(simulation::entry_marks(load_case, state.ground->tessellation));
+        event["load_cases"].push_back(std::move(json));
+    }
+}
+
+void add_model(const State& state, Json& event) {
+    event["model"] = *state.model;
+    event["linear"] = state.analysis == simulation::Analysis::Linear;
+}
+
+void add_setting(const State& state, Json& event) {
+    event["setting"] = Json::parse(reduction::setting_text(*state.setting));
+}
+
+void add_status(const DocumentStatus& status, Json& event) {
+    event["saved"] = status.is_saved;
+    event["selected_load_case"] = status.selected_load_case;
+    event["history"] = {{"undo", or_null(status.undo)}, {"redo", or_null(status.redo)}};
+}
+
+void add_place(const State& state, const DocumentStatus& status, Json& event) {
+    event["name"] = status.name;
+    event["path"] = status.path ? Json(status.path->string()) : Json();
+    event["library"] = state.library->path.empty() ? Json() : Json(state.library->path.string());
+}
+
+Json started(const char* name, const DocumentStatus& status) {
+    return {{"event", name}, {"revision", status.revision}};
+}
+
+}  // namespace
+
+Json layout_nodes_json(const pattern::NodeLayout& layout) {
+    Json nodes = Json::array();
+    for (const pattern::LayoutNode& node : layout.nodes()) {
+        Json place = Json::array();
+        for (const pattern::Rational& share : node.place) place.push_back(share.to_double());
+        nodes.push_back(std::move(place));
+    }
+    return nodes;
+}
+
+Json document_event(const State& state, const DocumentStatus& status) {
+    Json event = started("document", status);
+    add_place(state, status, event);
+    event["recovered"] = status.is_recovered;
+    add_status(status, event);
+    add_ground(state, event);
+    add_painting(state, event);
+    event["tile_models"] = *state.tile_models;
+    add_setting(state, event);
+    add_load_cases(state, event);
+    add_model(state, event);
+    return event;
+}
+
+Json changed_event(const State& before, const State& now, const DocumentStatus& status) {
+    Json event = started("changed", status);
+    add_place(now, status, event);
+    add_status(status, event);
+    if (before.painting != now.painting) add_painting(now, event);
+    if (before.tile_models != now.tile_models) event["tile_models"] = *now.tile_models;
+    if (before.setting != now.setting) add_setting(now, event);
+    if (before.load_cases != now.load_cases) add_load_cases(now, event);
+    if (before.model != now.model || before.analysis != now.analysis) add_model(now, event);
+    return event;
+}
+
+}  // namespace fretwork::studio

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/base/json_reader.hpp>
+#include <studio/document/history.hpp>
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace fretwork::studio {
+
+enum class Mixed { Refused, Taken };
+
+/// The name of a tile model of the catalogue, or, where it is taken, `mixed:SHARE`. Throws InputError that
+/// names the models.
+std::string read_model(const base::JsonReader& json, Mixed mixed);
+
+/// What a request for an edit makes of a document, which is the same state if it changes nothing; nothing if
+/// `name` is no edit. Throws InputError if the
+/// request is malformed or asks for what is not possible on this document.
+std::optional<Edited> edited(const State& state, std::string_view name, const base::JsonReader& request);
+
+}  // namespace fretwork::studio

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What pages ask to be painted.
+#include <fretwork/base/error.hpp>
+#include <fretwork/tiling/painting/painting.hpp>
+#include <studio/document/painting_request.hpp>
+#include <studio/server/sent_file.hpp>
+#include <studio/server/sent_name.hpp>
+#include <studio/solving/synced_session.hpp>
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+
+namespace fretwork::studio {
+namespace {
+
+using base::JsonReader;
+using simulation::PaintingChoice;
+using tiling::TileIndex;
+
+/// The places of patterns in a palette, which grows by those that are new.
+class PaletteWriter {
+  public:
+    PaletteWriter(Painting& painting, const pattern::NodeLayout& layout)
+        : painting_(painting), layout_(layout) {}
+
+    int place_of(const JsonReader& json) {
+        const std::string text = json.string();
+        const auto [known, is_new] = places_.try_emplace(text, 0);
+        if (is_new) known->second = place_of_id(checked(json, text));
+        return known->second;
+    }
+    /// Of a pattern's id that the layout has.
+    int place_of_id(const std::string& id) {
+        const auto found = std::ranges::find(painting_.palette, id);
+        const auto place = found - painting_.palette.begin();
+        if (found == painting_.palette.end()) painting_.palette.push_back(id);
+        return static_cast<int>(place);
+    }
+
+  private:
+    [[nodiscard]] std::string checked(const JsonReader& json, const std::string& text) const {
+        try {
+            return tiling::make_palette(layout_, std::vector{text}).front();
+        } catch (const base::InputError& error) {
+            json.fail(error.what());
+        }
+    }
+
+    Painting& painting_;
+    const pattern::NodeLayout& layout_;
+    std::map<std::string, int> places_;
+};
+
+Painted with_one_pattern(const State& state, const JsonReader& request) {
+    request.allow_only({"id", "do", "merge", "tiles", "pattern"});
+    Painted result{*state.painting};
+    const auto tiles = read_tiles(request.at("tiles"), state);
+    const int place = PaletteWriter(result.painting, state.ground->layout).place_of(request.at("pattern"));
+    for (const std::size_t tile : tiles) result.painting.patterns[tile] = place;
+    result.tiles = tiles.size();
+    return result;
+}
+
+Painted tile_by_tile(const State& state, const JsonReader& request) {
+    request.allow_only({"id", "do", "merge", "patterns"});
+    Painted result{*state.painting};
+    PaletteWriter palette(result.painting, state.ground->layout);
+    const auto ids = request.at("patterns").elements(state.tile_count());
+    for (std::size_t t = 0; t < ids.size(); ++t) {
+        const int place = palette.place_of(ids[t]);
+        result.tiles += place != result.painting.patterns[t] ? 1 : 0;
+        result.painting.patterns[t] = place;
+    }
+    return result;
+}
+
+/// All tiles where none are named; in the order in which the command takes them, since chance depends on it.
+std::vector<TileIndex> chosen_tiles(const State& state, const JsonReader& request) {
+    std::vector<std::size_t> numbers(state.tile_count());
+    std::iota(numbers.begin(), numbers.end(), std::size_t{0});
+    if (const auto named = request.find("tiles")) numbers = read_tiles(*named, state);
+    std::ranges::sort(numbers);
+    const auto repeated = std::ranges::unique(numbers);
+    numbers.erase(repeated.begin(), repeated.end());
+    return {numbers.begin(), numbers.end()};
+}
+
+/// Only where something is looked up in it: to see whether it has changed takes as long as it is large.
+std::optional<library::Library> library_for(const PaintingChoice& choice, const State& state) {
+    if (!choice.palette.empty() && choice.property.empty()) return std::nullopt;
+    auto library = open_library(state);
+    if (library) library->check_layout(state.ground->layout);
+    return library;
+}
+
+Painted by_choice(const State& state, const std::vector<TileIndex>& tiles, const PaintingChoice& choice) {
+    simulation::check(choice);
+    const auto library = library_for(choice, state);
+    tiling::Tessellation tessellation = make_project(state, "/").tessellation;
+    const auto done = simulation::paint(
+        tessellation, tiles, choice, {state.ground->layout, *state.setting, library ? &*library : nullptr});
+    Painted result{*state.painting, done.size()};
+    PaletteWriter palette(result.painting, state.ground->layout);
+    for (const TileIndex tile : done) {
+        const auto t = static_cast<std::size_t>(tile);
+        const auto pattern = static_cast<std::size_t>(tessellation.tiles[t].pattern);
+        result.painting.patterns[t] = palette.place_of_id(tessellation.patterns[pattern]);
+    }
+    return result;
+}
+
+/// The file that the choice reads may come with the request.
+Painted chosen(const State& state, const JsonReader& request) {
+    request.allow_only(
+        {"id", "do", "merge", "tiles", "patterns", "palette", "property", "range", "dither", "file"});
+    PaintingChoice choice = read_painting_choice(request);
+    const auto tiles = chosen_tiles(state, request);
+    const auto file = request.find("file");
+    if (!file) return by_choice(state, tiles, choice);
+    file->allow_only({"name", "text_base64"});
+    if (choice.patterns != "image:" && choice.patterns != "colours:")
+        file->fail("is what the patterns 'image:' and 'colours:' read, and these are '" + choice.patterns +
+                   "'");
+    return read_sent(parse_sent_file(*file), [&](const std::filesystem::path& path) {
+        choice.patterns += path.string();
+        return by_choice(state, tiles, choice);
+    });
+}
+
+}  // namespace
+
+std::vector<std::size_t> read_tiles(const JsonReader& json, const State& state) {
+    std::vector<std::size_t> tiles;
+    const long long last = static_cast<long long>(state.tile_count()) - 1;
+    for (const JsonReader& tile : json.elements())
+        tiles.push_back(static_cast<std::size_t>(tile.integer(0, last)));
+    if (tiles.empty()) json.fail("is empty, where at least one tile is needed");
+    return tiles;
+}
+
+PaintingChoice read_painting_choice(const JsonReader& request) {
+    const auto text_of = [&](const char* key) {
+        const auto value = request.find(key);
+        return value ? read_plain_text(*value) : std::string();
+    };
+    const auto dither = request.find("dither");
+    const bool is_dithered = dither && dither->boolean();
+    return {.patterns = text_of("patterns"),
+            .palette = text_of("palette"),
+            .property = text_of("property"),
+            .range = text_of("range"),
+            .dithering = is_dithered ? tiling::Dithering::ErrorDiffusion : tiling::Dithering::None,
+            .names = {.patterns = "patterns",
+                      .palette = "palette",
+                      .library = "a library",
+                      .property = "property",
+                      .range = "range",
+                      .dithering = "dither"}};
+}
+
+Painted painted(const State& state, const JsonReader& request) {
+    const auto patterns = request.find("patterns");
+    if (!patterns) return with_one_pattern(state, request);
+    return patterns->is_array() ? tile_by_tile(state, request) : chosen(state, request);
+}
+
+}  // namespace fretwork::studio

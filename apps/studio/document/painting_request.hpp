@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/base/json_reader.hpp>
+#include <fretwork/simulation/project/painting_choice.hpp>
+#include <studio/document/state.hpp>
+
+#include <vector>
+
+namespace fretwork::studio {
+
+/// Tiles of a document by their numbers: at least one.
+std::vector<std::size_t> read_tiles(const base::JsonReader& json, const State& state);
+
+/// The keys `patterns`, `palette`, `property`, `range` and `dither` of a request, as the options of
+/// `fretwork paint`; each may be left out.
+simulation::PaintingChoice read_painting_choice(const base::JsonReader& request);
+
+/// A painting that a request makes of another one.
+struct Painted {
+    Painting painting;
+    std::size_t tiles = 0;  ///< that were painted
+};
+/// What `paint` asks for. Throws InputError if it is malformed, or cannot be painted.
+Painted painted(const State& state, const base::JsonReader& request);
+
+}  // namespace fretwork::studio

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/base/json_reader.hpp>
+#include <fretwork/simulation/results/surface_beams.hpp>
+
+#include <bitset>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace fretwork::studio {
+
+/// Binary messages of the protocol (protocol.md).
+enum class MessageKind : std::uint32_t { Beams = 1, Solution = 2 };
+
+/// Which beams a message is about: the revision of the document for which they were sent.
+struct FrameStamp {
+    std::int64_t revision = 0;
+    std::int64_t beams = 0;
+};
+
+std::string beams_message(const simulation::SurfaceBeams& beams, const FrameStamp& stamp);
+
+/// Which of simulation::kBeamFields are wanted.
+using BeamFields = std::bitset<simulation::kBeamFields.size()>;
+inline const BeamFields kAllBeamFields = BeamFields().set();
+std::vector<std::string> names_of(const BeamFields& fields);
+/// A list of names of fields. Throws InputError at one that there is not.
+BeamFields read_beam_fields(const base::JsonReader& json);
+
+/// With those of the wanted fields that the state has: all of them, or none.
+std::string solution_message(const simulation::BeamState& state, const FrameStamp& stamp,
+                             const BeamFields& fields);
+/// Without beam fields.
+///
+/// @param node_fields  a row for each node, a column for each field
+std::string motion_message(const mechanics::NodeValues& nodes, const FrameStamp& stamp,
+                           const Eigen::MatrixXf& node_fields = {});
+
+}  // namespace fretwork::studio

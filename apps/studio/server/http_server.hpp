@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <studio/server/access.hpp>
+#include <studio/server/outgoing.hpp>
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+
+namespace fretwork::studio {
+
+/// A page that is connected, over its WebSocket.
+enum class ClientId : std::int64_t {};
+
+/// What a browser gets.
+struct HttpAnswer {
+    unsigned status = 200;
+    std::string type = "text/plain; charset=utf-8";
+    std::string body;
+    std::string download_name{};  ///< of a file to be stored; empty: to be shown
+    std::string remark{};         ///< one line of plain letters on the file, for who stores it
+};
+
+/// What the server is for. All calls come on the server's thread, and only for requests that may be made.
+class Service {
+  public:
+    Service() = default;
+    Service(const Service&) = delete;
+    Service& operator=(const Service&) = delete;
+    virtual ~Service() = default;
+
+    /// Answer a request, now or later, from the server's thread.
+    virtual void get(const Target& target, std::function<void(HttpAnswer)> answer) = 0;
+    virtual void connected(ClientId client) = 0;
+    virtual void disconnected(ClientId client) = 0;
+    virtual void received(ClientId client, std::string_view message) = 0;
+};
+
+struct ServerOptions {
+    std::string address = "127.0.0.1";
+    /// Without: 8080, or the next one that is free.
+    std::optional<int> port{};
+    std::string token;
+    /// A request that has not come as a whole by then is given up, and so is an answer that nobody takes.
+    std::chrono::milliseconds request_time{30'000};
+};
+
+/// HTTP and WebSocket (RFC 6455) for a few clients: limits on what they may send, and on what waits for them.
+/// Without the token, with a Host or Origin that is not this machine, or outside of the page, a request gets
+/// a status of 4xx and one line.
+class HttpServer {
+  public:
+    /// It listens when this returns. Throws IoError if the port is taken or the address is not this
+    /// machine's.
+    HttpServer(const ServerOptions& options, Service& service);
+    HttpServer(const HttpServer&) = delete;
+    HttpServer& operator=(const HttpServer&) = delete;
+    ~HttpServer();
+
+    [[nodiscard]] int port() const;
+    /// Serve until stop() is called: this is the server's thread.
+    void run();
+    /// From any thread.
+    void stop();
+    /// Do something on the server's thread soon. From any thread.
+    void post(std::function<void()> work);
+    /// On the server's thread. Nothing happens if the client has gone.
+    void send(ClientId client, const Outgoing& outgoing);
+
+  private:
+    class Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace fretwork::studio

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/files/base64.hpp>
+#include <fretwork/base/files/file.hpp>
+#include <studio/server/sent_file.hpp>
+#include <studio/server/sent_name.hpp>
+
+#include <boost/algorithm/string/replace.hpp>
+
+namespace fretwork::studio {
+
+namespace {
+
+/// No kind of file has a longer ending, and with it the name must fit.
+constexpr std::size_t kLongestEnding = 32;
+
+}  // namespace
+
+SentFile parse_sent_file(const base::JsonReader& json) {
+    SentFile sent{read_file_name(json.at("name"))};
+    sent.content = base::decode_base64(json.at("text_base64").string(), shown_name(sent.name));
+    return sent;
+}
+
+FileOnDisk::FileOnDisk(const SentFile& sent)
+    : shown_(shown_name(sent.name)),
+      ending_(std::filesystem::path(sent.name).extension().string().substr(0, kLongestEnding)),
+      folder_(std::filesystem::temp_directory_path() / "sent", base::Scratch::Kind::Folder) {
+    base::write_file_atomically(path(), sent.content);
+}
+
+std::filesystem::path FileOnDisk::path() const {
+    return folder_.path() / ("file" + ending_);
+}
+
+std::string FileOnDisk::renamed(const std::string& message) const {
+    return boost::replace_all_copy(message, path().string(), shown_);
+}
+
+}  // namespace fretwork::studio

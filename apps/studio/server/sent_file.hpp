@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/base/error.hpp>
+#include <fretwork/base/files/scratch.hpp>
+#include <fretwork/base/json_reader.hpp>
+
+#include <filesystem>
+#include <string>
+
+namespace fretwork::studio {
+
+/// A file that comes in a message.
+struct SentFile {
+    std::string name;  ///< its ending says what kind of file it is
+    std::string content{};
+};
+
+/// The keys `name` and `text_base64` of an object; which others it may have is for the caller to say.
+SentFile parse_sent_file(const base::JsonReader& json);
+
+/// A sent file on this machine's disk, as long as this lives.
+class FileOnDisk {
+  public:
+    explicit FileOnDisk(const SentFile& sent);
+    [[nodiscard]] std::filesystem::path path() const;
+    /// What is said of the path, said of the file that was sent.
+    [[nodiscard]] std::string renamed(const std::string& message) const;
+
+  private:
+    std::string shown_;
+    std::string ending_;
+    base::Scratch folder_;
+};
+
+/// What `read` makes of the path of a sent file. Complaints name the file as it was sent.
+template <class Read>
+auto read_sent(const SentFile& sent, const Read& read) {
+    const FileOnDisk file(sent);
+    try {
+        return read(file.path());
+    } catch (const base::GeometryError& error) {
+        throw base::GeometryError(file.renamed(error.what()));
+    } catch (const base::InputError& error) {
+        throw base::InputError(file.renamed(error.what()));
+    }
+}
+
+}  // namespace fretwork::studio

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/base/internal/json_text.hpp>
+#include <fretwork/outlines/outline.hpp>
+#include <studio/server/sent_file.hpp>
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace fretwork::studio {
+
+/// An outline that comes in a message.
+struct SentOutline {
+    SentFile file;
+    std::string part = "largest";   ///< of a drawing with several, as `fretwork tile --part`
+    std::optional<double> width{};  ///< m, that it is to have
+};
+
+/// What would be tiled, and how large all parts of the drawing are.
+struct TakenOutline {
+    outlines::OutlineFile file;                ///< the chosen parts, as wide as is wanted
+    std::vector<std::array<double, 2>> sizes;  ///< of all parts at the same scale, m, the largest part first
+};
+
+SentOutline read_sent_outline(const base::JsonReader& json);
+/// Throws as read_outline_file and take_parts.
+TakenOutline take_outline(const SentOutline& sent);
+/// The answer to `measure`.
+base::Json measured(const TakenOutline& outline);
+
+}  // namespace fretwork::studio

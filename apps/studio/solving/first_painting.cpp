@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/fabrication/facts.hpp>
+#include <fretwork/mechanics/frame/section.hpp>
+#include <fretwork/pattern/enumerate.hpp>
+#include <fretwork/simulation/results/bar_clearance.hpp>
+#include <studio/solving/first_painting.hpp>
+#include <studio/solving/making_doubts.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <tuple>
+
+namespace fretwork::studio {
+namespace {
+
+using simulation::Project;
+
+/// Patterns with few bars have the widest gaps: where none of so many can be made, none with more bars can.
+constexpr std::size_t kMostTried = 200;
+
+struct Candidate {
+    std::size_t bars = 0;
+    std::string id;
+};
+
+/// Fewest bars first, then by name.
+std::vector<Candidate> candidates(const pattern::NodeLayout& layout, const base::Control& control) {
+    pattern::EnumerationOptions options;
+    options.edges = pattern::default_edge_range(layout);
+    options.control = control;
+    std::vector<Candidate> all;
+    for (const pattern::Pattern& one : pattern::enumerate_patterns(layout, options))
+        all.push_back({static_cast<std::size_t>(one.edge_count()), pattern::pattern_id(layout, one)});
+    std::ranges::sort(all, [](const Candidate& a, const Candidate& b) {
+        return std::tie(a.bars, a.id) < std::tie(b.bars, b.id);
+    });
+    all.resize(std::min(all.size(), kMostTried));
+    return all;
+}
+
+void paint(Project& project, const std::string& pattern) {
+    project.tessellation.patterns = {pattern};
+    for (tiling::Tile& tile : project.tessellation.tiles) tile.pattern = 0;
+}
+
+bool can_be_made(const Project& project, double clearance, const base::Control& control) {
+    const simulation::Surface surface = simulation::make_surface(project, nullptr);
+    // Bars that are too near are found in a hundredth of the time that gaps take.
+    if (!simulation::close_bars(surface, 0.0).empty()) return false;
+    return making_doubts(surface, {.control = control}, clearance).words.empty();
+}
+
+std::string none_text(const Project& project) {
+    const simulation::Surface surface = simulation::make_surface(project, nullptr);
+    char text[200];
+    std::snprintf(
+        text, sizeof text,
+        "no pattern can be made here without bars that overlap or gaps below %.3g mm: larger tiles or "
+        "narrower bars than %.3g mm are needed; the tiles are left bare",
+        1e3 * fabrication::FactsOptions().clearance,
+        1e3 * mechanics::rectangle_width(surface.setting.section));
+    return text;
+}
+
+}  // namespace
+
+std::string paint_to_be_made(Project& project, const base::Control& control) {
+    const double clearance = fabrication::FactsOptions().clearance;
+    Project trial = project;
+    for (const Candidate& candidate : candidates(project.layout, control)) {
+        control.check();
+        paint(trial, candidate.id);
+        if (!can_be_made(trial, clearance, control)) continue;
+        project = std::move(trial);
+        return "";
+    }
+    return none_text(project);
+}
+
+}  // namespace fretwork::studio

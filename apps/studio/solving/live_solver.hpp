@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/base/control.hpp>
+#include <fretwork/simulation/results/surface_beams.hpp>
+#include <studio/server/binary_messages.hpp>
+#include <studio/solving/synced_session.hpp>
+
+#include <chrono>
+#include <condition_variable>
+#include <cstdint>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <stop_token>
+#include <thread>
+
+namespace fretwork::studio {
+
+/// A document to be solved.
+struct SolverInput {
+    Situation situation;
+    std::int64_t revision = 0;  ///< of the document
+    BeamFields fields{};        ///< that somebody shows
+};
+
+/// What positions are: an equilibrium (or the end of the search for one), or the first step towards it.
+enum class Stage { FirstIterate, Answer };
+
+/// An equilibrium, and the beams that it moves.
+struct SolvedSurface {
+    Stage stage = Stage::Answer;
+    std::string model;
+    Situation situation;        ///< what it is the answer to; revisions also count what changes no answer
+    std::int64_t revision = 0;  ///< of the document when it was asked for
+    std::int64_t beams_revision = 0;
+    std::shared_ptr<const simulation::SurfaceBeams> beams;
+    mechanics::Result result;
+    simulation::BeamState state;  ///< of the beams; with forces if any field was wanted
+    std::vector<std::string> warnings{};
+};
+using SolvedPtr = std::shared_ptr<const SolvedSurface>;
+
+/// The beams of a document's painting.
+struct ShownBeams {
+    std::shared_ptr<const simulation::SurfaceBeams> beams;
+    std::int64_t revision = 0;  ///< for which they were made
+    State::Part<simulation::Project> ground;
+    State::Part<Painting> painting;
+};
+
+/// Who hears of what the solver does, on the solver's thread.
+struct SolverListener {
+    std::function<void(const ShownBeams&)> beams;
+    /// Of one input the first iterate may come before the answer, or, where newer input came, instead.
+    std::function<void(SolvedPtr)> solved;
+    std::function<void(const SolverInput&, const std::string& error)> failed;
+    std::function<void(const SolverInput&, double share)> told;
+};
+
+/// Solves the newest of what it is given, in a thread of its own. Nothing is queued: what comes while it
+/// solves takes the place of what waits, and a solve that takes long is stopped for it.
+class LiveSolver {
+  public:
+    explicit LiveSolver(SolverListener listener);
+    LiveSolver(const LiveSolver&) = delete;
+    LiveSolver& operator=(const LiveSolver&) = delete;
+    ~LiveSolver();
+
+    void submit(SolverInput input);
+
+  private:
+    using Clock = std::chrono::steady_clock;
+    /// What is to be solved next, and how it is told to stop. The stability of what is dragged is left open
+    /// until it rests.
+    struct Attempt {
+        SolverInput input;
+        mechanics::StabilityCheck check = mechanics::StabilityCheck::Made;
+        std::stop_token stop;
+    };
+    void run(const std::stop_token& ending);
+    std::optional<Attempt> next_attempt(const std::stop_token& ending);
+    /// By newer input, now that the first iterate is shown.
+    void let_overtake();
+    void end_attempt(Clock::time_point began);
+    [[nodiscard]] bool is_to_be_stopped(Clock::time_point now) const;
+    void answer(const Attempt& attempt);
+    void solve(const Attempt& attempt);
+    [[nodiscard]] mechanics::Result result_of(const Attempt& attempt);
+    [[nodiscard]] std::shared_ptr<SolvedSurface> shown_as(const SolverInput& input, mechanics::Result result);
+    [[nodiscard]] std::span<const mechanics::BeamSection> wanted_sections(const SolverInput& input);
+    void update_beams(const SolverInput& input);
+
+    SolverListener listener_;
+    std::mutex mutex_;
+    std::condition_variable_any changed_;
+    std::optional<SolverInput> waiting_;
+    std::stop_source stop_;
+    std::optional<Clock::time_point> began_{};             ///< the solve under way
+    bool is_shown_ = false;                                ///< its answer is, or its first iterate
+    std::optional<Clock::time_point> unanswered_since_{};  ///< the first input that has no answer yet
+    Clock::duration last_took_{};                          ///< the last solve that was not stopped
+
+    // Of the thread alone:
+    SyncedSession session_;
+    std::optional<SolverInput> unchecked_{};  ///< answered, but for its stability
+    SolvedPtr last_solved_;                   ///< the session's last solution; null: there is none
+    Situation last_situation_;                ///< and what it is of
+    StatePtr state_of_beams_;
+    std::shared_ptr<const simulation::SurfaceBeams> beams_;
+    std::int64_t beams_revision_ = 0;
+    std::vector<mechanics::BeamSection> sections_;  ///< of the beams; empty: to be made
+    State::Part<reduction::Setting> setting_of_sections_;
+
+    std::jthread thread_;
+};
+
+/// Whether the stability of a solution was left open, to answer sooner.
+bool is_unchecked(const mechanics::Result& result);
+
+/// What to warn of in a result, for people: it did not converge, it is unstable, it is linear and turns far.
+std::vector<std::string> warnings_of(const mechanics::Result& result);
+
+}  // namespace fretwork::studio

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/base/control.hpp>
+#include <fretwork/base/internal/json_text.hpp>
+#include <fretwork/fabrication/shape.hpp>
+#include <fretwork/simulation/surface.hpp>
+
+#include <string>
+#include <vector>
+
+namespace fretwork::studio {
+
+/// What stands in the way of making a surface.
+struct MakingDoubts {
+    struct Place {
+        const char* kind = "";  ///< overlap, gap or opening
+        geometry::Point2 at;
+        double width = 0.0;  ///< m, below zero of an overlap
+    };
+    std::vector<std::string> words;  ///< a line of each kind; none: nothing stands in the way
+    std::vector<Place> places;       ///< overlaps first, the worst of each kind first; at most kMostPlaces
+    static constexpr std::size_t kMostPlaces = 200;
+};
+
+/// Bars that overlap, and gaps and openings narrower than `clearance` (m). Of a surface of which all tiles
+/// are painted. Throws Stopped.
+MakingDoubts making_doubts(const simulation::Surface& surface, const fabrication::ShapeOptions& shape,
+                           double clearance);
+
+/// The event `making`.
+base::Json making_event(const MakingDoubts& doubts, std::int64_t revision);
+
+}  // namespace fretwork::studio

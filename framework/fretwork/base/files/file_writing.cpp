@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/base/files/detail/open_file.hpp>
+#include <fretwork/base/files/file.hpp>
+#include <fretwork/base/files/scratch.hpp>
+
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <optional>
+#include <sys/stat.h>
+#include <system_error>
+#include <unistd.h>
+#include <utility>
+
+namespace fretwork::base {
+namespace {
+
+[[noreturn]] void fail_to_write(const std::filesystem::path& path, int error_number) {
+    throw IoError(path.string() + ": cannot be written: " + std::strerror(error_number));
+}
+
+void write_all(int descriptor, std::string_view content, const std::filesystem::path& target) {
+    while (!content.empty()) {
+        const ssize_t written = ::write(descriptor, content.data(), content.size());
+        if (written < 0 && errno == EINTR) continue;
+        if (written < 0) fail_to_write(target, errno);
+        content.remove_prefix(static_cast<std::size_t>(written));
+    }
+}
+
+bool is_device(const std::filesystem::path& path) {
+    std::error_code ignored;
+    return std::filesystem::exists(path, ignored) && !std::filesystem::is_regular_file(path, ignored);
+}
+
+/// To wait for somebody who reads a pipe could take forever, and signals would not end it.
+int open_device(const std::filesystem::path& path) {
+    const int descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NONBLOCK);
+    if (descriptor < 0 && errno == ENXIO)
+        throw IoError(path.string() + ": cannot be written: it is a pipe that no program reads");
+    if (descriptor < 0) fail_to_write(path, errno);
+    // What is written later may wait.
+    (void)::fcntl(descriptor, F_SETFL, ::fcntl(descriptor, F_GETFL) & ~O_NONBLOCK);
+    return descriptor;
+}
+
+}  // namespace
+
+/// Where the content of one file goes until it is whole. Devices and pipes (/dev/stdout) cannot be replaced,
+/// only written. A link stays a link: the file that it leads to is replaced.
+struct AtomicFile::Impl {
+    explicit Impl(std::filesystem::path path) : named(std::move(path)), target(link_target(named)) {
+        if (is_device(target)) {
+            device = open_device(target);
+        } else {
+            scratch.emplace(target, Scratch::Kind::File);
+        }
+        buffer.reserve(kBufferSize);
+    }
+    Impl(const Impl&) = delete;
+    Impl& operator=(const Impl&) = delete;
+    ~Impl() {
+        if (device >= 0) ::close(device);
+    }
+
+    void flush() {
+        write_all(scratch ? scratch->descriptor() : device, buffer, named);
+        buffer.clear();
+    }
+
+    /// Devices and pipes have no disk to wait for.
+    void synchronize() const {
+        if (scratch && ::fsync(scratch->descriptor()) != 0) fail_to_write(named, errno);
+    }
+
+    void move_into_place() {
+        if (!scratch) return close_device();
+        if (::fchmod(scratch->descriptor(), wanted_mode()) != 0 ||
+            ::rename(scratch->path().c_str(), target.c_str()) != 0)
+            fail_to_write(named, errno);
+        scratch->release();
+    }
+
+    void close_device() {
+        const int closed = ::close(std::exchange(device, -1));
+        if (closed != 0) fail_to_write(named, errno);
+    }
+
+    /// A scratch file is its owner's alone; a result is as open as the umask allows, or as it was.
+    [[nodiscard]] mode_t wanted_mode() const {
+        struct stat existing {};
+        if (::stat(target.c_str(), &existing) == 0) return existing.st_mode & 0777U;
+        const mode_t mask = ::umask(0);
+        ::umask(mask);
+        return 0666U & ~mask;
+    }
+
+    static constexpr std::size_t kBufferSize = 1U << 16U;
+    std::filesystem::path named;   ///< for messages
+    std::filesystem::path target;  ///< where its links lead
+    std::optional<Scratch> scratch;
+    int device = -1;
+    std::string buffer;
+};
+
+struct FolderBatch::Impl {
+    explicit Impl(std::filesystem::path folder) : target(std::move(folder)) {
+        std::error_code ignored;
+        std::filesystem::path base = std::filesystem::absolute(target);
+        while (base.has_relative_path() && !std::filesystem::is_directory(base, ignored))
+            base = base.parent_path();
+        scratch.emplace(base / target.filename(), Scratch::Kind::Folder);
+    }
+
+    /// One wait for the disk, however many files there are.
+    void synchronize() const {
+        if (::syncfs(scratch->descriptor()) != 0) fail_to_write(target, errno);
+    }
+
+    void move_into_place() {
+        std::error_code fault;
+        std::filesystem::create_directories(target, fault);
+        if (fault) throw IoError(target.string() + ": cannot be made: " + fault.message());
+        for (const auto& entry : std::filesystem::directory_iterator(scratch->path())) {
+            const std::filesystem::path file = target / entry.path().filename();
+            if (::rename(entry.path().c_str(), file.c_str()) != 0) fail_to_write(file, errno);
+        }
+    }
+
+    std::filesystem::path target;
+    std::optional<Scratch> scratch;
+};
+
+AtomicFile::AtomicFile(std::filesystem::path path) {
+    std::error_code ignored;
+    if (std::filesystem::is_directory(path, ignored)) {
+        throw IoError(path.string() + ": is a folder, where a file is to be written");
+    }
+    impl_ = std::make_unique<Impl>(std::move(path));
+}
+AtomicFile::AtomicFile(AtomicFile&&) noexcept = default;
+AtomicFile& AtomicFile::operator=(AtomicFile&&) noexcept = default;
+AtomicFile::~AtomicFile() = default;
+
+void AtomicFile::write(std::string_view content) {
+    impl_->buffer += content;
+    if (impl_->buffer.size() >= Impl::kBufferSize) impl_->flush();
+}
+
+void AtomicFile::flush() {
+    impl_->flush();
+    impl_->synchronize();
+}
+
+void AtomicFile::commit() {
+    flush();
+    impl_->move_into_place();
+}
+
+void FileBatch::add(const std::filesystem::path& path, std::string_view content) {
+    files_.emplace_back(path).write(content);
+}
+
+void FileBatch::commit() {
+    for (AtomicFile& file : files_) file.flush();
+    for (AtomicFile& file : files_) file.commit();
+    files_.clear();
+}
+
+FolderBatch::FolderBatch(std::filesystem::path folder) : impl_(std::make_unique<Impl>(std::move(folder))) {}
+FolderBatch::FolderBatch(FolderBatch&&) noexcept = default;
+FolderBatch& FolderBatch::operator=(FolderBatch&&) noexcept = default;
+FolderBatch::~FolderBatch() = default;
+
+const std::filesystem::path& FolderBatch::path() const {
+    return impl_->scratch->path();
+}
+
+void FolderBatch::add(const std::string& name, std::string_view content) {
+    constexpr mode_t kReadWrite = 0666;  // less the umask
+    const std::filesystem::path shown = impl_->target / name;
+    const int descriptor =
+        ::open((path() / name).c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, kReadWrite);
+    if (descriptor < 0) fail_to_write(shown, errno);
+    const detail::OpenFile file(descriptor);
+    write_all(descriptor, content, shown);
+}
+
+void FolderBatch::commit() {
+    impl_->synchronize();
+    impl_->move_into_place();
+}
+
+void write_file_atomically(const std::filesystem::path& path, std::string_view content) {
+    AtomicFile file(path);
+    file.write(content);
+    file.commit();
+}
+
+}  // namespace fretwork::base

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/base/files/detail/open_file.hpp>
+#include <fretwork/base/files/scratch.hpp>
+
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <string_view>
+#include <sys/file.h>
+#include <system_error>
+#include <unistd.h>
+#include <vector>
+
+namespace fretwork::base {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kStart = ".fretwork-";
+constexpr std::string_view kPlaceholder = "XXXXXX";  // of mkstemp and mkdtemp
+
+bool is_scratch_name(const fs::path& path) {
+    const std::string name = path.filename().string();
+    return name.starts_with(kStart) && name.size() == kStart.size() + kPlaceholder.size();
+}
+
+/// Removes a scratch that nobody has locked.
+void remove_if_abandoned(const fs::path& path) {
+    const int descriptor = ::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+    if (descriptor < 0) return;
+    std::error_code ignored;
+    if (::flock(descriptor, LOCK_EX | LOCK_NB) == 0 &&
+        detail::is_still_at(path, descriptor, detail::Links::Themselves))
+        fs::remove_all(path, ignored);
+    ::close(descriptor);
+}
+
+void remove_abandoned(const fs::path& folder) {
+    std::vector<fs::path> found;
+    std::error_code ignored;
+    for (fs::directory_iterator entry(folder, ignored), end; entry != end; entry.increment(ignored)) {
+        if (is_scratch_name(entry->path())) found.push_back(entry->path());
+    }
+    for (const fs::path& path : found) remove_if_abandoned(path);
+}
+
+/// A descriptor of the file or folder that it makes, and names in `path`; -1 with errno if it cannot.
+int make(std::string& path, Scratch::Kind kind) {
+    if (kind == Scratch::Kind::File) return ::mkostemp(path.data(), O_CLOEXEC);
+    if (::mkdtemp(path.data()) == nullptr) return -1;
+    return ::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+}
+
+}  // namespace
+
+Scratch::Scratch(const fs::path& target, Kind kind) {
+    const fs::path folder = fs::absolute(target).parent_path();
+    remove_abandoned(folder);
+    do {
+        if (descriptor_ >= 0) ::close(descriptor_);
+        std::string name = (folder / kStart).string().append(kPlaceholder);
+        descriptor_ = make(name, kind);
+        if (descriptor_ < 0) throw IoError(target.string() + ": cannot be written: " + std::strerror(errno));
+        path_ = name;
+        // Where the file system has no locks nobody removes it, either.
+        (void)::flock(descriptor_, LOCK_EX | LOCK_NB);
+        // Another process may have taken it for abandoned before it was locked.
+    } while (!detail::is_still_at(path_, descriptor_, detail::Links::Themselves));
+}
+
+Scratch::~Scratch() {
+    std::error_code ignored;
+    if (!path_.empty()) fs::remove_all(path_, ignored);
+    if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+}  // namespace fretwork::base

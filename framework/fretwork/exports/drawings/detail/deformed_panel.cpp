@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/text.hpp>
+#include <fretwork/exports/colours.hpp>
+#include <fretwork/exports/drawings/detail/furniture.hpp>
+#include <fretwork/exports/drawings/detail/panels.hpp>
+#include <fretwork/exports/drawings/detail/projection.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <numeric>
+
+namespace fretwork::exports::detail {
+namespace {
+
+using geometry::Box;
+using geometry::Point2;
+using Segments = std::vector<std::array<Point2, 2>>;
+
+constexpr int kBands = 16;     ///< colours of a scale
+constexpr double kEdge = 2.4;  ///< of a line's width: the white below it, which hides what is behind
+
+Segments segments_of(const LineSet& lines, const std::vector<Point2>& points) {
+    Segments segments;
+    for (const auto& line : lines.lines)
+        segments.push_back(
+            {points[static_cast<std::size_t>(line[0])], points[static_cast<std::size_t>(line[1])]});
+    return segments;
+}
+
+/// The sizes of all displacements; zeros where there are none.
+std::vector<double> displacement_sizes(const LineSet& lines) {
+    std::vector<double> sizes(lines.nodes.size(), 0.0);
+    for (std::size_t i = 0; i < sizes.size() && lines.displacements; ++i)
+        sizes[i] = lines.displacements->row(static_cast<Eigen::Index>(i)).head<3>().norm();
+    return sizes;
+}
+
+double largest_displacement(const LineSet& lines) {
+    const std::vector<double> sizes = displacement_sizes(lines);
+    return sizes.empty() ? 0.0 : *std::ranges::max_element(sizes);
+}
+
+/// A deformed view before its furniture: projected lines, and the box with room for a legend above and a
+/// scale bar below.
+struct View {
+    std::vector<std::vector<Point2>> points;      ///< for each layer
+    std::vector<std::vector<double>> nearnesses;  ///< the same, to the viewer, m
+    std::vector<Point2> rest;
+    Box box;
+};
+
+View make_view(std::span<const DeformedLayer> layers, const DeformedViewOptions& options, int legend_lines) {
+    const Projection projection(options.view);
+    View view;
+    view.rest = projection.all(options.rest.nodes);
+    std::vector<Point2> all = view.rest;
+    for (const DeformedLayer& layer : layers) {
+        const auto places = displaced_nodes(layer.lines, options.scale);
+        view.points.push_back(projection.all(places));
+        view.nearnesses.emplace_back();
+        for (const Eigen::Vector3d& place : places)
+            view.nearnesses.back().push_back(projection.nearness(place));
+        all.insert(all.end(), view.points.back().begin(), view.points.back().end());
+    }
+    const Box subject = bounding_box(all, 0.0);
+    const double margin = 0.03 * subject.width();
+    view.box = {subject.xmin - margin, subject.ymin - margin, subject.xmax + margin, subject.ymax + margin};
+    const double text = text_height(view.box.width());
+    view.box.ymax += 1.7 * text * legend_lines;
+    view.box.ymin -= 2.0 * text;
+    return view;
+}
+
+double line_width(const Box& box) {
+    return 0.0018 * box.width();
+}
+
+Style rest_style(const Box& box) {
+    return {"none", "#9aa4ae", 0.7 * line_width(box), 1.0, 3.0 * line_width(box)};
+}
+
+/// A line of the legend, from the top left corner of the box down.
+Point2 legend_place(const Box& box, int line) {
+    const double text = text_height(box.width());
+    return {box.xmin + text, box.ymax - 1.7 * text * (line + 1)};
+}
+
+void draw_rest(SvgCanvas& canvas, const View& view, const DeformedViewOptions& options) {
+    canvas.layer("at rest");
+    canvas.segments(segments_of(options.rest, view.rest), rest_style(view.box));
+}
+
+/// The last lines of every legend. `line` is the first free one.
+void draw_notes(SvgCanvas& canvas, const DeformedViewOptions& options, int line) {
+    const double text = text_height(canvas.box().width());
+    if (!options.rest.lines.empty()) {
+        const Point2 place =
+            draw_line_sample(canvas, legend_place(canvas.box(), line++), rest_style(canvas.box()));
+        canvas.text(place, "rim at rest", text);
+    }
+    canvas.text(legend_place(canvas.box(), line), scale_note(options.scale), text);
+    draw_scale_bar(canvas, {canvas.box().xmin + text, canvas.box().ymin + text});
+}
+
+void draw_colour_bar(SvgCanvas& canvas, const Point2& start, double width) {
+    const double text = text_height(canvas.box().width());
+    const double step = width / kBands;
+    for (int band = 0; band < kBands; ++band) {
+        const double x = start.x + band * step;
+        // Each reaches under the next: no seams where renderers smooth edges.
+        const double end = band + 1 < kBands ? x + 1.5 * step : x + step;
+        const std::array<Point2, 4> swatch = {Point2{x, start.y}, Point2{end, start.y},
+                                              Point2{end, start.y + text}, Point2{x, start.y + text}};
+        canvas.polygon(swatch, {scale_colour((band + 0.5) / kBands), "none", 0.0, 1.0});
+    }
+}
+
+/// The white below the lines of a net. Where lines meet, it begins only where it touches none of those that
+/// are drawn already: it would cut wedges out of them.
+class WhiteEdges {
+  public:
+    WhiteEdges(const LineSet& lines, const Segments& segments, double width)
+        : lines_(lines), segments_(segments), width_(width), drawn_at_(lines.nodes.size()) {}
+
+    void draw(SvgCanvas& canvas, std::size_t line) {
+        const auto& [start, end] = segments_[line];
+        const double length = std::hypot(end.x - start.x, end.y - start.y);
+        const double first = gap(line, 0);
+        const double last = gap(line, 1);
+        for (const int node : lines_.lines[line]) drawn_at_[static_cast<std::size_t>(node)].push_back(line);
+        if (!(first + last < length)) return;
+        const auto at = [&, from = start, to = end](double t) {
+            return Point2{from.x + t * (to.x - from.x), from.y + t * (to.y - from.y)};
+        };
+        const Segments edge = {{at(first / length), at(1.0 - last / length)}};
+        canvas.segments(edge, {"none", "#ffffff", kEdge * width_, 1.0});
+    }
+
+  private:
+    /// From an end of a line outwards: where its white is clear of the lines that are drawn there.
+    [[nodiscard]] double gap(std::size_t line, std::size_t end) const {
+        const int node = lines_.lines[line][end];
+        double gap = 0.0;
+        for (const std::size_t other : drawn_at_[static_cast<std::size_t>(node)])
+            gap = std::max(gap, parting(away_from(line, node), away_from(other, node)));
+        return gap;
+    }
+
+    [[nodiscard]] Point2 away_from(std::size_t line, int node) const {
+        const std::size_t here = lines_.lines[line][0] == node ? 0 : 1;
+        const Point2& from = segments_[line][here];
+        const Point2& to = segments_[line][1 - here];
+        return {to.x - from.x, to.y - from.y};
+    }
+
+    /// How far along a line its white meets another line that leaves the same node; no farther than that
+    /// reaches.
+    [[nodiscard]] double parting(const Point2& line, const Point2& other) const {
+        const double clear =
+            0.5 * (kEdge + 1.0) * width_;  // between the axes of white and line, whose ends are round
+        const double angle =
+            std::abs(std::atan2(line.x * other.y - line.y * other.x, line.x * other.x + line.y * other.y));
+        if (angle >= 0.5 * std::numbers::pi) return clear;
+        const double reach = std::hypot(other.x, other.y) + clear;
+        return clear < reach * std::sin(angle) ? clear / std::sin(angle) : reach;
+    }
+
+    const LineSet& lines_;
+    const Segments& segments_;
+    double width_;
+    std::vector<std::vector<std::size_t>> drawn_at_;  ///< by node
+};
+
+/// Lines that are nearer to the viewer hide those behind them: the farthest are drawn first, by their
+/// middles.
+void draw_coloured_lines(SvgCanvas& canvas, const LineSet& lines, const View& view, double largest) {
+    const std::vector<double> sizes = displacement_sizes(lines);
+    const std::vector<double>& nearnesses = view.nearnesses.front();
+    const auto of_ends = [&](const std::vector<double>& values, std::size_t i) {
+        const auto& line = lines.lines[i];
+        return 0.5 * (values[static_cast<std::size_t>(line[0])] + values[static_cast<std::size_t>(line[1])]);
+    };
+    std::vector<std::size_t> order(lines.lines.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(order, {}, [&](std::size_t i) { return of_ends(nearnesses, i); });
+    const Segments segments = segments_of(lines, view.points.front());
+    const double width = 1.6 * line_width(canvas.box());
+    WhiteEdges edges(lines, segments, width);
+    for (const std::size_t i : order) {
+        const int band = std::min(static_cast<int>(kBands * of_ends(sizes, i) / largest), kBands - 1);
+        edges.draw(canvas, i);
+        canvas.segments(std::span(&segments[i], 1),
+                        {"none", scale_colour((band + 0.5) / kBands), width, 1.0});
+    }
+}
+
+}  // namespace
+
+std::string scale_note(double scale) {
+    return scale == 1.0 ? "displacements at true scale"
+                        : "displacements " + base::format_number(scale) + " times as large";
+}
+
+SvgCanvas deformed_panel(std::span<const DeformedLayer> layers, const DeformedViewOptions& options) {
+    const int notes = options.rest.lines.empty() ? 1 : 2;
+    const View view = make_view(layers, options, static_cast<int>(layers.size()) + notes);
+    SvgCanvas canvas(view.box, 1.0);
+    const double text = text_height(view.box.width());
+    draw_rest(canvas, view, options);
+    for (std::size_t i = 0; i < layers.size(); ++i) {
+        canvas.layer(layers[i].label);
+        canvas.segments(segments_of(layers[i].lines, view.points[i]),
+                        {"none", layers[i].colour, line_width(view.box), 1.0});
+    }
+    canvas.layer("legend");
+    int line = 0;
+    for (const DeformedLayer& layer : layers) {
+        const Point2 place = draw_line_sample(canvas, legend_place(view.box, line++),
+                                              {"none", layer.colour, 0.25 * text, 1.0});
+        canvas.text(place, layer.label + ": at most " + millimetres(largest_displacement(layer.lines)), text);
+    }
+    draw_notes(canvas, options, line);
+    return canvas;
+}
+
+SvgCanvas displacement_panel(const DeformedLayer& layer, const DeformedViewOptions& options) {
+    const int notes = options.rest.lines.empty() ? 1 : 2;
+    const View view = make_view(std::span(&layer, 1), options, 3 + notes);
+    SvgCanvas canvas(view.box, 1.0);
+    const double text = text_height(view.box.width());
+    const double largest = largest_displacement(layer.lines);
+    draw_rest(canvas, view, options);
+    canvas.layer(layer.label);
+    draw_coloured_lines(canvas, layer.lines, view, std::max(largest, std::numeric_limits<double>::min()));
+    canvas.layer("legend");
+    canvas.text(legend_place(view.box, 0), layer.label + ": size of the displacement", text);
+    const Point2 bar = legend_place(view.box, 1);
+    const double width = 0.3 * view.box.width();
+    draw_colour_bar(canvas, bar, width);
+    const double below = legend_place(view.box, 2).y + 0.4 * text;
+    canvas.text({bar.x, below}, "0", 0.9 * text);
+    canvas.text({bar.x + 0.5 * width, below}, millimetres(0.5 * largest), 0.9 * text, Anchor::Middle);
+    canvas.text({bar.x + width, below}, millimetres(largest), 0.9 * text, Anchor::End);
+    draw_notes(canvas, options, 3);
+    return canvas;
+}
+
+}  // namespace fretwork::exports::detail

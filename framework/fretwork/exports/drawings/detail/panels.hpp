@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Drawings that can stand alone or below each other, at true scale.
+#pragma once
+
+#include <fretwork/exports/drawings/detail/svg_canvas.hpp>
+#include <fretwork/exports/drawings/surface_drawing.hpp>
+
+namespace fretwork::exports::detail {
+
+SvgCanvas surface_panel(const simulation::Surface& surface, const simulation::Conditions* conditions,
+                        const DrawnLabels& labels);
+SvgCanvas setup_panel(const simulation::Surface& surface, const simulation::Conditions& conditions,
+                      const ViewOptions& view);
+SvgCanvas deformed_panel(std::span<const DeformedLayer> layers, const DeformedViewOptions& options);
+SvgCanvas displacement_panel(const DeformedLayer& layer, const DeformedViewOptions& options);
+
+/// "displacements at true scale", "displacements 5 times as large"
+std::string scale_note(double scale);
+
+}  // namespace fretwork::exports::detail

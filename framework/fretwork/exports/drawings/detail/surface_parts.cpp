@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/exports/colours.hpp>
+#include <fretwork/exports/drawings/detail/furniture.hpp>
+#include <fretwork/exports/drawings/detail/surface_parts.hpp>
+#include <fretwork/simulation/results/surface_beams.hpp>
+#include <fretwork/tiling/painting/tile_choice.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace fretwork::exports::detail {
+namespace {
+
+using geometry::Point2;
+using simulation::Conditions;
+using simulation::Surface;
+
+constexpr const char* kForceColour = "#20419a";
+constexpr const char* kMomentColour = "#7b3294";
+
+Point2 node_place(const Surface& surface, mechanics::NodeIndex node) {
+    return surface.tessellation.interface_nodes[static_cast<std::size_t>(node)];
+}
+
+LoadMark load_mark(const Point2& place, const Eigen::Vector3d& arrow, const Projection& projection) {
+    const Eigen::Vector3d node(place.x, place.y, 0.0);
+    const Eigen::Vector3d tail = arrow.z() > 0.2 * arrow.norm() ? node : Eigen::Vector3d(node - arrow);
+    LoadMark mark{LoadMark::Kind::Force, LoadMark::Shape::Arrow, projection(tail),
+                  projection(Eigen::Vector3d(tail + arrow)), arrow.norm()};
+    const double seen = std::hypot(mark.to.x - mark.from.x, mark.to.y - mark.from.y);
+    if (seen < 0.2 * arrow.norm()) {
+        mark.shape = arrow.z() > 0 ? LoadMark::Shape::TowardsViewer : LoadMark::Shape::AwayFromViewer;
+        mark.from = mark.to = projection(node);
+    }
+    return mark;
+}
+
+void draw_ring(SvgCanvas& canvas, const LoadMark& mark, const Colour& colour) {
+    const double radius = 0.14 * mark.size;
+    const Style line{"none", colour, 0.22 * radius, 1.0};
+    canvas.circle(mark.from, radius, {"#ffffff", colour, line.stroke_width, 1.0});
+    if (mark.shape == LoadMark::Shape::TowardsViewer) {
+        canvas.circle(mark.from, 0.35 * radius, {colour, "none", 0.0, 1.0});
+        return;
+    }
+    const double arm = 0.6 * radius;
+    const Point2& c = mark.from;
+    const std::array<std::array<Point2, 2>, 2> cross = {
+        {{Point2{c.x - arm, c.y - arm}, Point2{c.x + arm, c.y + arm}},
+         {Point2{c.x - arm, c.y + arm}, Point2{c.x + arm, c.y - arm}}}};
+    canvas.segments(cross, line);
+}
+
+/// What is written over bars needs ground of its own.
+void draw_ground(SvgCanvas& canvas, const Point2& corner, const Point2& size) {
+    const std::array<Point2, 4> corners = {{corner,
+                                            {corner.x + size.x, corner.y},
+                                            {corner.x + size.x, corner.y + size.y},
+                                            {corner.x, corner.y + size.y}}};
+    canvas.polygon(corners, {"#ffffff", "none", 0.0, 0.8});
+}
+
+}  // namespace
+
+double beam_width(const Surface& surface) {
+    return std::sqrt(surface.setting.section.area);
+}
+
+void draw_tiles(SvgCanvas& canvas, const Surface& surface, const Projection& projection) {
+    canvas.layer("tiles");
+    const tiling::Tessellation& tessellation = surface.tessellation;
+    for (std::size_t t = 0; t < tessellation.tiles.size(); ++t) {
+        const auto polygon = projection.all(tiling::tile_polygon(tessellation, tiling::TileIndex(t)));
+        const int pattern = tessellation.tiles[t].pattern;
+        const std::string number = std::to_string(t);
+        const std::string id =
+            pattern < 0 ? "not painted" : tessellation.patterns[static_cast<std::size_t>(pattern)];
+        const Style style = pattern < 0
+                                ? Style{"#f4f6f8", "#8fa3b5", 0.2 * beam_width(surface), 1.0}
+                                : Style{pattern_colour(pattern), "#ffffff", 0.2 * beam_width(surface), 1.0};
+        canvas.named_polygon(polygon, style, "tile" + number, "tile " + number + ": " + id);
+    }
+}
+
+void draw_labels(SvgCanvas& canvas, const Surface& surface, const DrawnLabels& labels) {
+    using Shown = DrawnLabels::Shown;
+    const double height = 0.3 * tiling::mean_tile_side(surface.tessellation);
+    if (labels.interface_nodes == Shown::Yes) {
+        canvas.layer("numbers of interface nodes");
+        const auto& nodes = surface.tessellation.interface_nodes;
+        for (std::size_t i = 0; i < nodes.size(); ++i) {
+            canvas.circle(nodes[i], 0.12 * height, {"#1b9e77", "none", 0.0, 1.0});
+            const std::string number = std::to_string(i);
+            const Point2 start{nodes[i].x + 0.2 * height, nodes[i].y + 0.1 * height};
+            const double size = 0.6 * height;
+            draw_ground(canvas, {start.x, start.y - 0.15 * size}, {text_width(number, size), size});
+            canvas.text(start, number, size);
+        }
+    }
+    if (labels.tiles == Shown::No) return;
+    canvas.layer("numbers of tiles");
+    const auto centers = tiling::tile_centers(surface.tessellation);
+    for (std::size_t t = 0; t < centers.size(); ++t) {
+        canvas.circle(centers[t], 0.75 * height, {"#ffffff", "none", 0.0, 0.8});
+        canvas.text({centers[t].x, centers[t].y - 0.35 * height}, std::to_string(t), height, Anchor::Middle);
+    }
+}
+
+void draw_beams(SvgCanvas& canvas, const Surface& surface, const Projection& projection) {
+    canvas.layer("beams");
+    const simulation::SurfaceBeams drawn = simulation::surface_beams(surface);
+    std::vector<Point2> places;
+    for (const Eigen::Vector3d& node : drawn.nodes) places.push_back({node.x(), node.y()});
+    const std::vector<Point2> nodes = projection.all(places);
+    std::vector<std::vector<std::array<Point2, 2>>> beams(surface.tessellation.tiles.size());
+    for (std::size_t b = 0; b < drawn.ends.size(); ++b) {
+        const auto& ends = drawn.ends[b];
+        beams[static_cast<std::size_t>(drawn.tiles[b])].push_back(
+            {nodes[static_cast<std::size_t>(ends[0])], nodes[static_cast<std::size_t>(ends[1])]});
+    }
+    const Style style{"none", kBeamColour, beam_width(surface), 1.0};
+    for (std::size_t t = 0; t < beams.size(); ++t)
+        canvas.named_segments(beams[t], style, "beams" + std::to_string(t));
+}
+
+std::vector<SupportMark> support_marks(const Surface& surface, const Conditions& conditions,
+                                       const Projection& projection) {
+    std::vector<SupportMark> marks;
+    for (const mechanics::Support& support : conditions.supports) {
+        const Point2 place = projection(node_place(surface, support.node));
+        if (support.fixed == mechanics::DofSet::all()) {
+            marks.push_back({place, "#d7301f", "all components held"});
+        } else if (support.fixed == mechanics::DofSet::translations()) {
+            marks.push_back({place, "#1a9850", "displacements held"});
+        } else {
+            marks.push_back({place, "#f28e2b", "some components held"});
+        }
+    }
+    return marks;
+}
+
+std::vector<LoadMark> load_marks(const Surface& surface, const Conditions& conditions,
+                                 const Projection& projection, double reach) {
+    double largest_force = 0.0;
+    double largest_moment = 0.0;
+    for (const mechanics::NodalLoad& load : conditions.loads) {
+        largest_force = std::max(largest_force, load.force.norm());
+        largest_moment = std::max(largest_moment, load.moment.norm());
+    }
+    std::vector<LoadMark> marks;
+    for (const mechanics::NodalLoad& load : conditions.loads) {
+        const Point2 place = node_place(surface, load.node);
+        if (load.force.norm() > 0.0)
+            marks.push_back(load_mark(place, load.force * (reach / largest_force), projection));
+        if (load.moment.norm() > 0.0) {
+            marks.push_back(load_mark(place, load.moment * (reach / largest_moment), projection));
+            marks.back().kind = LoadMark::Kind::Moment;
+        }
+    }
+    return marks;
+}
+
+void draw_support(SvgCanvas& canvas, const SupportMark& mark, double radius) {
+    canvas.ball(mark.place, radius, mark.colour);
+}
+
+void draw_load(SvgCanvas& canvas, const LoadMark& mark) {
+    const bool is_force = mark.kind == LoadMark::Kind::Force;
+    const Colour colour = is_force ? kForceColour : kMomentColour;
+    if (mark.shape != LoadMark::Shape::Arrow) return draw_ring(canvas, mark, colour);
+    const double head = 0.26 * mark.size;
+    const Style style{"none", colour, 0.05 * mark.size, 1.0};
+    canvas.arrow(mark.from, mark.to, head, style);
+    if (is_force) return;
+    // A moment has a second head behind the first.
+    const double back =
+        0.75 * head / std::max(std::hypot(mark.to.x - mark.from.x, mark.to.y - mark.from.y), head);
+    canvas.arrow(mark.from,
+                 {mark.to.x + back * (mark.from.x - mark.to.x), mark.to.y + back * (mark.from.y - mark.to.y)},
+                 head, style);
+}
+
+}  // namespace fretwork::exports::detail

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/exports/colours.hpp>
+#include <fretwork/exports/drawings/detail/fan_drawing.hpp>
+#include <fretwork/exports/drawings/detail/furniture.hpp>
+#include <fretwork/exports/drawings/pattern_drawing.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace fretwork::exports {
+namespace {
+
+using detail::Anchor;
+using detail::kInterfaceColour;
+using detail::SvgCanvas;
+using geometry::Point2;
+using pattern::NodeLayout;
+using pattern::Pattern;
+
+constexpr const char* kEdgeColour = "#8fa3b5";
+
+Point2 at(const pattern::LayoutNode& node, const std::array<Point2, 3>& triangle) {
+    Point2 place;
+    for (std::size_t k = 0; k < 3; ++k) {
+        place.x += node.place[k].to_double() * triangle[k].x;
+        place.y += node.place[k].to_double() * triangle[k].y;
+    }
+    return place;
+}
+
+/// The base triangle with all nodes of the layout, numbered, and all candidate edges.
+void draw_base_triangle(SvgCanvas& canvas, const NodeLayout& layout, const std::array<Point2, 3>& triangle) {
+    const double size = std::hypot(triangle[2].x - triangle[1].x, triangle[2].y - triangle[1].y);
+    canvas.polygon(triangle, {"#f4f6f8", detail::kRimColour, 0.008 * size, 1.0});
+    std::vector<std::array<Point2, 2>> edges;
+    for (const pattern::Edge& edge : layout.candidate_edges()) {
+        edges.push_back({at(layout.nodes()[static_cast<std::size_t>(edge.first)], triangle),
+                         at(layout.nodes()[static_cast<std::size_t>(edge.second)], triangle)});
+    }
+    canvas.segments(edges, {"none", kEdgeColour, 0.006 * size, 1.0});
+    for (std::size_t i = 0; i < layout.nodes().size(); ++i) {
+        const pattern::LayoutNode& node = layout.nodes()[i];
+        const bool is_interface = node.region == pattern::Region::Interface;
+        const Point2 place = at(node, triangle);
+        canvas.circle(place, 0.03 * size,
+                      {is_interface ? kInterfaceColour : "#ffffff", detail::kBeamColour, 0.008 * size, 1.0});
+        canvas.text({place.x + 0.05 * size, place.y + 0.035 * size}, std::to_string(i), 0.07 * size);
+    }
+}
+
+/// The base triangle with all candidate edges, around the origin and as large as a fan.
+void draw_layout(SvgCanvas& canvas, const NodeLayout& layout, double side) {
+    const std::array<Point2, 3> triangle = {Point2{0.0, 0.8 * side}, Point2{-0.92 * side, -0.8 * side},
+                                            Point2{0.92 * side, -0.8 * side}};
+    draw_base_triangle(canvas, layout, triangle);
+    canvas.text({0.0, -1.13 * side}, layout.name(), 0.13 * side, Anchor::Middle);
+}
+
+}  // namespace
+
+std::string pattern_sheet_svg(const NodeLayout& layout, std::span<const Pattern> patterns,
+                              const PatternDrawingOptions& options) {
+    const auto count = static_cast<int>(patterns.size());
+    const int cells = count + 1;  // the first is the layout's
+    const int columns = static_cast<int>(std::ceil(std::sqrt(1.4 * cells)));
+    const int rows = (cells + columns - 1) / columns;
+    const double step_x = 2.15 * options.tile_side;
+    const double step_y = 2.35 * options.tile_side;
+    SvgCanvas canvas({-0.5 * step_x, -(rows - 0.35) * step_y, (columns - 0.5) * step_x, 0.5 * step_y}, 1.0);
+    draw_layout(canvas, layout, options.tile_side);
+    for (int i = 0; i < count; ++i) {
+        const int cell = i + 1;
+        const int row = cell / columns;
+        const Point2 center{(cell % columns) * step_x, -row * step_y};
+        const Pattern& pattern = patterns[static_cast<std::size_t>(i)];
+        detail::draw_fan(canvas, layout, pattern, {center, pattern_colour(pattern.edge_count())}, options);
+        const std::string id = pattern_id(layout, pattern);
+        // A long id is set smaller, so that it stays under its own fan.
+        const double height =
+            std::min(0.13 * options.tile_side, 3.2 * options.tile_side / static_cast<double>(id.size() + 1));
+        canvas.text({center.x, center.y - 1.13 * options.tile_side}, id, height, Anchor::Middle);
+    }
+    return canvas.document(std::to_string(count) + " patterns of layout " + layout.name());
+}
+
+}  // namespace fretwork::exports

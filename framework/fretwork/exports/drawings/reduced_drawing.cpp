@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/exports/colours.hpp>
+#include <fretwork/exports/drawings/detail/fan_drawing.hpp>
+#include <fretwork/exports/drawings/detail/furniture.hpp>
+#include <fretwork/exports/drawings/reduced_drawing.hpp>
+#include <fretwork/exports/tables/line_set.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace fretwork::exports {
+namespace {
+
+using detail::Anchor;
+using detail::kInterfaceColour;
+using detail::SvgCanvas;
+using geometry::Point2;
+using reduction::Calibration;
+using reduction::Setting;
+
+std::vector<Point2> moved(std::vector<Point2> points, const Point2& by) {
+    for (Point2& point : points) point = {point.x + by.x, point.y + by.y};
+    return points;
+}
+
+/// A tile model of beams, as one drawing of the sheet.
+struct ReducedTile {
+    LineSet lines;  ///< interface nodes first
+    int interface_nodes;
+    Point2 center;
+};
+
+void draw_reduced(SvgCanvas& canvas, const ReducedTile& tile, const Setting& setting) {
+    const auto& [lines, interface_nodes, center] = tile;
+    std::vector<Point2> nodes;
+    for (const Eigen::Vector3d& node : lines.nodes)
+        nodes.push_back({node.x() + center.x, node.y() + center.y});
+    std::vector<std::array<Point2, 2>> beams;
+    for (const auto& line : lines.lines)
+        beams.push_back({nodes[static_cast<std::size_t>(line[0])], nodes[static_cast<std::size_t>(line[1])]});
+    const double width = std::sqrt(setting.section.area);
+    canvas.polygon(moved(geometry::regular_polygon(setting.sides, setting.tile_side), center),
+                   {"#f4f6f8", detail::kRimColour, 0.15 * width, 1.0});
+    canvas.segments(beams, {"none", detail::kReducedColour, width, 1.0});
+    for (int i = 0; i < interface_nodes; ++i)
+        canvas.circle(nodes[static_cast<std::size_t>(i)], 0.8 * width,
+                      {kInterfaceColour, "#ffffff", 0.2 * width, 1.0});
+}
+
+std::string facts(const std::optional<Calibration>& calibration) {
+    if (!calibration) return "not calibrated";
+    const reduction::TileModel& model = reduction::find_tile_model(calibration->model);
+    std::string text;
+    for (const reduction::TileParameter& parameter : model.parameters) {
+        if (parameter.unit != "rad") continue;
+        const double value =
+            reduction::parameter_values(*calibration, model)[parameter_index(model, parameter.name)];
+        text += parameter.name + " = " + detail::short_number(value * 180.0 / std::acos(-1.0)) + "\xc2\xb0, ";
+    }
+    return text + "E = " + detail::short_number(calibration->objective);
+}
+
+}  // namespace
+
+std::string reduced_sheet_svg(const pattern::NodeLayout& layout, std::span<const ReducedPattern> patterns,
+                              const Setting& setting) {
+    const double side = setting.tile_side;
+    const PatternDrawingOptions options{side, std::sqrt(setting.section.area), setting.sides};
+    const auto count = static_cast<int>(patterns.size());
+    const int interface_nodes = setting.sides * static_cast<int>(layout.interface_nodes().size());
+    const int columns = std::max(1, static_cast<int>(std::ceil(std::sqrt(0.7 * count))));
+    const int rows = std::max(1, (count + columns - 1) / columns);
+    const double step_x = 4.5 * side;
+    const double step_y = 2.5 * side;
+    SvgCanvas canvas({-1.2 * side, -(rows - 0.4) * step_y, columns * step_x - 1.1 * side, 1.1 * side}, 1.0);
+    for (int i = 0; i < count; ++i) {
+        const ReducedPattern& entry = patterns[static_cast<std::size_t>(i)];
+        const int row = i / columns;
+        const Point2 left{(i % columns) * step_x, -row * step_y};
+        const Point2 right{left.x + 2.1 * side, left.y};
+        detail::draw_fan(canvas, layout, entry.pattern, {left, pattern_colour(i)}, options);
+        if (entry.calibration)
+            draw_reduced(
+                canvas,
+                {model_lines(layout, entry.pattern, *entry.calibration, setting), interface_nodes, right},
+                setting);
+        const std::string id = pattern_id(layout, entry.pattern);
+        const double height = std::min(0.13 * side, 3.2 * side / static_cast<double>(id.size() + 1));
+        canvas.text({left.x, left.y - 1.12 * side}, id, height, Anchor::Middle);
+        canvas.text({right.x, right.y - 1.12 * side}, facts(entry.calibration), 0.13 * side, Anchor::Middle);
+    }
+    return canvas.document(std::to_string(count) + " patterns and their reduced models");
+}
+
+}  // namespace fretwork::exports

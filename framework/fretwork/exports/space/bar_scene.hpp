@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/exports/scene.hpp>
+
+#include <Eigen/Core>
+
+#include <array>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace fretwork::exports {
+
+/// A surface as bars of a real section in space, at rest and deformed by one result: what views in 3D show.
+/// Lengths in metres.
+struct BarScene {
+    std::vector<Eigen::Vector3d> nodes;  ///< at rest
+    mechanics::NodeValues motion;  ///< a row for each node: displacement and rotation vector; zero at rest
+    std::vector<std::array<int, 2>> bars;  ///< pairs of nodes
+    std::vector<int> patterns;             ///< of each bar
+    double width =
+        0.0;  ///< of the bars in the plane: of the rectangle with the section's area and second moments
+    double height = 0.0;  ///< out of the plane
+
+    /// A value at both ends of each bar, SI. Empty without a result.
+    struct Field {
+        std::string name;   ///< "displacement", "stress", ..
+        std::string title;  ///< for people
+        std::string unit;   ///< of `factor` times the value
+        double factor = 1.0;
+        std::vector<double> values;  ///< NaN where it is not known
+    };
+    std::vector<Field> fields;
+
+    struct Support {
+        int node = 0;
+        enum class Kind { Clamped, Pinned, Other } kind = Kind::Other;
+    };
+    std::vector<Support> supports;
+    /// What acts on a node, all loads and the share of the weight together.
+    struct Load {
+        int node = 0;
+        Eigen::Vector3d force = Eigen::Vector3d::Zero();   ///< N
+        Eigen::Vector3d moment = Eigen::Vector3d::Zero();  ///< N m
+    };
+    std::vector<Load> loads;
+    std::string title;  ///< "92 tiles, full, bridge"
+};
+
+/// The bars of a scene as its first result moves them. Inner nodes of condensed tiles are recovered; a tile
+/// whose model does not tell how its beams move is drawn as the closed line through its interface nodes.
+/// Throws InputError if the result is not one of the surface.
+BarScene make_bar_scene(const Scene& scene);
+
+/// Shown where a strength is known.
+inline constexpr const char* kUtilization = "utilization";
+
+/// The names of the fields that a scene with a result has.
+std::vector<std::string> bar_field_names();
+
+/// Where a node is when it has moved `scale` times its displacement.
+Eigen::Vector3d place_of(const BarScene& scene, int node, double scale);
+
+}  // namespace fretwork::exports

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/exports/space/detail/bar_mesh.hpp>
+#include <fretwork/geometry/rotation.hpp>
+#include <fretwork/mechanics/node_states.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace fretwork::exports::detail {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+using Eigen::Vector3f;
+
+constexpr double kPi = std::numbers::pi;
+
+class Builder {
+  public:
+    Builder(const BarScene& scene, double scale, const EndColours& colours)
+        : scene_(scene),
+          scale_(scale),
+          colours_(colours),
+          joint_colours_(scene.nodes.size(), Vector3f::Zero()),
+          joint_uses_(scene.nodes.size(), 0) {}
+
+    Mesh build() && {
+        for (std::size_t b = 0; b < scene_.bars.size(); ++b) add_bar(b);
+        for (std::size_t n = 0; n < scene_.nodes.size(); ++n) {
+            if (joint_uses_[n] > 0) add_joint(n);
+        }
+        return std::move(mesh_);
+    }
+
+  private:
+    /// A cross section of a bar.
+    struct Cut {
+        Vector3d center, axis2, axis3;
+        Vector3f colour;
+    };
+
+    [[nodiscard]] Matrix3d turn_of(std::size_t node) const {
+        const auto row = static_cast<Eigen::Index>(node);
+        return geometry::exponential(scale_ * scene_.motion.row(row).tail<3>().transpose()).matrix();
+    }
+    [[nodiscard]] Vector3d place(std::size_t node) const {
+        return place_of(scene_, static_cast<int>(node), scale_);
+    }
+
+    void add_bar(std::size_t bar) {
+        const auto from = static_cast<std::size_t>(scene_.bars[bar][0]);
+        const auto to = static_cast<std::size_t>(scene_.bars[bar][1]);
+        const Vector3d along = (scene_.nodes[to] - scene_.nodes[from]).normalized();
+        const Matrix3d turn0 = turn_of(from);
+        const Matrix3d turn1 = turn_of(to);
+        const Vector3d p0 = place(from);
+        const Vector3d p1 = place(to);
+        const double length = (p1 - p0).norm();
+        if (length == 0.0) return;
+        const Vector3d m0 = length * turn0 * along;
+        const Vector3d m1 = length * turn1 * along;
+        // A chord for every five degrees between the ends, and against the chord.
+        const Vector3d chord = (p1 - p0) / length;
+        const double bend = std::max({(m0 / length - chord).norm(), (m1 / length - chord).norm(),
+                                      (turn0.col(2) - turn1.col(2)).norm()});
+        const int pieces = std::clamp(static_cast<int>(std::ceil(bend * 180.0 / kPi / 5.0)), 1, 12);
+        std::vector<Cut> cuts;
+        for (int i = 0; i <= pieces; ++i) {
+            const double s = static_cast<double>(i) / pieces;
+            const double s2 = s * s;
+            const double s3 = s2 * s;
+            const Vector3d tangent =
+                (6 * s2 - 6 * s) * (p0 - p1) + (3 * s2 - 4 * s + 1) * m0 + (3 * s2 - 2 * s) * m1;
+            const Vector3d normal = ((1 - s) * turn0.col(2) + s * turn1.col(2));
+            Cut cut;
+            cut.center =
+                (2 * s3 - 3 * s2 + 1) * p0 + (3 * s2 - 2 * s3) * p1 + (s3 - 2 * s2 + s) * m0 + (s3 - s2) * m1;
+            cut.axis2 = normal.cross(tangent).normalized();
+            cut.axis3 = tangent.cross(cut.axis2).normalized();
+            const auto share = static_cast<float>(s);
+            cut.colour = (1 - share) * colours_[2 * bar] + share * colours_[2 * bar + 1];
+            cuts.push_back(cut);
+        }
+        add_sides(cuts);
+        for (const auto& [node, end] : {std::pair{from, 2 * bar}, std::pair{to, 2 * bar + 1}}) {
+            joint_colours_[node] += colours_[end];
+            ++joint_uses_[node];
+        }
+    }
+
+    void add_sides(const std::vector<Cut>& cuts) {
+        const double w = 0.5 * scene_.width;
+        const double h = 0.5 * scene_.height;
+        for (int side = 0; side < 4; ++side) {
+            const auto first = static_cast<std::uint32_t>(mesh_.vertices.size());
+            for (const Cut& cut : cuts) {
+                const std::array<Vector3d, 4> normals = {cut.axis2, cut.axis3, -cut.axis2, -cut.axis3};
+                const Vector3d& normal = normals[static_cast<std::size_t>(side)];
+                const Vector3d& next = normals[static_cast<std::size_t>(side + 1) % 4];
+                const double reach = side % 2 == 0 ? w : h;
+                const double half = side % 2 == 0 ? h : w;
+                for (const double sign : {-1.0, 1.0})
+                    add_vertex(cut.center + reach * normal + sign * half * next, normal, cut.colour);
+            }
+            for (std::uint32_t i = 0; i + 1 < cuts.size(); ++i) add_quad(first + 2 * i);
+        }
+    }
+
+    /// A round plate that fills the wedges between the bars of a node.
+    void add_joint(std::size_t node) {
+        constexpr std::uint32_t kCorners = 10;
+        const Vector3d center = place(node);
+        const Matrix3d turn = turn_of(node);
+        const Vector3f colour = joint_colours_[node] / static_cast<float>(joint_uses_[node]);
+        const Vector3d up = 0.5 * scene_.height * turn.col(2);
+        const auto rim = [&](std::uint32_t corner) -> Vector3d {
+            const double angle = 2.0 * kPi * corner / kCorners;
+            return std::cos(angle) * turn.col(0) + std::sin(angle) * turn.col(1);
+        };
+        const auto side = static_cast<std::uint32_t>(mesh_.vertices.size());
+        for (std::uint32_t c = 0; c <= kCorners; ++c) {
+            for (const double sign : {-1.0, 1.0})
+                add_vertex(center + 0.5 * scene_.width * rim(c) + sign * up, rim(c), colour);
+        }
+        for (std::uint32_t c = 0; c < kCorners; ++c) add_quad(side + 2 * c);
+        for (const double sign : {-1.0, 1.0}) {
+            const auto first = static_cast<std::uint32_t>(mesh_.vertices.size());
+            for (std::uint32_t c = 0; c < kCorners; ++c)
+                add_vertex(center + 0.5 * scene_.width * rim(c) + sign * up, sign * turn.col(2), colour);
+            for (std::uint32_t c = 1; c + 1 < kCorners; ++c)
+                mesh_.triangles.push_back({first, first + c, first + c + 1});
+        }
+    }
+
+    void add_vertex(const Vector3d& place, const Vector3d& normal, const Vector3f& colour) {
+        mesh_.vertices.push_back({place.cast<float>(), normal.cast<float>(), colour});
+    }
+    /// Between two pairs of vertices in a row.
+    void add_quad(std::uint32_t first) {
+        mesh_.triangles.push_back({first, first + 1, first + 2});
+        mesh_.triangles.push_back({first + 1, first + 3, first + 2});
+    }
+
+    const BarScene& scene_;
+    double scale_;
+    const EndColours& colours_;
+    std::vector<Vector3f> joint_colours_;  ///< sums
+    std::vector<int> joint_uses_;
+    Mesh mesh_;
+};
+
+}  // namespace
+
+Mesh bar_mesh(const BarScene& scene, double scale, const EndColours& colours) {
+    return Builder(scene, scale, colours).build();
+}
+
+void add_ball(Mesh& mesh, const Vector3d& center, double radius, const Vector3f& colour) {
+    constexpr std::uint32_t kRings = 12;
+    constexpr std::uint32_t kCorners = 20;
+    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    for (std::uint32_t ring = 0; ring <= kRings; ++ring) {
+        const double polar = kPi * ring / kRings;
+        for (std::uint32_t c = 0; c <= kCorners; ++c) {
+            const double angle = 2.0 * kPi * c / kCorners;
+            const Vector3d normal(std::sin(polar) * std::cos(angle), std::sin(polar) * std::sin(angle),
+                                  std::cos(polar));
+            mesh.vertices.push_back({(center + radius * normal).cast<float>(), normal.cast<float>(), colour});
+        }
+    }
+    for (std::uint32_t ring = 0; ring < kRings; ++ring) {
+        for (std::uint32_t c = 0; c < kCorners; ++c) {
+            const std::uint32_t at = first + ring * (kCorners + 1) + c;
+            mesh.triangles.push_back({at, at + 1, at + kCorners + 1});
+            mesh.triangles.push_back({at + 1, at + kCorners + 2, at + kCorners + 1});
+        }
+    }
+}
+
+}  // namespace fretwork::exports::detail

@@ -1,0 +1,343 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/base/parallel.hpp>
+#include <fretwork/base/text.hpp>
+#include <fretwork/exports/colours.hpp>
+#include <fretwork/exports/space/detail/picture_legend.hpp>
+#include <fretwork/exports/space/detail/png_text.hpp>
+#include <fretwork/exports/space/detail/raster.hpp>
+#include <fretwork/exports/space/detail/start_view.hpp>
+#include <fretwork/exports/space/picture.hpp>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace fretwork::exports {
+namespace {
+
+using detail::DepthMap;
+using detail::Mesh;
+using detail::Sample;
+using Eigen::Vector3d;
+using Eigen::Vector3f;
+
+float linear(double screen) {
+    return static_cast<float>(screen <= 0.04045 ? screen / 12.92 : std::pow((screen + 0.055) / 1.055, 2.4));
+}
+double screen(float light) {
+    const double value = std::clamp(static_cast<double>(light), 0.0, 1.0);
+    return value <= 0.0031308 ? 12.92 * value : 1.055 * std::pow(value, 1.0 / 2.4) - 0.055;
+}
+
+/// Of "#rrggbb".
+Vector3f linear_colour(const std::string& text) {
+    const auto byte = [&](std::size_t at) {
+        return linear(std::stoi(text.substr(at, 2), nullptr, 16) / 255.0);
+    };
+    return {byte(1), byte(3), byte(5)};
+}
+
+// ---- what is seen ----
+
+const std::string kPlain = "plain";
+
+detail::EndColours end_colours(const BarScene& scene, const std::string& name) {
+    if (name == kPlain || scene.fields.empty())
+        return detail::EndColours(2 * scene.bars.size(), linear_colour("#d9cdb8"));
+    const auto field = std::ranges::find(scene.fields, name, &BarScene::Field::name);
+    if (field == scene.fields.end() && name == kUtilization)
+        throw base::InputError(
+            "utilization is a share of a strength, and none is given: --strength 40MPa, or \"strength\" in "
+            "the material of the setting");
+    if (field == scene.fields.end()) {
+        std::vector<std::string> names = bar_field_names();
+        names.push_back(kPlain);
+        throw base::InputError(base::unknown_name_message("field", name, names));
+    }
+    if (std::ranges::all_of(field->values, [](double value) { return std::isnan(value); }))
+        throw base::InputError(name +
+                               " is not known with the result's model: beams are recovered from full and "
+                               "condensed tiles");
+    const ValueRange range = value_range(field->values);
+    detail::EndColours colours;
+    for (const double value : field->values) colours.push_back(linear_colour(value_colour(value, range)));
+    return colours;
+}
+
+Vector3f support_colour(BarScene::Support::Kind kind) {
+    using Kind = BarScene::Support::Kind;
+    return linear_colour(kind == Kind::Clamped ? "#c8322b" : (kind == Kind::Pinned ? "#2f8f4e" : "#e08a1e"));
+}
+
+Mesh make_mesh(const BarScene& bars, const Scene& scene) {
+    Mesh mesh = detail::bar_mesh(bars, scene.displacement_scale, end_colours(bars, scene.picture.colour));
+    for (const BarScene::Support& support : bars.supports)
+        detail::add_ball(mesh, place_of(bars, support.node, scene.displacement_scale), 1.1 * bars.width,
+                         support_colour(support.kind));
+    return mesh;
+}
+
+// ---- light ----
+
+/// Light from far away.
+struct Light {
+    Vector3f direction;  ///< towards it
+    Vector3f colour;     ///< and how bright it is
+    int texels = 0;      ///< of the map of its shadows, along a side
+};
+
+/// A sky that is brighter above, and a lamp over the viewer's left shoulder, which is as large as soft
+/// shadows ask for.
+std::vector<Light> lights(const detail::Camera& camera, PixelSize size) {
+    constexpr int kFewest = 128;
+    constexpr int kMost = 2048;
+    const int texels = std::clamp(std::max(size.width, size.height), kFewest, kMost);
+    constexpr int kSky = 56;
+    constexpr int kLamp = 16;
+    constexpr double kGoldenAngle = 2.399963229728653;
+    std::vector<Light> lights;
+    for (int i = 0; i < kSky; ++i) {
+        const double z = (i + 0.5) / kSky;
+        const double across = std::sqrt(1.0 - z * z);
+        const Vector3d direction(across * std::cos(kGoldenAngle * i), across * std::sin(kGoldenAngle * i), z);
+        const Vector3f colour =
+            Vector3f(0.93F, 0.97F, 1.06F) * static_cast<float>((0.6 + 0.8 * z) * 1.05 / kSky);
+        lights.push_back({direction.cast<float>(), colour, texels * 2 / 3});
+    }
+    Vector3d lamp = camera.from_own({-0.75, 0.55, 0.35});
+    lamp.z() = std::max(lamp.z(), 0.0) + 0.75;
+    lamp.normalize();
+    const Vector3d side = lamp.unitOrthogonal();
+    constexpr double kLampSize = 0.13;
+    for (int i = 0; i < kLamp; ++i) {
+        const double radius = kLampSize * std::sqrt((i + 0.5) / kLamp);
+        const Vector3d offset =
+            radius * (std::cos(kGoldenAngle * i) * side + std::sin(kGoldenAngle * i) * lamp.cross(side));
+        lights.push_back({(lamp + offset).normalized().cast<float>(),
+                          Vector3f(1.04F, 1.0F, 0.92F) * (0.95F / kLamp), texels * 4 / 3});
+    }
+    return lights;
+}
+
+/// What a lit point gets.
+struct Receiver {
+    Vector3f place;
+    Vector3f normal;
+    Vector3f light = Vector3f::Zero();
+    Vector3f unshadowed = Vector3f::Zero();  ///< if nothing were in the way
+};
+
+class Lighting {
+  public:
+    Lighting(const Mesh& mesh, std::vector<Light> lights, const base::Control& control)
+        : mesh_(mesh), lights_(std::move(lights)), control_(control) {}
+
+    /// Adds up light after light, so that the sum does not depend on the number of threads.
+    void shine_on(std::vector<Receiver>& receivers) const {
+        const auto at_once = static_cast<std::size_t>(base::resolved_thread_count(0));
+        for (std::size_t first = 0; first < lights_.size(); first += at_once) {
+            control_.check();
+            const std::size_t count = std::min(at_once, lights_.size() - first);
+            std::vector<std::optional<DepthMap>> maps(count);
+            base::parallel_for(count, 0, [&](std::size_t i) {
+                maps[i].emplace(mesh_, lights_[first + i].direction, lights_[first + i].texels);
+            });
+            constexpr std::size_t kBatch = 8192;
+            base::parallel_for((receivers.size() + kBatch - 1) / kBatch, 0, [&](std::size_t batch) {
+                const std::size_t end = std::min(receivers.size(), (batch + 1) * kBatch);
+                control_.check();
+                for (std::size_t r = batch * kBatch; r < end; ++r) {
+                    for (std::size_t i = 0; i < count; ++i) add(lights_[first + i], *maps[i], receivers[r]);
+                }
+            });
+        }
+    }
+
+  private:
+    static void add(const Light& light, const DepthMap& map, Receiver& receiver) {
+        const float facing = receiver.normal.dot(light.direction);
+        if (facing <= 0.0F) return;
+        const Vector3f given = facing * light.colour;
+        receiver.unshadowed += given;
+        if (map.is_lit(receiver.place + 1.5F * map.texel_size() * receiver.normal)) receiver.light += given;
+    }
+
+    const Mesh& mesh_;
+    std::vector<Light> lights_;
+    base::Control control_;
+};
+
+// ---- the picture ----
+
+constexpr int kSamplesPerSide = 3;
+constexpr float kShadowOnGround = 0.62F;
+
+class Picture {
+  public:
+    Picture(const Scene& scene, const BarScene& bars)
+        : whole_(scene.picture.size),
+          field_(shown_field(bars, scene.picture.colour)),
+          size_{whole_.width, whole_.height - (field_ == nullptr ? 0 : detail::legend_height(whole_))},
+          mesh_(make_mesh(bars, scene)),
+          places_(places_of(mesh_)),
+          ground_(ground_height()),
+          camera_(detail::start_view(bars, scene), static_cast<double>(size_.width) / size_.height, places_),
+          lighting_(mesh_, lights(camera_, size_), scene.control),
+          grid_width_(static_cast<std::size_t>(size_.width) / 2 + 2),
+          ground_grid_(grid_width_ * (static_cast<std::size_t>(size_.height) / 2 + 2)),
+          pixels_(static_cast<std::size_t>(size_.width) * static_cast<std::size_t>(size_.height)) {}
+
+    std::string text() && {
+        draw_bars();
+        draw_ground();
+        return detail::png_text(whole_,
+                                field_ == nullptr ? bytes() : detail::with_legend(bytes(), whole_, *field_));
+    }
+
+  private:
+    struct Pixel {
+        Vector3f colour = Vector3f::Zero();  ///< the sum of its samples
+        float samples = 0.0F;
+        float ground = 0.0F;  ///< opacity of the shadow
+    };
+
+    /// Null: the bars are plain.
+    static const BarScene::Field* shown_field(const BarScene& bars, const std::string& name) {
+        const auto field = std::ranges::find(bars.fields, name, &BarScene::Field::name);
+        return field == bars.fields.end() ? nullptr : &*field;
+    }
+    static std::vector<Vector3d> places_of(const Mesh& mesh) {
+        std::vector<Vector3d> places;
+        for (const Mesh::Vertex& vertex : mesh.vertices) places.push_back(vertex.place.cast<double>());
+        return places;
+    }
+    [[nodiscard]] float ground_height() const {
+        float lowest = 0.0F;
+        for (const Mesh::Vertex& vertex : mesh_.vertices) lowest = std::min(lowest, vertex.place.z());
+        return lowest;
+    }
+
+    void draw_bars() {
+        const auto samples = detail::visible_samples(mesh_, camera_, size_, kSamplesPerSide);
+        std::vector<Receiver> receivers;
+        receivers.reserve(samples.size());
+        for (const Sample& sample : samples) receivers.push_back({sample.place, sample.normal});
+        lighting_.shine_on(receivers);
+        for (std::size_t i = 0; i < samples.size(); ++i) {
+            Pixel& pixel = pixels_[samples[i].pixel];
+            // What the ground throws back, and a little from everywhere, so that nothing is black.
+            const float below = 0.16F + 0.10F * (1.0F - samples[i].normal.z());
+            const Vector3f light = receivers[i].light + Vector3f(below, below, 0.96F * below);
+            pixel.colour += shade(samples[i].colour.cwiseProduct(light));
+            pixel.samples += 1.0F;
+        }
+    }
+
+    /// Bright light is rolled off, so that it keeps its hue.
+    static Vector3f shade(const Vector3f& light) {
+        constexpr float kKnee = 0.75F;
+        const float largest = light.maxCoeff();
+        if (largest <= kKnee) return light;
+        const float rolled = kKnee + (1.0F - kKnee) * (1.0F - std::exp(-(largest - kKnee) / (1.0F - kKnee)));
+        return light * (rolled / largest);
+    }
+
+    /// The shadow is soft: it is found on a grid of every second pixel, and smoothed.
+    void draw_ground() {
+        std::vector<Receiver> receivers;
+        std::vector<std::size_t> at;
+        for (std::size_t p = 0; p < ground_grid_.size(); ++p) {
+            const std::size_t row = p / grid_width_;
+            const auto x = static_cast<double>(p % grid_width_);
+            const auto y = static_cast<double>(row);
+            const Vector3d ray = camera_.ray(4.0 * x / size_.width - 1.0, 1.0 - 4.0 * y / size_.height);
+            const double distance = (ground_ - camera_.eye().z()) / ray.z();
+            if (!(distance > 0.0)) continue;
+            receivers.push_back({(camera_.eye() + distance * ray).cast<float>(), Vector3f::UnitZ()});
+            at.push_back(p);
+        }
+        lighting_.shine_on(receivers);
+        for (std::size_t i = 0; i < at.size(); ++i)
+            ground_grid_[at[i]] =
+                1.0F - receivers[i].light.sum() / std::max(receivers[i].unshadowed.sum(), 1e-6F);
+        constexpr int kRounds = 2;
+        for (int round = 0; round < kRounds; ++round) {
+            smooth(1);
+            smooth(grid_width_);
+        }
+        for (std::size_t p = 0; p < pixels_.size(); ++p)
+            pixels_[p].ground = kShadowOnGround * ground_shadow(p) * fading(p);
+    }
+
+    /// Weighs each value with its two neighbours at a distance in the list.
+    void smooth(std::size_t distance) {
+        const std::vector<float> before = ground_grid_;
+        for (std::size_t p = distance; p + distance < before.size(); ++p)
+            ground_grid_[p] = 0.25F * before[p - distance] + 0.5F * before[p] + 0.25F * before[p + distance];
+    }
+
+    [[nodiscard]] float ground_shadow(std::size_t pixel) const {
+        const auto width = static_cast<std::size_t>(size_.width);
+        const std::size_t row = pixel / width;
+        const float x = 0.5F * (static_cast<float>(pixel % width) + 0.5F);
+        const float y = 0.5F * (static_cast<float>(row) + 0.5F);
+        const std::size_t first = static_cast<std::size_t>(y) * grid_width_ + static_cast<std::size_t>(x);
+        const float sx = x - std::floor(x);
+        const float sy = y - std::floor(y);
+        const float upper = (1.0F - sx) * ground_grid_[first] + sx * ground_grid_[first + 1];
+        const float lower =
+            (1.0F - sx) * ground_grid_[first + grid_width_] + sx * ground_grid_[first + grid_width_ + 1];
+        return (1.0F - sy) * upper + sy * lower;
+    }
+
+    /// Towards the rim of the picture the shadow ends softly.
+    [[nodiscard]] float fading(std::size_t pixel) const {
+        const auto width = static_cast<std::size_t>(size_.width);
+        const auto share = [](std::size_t place, int count) {
+            const float s = (static_cast<float>(place) + 0.5F) / static_cast<float>(count);
+            return std::clamp(std::min(s, 1.0F - s) / 0.06F, 0.0F, 1.0F);
+        };
+        return share(pixel % width, size_.width) * share(pixel / width, size_.height);
+    }
+
+    [[nodiscard]] std::vector<std::uint8_t> bytes() const {
+        std::vector<std::uint8_t> bytes;
+        bytes.reserve(4 * pixels_.size());
+        for (const Pixel& pixel : pixels_) {
+            const float cover = pixel.samples / (kSamplesPerSide * kSamplesPerSide);
+            const float opacity = cover + (1.0F - cover) * pixel.ground;
+            const Vector3f colour =
+                opacity > 0.0F ? Vector3f(pixel.colour / std::max(pixel.samples, 1.0F) * (cover / opacity))
+                               : Vector3f::Zero();
+            for (const float light : colour)
+                bytes.push_back(static_cast<std::uint8_t>(std::lround(255.0 * screen(light))));
+            bytes.push_back(static_cast<std::uint8_t>(std::lround(255.0F * opacity)));
+        }
+        return bytes;
+    }
+
+    PixelSize whole_;
+    const BarScene::Field* field_;  ///< that is shown; null: none
+    PixelSize size_;                ///< of the surface's picture, above the legend
+    Mesh mesh_;
+    std::vector<Vector3d> places_;
+    float ground_;
+    detail::Camera camera_;
+    Lighting lighting_;
+    std::size_t grid_width_;
+    std::vector<float> ground_grid_;  ///< shadow at every second pixel, 0 to 1
+    std::vector<Pixel> pixels_;
+};
+
+}  // namespace
+
+std::string picture_png(const Scene& scene) {
+    const BarScene bars = make_bar_scene(scene);
+    if (bars.bars.empty()) throw base::InputError("there is nothing to draw: no tile is painted");
+    return Picture(scene, bars).text();
+}
+
+}  // namespace fretwork::exports

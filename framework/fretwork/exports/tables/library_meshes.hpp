@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/base/control.hpp>
+#include <fretwork/base/files/file.hpp>
+#include <fretwork/exports/tables/line_set.hpp>
+#include <fretwork/library/library.hpp>
+
+#include <filesystem>
+#include <span>
+#include <string_view>
+
+namespace fretwork::exports {
+
+/// The beams of a pattern in the setting's regular polygon.
+LineSet pattern_lines(const pattern::NodeLayout& layout, const pattern::Pattern& pattern,
+                      const reduction::Setting& setting);
+
+/// Kinds of files for meshes of lines.
+enum class MeshKind { Obj, Ply };
+
+struct MeshOptions {
+    MeshKind kind = MeshKind::Obj;
+    base::Control control{};
+};
+
+/// Write patterns of a library, each as an edge mesh in the setting's polygon (`<id>.obj`), and, where it is
+/// calibrated, the geometry of its best reduced model of the paper (`<id>.paper6.obj`). The folder is made if
+/// it is missing. Returns the number of files. Throws IoError.
+std::size_t export_meshes(const library::Library& library, std::span<const library::PatternEntry> patterns,
+                          const std::filesystem::path& folder, const MeshOptions& options = {});
+/// The same as part of a batch, which its caller commits.
+std::size_t add_meshes(const library::Library& library, std::span<const library::PatternEntry> patterns,
+                       const MeshOptions& options, base::FolderBatch& batch);
+
+}  // namespace fretwork::exports

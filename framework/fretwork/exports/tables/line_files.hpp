@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/exports/tables/line_set.hpp>
+
+#include <string>
+
+namespace fretwork::exports {
+
+/// VTK's XML format for ParaView: rest positions; point data `displacement` and `rotation` (Warp By Vector
+/// shows the deformed state), cell data `tile` and `pattern`. ASCII with every digit.
+std::string vtu_text(const LineSet& lines);
+
+/// Wavefront OBJ with line elements, at the displaced positions.
+std::string obj_text(const LineSet& lines);
+
+/// PLY (ASCII) with vertices and edges, at the displaced positions.
+std::string ply_text(const LineSet& lines);
+
+/// A table of the nodes: number, rest position, displacement and rotation vector, SI.
+std::string csv_text(const LineSet& lines);
+
+}  // namespace fretwork::exports

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/base/files/provenance.hpp>
+#include <fretwork/base/text.hpp>
+#include <fretwork/exports/tables/line_files.hpp>
+#include <fretwork/exports/tables/series_files.hpp>
+
+#include <algorithm>
+#include <functional>
+
+namespace fretwork::exports {
+namespace {
+
+std::vector<double> times_of(const std::vector<mechanics::Solution>& steps) {
+    std::vector<double> times;
+    for (const mechanics::Solution& step : steps) times.push_back(step.load_factor);
+    if (std::ranges::adjacent_find(times, std::greater_equal()) == times.end()) return times;
+    for (std::size_t i = 0; i < times.size(); ++i) times[i] = static_cast<double>(i + 1);
+    return times;
+}
+
+/// Names of files are attributes of the collection.
+void check_stem(const std::string& stem) {
+    if (stem.find_first_of("\"&<>") != std::string::npos)
+        throw base::InputError("a series for ParaView cannot be called '" + stem +
+                               "': its name holds one of \" & < >");
+}
+
+}  // namespace
+
+std::vector<NamedFile> series_files(const simulation::Surface& surface, const mechanics::Result& result,
+                                    const std::string& stem, std::optional<double> strength) {
+    check_stem(stem);
+    const std::vector<mechanics::Solution> steps =
+        result.load_steps.empty() ? std::vector{result.solution} : result.load_steps;
+    const std::vector<double> times = times_of(steps);
+    std::string collection = "<?xml version=\"1.0\"?>\n<!-- " + std::string(base::kMadeBy) +
+                             " -->\n<VTKFile type=\"Collection\" version=\"0.1\" "
+                             "byte_order=\"LittleEndian\">\n<Collection>\n";
+    std::vector<NamedFile> files;
+    mechanics::Result there = result;
+    there.vibration_modes.clear();  // of the surface at rest: they do not change on the way
+    there.buckling_modes.clear();
+    there.load_steps.clear();
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+        there.solution = steps[i];
+        files.push_back(
+            {stem + "-" + std::to_string(i + 1) + ".vtu", vtu_text(beam_lines(surface, &there, strength))});
+        collection += "<DataSet timestep=\"" + base::format_number(times[i]) + "\" part=\"0\" file=\"" +
+                      files.back().name + "\"/>\n";
+    }
+    files.insert(files.begin(), {stem + ".pvd", collection + "</Collection>\n</VTKFile>\n"});
+    return files;
+}
+
+}  // namespace fretwork::exports

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/geometry/polygon.hpp>
+
+#include <span>
+
+namespace fretwork::geometry {
+
+/// Part of the plane, m.
+struct Box {
+    double xmin = 0.0, ymin = 0.0, xmax = 0.0, ymax = 0.0;
+    [[nodiscard]] double width() const { return xmax - xmin; }
+    [[nodiscard]] double height() const { return ymax - ymin; }
+    [[nodiscard]] bool meets(const Box& other) const {
+        return xmin <= other.xmax && other.xmin <= xmax && ymin <= other.ymax && other.ymin <= ymax;
+    }
+};
+/// The smallest box around some points, at least one.
+Box box_of(std::span<const Point2> points);
+/// The smallest box around a box and a point.
+Box united(const Box& box, Point2 point);
+/// The smallest box around two.
+Box united(const Box& left, const Box& right);
+/// Wider by a margin on every side, m.
+Box grown(const Box& box, double margin);
+
+}  // namespace fretwork::geometry

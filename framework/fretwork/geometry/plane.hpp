@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/geometry/polygon.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+/// Points of the plane as vectors.
+namespace fretwork::geometry {
+
+inline Point2 operator+(Point2 a, Point2 b) {
+    return {a.x + b.x, a.y + b.y};
+}
+inline Point2 operator-(Point2 a, Point2 b) {
+    return {a.x - b.x, a.y - b.y};
+}
+inline Point2 operator*(double factor, Point2 a) {
+    return {factor * a.x, factor * a.y};
+}
+inline double dot(Point2 a, Point2 b) {
+    return a.x * b.x + a.y * b.y;
+}
+/// The z component of the cross product: positive if b is to the left of a.
+inline double cross(Point2 a, Point2 b) {
+    return a.x * b.y - a.y * b.x;
+}
+inline double length(Point2 a) {
+    return std::sqrt(a.x * a.x +
+                     a.y * a.y);  // std::hypot is many times slower, and no outline needs its range
+}
+inline double distance(Point2 a, Point2 b) {
+    return length(b - a);
+}
+/// The direction of a vector of some length.
+inline Point2 unit(Point2 a) {
+    return (1.0 / length(a)) * a;
+}
+/// The vector turned by a quarter, counterclockwise.
+inline Point2 left_of(Point2 a) {
+    return {-a.y, a.x};
+}
+/// The unit vector at an angle from the x axis, rad.
+inline Point2 direction(double angle) {
+    return {std::cos(angle), std::sin(angle)};
+}
+/// The left-hand turn from direction a to direction b, in (-pi, pi].
+inline double turn(Point2 a, Point2 b) {
+    return std::atan2(cross(a, b), dot(a, b));
+}
+inline Point2 between(Point2 a, Point2 b, double share) {
+    return {a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)};
+}
+/// The point of the segment from a to b (which may be without length) that is nearest to a point.
+inline Point2 nearest_on_segment(Point2 a, Point2 b, Point2 point) {
+    const Point2 side = b - a;
+    const double square = dot(side, side);
+    const double share = square > 0.0 ? std::clamp(dot(point - a, side) / square, 0.0, 1.0) : 0.0;
+    return between(a, b, share);
+}
+/// The length of a closed polygon.
+inline double perimeter(const Polygon& polygon) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < polygon.size(); ++i)
+        sum += distance(polygon[i], polygon[(i + 1) % polygon.size()]);
+    return sum;
+}
+
+}  // namespace fretwork::geometry

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+namespace fretwork::geometry {
+
+/// [v] with [v] w = v x w.
+inline Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& v) {
+    Eigen::Matrix3d m;
+    m << 0.0, -v.z(), v.y(), v.z(), 0.0, -v.x(), -v.y(), v.x(), 0.0;
+    return m;
+}
+
+/// The rotation of a rotation vector of any length.
+Eigen::Quaterniond exponential(const Eigen::Vector3d& rotation_vector);
+
+/// The rotation vector of a rotation, at most pi long.
+Eigen::Vector3d logarithm(const Eigen::Quaterniond& rotation);
+
+/// Of all rotation vectors of a rotation (they differ by whole turns), the one nearest to `reference`: along
+/// a path of small steps the rotation vector has no jumps and counts the turns.
+Eigen::Vector3d logarithm_near(const Eigen::Quaterniond& rotation, const Eigen::Vector3d& reference);
+
+/// T with spin = T d(rotation vector): exp(v + dv) = exp(T dv) exp(v).
+Eigen::Matrix3d spin_map(const Eigen::Vector3d& rotation_vector);
+
+/// Its inverse, for rotations below a whole turn.
+Eigen::Matrix3d inverse_spin_map(const Eigen::Vector3d& rotation_vector);
+
+/// Both at once, at less cost.
+struct LogarithmWithMap {
+    Eigen::Vector3d rotation_vector;  ///< at most pi long
+    Eigen::Matrix3d inverse_spin_map;
+};
+LogarithmWithMap logarithm_with_map(const Eigen::Quaterniond& rotation);
+
+/// The derivative with respect to v of spin_map(v)^T a, for a fixed a.
+Eigen::Matrix3d spin_map_derivative(const Eigen::Vector3d& rotation_vector, const Eigen::Vector3d& a);
+
+}  // namespace fretwork::geometry

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/mechanics/frame/frame.hpp>
+
+#include <array>
+#include <map>
+#include <string>
+#include <utility>
+
+namespace fretwork::mechanics::decks {
+
+/// What a card's parameter OP says of what stood in earlier steps.
+enum class StepOperation {
+    Mod,  ///< it stays, but for what is given anew
+    New   ///< it goes; so says the first card of a kind in a step, and no other
+};
+
+/// Values of one kind of a deck through its steps.
+template <class Key, class Value>
+class StepValues {
+  public:
+    void begin_step() {
+        ++step_;
+        is_first_card_ = true;
+    }
+    void begin_card(StepOperation operation) {
+        if (operation == StepOperation::New && is_first_card_) entries_.clear();
+        is_first_card_ = false;
+    }
+    /// In place of what was given before.
+    void replace(const Key& key, const Value& value) { entries_[key] = {value, step_}; }
+    /// In place of an earlier step's value; added to one of this step.
+    void add(const Key& key, const Value& value) {
+        const auto found = entries_.find(key);
+        if (found != entries_.end() && found->second.step == step_)
+            found->second.value += value;
+        else
+            replace(key, value);
+    }
+    template <class Visit>
+    void for_each(const Visit& visit) const {
+        for (const auto& [key, entry] : entries_) visit(key, entry.value);
+    }
+
+  private:
+    struct Entry {
+        Value value;
+        int step = 0;
+    };
+    std::map<Key, Entry> entries_;
+    int step_ = 0;
+    bool is_first_card_ = true;
+};
+
+/// What holds and loads a structure after all steps of a deck. The rules are those of the CalculiX CrunchiX
+/// User's Manual (Dhondt; *BOUNDARY, *CLOAD and *DLOAD): with OP=MOD, the default, what earlier steps gave
+/// stays, and a value given anew for the same node and direction replaces it; with OP=NEW on the first such
+/// card of a step, what earlier steps gave of that kind goes. Within one step forces on one node and
+/// direction add up, and of displacements the last holds. Gravity is told by its set and direction: so
+/// CalculiX adds gravity in another direction to that of an earlier step.
+class DeckHistory {
+  public:
+    void begin_step();
+    void begin_boundary(StepOperation operation) { held_.begin_card(operation); }
+    void begin_loads(StepOperation operation) { loads_.begin_card(operation); }
+    void begin_gravity(StepOperation operation) { gravity_.begin_card(operation); }
+
+    /// @param value  metres or radians; a support's is zero
+    void hold(NodeIndex node, Dof dof, double value) { held_.replace({node, dof}, value); }
+    /// @param value  newtons or newton metres
+    void load(NodeIndex node, Dof dof, double value) { loads_.add({node, dof}, value); }
+    /// @param magnitude  m/s^2, along a direction of any length but zero
+    void pull(const std::string& set, double magnitude, const Eigen::Vector3d& direction);
+
+    /// Give a frame its supports, prescribed displacements, loads and gravity.
+    void put_into(Frame& frame) const;
+
+  private:
+    using Place = std::pair<NodeIndex, Dof>;
+    /// A set, and the direction to within rounding.
+    using Pull = std::pair<std::string, std::array<long long, 3>>;
+
+    StepValues<Place, double> held_;
+    StepValues<Place, double> loads_;
+    StepValues<Pull, Eigen::Vector3d> gravity_;
+};
+
+}  // namespace fretwork::mechanics::decks

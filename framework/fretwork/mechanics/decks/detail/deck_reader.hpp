@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/mechanics/decks/detail/input_deck.hpp>
+#include <fretwork/mechanics/frame/frame.hpp>
+
+namespace fretwork::mechanics::decks {
+
+/// The frame that parse_calculix gives of a deck.
+LabelledFrame frame_of(InputDeck deck);
+
+}  // namespace fretwork::mechanics::decks

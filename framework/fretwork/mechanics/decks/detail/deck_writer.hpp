@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/mechanics/decks/calculix_file.hpp>
+
+#include <string>
+
+namespace fretwork::mechanics::decks {
+
+/// What calculix_text gives.
+std::string deck_text(const Frame& frame, DeckReader reader);
+
+}  // namespace fretwork::mechanics::decks

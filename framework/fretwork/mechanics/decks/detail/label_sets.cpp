@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/mechanics/decks/detail/label_sets.hpp>
+
+namespace fretwork::mechanics::decks {
+namespace {
+
+/// More labels than this in one line are a slip, and would take hours.
+constexpr long kMostGenerated = 10'000'000;
+
+void generate(const InputDeck& deck, const Card::Line& line, std::set<int>& members) {
+    const auto& [number, words] = line;
+    if (words.size() < 2) deck.fail(number, "needs a first and a last label");
+    const long step = words.size() > 2 && !words[2].empty() ? deck.integer(number, words[2]) : 1;
+    if (step < 1) deck.fail(number, "steps by " + std::to_string(step) + ", and must step forward");
+    const long first = deck.integer(number, words[0]);
+    const long last = deck.integer(number, words[1]);
+    if ((last - first) / step >= kMostGenerated)
+        deck.fail(number, "generates " + std::to_string((last - first) / step + 1) + " labels, where " +
+                              std::to_string(kMostGenerated) + " at most are understood");
+    for (long label = first; label <= last; label += step) members.insert(static_cast<int>(label));
+}
+
+}  // namespace
+
+void LabelSets::read(const InputDeck& deck, const Card& card) {
+    deck.allow_only(card, {kind_.c_str(), "GENERATE", "INTERNAL", "UNSORTED"});
+    std::set<int>& members = sets_[deck.parameter(card, kind_)];
+    for (const Card::Line& line : card.lines) {
+        if (card.has("GENERATE")) {
+            generate(deck, line, members);
+            continue;
+        }
+        for (const std::string& word : line.words) {
+            if (word.empty()) continue;
+            const std::set<int>* inner = find(word);
+            if (inner == nullptr)
+                members.insert(deck.integer(line.number, word));
+            else
+                members.insert(inner->begin(), inner->end());
+        }
+    }
+}
+
+const std::set<int>* LabelSets::find(const std::string& name) const {
+    const auto found = sets_.find(name);
+    return found == sets_.end() ? nullptr : &found->second;
+}
+
+}  // namespace fretwork::mechanics::decks

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/mechanics/decks/detail/input_deck.hpp>
+
+#include <map>
+#include <set>
+#include <string>
+
+namespace fretwork::mechanics::decks {
+
+/// The sets of nodes, or of elements, of an input deck, by name. A label that is put into a set twice is in
+/// it once.
+class LabelSets {
+  public:
+    /// @param kind  NSET or ELSET: the parameter that names a set
+    explicit LabelSets(std::string kind) : kind_(std::move(kind)) {}
+
+    /// Add what a card *NSET or *ELSET lists: labels, names of other sets, or ranges (GENERATE).
+    void read(const InputDeck& deck, const Card& card);
+    void add(const std::string& set, int label) { sets_[set].insert(label); }
+    /// A set's labels, or none if there is no such set.
+    [[nodiscard]] const std::set<int>* find(const std::string& name) const;
+
+  private:
+    std::string kind_;
+    std::map<std::string, std::set<int>> sets_;
+};
+
+}  // namespace fretwork::mechanics::decks

@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/base/limits.hpp>
+#include <fretwork/base/text.hpp>
+#include <fretwork/mechanics/frame/detail/frame_check.hpp>
+#include <fretwork/mechanics/frame/detail/rigid_motion.hpp>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <optional>
+#include <set>
+
+namespace fretwork::mechanics::detail {
+namespace {
+
+using base::format_number;
+using base::InputError;
+
+std::string text_of(const Eigen::Vector3d& v) {
+    return "(" + format_number(v.x()) + ", " + format_number(v.y()) + ", " + format_number(v.z()) + ")";
+}
+
+bool are_within(const Eigen::Vector3d& v, const base::Limits& limits) {
+    return base::is_within(v.x(), limits) && base::is_within(v.y(), limits) && base::is_within(v.z(), limits);
+}
+
+class FrameCheck {
+  public:
+    FrameCheck(const Frame& frame, const FrameNames& names) : frame_(frame), names_(names) {}
+
+    void check_parts() const {
+        if (frame_.nodes.empty()) fail("/nodes", "a frame needs at least one node");
+        if (frame_.beams.empty()) fail("/beams", "a frame needs at least one beam");
+        check_nodes();
+        for (std::size_t b = 0; b < frame_.beams.size(); ++b) check_beam(b);
+        check_supports();
+        check_prescribed();
+        check_loads();
+        check_gravity();
+    }
+
+    void check_held() const {
+        const auto held = held_dofs(frame_);
+        for (const FreeMotion& motion : free_rigid_motions(frame_, held)) {
+            const std::string where = node_place(motion.node);
+            if (motion.has_beam) {
+                fail(where, "the part of the structure at " + name_of(motion.node) +
+                                " is not held enough: it can still " + motion.description);
+            }
+            fail(where,
+                 name_of(motion.node) + " has no beam and is not held; remove it or fix its six components");
+        }
+    }
+
+  private:
+    [[noreturn]] void fail(const std::string& place, const std::string& message) const {
+        throw InputError(names_.source, place, message);
+    }
+    [[noreturn]] void fail_vector(const std::string& place, const Eigen::Vector3d& value,
+                                  const base::Limits& limits) const {
+        fail(place, "is " + text_of(value) + ", where each must be " + base::range_text(limits));
+    }
+    static std::string place(const char* list, std::size_t i) {
+        return "/" + std::string(list) + "/" + std::to_string(i);
+    }
+    [[nodiscard]] std::string name_of(NodeIndex node) const {
+        const int label = names_.node_labels.empty()
+                              ? node.value
+                              : names_.node_labels[static_cast<std::size_t>(node.value)];
+        return "node " + std::to_string(label);
+    }
+    [[nodiscard]] std::string node_place(NodeIndex node) const {
+        return names_.node_labels.empty() ? place("nodes", static_cast<std::size_t>(node.value))
+                                          : name_of(node);
+    }
+    [[nodiscard]] std::string beam_place(std::size_t beam) const {
+        return names_.beam_labels.empty() ? place("beams", beam)
+                                          : "element " + std::to_string(names_.beam_labels[beam]);
+    }
+
+    void check_nodes() const {
+        for (std::size_t i = 0; i < frame_.nodes.size(); ++i) {
+            if (!are_within(frame_.nodes[i], base::kLengthLimits))
+                fail_vector(node_place(NodeIndex(i)), frame_.nodes[i], base::kLengthLimits);
+        }
+    }
+
+    [[nodiscard]] bool has_node(NodeIndex node) const {
+        return node.value >= 0 && node.value < static_cast<std::int32_t>(frame_.nodes.size());
+    }
+
+    void require_node(NodeIndex node, const std::string& where) const {
+        if (has_node(node)) return;
+        fail(where, "there is no node " + std::to_string(node.value) + "; the frame has nodes 0 to " +
+                        std::to_string(frame_.nodes.size() - 1));
+    }
+
+    // The places of beams are written out only where a check fails: tiles are checked a thousand times a
+    // second.
+
+    /// A property of a beam: its value, and its name in messages.
+    struct Property {
+        double value;
+        const char* name;
+    };
+    void require_positive(std::size_t beam, const Property& property, const base::Limits& limits) const {
+        if (!base::is_positive_within(property.value, limits))
+            fail(beam_place(beam) + property.name, "is " + format_number(property.value) + ", where " +
+                                                       base::positive_range_text(limits) + " is needed");
+    }
+
+    void check_beam(std::size_t index) const {
+        const Beam& beam = frame_.beams[index];
+        const auto where = [&](const char* name) { return beam_place(index) + name; };
+        for (const NodeIndex node : beam.nodes) {
+            if (!has_node(node)) require_node(node, where("/nodes"));
+        }
+        if (beam.nodes[0] == beam.nodes[1]) fail(where("/nodes"), "both ends are " + name_of(beam.nodes[0]));
+        if (beam.normal && !beam.normal->allFinite()) fail(where("/normal"), "is not finite");
+        try {
+            beam_axes(frame_, beam);
+        } catch (const base::GeometryError& error) {
+            throw base::GeometryError(names_.source, beam_place(index), error.what());
+        }
+        check_section(index);
+        check_material(index);
+        if (beam.divisions < 1 || beam.divisions > kMostDivisions)
+            fail(where("/divisions"), "is " + std::to_string(beam.divisions) + ", where a number from 1 to " +
+                                          std::to_string(kMostDivisions) + " is needed");
+        for (const Release& release : beam.releases) {
+            if (release.end != 0 && release.end != 1)
+                fail(where("/releases"),
+                     "there is no end " + std::to_string(release.end) + "; a beam has the ends 0 and 1");
+        }
+    }
+
+    void check_section(std::size_t beam) const {
+        const Section& section = frame_.beams[beam].section;
+        require_positive(beam, {section.area, "/section/area"}, base::kAreaLimits);
+        require_positive(beam, {section.I2, "/section/I2"}, base::kSecondMomentLimits);
+        require_positive(beam, {section.I3, "/section/I3"}, base::kSecondMomentLimits);
+        require_positive(beam, {section.J, "/section/J"}, base::kSecondMomentLimits);
+        if (section.shear_area2)
+            require_positive(beam, {*section.shear_area2, "/section/shear_area2"}, base::kAreaLimits);
+        if (section.shear_area3)
+            require_positive(beam, {*section.shear_area3, "/section/shear_area3"}, base::kAreaLimits);
+    }
+
+    void check_material(std::size_t beam) const {
+        const Material& material = frame_.beams[beam].material;
+        require_positive(beam, {material.young_modulus, "/material/young_modulus"}, base::kModulusLimits);
+        if (!(material.poisson_ratio > -1.0 && material.poisson_ratio <= 0.5))
+            fail(beam_place(beam) + "/material/poisson_ratio",
+                 "is " + format_number(material.poisson_ratio) +
+                     ", where a number above -1 and up to 0.5 is needed");
+        if (material.given_shear_modulus)
+            require_positive(beam, {*material.given_shear_modulus, "/material/shear_modulus"},
+                             base::kModulusLimits);
+        if (material.density != 0.0)
+            require_positive(beam, {material.density, "/material/density"}, base::kDensityLimits);
+    }
+
+    void check_supports() const {
+        for (std::size_t i = 0; i < frame_.supports.size(); ++i)
+            require_node(frame_.supports[i].node, place("supports", i) + "/node");
+    }
+
+    void check_prescribed() const {
+        std::set<std::pair<int, Dof>> seen;
+        for (std::size_t i = 0; i < frame_.prescribed.size(); ++i) {
+            const PrescribedDisplacement& given = frame_.prescribed[i];
+            require_node(given.node, place("prescribed", i) + "/node");
+            const char* name = kDofNames[static_cast<std::size_t>(given.dof)];
+            const base::Limits& limits = given.dof < Dof::rx ? base::kLengthLimits : base::kAngleLimits;
+            if (!base::is_within(given.value, limits))
+                fail(place("prescribed", i) + "/" + name, "is " + format_number(given.value) + ", where " +
+                                                              base::range_text(limits) + " is needed");
+            if (!seen.emplace(given.node.value, given.dof).second)
+                fail(place("prescribed", i),
+                     std::string(name) + " of " + name_of(given.node) + " is prescribed twice");
+        }
+    }
+
+    void check_loads() const {
+        for (std::size_t i = 0; i < frame_.loads.size(); ++i) {
+            require_node(frame_.loads[i].node, place("loads", i) + "/node");
+            const NodalLoad& load = frame_.loads[i];
+            if (!are_within(load.force, base::kForceLimits))
+                fail_vector(place("loads", i) + "/force", load.force, base::kForceLimits);
+            if (!are_within(load.moment, base::kMomentLimits))
+                fail_vector(place("loads", i) + "/moment", load.moment, base::kMomentLimits);
+        }
+    }
+
+    /// Gravity needs the density of every beam: one without would be forgotten silently.
+    void check_gravity() const {
+        if (!are_within(frame_.gravity, base::kAccelerationLimits))
+            fail_vector("/gravity", frame_.gravity, base::kAccelerationLimits);
+        if (frame_.gravity.isZero(0.0)) return;
+        const auto massless = std::ranges::find_if(
+            frame_.beams, [](const Beam& beam) { return !(beam.material.density > 0.0); });
+        if (massless != frame_.beams.end())
+            fail(beam_place(static_cast<std::size_t>(massless - frame_.beams.begin())),
+                 "has no density, and gravity acts on the frame: give its material one");
+    }
+
+    const Frame& frame_;
+    const FrameNames& names_;
+};
+
+}  // namespace
+
+void check_parts(const Frame& frame) {
+    const FrameNames names{"frame"};
+    FrameCheck(frame, names).check_parts();
+}
+
+void check_frame(const Frame& frame, const FrameNames& names) {
+    const FrameCheck check(frame, names);
+    check.check_parts();
+    check.check_held();
+}
+
+Eigen::Matrix3d beam_axes(const Frame& frame, const Beam& beam) {
+    const Eigen::Vector3d& start = frame.nodes[static_cast<std::size_t>(beam.nodes[0].value)];
+    const Eigen::Vector3d& end = frame.nodes[static_cast<std::size_t>(beam.nodes[1].value)];
+    constexpr double kParallel = 1e-6;
+    const double size = std::max(start.lpNorm<Eigen::Infinity>(), end.lpNorm<Eigen::Infinity>());
+    const double length = (end - start).norm();
+    if (!(length > 1e-12 * size)) {
+        throw base::GeometryError("the beam has no length");
+    }
+    const Eigen::Vector3d axis1 = (end - start) / length;
+    Eigen::Vector3d normal = beam.normal.value_or(Eigen::Vector3d::UnitZ());
+    if (!beam.normal && axis1.cross(normal).norm() < kParallel) normal = Eigen::Vector3d::UnitY();
+    const Eigen::Vector3d across = normal.cross(axis1);
+    if (!(across.norm() > kParallel * normal.norm())) {
+        throw base::GeometryError("the normal " + text_of(normal) +
+                                  " of the beam has no part at right angles to it");
+    }
+    Eigen::Matrix3d axes;
+    axes.col(0) = axis1;
+    axes.col(1) = across.normalized();
+    axes.col(2) = axes.col(0).cross(axes.col(1));
+    return axes;
+}
+
+}  // namespace fretwork::mechanics::detail

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/disjoint_sets.hpp>
+#include <fretwork/base/text.hpp>
+#include <fretwork/mechanics/frame/detail/rigid_motion.hpp>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace fretwork::mechanics::detail {
+namespace {
+
+/// The nodes of each connected part, parts in the order of their first nodes.
+std::vector<std::vector<std::size_t>> connected_parts(const Frame& frame) {
+    base::DisjointSets nodes(frame.nodes.size());
+    for (const Beam& beam : frame.beams)
+        nodes.unite(static_cast<std::size_t>(beam.nodes[0].value),
+                    static_cast<std::size_t>(beam.nodes[1].value));
+    std::vector<std::vector<std::size_t>> members(frame.nodes.size());
+    for (std::size_t i = 0; i < frame.nodes.size(); ++i) members[nodes.first_of(i)].push_back(i);
+    std::erase_if(members, [](const auto& part) { return part.empty(); });
+    return members;
+}
+
+std::string direction_text(Eigen::Vector3d direction) {
+    direction.normalize();
+    Eigen::Index largest = 0;
+    direction.cwiseAbs().maxCoeff(&largest);
+    if (direction[largest] < 0) direction = -direction;
+    const auto rounded = [](double x) { return base::format_number(std::round(x * 1000.0) / 1000.0 + 0.0); };
+    return "(" + rounded(direction.x()) + ", " + rounded(direction.y()) + ", " + rounded(direction.z()) + ")";
+}
+
+/// A rigid motion is a translation t of the center and a rotation w, here times the size: one unit for both.
+std::string motion_text(const Eigen::Matrix<double, 6, 1>& motion) {
+    const Eigen::Vector3d translation = motion.head<3>();
+    const Eigen::Vector3d rotation = motion.tail<3>();
+    if (rotation.norm() < 1e-3 * translation.norm()) return "move along " + direction_text(translation);
+    return "turn about " + direction_text(rotation);
+}
+
+struct PartOfFrame {
+    Eigen::Vector3d center = Eigen::Vector3d::Zero();
+    double size = 0.0;
+};
+
+PartOfFrame measure(const Frame& frame, const std::vector<std::size_t>& part) {
+    PartOfFrame measured;
+    for (const std::size_t i : part) measured.center += frame.nodes[i] / static_cast<double>(part.size());
+    for (const std::size_t i : part)
+        measured.size = std::max(measured.size, (frame.nodes[i] - measured.center).norm());
+    if (measured.size == 0.0) measured.size = 1.0;
+    return measured;
+}
+
+/// Sum over the held dofs of the squared motion of that dof, as a quadratic form of the rigid motion.
+Eigen::Matrix<double, 6, 6> held_motion_form(const Frame& frame, const std::vector<std::size_t>& part,
+                                             const std::vector<DofSet>& held) {
+    const PartOfFrame measured = measure(frame, part);
+    Eigen::Matrix<double, 6, 6> form = Eigen::Matrix<double, 6, 6>::Zero();
+    for (const std::size_t i : part) {
+        const Eigen::Vector3d arm = (frame.nodes[i] - measured.center) / measured.size;
+        for (int c = 0; c < 3; ++c) {
+            Eigen::Matrix<double, 6, 1> row = Eigen::Matrix<double, 6, 1>::Zero();
+            row[c] = 1.0;
+            row.tail<3>() = arm.cross(Eigen::Vector3d::Unit(c));
+            if (held[i].contains[static_cast<std::size_t>(c)]) form += row * row.transpose();
+            if (held[i].contains[static_cast<std::size_t>(c + 3)]) form(c + 3, c + 3) += 1.0;
+        }
+    }
+    return form;
+}
+
+std::optional<FreeMotion> free_motion(const Frame& frame, const std::vector<std::size_t>& part,
+                                      const std::vector<DofSet>& held) {
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> eigen(
+        held_motion_form(frame, part, held));
+    constexpr double kZero = 1e-12;  // squares of ratios of lengths: supports a millionth of the size apart
+    if (eigen.eigenvalues()[0] > kZero) return std::nullopt;
+    return FreeMotion{NodeIndex(part.front()), part.size() > 1, motion_text(eigen.eigenvectors().col(0))};
+}
+
+}  // namespace
+
+std::vector<DofSet> held_dofs(const Frame& frame) {
+    std::vector<DofSet> held(frame.nodes.size());
+    for (const Support& support : frame.supports) {
+        for (std::size_t d = 0; d < kDofsPerNode; ++d) {
+            auto& dofs = held[static_cast<std::size_t>(support.node.value)];
+            dofs.contains[d] = dofs.contains[d] || support.fixed.contains[d];
+        }
+    }
+    for (const PrescribedDisplacement& given : frame.prescribed) {
+        held[static_cast<std::size_t>(given.node.value)].contains[static_cast<std::size_t>(given.dof)] = true;
+    }
+    return held;
+}
+
+std::vector<FreeMotion> free_rigid_motions(const Frame& frame, const std::vector<DofSet>& held) {
+    std::vector<FreeMotion> motions;
+    for (const auto& part : connected_parts(frame)) {
+        if (auto motion = free_motion(frame, part, held)) motions.push_back(std::move(*motion));
+    }
+    return motions;
+}
+
+}  // namespace fretwork::mechanics::detail

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/base/index.hpp>
+#include <fretwork/mechanics/frame/section.hpp>
+
+#include <Eigen/Core>
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace fretwork::mechanics {
+
+using NodeIndex = base::Index<struct NodeTag>;
+using BeamIndex = base::Index<struct BeamTag>;
+
+/// The six components of a node's displacement, in the order of every table and file.
+// NOLINTNEXTLINE(readability-identifier-naming): as files and tables call them
+enum class Dof { ux, uy, uz, rx, ry, rz };
+inline constexpr int kDofsPerNode = 6;
+inline constexpr std::array<const char*, kDofsPerNode> kDofNames = {"ux", "uy", "uz", "rx", "ry", "rz"};
+
+/// A set of dofs: bit d is dof d.
+struct DofSet {
+    std::array<bool, kDofsPerNode> contains{};
+    static constexpr DofSet all() { return {{true, true, true, true, true, true}}; }
+    static constexpr DofSet translations() { return {{true, true, true, false, false, false}}; }
+    [[nodiscard]] constexpr bool operator[](Dof dof) const { return contains[static_cast<std::size_t>(dof)]; }
+    friend bool operator==(const DofSet&, const DofSet&) = default;
+};
+
+/// One row for each node: ux uy uz in metres, then the rotation vector rx ry rz in radians (or, for loads and
+/// reactions, force in newtons and moment in newton metres).
+using NodeValues = Eigen::Matrix<double, Eigen::Dynamic, kDofsPerNode, Eigen::RowMajor>;
+
+/// A linear elastic, isotropic material.
+struct Material {
+    double young_modulus = 0.0;                   ///< Pa, > 0
+    double poisson_ratio = 0.0;                   ///< in (-1, 0.5]
+    double density = 0.0;                         ///< kg/m^3, >= 0
+    std::optional<double> given_shear_modulus{};  ///< Pa; without it, E / (2 (1 + nu))
+    [[nodiscard]] double shear_modulus() const {
+        return given_shear_modulus.value_or(young_modulus / (2.0 * (1.0 + poisson_ratio)));
+    }
+    friend bool operator==(const Material&, const Material&) = default;
+};
+
+/// A hinge: the components (in the beam's local axes at rest) that this end does not pass on to its node.
+struct Release {
+    int end = 0;  ///< 0 or 1
+    DofSet free;
+    friend bool operator==(const Release&, const Release&) = default;
+};
+
+/// Into how many elements a beam may be divided. The tip of a cantilever of so many is off by 1e-5 of its
+/// deflection at most (2.4e-7 under a force at its tip, 2e-6 under its own weight); with more of them
+/// rounding wins: stiffness grows with the cube of their number, and at ten thousand a third of the
+/// deflection is lost.
+inline constexpr int kMostDivisions = 1000;
+
+struct Beam {
+    std::array<NodeIndex, 2> nodes;
+    Section section;
+    Material material;
+    std::optional<Eigen::Vector3d>
+        normal{};       ///< local axis 3 at rest; none: global z, or global y for a beam along z
+    int divisions = 1;  ///< into so many elements
+    std::vector<Release> releases{};
+};
+
+/// A fixed rotation component means that this component of the node's total rotation vector stays zero.
+struct Support {
+    NodeIndex node;
+    DofSet fixed;
+};
+
+/// A component of a node's displacement that is given; it is thereby held.
+struct PrescribedDisplacement {
+    NodeIndex node;
+    Dof dof;
+    double value = 0.0;  ///< metres or radians (component of the rotation vector)
+};
+
+/// Force and moment of fixed direction in space. Several loads on one node add up.
+struct NodalLoad {
+    NodeIndex node;
+    Eigen::Vector3d force = Eigen::Vector3d::Zero();   ///< N
+    Eigen::Vector3d moment = Eigen::Vector3d::Zero();  ///< N m
+};
+
+/// Any beam structure: what `fretwork solve` takes, and what every full model of a pattern or a tessellation
+/// is.
+struct Frame {
+    std::vector<Eigen::Vector3d> nodes;  ///< rest positions, metres
+    std::vector<Beam> beams;
+    std::vector<Support> supports;
+    std::vector<PrescribedDisplacement> prescribed;
+    std::vector<NodalLoad> loads;
+    Eigen::Vector3d gravity = Eigen::Vector3d::Zero();  ///< m/s^2
+};
+
+/// A frame from a file in which nodes have labels of their own.
+struct LabelledFrame {
+    Frame frame;
+    std::vector<int> labels;  ///< one for each node of the frame, in the file's order
+    std::string source{};     ///< the file, for messages
+};
+
+/// Check what a frame must obey on its own: indices in range, finite numbers, positive sections, beams of
+/// some length, no node without a beam or held for certain, every part of the structure held, a density
+/// of every beam where gravity acts. Throws InputError or GeometryError that names the node or beam
+/// ("/beams/3").
+void validate(const Frame& frame);
+
+}  // namespace fretwork::mechanics

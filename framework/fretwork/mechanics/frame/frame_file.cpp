@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/files/file.hpp>
+#include <fretwork/base/internal/json_text.hpp>
+#include <fretwork/base/json_reader.hpp>
+#include <fretwork/base/text.hpp>
+#include <fretwork/mechanics/frame/detail/frame_check.hpp>
+#include <fretwork/mechanics/frame/frame_file.hpp>
+
+#include <algorithm>
+#include <map>
+
+namespace fretwork::mechanics {
+namespace {
+
+using base::Json;
+using base::JsonReader;
+
+Eigen::Vector3d read_vector(const JsonReader& reader) {
+    const std::vector<double> v = reader.numbers(3);
+    return {v[0], v[1], v[2]};
+}
+
+Eigen::Vector3d read_optional_vector(const JsonReader& owner, std::string_view key) {
+    const auto member = owner.find(key);
+    return member ? read_vector(*member) : Eigen::Vector3d::Zero();
+}
+
+Material read_material(const JsonReader& reader) {
+    reader.allow_only({"young_modulus", "poisson_ratio", "density", "shear_modulus"});
+    Material material;
+    material.young_modulus = reader.at("young_modulus").positive_number();
+    if (const auto given = reader.find("shear_modulus"))
+        material.given_shear_modulus = given->positive_number();
+    if (!material.given_shear_modulus || reader.find("poisson_ratio")) {
+        const JsonReader ratio = reader.at("poisson_ratio");
+        material.poisson_ratio = ratio.number();
+        if (!(material.poisson_ratio > -1.0 && material.poisson_ratio <= 0.5))
+            ratio.fail("is " + ratio.text() + ", where a number above -1 and up to 0.5 is needed");
+    }
+    if (const auto density = reader.find("density")) {
+        material.density = density->number();
+        if (material.density < 0)
+            density->fail("is " + density->text() + ", where a number not below zero is needed");
+    }
+    return material;
+}
+
+Section read_tube(const JsonReader& reader) {
+    const JsonReader inner = reader.at("inner_diameter");
+    if (inner.positive_number() >= reader.at("outer_diameter").positive_number())
+        inner.fail("is " + inner.text() + ", which is not below the outer diameter");
+    return tube_section(reader.at("outer_diameter").number(), inner.number());
+}
+
+Section read_shape(const JsonReader& reader) {
+    const std::string type = reader.at("type").choice({"rectangle", "circle", "tube"});
+    if (type == "rectangle") {
+        reader.allow_only({"type", "width", "height", "shear_area2", "shear_area3"});
+        return rectangle_section(reader.at("width").positive_number(), reader.at("height").positive_number());
+    }
+    if (type == "circle") {
+        reader.allow_only({"type", "diameter", "shear_area2", "shear_area3"});
+        return circle_section(reader.at("diameter").positive_number());
+    }
+    reader.allow_only({"type", "outer_diameter", "inner_diameter", "shear_area2", "shear_area3"});
+    return read_tube(reader);
+}
+
+Section read_section(const JsonReader& reader) {
+    Section section;
+    if (reader.find("type")) {
+        section = read_shape(reader);
+    } else {
+        reader.allow_only({"area", "I2", "I3", "J", "shear_area2", "shear_area3"});
+        section.area = reader.at("area").positive_number();
+        section.I2 = reader.at("I2").positive_number();
+        section.I3 = reader.at("I3").positive_number();
+        section.J = reader.at("J").positive_number();
+    }
+    if (const auto area = reader.find("shear_area2")) section.shear_area2 = area->positive_number();
+    if (const auto area = reader.find("shear_area3")) section.shear_area3 = area->positive_number();
+    return section;
+}
+
+template <class Value>
+std::map<std::string, Value> read_table(const JsonReader& reader, Value (*read)(const JsonReader&)) {
+    std::map<std::string, Value> table;
+    for (const auto& [name, member] : reader.members()) table.emplace(name, read(member));
+    return table;
+}
+
+template <class Value>
+const Value& look_up(const std::map<std::string, Value>& table, const JsonReader& name, const char* kind) {
+    const auto found = table.find(name.string());
+    if (found != table.end()) return found->second;
+    std::vector<std::string> known;
+    known.reserve(table.size());
+    for (const auto& entry : table) known.push_back(entry.first);
+    name.fail(base::unknown_name_message(kind, name.string(), known));
+}
+
+class FrameReader {
+  public:
+    explicit FrameReader(const JsonReader& document) : document_(document) {}
+
+    Frame read() {
+        document_.expect_format("frame");
+        document_.allow_only({"format", "nodes", "materials", "sections", "beams", "supports", "prescribed",
+                              "loads", "gravity"});
+        for (const JsonReader& node : document_.at("nodes").elements())
+            frame_.nodes.push_back(read_vector(node));
+        materials_ = read_table(document_.at("materials"), read_material);
+        sections_ = read_table(document_.at("sections"), read_section);
+        for (const JsonReader& beam : document_.at("beams").elements())
+            frame_.beams.push_back(read_beam(beam));
+        for (const JsonReader& support : optional_list("supports")) read_support(support);
+        for (const JsonReader& given : optional_list("prescribed")) read_prescribed(given);
+        for (const JsonReader& load : optional_list("loads")) read_load(load);
+        frame_.gravity = read_optional_vector(document_, "gravity");
+        return std::move(frame_);
+    }
+
+  private:
+    [[nodiscard]] std::vector<JsonReader> optional_list(std::string_view key) const {
+        const auto member = document_.find(key);
+        return member ? member->elements() : std::vector<JsonReader>{};
+    }
+
+    [[nodiscard]] NodeIndex read_node(const JsonReader& reader) const {
+        if (frame_.nodes.empty()) reader.fail("is " + reader.text() + ", but the frame has no nodes");
+        return NodeIndex(reader.integer(0, static_cast<long long>(frame_.nodes.size()) - 1));
+    }
+
+    static DofSet read_dofs(const JsonReader& reader) {
+        DofSet dofs;
+        for (const JsonReader& name : reader.elements()) {
+            const std::string chosen = name.choice({"ux", "uy", "uz", "rx", "ry", "rz"});
+            for (std::size_t d = 0; d < kDofsPerNode; ++d) {
+                if (chosen == kDofNames[d]) dofs.contains[d] = true;
+            }
+        }
+        return dofs;
+    }
+
+    [[nodiscard]] Beam read_beam(const JsonReader& reader) const {
+        reader.allow_only({"nodes", "section", "material", "normal", "divisions", "releases"});
+        const auto ends = reader.at("nodes").elements(2);
+        Beam beam{.nodes = {read_node(ends[0]), read_node(ends[1])},
+                  .section = look_up(sections_, reader.at("section"), "section"),
+                  .material = look_up(materials_, reader.at("material"), "material")};
+        if (const auto normal = reader.find("normal")) beam.normal = read_vector(*normal);
+        if (const auto count = reader.find("divisions"))
+            beam.divisions = static_cast<int>(count->integer(1, kMostDivisions));
+        if (const auto releases = reader.find("releases")) {
+            for (const JsonReader& release : releases->elements()) {
+                release.allow_only({"end", "free"});
+                beam.releases.push_back(
+                    {static_cast<int>(release.at("end").integer(0, 1)), read_dofs(release.at("free"))});
+            }
+        }
+        return beam;
+    }
+
+    void read_support(const JsonReader& reader) {
+        reader.allow_only({"node", "fixed"});
+        frame_.supports.push_back({read_node(reader.at("node")), read_dofs(reader.at("fixed"))});
+    }
+
+    void read_prescribed(const JsonReader& reader) {
+        reader.allow_only({"node", "ux", "uy", "uz", "rx", "ry", "rz"});
+        const NodeIndex node = read_node(reader.at("node"));
+        for (std::size_t d = 0; d < kDofsPerNode; ++d) {
+            if (const auto value = reader.find(kDofNames[d]))
+                frame_.prescribed.push_back({node, static_cast<Dof>(d), value->number()});
+        }
+    }
+
+    void read_load(const JsonReader& reader) {
+        reader.allow_only({"node", "force", "moment"});
+        frame_.loads.push_back({read_node(reader.at("node")), read_optional_vector(reader, "force"),
+                                read_optional_vector(reader, "moment")});
+    }
+
+    const JsonReader& document_;
+    Frame frame_;
+    std::map<std::string, Material> materials_;
+    std::map<std::string, Section> sections_;
+};
+
+Json vector_json(const Eigen::Vector3d& v) {
+    return Json::array({v.x(), v.y(), v.z()});
+}
+
+Json dofs_json(const DofSet& dofs) {
+    Json names = Json::array();
+    for (std::size_t d = 0; d < kDofsPerNode; ++d) {
+        if (dofs.contains[d]) names.push_back(kDofNames[d]);
+    }
+    return names;
+}
+
+Json material_json(const Material& material) {
+    Json json = {{"young_modulus", material.young_modulus}, {"poisson_ratio", material.poisson_ratio}};
+    if (material.density > 0) json["density"] = material.density;
+    if (material.given_shear_modulus) json["shear_modulus"] = *material.given_shear_modulus;
+    return json;
+}
+
+Json section_json(const Section& section) {
+    Json json = {{"area", section.area}, {"I2", section.I2}, {"I3", section.I3}, {"J", section.J}};
+    if (section.shear_area2) json["shear_area2"] = *section.shear_area2;
+    if (section.shear_area3) json["shear_area3"] = *section.shear_area3;
+    return json;
+}
+
+/// The different values of a list, in order of appearance, with the names that the file gives them.
+template <class Value>
+class NameTable {
+  public:
+    explicit NameTable(std::string stem) : stem_(std::move(stem)) {}
+    std::string name_of(const Value& value) {
+        const auto found = std::find(values_.begin(), values_.end(), value);
+        const auto index = found - values_.begin();
+        if (found == values_.end()) values_.push_back(value);
+        return stem_ + std::to_string(index);
+    }
+    [[nodiscard]] Json json(Json (*write)(const Value&)) const {
+        Json table = Json::object();
+        for (std::size_t i = 0; i < values_.size(); ++i) table[stem_ + std::to_string(i)] = write(values_[i]);
+        return table;
+    }
+
+  private:
+    std::string stem_;
+    std::vector<Value> values_;
+};
+
+Json beam_json(const Beam& beam, const std::string& section, const std::string& material) {
+    Json json = {
+        {"nodes", {beam.nodes[0].value, beam.nodes[1].value}}, {"section", section}, {"material", material}};
+    if (beam.normal) json["normal"] = vector_json(*beam.normal);
+    if (beam.divisions != 1) json["divisions"] = beam.divisions;
+    for (const Release& release : beam.releases)
+        json["releases"].push_back({{"end", release.end}, {"free", dofs_json(release.free)}});
+    return json;
+}
+
+void append_beams(Json& document, const Frame& frame) {
+    NameTable<Material> materials("material");
+    NameTable<Section> sections("section");
+    Json beams = Json::array();
+    for (const Beam& beam : frame.beams)
+        beams.push_back(beam_json(beam, sections.name_of(beam.section), materials.name_of(beam.material)));
+    document["materials"] = materials.json(material_json);
+    document["sections"] = sections.json(section_json);
+    document["beams"] = std::move(beams);
+}
+
+void append_conditions(Json& document, const Frame& frame) {
+    for (const Support& support : frame.supports)
+        document["supports"].push_back({{"node", support.node.value}, {"fixed", dofs_json(support.fixed)}});
+    for (const PrescribedDisplacement& given : frame.prescribed)
+        document["prescribed"].push_back(
+            {{"node", given.node.value}, {kDofNames[static_cast<std::size_t>(given.dof)], given.value}});
+    for (const NodalLoad& load : frame.loads)
+        document["loads"].push_back({{"node", load.node.value},
+                                     {"force", vector_json(load.force)},
+                                     {"moment", vector_json(load.moment)}});
+    if (!frame.gravity.isZero(0.0)) document["gravity"] = vector_json(frame.gravity);
+}
+
+}  // namespace
+
+Frame parse_frame(std::string_view text, const std::string& source) {
+    const JsonReader document = JsonReader::from_text(text, source);
+    Frame frame = FrameReader(document).read();
+    detail::check_frame(frame, {source});
+    return frame;
+}
+
+Frame read_frame(const std::filesystem::path& path) {
+    return parse_frame(base::read_text_file(path), path.string());
+}
+
+std::string frame_text(const Frame& frame) {
+    Json document = {{"format", "fretwork/frame/1"}};
+    const double* const places = frame.nodes.empty() ? nullptr : frame.nodes.front().data();
+    document["nodes"] = base::number_rows({places, 3 * frame.nodes.size()}, 3);
+    append_beams(document, frame);
+    append_conditions(document, frame);
+    return base::json_text(document);
+}
+
+void write_frame(const Frame& frame, const std::filesystem::path& path) {
+    base::write_file_atomically(path, frame_text(frame));
+}
+
+}  // namespace fretwork::mechanics

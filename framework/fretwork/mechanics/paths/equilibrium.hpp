@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/base/control.hpp>
+#include <fretwork/mechanics/assembly.hpp>
+#include <fretwork/mechanics/results/solution.hpp>
+
+#include <span>
+#include <vector>
+
+namespace fretwork::mechanics {
+
+/// Which equilibria to follow where a path becomes unstable.
+enum class Branch {
+    Primary,  ///< the path itself: a flat structure stays flat
+    Stable    ///< the branch on which the structure stays: after a push along the critical mode
+};
+
+/// Options of the geometrically nonlinear solve.
+struct EquilibriumOptions {
+    /// Converged below this; or below 1e-4 where rounding does not let it come lower: a step then changes
+    /// nothing any more (1e-13 rad and element lengths). So it is with very short beams beside long ones, and
+    /// with a hundred thousand beams (3e-9).
+    double relative_residual = 1e-9;
+    double largest_rotation_step = 0.6;  ///< rad; a Newton step is shortened to it. No line search: the
+                                         ///< residual may grow within a step while membrane forces build up
+    int iterations_per_step = 60;
+    int largest_cut_back = 10;  ///< a load step is halved at most so often
+    bool classify_stability = true;
+    Branch branch = Branch::Primary;
+    bool locate_critical_loads = false;  ///< fill Solution::stability_losses; Branch::Stable always does
+    int threads = 1;  ///< 0: all there are. They change no bit of a result, and small structures use one.
+    base::Control control{};  ///< told how much of the load is reached
+    /// Throws InputError if a value makes no sense.
+    void validate() const;
+};
+
+/// The load factors 1 / steps, 2 / steps, .., 1.
+std::vector<double> even_load_factors(int steps);
+
+/// Follow the load path from rest through the given load factors (ascending, > 0; 1 = the full load):
+/// corotational Newton with a consistent tangent, and a predictor from the path so far. Where critical loads
+/// need not be located and a load is far, the path goes there in few long increments of a mixed Newton
+/// method, as long as what it meets speaks for one path; else, and where that is in doubt, in small steps.
+/// One solution for each factor; once a factor is not reached, it and those after it say so, and hold the
+/// last equilibrium that was found and its factor.
+///
+/// With Branch::Stable, an equilibrium that has lost its stability is pushed along its lowest mode and let
+/// down to a stable one, and the path goes on from there; each such place is told.
+///
+/// An element knows the turn of its ends against each other up to whole turns: a path on which this comes
+/// to pi ends there as diverged; it needs more divisions.
+///
+/// Rotation vectors are continuous along the path: beyond half a turn they go on growing. At nodes with a
+/// held rotation component the reaction's moment is the true moment in space. Throws InputError if the
+/// factors are not ascending, NumericalError that names a node if the structure can move without strain at
+/// rest, and Stopped.
+std::vector<Solution> follow_load_path(const Assembly& assembly, std::span<const double> load_factors,
+                                       const EquilibriumOptions& options = {});
+
+}  // namespace fretwork::mechanics

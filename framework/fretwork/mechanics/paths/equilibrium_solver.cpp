@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/task.hpp>
+#include <fretwork/geometry/rotation.hpp>
+#include <fretwork/mechanics/nonlinear/stride.hpp>
+#include <fretwork/mechanics/paths/equilibrium_solver.hpp>
+
+#include <algorithm>
+#include <numbers>
+#include <optional>
+#include <utility>
+
+namespace fretwork::mechanics {
+namespace {
+
+using nonlinear::Configuration;
+using nonlinear::PathPoint;
+
+/// rad: an edit whose first step turns a node farther is answered from rest.
+constexpr double kLongestStep = 1.0;
+
+/// One assembly, its equations, and their factors.
+struct Equations {
+    Equations(const Assembly& its_assembly, const EquilibriumOptions& options)
+        : assembly(its_assembly),
+          system(assembly, options.threads, options.control),
+          newton(system, options),
+          mixed(system, newton, options) {}
+    Assembly assembly;
+    nonlinear::NonlinearSystem system;
+    nonlinear::Newton newton;
+    nonlinear::MixedNewton mixed;
+};
+
+bool have_equal_nodes(const Element& a, const Element& b) {
+    return std::ranges::equal(a.nodes(), b.nodes()) && a.stress_count() == b.stress_count();
+}
+
+bool have_equal_equations(const Assembly& a, const Assembly& b) {
+    return structure::constraints_of(a).held == structure::constraints_of(b).held &&
+           std::ranges::equal(a.elements, b.elements, [](const auto& one, const auto& other) {
+               return one == other || have_equal_nodes(*one, *other);
+           });
+}
+
+bool have_equal_rotation_vectors(const Assembly& a, const Assembly& b) {
+    return structure::constraints_of(a).values.rightCols<3>() ==
+           structure::constraints_of(b).values.rightCols<3>();
+}
+
+/// Of a solution under its full load.
+Configuration configuration_of(const Solution& solution) {
+    Configuration configuration;
+    for (const NodeValues* table : {&solution.displacements, &solution.inner_displacements}) {
+        for (const auto& row : table->rowwise()) {
+            const Eigen::Vector3d vector = row.tail<3>().transpose();
+            configuration.states.push_back({row.head<3>().transpose(), geometry::exponential(vector)});
+            configuration.rotation_vectors.push_back(vector);
+        }
+    }
+    return configuration;
+}
+
+}  // namespace
+
+class EquilibriumSolver::Impl {
+  public:
+    explicit Impl(const EquilibriumOptions& options)
+        : options_(options), is_classifying_(options.classify_stability) {
+        options_.validate();
+    }
+
+    Solution solve(const Assembly& assembly, const base::Control& control, StabilityCheck check,
+                   const FirstIterate& first_iterate) {
+        options_.control = control;
+        options_.classify_stability = is_classifying_ && check == StabilityCheck::Made;
+        const bool may_go_on = is_settled_ && assembly.nodes == equations_->assembly.nodes;
+        is_settled_ = false;  // also if something throws
+        if (may_go_on) {
+            starting_point_ = StartingPoint::LastEquilibrium;
+            if (auto solution = go_on(assembly, first_iterate)) return std::move(*solution);
+        }
+        starting_point_ = StartingPoint::Rest;
+        return from_rest(assembly);
+    }
+
+    [[nodiscard]] StartingPoint starting_point() const { return starting_point_; }
+
+  private:
+    Solution from_rest(const Assembly& assembly) {
+        if (options_.branch == Branch::Primary && !options_.locate_critical_loads) {
+            if (auto solution = stride_from_rest(assembly)) return std::move(*solution);
+        }
+        constexpr double kFullLoad[] = {1.0};
+        Solution solution = follow_load_path(assembly, kFullLoad, options_).back();
+        is_settled_ = equations_ && solution.converged() && solution.stable;
+        point_ = {configuration_of(solution), 1.0, {}, {}, std::numbers::pi};
+        has_factors_ = false;
+        return solution;
+    }
+
+    std::optional<Solution> stride_from_rest(const Assembly& assembly) {
+        const base::Task task(options_.control, "load path (thousandths of the load)", 1000);
+        equations_ = std::make_unique<Equations>(assembly, options_);
+        auto& [own, system, newton, mixed] = *equations_;
+        point_ = {system.unknowns().rest(), 0.0, {}, {}, 0.0};
+        mixed.begin_at_rest(point_.configuration);
+        point_.rate = newton.solve_tangent(system.load_rate());
+        if (nonlinear::stride(system, newton, mixed, point_, 1.0) != Termination::Converged) return {};
+        return settled();
+    }
+
+    /// The equilibrium at which the system is evaluated and the factors are.
+    Solution settled() {
+        is_settled_ = has_factors_ = true;
+        Solution solution = equations_->system.describe(point_.configuration, 1.0);
+        is_checked_ = options_.classify_stability;
+        if (is_checked_) solution.stability = equations_->system.stability_test();
+        solution.iterations = equations_->newton.take_iterations();
+        return solution;
+    }
+
+    void adopt(const Assembly& assembly) {
+        if (!have_equal_equations(equations_->assembly, assembly)) {
+            equations_ = std::make_unique<Equations>(assembly, options_);
+            has_factors_ = false;
+            return;
+        }
+        // Slopes are against components of rotation vectors where these are prescribed.
+        has_factors_ = has_factors_ && equations_->assembly.elements == assembly.elements &&
+                       have_equal_rotation_vectors(equations_->assembly, assembly);
+        equations_->assembly = assembly;
+        equations_->system.refresh(options_.control);
+    }
+
+    /// A stop on the way leaves the last equilibrium to go on from.
+    std::optional<Solution> go_on(const Assembly& assembly, const FirstIterate& first_iterate) {
+        try {
+            adopt(assembly);
+            return find_next(first_iterate);
+        } catch (const base::Stopped&) {
+            is_settled_ = is_given_up_ = true;
+            throw;
+        }
+    }
+
+    std::optional<Solution> find_next(const FirstIterate& first_iterate) {
+        auto& [own, system, newton, mixed] = *equations_;
+        if (std::exchange(is_given_up_, false))
+            has_factors_ = has_factors_ && mixed.come_back(point_.configuration);
+        if (!has_factors_ && !mixed.begin(point_.configuration, 1.0)) return {};
+        has_factors_ = true;
+        if (!mixed.outcome().positive_definite()) return {};
+        PathPoint next = point_;
+        const auto first = mixed.depart(next.configuration);
+        if (first.step.size() == 0) return settled_again();
+        if (!(system.unknowns().largest_rotation(first.step) <= kLongestStep)) return {};
+        if (first_iterate) first_iterate(iterate_at(next.configuration));
+        const Termination found =
+            mixed.solve(1.0, nonlinear::MixedNewton::Goal::Equilibrium, first.step, next.configuration);
+        if (found != Termination::Converged || !is_near(first, next)) return {};
+        point_ = std::move(next);
+        return settled();
+    }
+
+    [[nodiscard]] Solution iterate_at(const Configuration& configuration) const {
+        Solution iterate = equations_->system.describe(configuration, 1.0);
+        iterate.termination = Termination::IterationsSpent;
+        iterate.stability = StabilityTest::None;
+        iterate.iterations = 1;
+        iterate.reactions.setZero();  // those of the configuration before
+        return iterate;
+    }
+
+    /// Where the loads have not changed since. False if it has lost its stability unseen.
+    std::optional<Solution> settled_again() {
+        auto& [own, system, newton, mixed] = *equations_;
+        if (options_.classify_stability && !is_checked_) {
+            if (!mixed.begin(point_.configuration, 1.0)) return {};
+            if (!mixed.outcome().positive_definite()) return {};
+        }
+        return settled();
+    }
+
+    /// Whether the last equilibrium and one found from it speak for one path.
+    bool is_near(const nonlinear::MixedNewton::FirstStep& first, PathPoint& next) {
+        auto& [own, system, newton, mixed] = *equations_;
+        const auto& unknowns = system.unknowns();
+        unknowns.unwind(point_.configuration, next.configuration);
+        const Eigen::VectorXd move = unknowns.step_between(point_.configuration, next.configuration);
+        next.turn_bound = nonlinear::bound_relative_turn(system, point_, unknowns.largest_rotation(move),
+                                                         next.configuration);
+        if (next.turn_bound > std::numbers::pi) return false;
+        const Eigen::VectorXd last_step = newton.solve_tangent(first.unbalanced);
+        return !nonlinear::is_jump(unknowns, move.cwiseAbs(),
+                                   first.step.cwiseAbs().cwiseMax(last_step.cwiseAbs()));
+    }
+
+    EquilibriumOptions options_;
+    bool is_classifying_;  ///< as the caller's options say; options_ has what holds for one solution
+    std::unique_ptr<Equations> equations_;
+    PathPoint point_;           ///< the last equilibrium, if it is settled
+    bool is_settled_ = false;   ///< there is a last equilibrium to go on from
+    bool has_factors_ = false;  ///< with its stresses
+    bool is_given_up_ = false;  ///< a way from it was, and the factors may be others
+    bool is_checked_ = false;   ///< the factors are those of the last equilibrium, and it is stable
+    StartingPoint starting_point_ = StartingPoint::Rest;
+};
+
+EquilibriumSolver::EquilibriumSolver(const EquilibriumOptions& options)
+    : impl_(std::make_unique<Impl>(options)) {}
+EquilibriumSolver::EquilibriumSolver(EquilibriumSolver&&) noexcept = default;
+EquilibriumSolver& EquilibriumSolver::operator=(EquilibriumSolver&&) noexcept = default;
+EquilibriumSolver::~EquilibriumSolver() = default;
+
+Solution EquilibriumSolver::solve(const Assembly& assembly, const base::Control& control,
+                                  StabilityCheck check, const FirstIterate& first_iterate) {
+    return impl_->solve(assembly, control, check, first_iterate);
+}
+
+StartingPoint EquilibriumSolver::starting_point() const {
+    return impl_->starting_point();
+}
+
+}  // namespace fretwork::mechanics

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/base/task.hpp>
+#include <fretwork/mechanics/nonlinear/newton.hpp>
+#include <fretwork/mechanics/paths/path_tracing.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace fretwork::mechanics {
+namespace {
+
+using nonlinear::Configuration;
+
+/// A step that takes about so many iterations is neither too long nor too short.
+constexpr double kGoodIterations = 4.0;
+constexpr int kMostIterations = 15;
+
+/// Riks' method: each step goes along the tangent of the path by a given arc and is corrected in the plane at
+/// right angles to it, load factor and displacements together.
+class Tracer {
+  public:
+    Tracer(const Assembly& assembly, const PathTracingOptions& options)
+        : options_(options),
+          system_(assembly, options.equilibrium.threads, options.equilibrium.control),
+          newton_(system_, options_.equilibrium),
+          configuration_(unknowns_.rest()) {
+        system_.evaluate(configuration_, 0.0);
+        newton_.factorize_at_rest();
+        rate_ = newton_.solve_tangent(system_.load_rate());
+        direction_ = rate_;
+        arc_ = std::min(options_.first_load_step * size_of(rate_), options_.largest_arc);
+    }
+
+    std::vector<Solution> run() {
+        const base::Task task(options_.equilibrium.control, "path (points)",
+                              static_cast<std::size_t>(options_.steps));
+        std::vector<Solution> path;
+        const double shortest = arc_ / std::pow(2.0, options_.equilibrium.largest_cut_back);
+        while (static_cast<int>(path.size()) < options_.steps &&
+               std::abs(factor_) < options_.largest_load_factor) {
+            bool found = try_step();
+            while (!found && arc_ > shortest) {
+                arc_ *= 0.5;
+                found = try_step();
+            }
+            path.push_back(describe());
+            task.update(path.size());
+            if (found) continue;
+            path.back().termination = Termination::Diverged;
+            break;
+        }
+        return path;
+    }
+
+  private:
+    [[nodiscard]] double product(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const {
+        return a.cwiseProduct(unknowns_.weights()).dot(b);
+    }
+    [[nodiscard]] double size_of(const Eigen::VectorXd& a) const { return std::sqrt(product(a, a)); }
+
+    bool try_step() {
+        const double forward = product(rate_, direction_) >= 0.0 ? 1.0 : -1.0;
+        const double load_step = forward * arc_ / size_of(rate_);
+        const Eigen::VectorXd tangent = load_step * rate_;
+        Configuration trial = configuration_;
+        double factor = factor_ + load_step;
+        unknowns_.prescribe(factor, trial);
+        unknowns_.move(tangent, trial);
+        const int iterations = correct(tangent, factor, trial);
+        if (iterations < 0) return false;
+        Eigen::VectorXd move = unknowns_.step_between(configuration_, trial);
+        if (product(move, tangent) <= 0.25 * arc_ * arc_) return false;
+        direction_ = std::move(move);
+        configuration_ = std::move(trial);
+        factor_ = factor;
+        outcome_ = newton_.factorize();
+        if (outcome_.zero_pivot < 0) rate_ = newton_.solve_tangent(system_.load_rate());
+        arc_ *= std::clamp(std::sqrt(kGoodIterations / std::max(iterations, 1)), 0.5, 1.5);
+        arc_ = std::min(arc_, options_.largest_arc);
+        return true;
+    }
+
+    /// The number of iterations, or -1.
+    int correct(const Eigen::VectorXd& tangent, double& factor, Configuration& trial) {
+        Eigen::VectorXd move;
+        for (int iteration = 0; iteration <= kMostIterations; ++iteration) {
+            system_.evaluate(trial, factor);
+            if (!std::isfinite(system_.relative_residual())) return -1;
+            if (newton_.is_converged(trial, move)) return iteration;
+            if (newton_.factorize().zero_pivot >= 0) return -1;
+            const Eigen::VectorXd rate = newton_.solve_tangent(system_.load_rate());
+            const Eigen::VectorXd step = newton_.solve_tangent(system_.unbalanced());
+            const double load_step = -product(tangent, step) / product(tangent, rate);
+            move = step + load_step * rate;
+            if (!std::isfinite(load_step) ||
+                unknowns_.largest_rotation(move) > options_.equilibrium.largest_rotation_step)
+                return -1;
+            factor += load_step;
+            unknowns_.prescribe(factor, trial);
+            unknowns_.move(move, trial);
+        }
+        return -1;
+    }
+
+    [[nodiscard]] Solution describe() {
+        system_.evaluate(configuration_, factor_);
+        Solution solution = system_.describe(configuration_, factor_);
+        solution.stable = outcome_.positive_definite();
+        solution.stability = system_.stability_test();
+        solution.iterations = newton_.take_iterations();
+        return solution;
+    }
+
+    const PathTracingOptions& options_;
+    nonlinear::NonlinearSystem system_;
+    const nonlinear::Unknowns& unknowns_ = system_.unknowns();
+    nonlinear::Newton newton_;
+    Configuration configuration_;
+    double factor_ = 0.0;
+    double arc_ = 0.0;
+    Eigen::VectorXd rate_;       ///< of the unknowns in the load factor
+    Eigen::VectorXd direction_;  ///< the last move
+    sparse::Ldlt::Outcome outcome_;
+};
+
+}  // namespace
+
+void PathTracingOptions::validate() const {
+    equilibrium.validate();
+    if (!(first_load_step > 0.0)) throw base::InputError("first_load_step must be above zero");
+    if (!(largest_load_factor > 0.0)) throw base::InputError("largest_load_factor must be above zero");
+    if (!(largest_arc > 0.0)) throw base::InputError("largest_arc must be above zero");
+    if (steps < 1) throw base::InputError("steps must be above zero");
+}
+
+std::vector<Solution> trace_path(const Assembly& assembly, const PathTracingOptions& options) {
+    options.validate();
+    return Tracer(assembly, options).run();
+}
+
+}  // namespace fretwork::mechanics

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/mechanics/paths/equilibrium.hpp>
+
+#include <vector>
+
+namespace fretwork::mechanics {
+
+/// Options of tracing a path by arc length.
+struct PathTracingOptions {
+    double first_load_step = 0.05;     ///< share of the load with which the path begins; sets the first arc
+    double largest_load_factor = 1.0;  ///< the path ends beyond it, up or down
+    double largest_arc = 0.5;  ///< of one step, in rad and element lengths (root of the sum of squares)
+    int steps = 200;           ///< the path ends after so many
+    EquilibriumOptions
+        equilibrium{};  ///< its relative_residual, largest_cut_back, threads and control count here
+    /// Throws InputError if a value makes no sense.
+    void validate() const;
+};
+
+/// Follow the equilibrium path from rest by its arc length, through limit points where the load turns back.
+/// One solution for each point; their load factors rise and fall. If the last one has not converged, the path
+/// was lost there, and it holds the last equilibrium. Throws as follow_load_path.
+std::vector<Solution> trace_path(const Assembly& assembly, const PathTracingOptions& options = {});
+
+}  // namespace fretwork::mechanics

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/base/task.hpp>
+#include <fretwork/base/text.hpp>
+#include <fretwork/mechanics/nonlinear/newton.hpp>
+#include <fretwork/mechanics/paths/relaxation.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+namespace fretwork::mechanics {
+namespace {
+
+/// A unit time step is stable while masses exceed a quarter of the stiffness (central differences); the
+/// stiffness changes along the way.
+constexpr double kMassShare = 0.5;
+
+/// @param against  the node against which it turns; invalid: against its rest position
+void refuse_turn(const Assembly& assembly, NodeIndex node, double angle, NodeIndex against = {}) {
+    if (angle <= std::numbers::pi) return;
+    throw base::InputError(structure::node_text(assembly, node) + " is prescribed to turn by " +
+                           base::format_number(angle) + " rad" +
+                           (against.is_valid() ? " against " + structure::node_text(assembly, against) : "") +
+                           ", and dynamic relaxation, which begins with one jump to there, follows none of "
+                           "more than pi; newton does");
+}
+
+/// A rotation is known from where the nodes are alone: beyond pi it is one the other way round.
+void refuse_turns_beyond_pi(const Assembly& assembly) {
+    Eigen::Matrix3Xd turns = Eigen::Matrix3Xd::Zero(3, static_cast<Eigen::Index>(assembly.nodes.size()));
+    for (const PrescribedDisplacement& given : assembly.prescribed) {
+        if (given.dof >= Dof::rx) turns(static_cast<int>(given.dof) - 3, given.node.value) = given.value;
+    }
+    for (const PrescribedDisplacement& given : assembly.prescribed)
+        refuse_turn(assembly, given.node, turns.col(given.node.value).norm());
+    for (const auto& element : assembly.elements) {
+        for (const NodeIndex node : element->nodes()) {
+            for (const NodeIndex other : element->nodes())
+                refuse_turn(assembly, node, (turns.col(node.value) - turns.col(other.value)).norm(), other);
+        }
+    }
+}
+
+class Relaxation {
+  public:
+    Relaxation(const Assembly& assembly, const RelaxationOptions& options)
+        : options_(options), system_(assembly, 1, options.control), configuration_(unknowns_.rest()) {
+        unknowns_.prescribe(1.0, configuration_);
+        last_peak_ = configuration_;
+        velocity_.setZero(unknowns_.equations());
+        system_.evaluate(configuration_, 1.0);
+        weigh();
+    }
+
+    Solution run() {
+        const base::Task task(options_.control, "dynamic relaxation (iterations)",
+                              static_cast<std::size_t>(options_.iterations));
+        double last_energy = 0.0;
+        Termination termination = Termination::IterationsSpent;
+        int iteration = 0;
+        for (; iteration < options_.iterations; ++iteration) {
+            options_.control.check();
+            task.update(static_cast<std::size_t>(iteration));
+            if (!std::isfinite(system_.relative_residual())) {
+                configuration_ = last_peak_;
+                termination = Termination::Diverged;
+                break;
+            }
+            if (system_.relative_residual() <= options_.relative_residual) {
+                termination = Termination::Converged;
+                break;
+            }
+            accelerate();
+            const double energy = velocity_.cwiseAbs2().dot(mass_);
+            if (energy < last_energy) {
+                restart();
+                last_energy = 0.0;
+                continue;
+            }
+            last_energy = energy;
+            unknowns_.move(velocity_, configuration_);
+            system_.evaluate(configuration_, 1.0, Demand::Force);
+        }
+        return finish(termination, iteration);
+    }
+
+  private:
+    /// Velocities belong to the middles of the steps: from rest, the first is reached after half a step.
+    void accelerate() {
+        last_velocity_ = velocity_;
+        velocity_ += (is_at_rest_ ? 0.5 : 1.0) * system_.unbalanced().cwiseQuotient(mass_);
+        is_at_rest_ = false;
+    }
+
+    /// The peak lies in the middle of the step that was made last: go half of it back, weigh anew and start
+    /// from rest.
+    void restart() {
+        unknowns_.move(-0.5 * last_velocity_, configuration_);
+        last_peak_ = configuration_;
+        velocity_.setZero();
+        is_at_rest_ = true;
+        system_.evaluate(configuration_, 1.0);
+        weigh();
+    }
+
+    /// Gershgorin's bound of the stiffness in units in which displacements and rotations are comparable.
+    void weigh() {
+        const Eigen::VectorXd scale = unknowns_.weights().cwiseSqrt();
+        const auto& start = unknowns_.layout().column_start();
+        const auto& row = unknowns_.layout().row();
+        mass_.setZero(unknowns_.equations());
+        for (int column = 0; column < unknowns_.equations(); ++column) {
+            for (int k = start[static_cast<std::size_t>(column)];
+                 k < start[static_cast<std::size_t>(column) + 1]; ++k) {
+                const int i = row[static_cast<std::size_t>(k)];
+                const double entry = std::abs(system_.tangent()[static_cast<std::size_t>(k)]);
+                mass_[i] += entry * scale[i] / scale[column];
+                if (i != column) mass_[column] += entry * scale[column] / scale[i];
+            }
+        }
+        mass_ *= kMassShare;
+        if (options_.rotational_mass == RotationalMass::Published) weigh_rotations_as_published();
+        for (int node = 0; node < static_cast<int>(unknowns_.assembly().nodes.size()); ++node) {
+            make_isotropic(node, 0);
+            make_isotropic(node, 3);
+        }
+    }
+
+    void weigh_rotations_as_published() {
+        const double length = structure::characteristic_length(unknowns_.assembly());
+        const double per_square_metre = std::max(1.0, 1.0 / (length * length));
+        for (int node = 0; node < static_cast<int>(unknowns_.assembly().nodes.size()); ++node) {
+            for (int d = 3; d < kDofsPerNode; ++d) {
+                const int equation = unknowns_.layout().equation(node, d);
+                if (equation >= 0) mass_[equation] *= per_square_metre;
+            }
+        }
+    }
+
+    /// The directions in which a node is stiff turn with the structure: one mass for all three.
+    void make_isotropic(int node, int first_dof) {
+        double largest = 0.0;
+        for (int d = first_dof; d < first_dof + 3; ++d) {
+            const int equation = unknowns_.layout().equation(node, d);
+            if (equation >= 0) largest = std::max(largest, mass_[equation]);
+        }
+        for (int d = first_dof; d < first_dof + 3; ++d) {
+            const int equation = unknowns_.layout().equation(node, d);
+            if (equation >= 0) mass_[equation] = largest;
+        }
+    }
+
+    [[nodiscard]] Solution finish(Termination termination, int iterations) {
+        system_.evaluate(configuration_, 1.0);
+        Solution solution = system_.describe(configuration_, 1.0);
+        solution.termination = termination;
+        solution.iterations = iterations;
+        sparse::Ldlt factors(unknowns_.layout());
+        solution.stable = factors.factorize(system_.tangent()).positive_definite();
+        solution.stability = system_.stability_test();
+        return solution;
+    }
+
+    const RelaxationOptions& options_;
+    nonlinear::NonlinearSystem system_;
+    const nonlinear::Unknowns& unknowns_ = system_.unknowns();
+    nonlinear::Configuration configuration_;
+    nonlinear::Configuration last_peak_;  ///< of the kinetic energy, or rest: what is told where it diverges
+    Eigen::VectorXd velocity_;
+    Eigen::VectorXd last_velocity_;
+    bool is_at_rest_ = true;
+    Eigen::VectorXd mass_;
+};
+
+}  // namespace
+
+void RelaxationOptions::validate() const {
+    if (!(relative_residual > 0.0 && relative_residual < 1.0))
+        throw base::InputError("relative_residual must be in (0, 1)");
+    if (iterations < 1) throw base::InputError("iterations must be above zero");
+}
+
+Solution relax(const Assembly& assembly, const RelaxationOptions& options) {
+    options.validate();
+    refuse_turns_beyond_pi(assembly);
+    return Relaxation(assembly, options).run();
+}
+
+}  // namespace fretwork::mechanics

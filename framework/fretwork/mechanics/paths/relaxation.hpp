@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/base/control.hpp>
+#include <fretwork/mechanics/assembly.hpp>
+#include <fretwork/mechanics/results/solution.hpp>
+
+namespace fretwork::mechanics {
+
+/// How the fictitious masses of rotations grow as elements get shorter.
+enum class RotationalMass {
+    Natural,   ///< as their stiffness, E I / l and G J / l: the fair baseline
+    Published  ///< as E I / l^3 and G J / l^3 with l in metres, as in public implementations of [Sakai2020]
+};
+
+/// Options of dynamic relaxation.
+struct RelaxationOptions {
+    double relative_residual = 1e-9;  ///< converged below this
+    int iterations = 200000;          ///< at most; a structure of the size of patterns takes thousands
+    RotationalMass rotational_mass = RotationalMass::Natural;
+    base::Control control{};  ///< told the iterations
+    /// Throws InputError if a value makes no sense.
+    void validate() const;
+};
+
+/// Find the equilibrium under the full load by dynamic relaxation with kinetic damping: the structure is let
+/// go at rest, and stopped whenever its kinetic energy has a peak. The paper's ground truth works so
+/// [Sakai2020]; here it acts on the very forces of follow_load_path and finds the same equilibria at some
+/// hundred times the cost: stable ones, unless a symmetry that nothing disturbs holds it on an unstable one
+/// (a perfect column). Fictitious masses bound the stiffness of each equation from
+/// above, so that unit time steps are stable; those of rotations are larger by 1 / l^2 (l: the mean length of
+/// an element, below one metre) with RotationalMass::Published.
+///
+/// Prescribed displacements are there from the start, in one jump: so no rotation may be prescribed that
+/// turns a node, or one end of an element against its other, by more than pi, which it would take for one the
+/// other way round. Throws InputError that names the node if one does, or if an option makes no sense, and
+/// Stopped.
+Solution relax(const Assembly& assembly, const RelaxationOptions& options = {});
+
+}  // namespace fretwork::mechanics

@@ -1,0 +1,399 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/files/file.hpp>
+#include <fretwork/base/files/provenance.hpp>
+#include <fretwork/base/internal/json_text.hpp>
+#include <fretwork/base/json_reader.hpp>
+#include <fretwork/base/limits.hpp>
+#include <fretwork/base/text.hpp>
+#include <fretwork/mechanics/results/result_file.hpp>
+#include <fretwork/mechanics/solve.hpp>
+
+#include <algorithm>
+#include <functional>
+#include <initializer_list>
+#include <limits>
+#include <unordered_set>
+
+namespace fretwork::mechanics {
+namespace {
+
+using base::Json;
+using base::JsonReader;
+
+constexpr Termination kTerminations[] = {Termination::Converged, Termination::LimitLoad,
+                                         Termination::Diverged, Termination::IterationsSpent};
+constexpr StabilityTest kStabilityTests[] = {StabilityTest::None, StabilityTest::Tangent,
+                                             StabilityTest::SymmetricPart};
+
+Json rows_json(const NodeValues& values) {
+    return base::number_rows({values.data(), static_cast<std::size_t>(values.size())}, kDofsPerNode);
+}
+
+void append_solution(Json& json, const Solution& solution, const std::vector<Result::Node>& nodes) {
+    json["load_factor"] = solution.load_factor;
+    json["converged"] = solution.converged();
+    json["stable"] = solution.stable;
+    json["stability"] = stability_test_name(solution.stability);
+    json["termination"] = termination_name(solution.termination);
+    json["energy"] = solution.energy;
+    json["residual"] = solution.residual;
+    json["iterations"] = solution.iterations;
+    for (const StabilityLoss& loss : solution.stability_losses)
+        json["stability_losses"].push_back({{"load_factor", loss.load_factor},
+                                            {"node", nodes[static_cast<std::size_t>(loss.node.value)].id},
+                                            {"component", kDofNames[static_cast<std::size_t>(loss.dof)]},
+                                            {"pushed", loss.pushed}});
+    json["displacements"] = rows_json(solution.displacements);
+    json["reactions"] = rows_json(solution.reactions);
+}
+
+/// The limits of the first three and of the last three values of a row.
+struct RowLimits {
+    const base::Limits& first;
+    const base::Limits& last;
+};
+constexpr RowLimits kMotionLimits{base::kLengthLimits, base::kAngleLimits};
+constexpr RowLimits kLoadLimits{base::kForceLimits, base::kMomentLimits};
+
+NodeValues read_rows(const JsonReader& reader, std::size_t count, const RowLimits& limits) {
+    NodeValues values(static_cast<Eigen::Index>(count), kDofsPerNode);
+    Eigen::Index i = 0;
+    for (const JsonReader& row : reader.elements(count)) {
+        const std::vector<double> numbers = row.numbers(kDofsPerNode);
+        for (int d = 0; d < kDofsPerNode; ++d) {
+            const double value = numbers[static_cast<std::size_t>(d)];
+            const base::Limits& allowed = d < 3 ? limits.first : limits.last;
+            if (!base::is_within(value, allowed))
+                row.fail("has " + base::format_number(value) + ", where " + base::range_text(allowed) +
+                         " is needed");
+            values(i, d) = value;
+        }
+        ++i;
+    }
+    return values;
+}
+
+Termination read_termination(const JsonReader& reader) {
+    const std::string name = reader.choice({"converged", "limit-load", "diverged", "iterations-spent"});
+    for (const Termination termination : kTerminations) {
+        if (termination_name(termination) == name) return termination;
+    }
+    reader.fail("is " + reader.text() + ", which is no way to end");
+}
+
+StabilityTest read_stability(const JsonReader& reader) {
+    const std::string name = reader.choice({"none", "tangent", "symmetric-part"});
+    for (const StabilityTest test : kStabilityTests) {
+        if (stability_test_name(test) == name) return test;
+    }
+    reader.fail("is " + reader.text() + ", which is no test of stability");
+}
+
+StabilityLoss read_loss(const JsonReader& reader, const std::vector<Result::Node>& nodes) {
+    reader.allow_only({"load_factor", "node", "component", "pushed"});
+    StabilityLoss loss;
+    loss.load_factor = reader.at("load_factor").number();
+    const auto id = reader.at("node").integer(0, std::numeric_limits<int>::max());
+    const auto named = std::ranges::find(nodes, id, &Result::Node::id);
+    if (named == nodes.end())
+        reader.at("node").fail("is " + std::to_string(id) + ", and no node has that id");
+    loss.node = NodeIndex(named - nodes.begin());
+    const std::string name = reader.at("component").choice({"ux", "uy", "uz", "rx", "ry", "rz"});
+    for (int d = 0; d < kDofsPerNode; ++d) {
+        if (kDofNames[static_cast<std::size_t>(d)] == name) loss.dof = static_cast<Dof>(d);
+    }
+    loss.pushed = reader.at("pushed").boolean();
+    return loss;
+}
+
+std::vector<Mode> read_modes(const JsonReader& reader, std::string_view value, std::size_t nodes) {
+    std::vector<Mode> modes;
+    for (const JsonReader& mode : reader.elements()) {
+        mode.allow_only({value, "shape"});
+        modes.push_back(
+            {mode.at(value).positive_number(), read_rows(mode.at("shape"), nodes, kMotionLimits)});
+    }
+    return modes;
+}
+
+double read_not_negative(const JsonReader& reader) {
+    const double value = reader.number();
+    if (value < 0) reader.fail("is " + reader.text() + ", where a number not below zero is needed");
+    return value;
+}
+
+Solution read_solution(const JsonReader& reader, const std::vector<Result::Node>& nodes) {
+    Solution solution;
+    solution.load_factor = reader.at("load_factor").number();
+    solution.termination = read_termination(reader.at("termination"));
+    if (reader.at("converged").boolean() != solution.converged())
+        reader.at("converged").fail("does not agree with the termination");
+    solution.stable = reader.at("stable").boolean();
+    solution.stability = read_stability(reader.at("stability"));
+    solution.energy = reader.at("energy").number();
+    solution.residual = read_not_negative(reader.at("residual"));
+    solution.iterations =
+        static_cast<int>(reader.at("iterations").integer(0, std::numeric_limits<int>::max()));
+    if (const auto losses = reader.find("stability_losses")) {
+        for (const JsonReader& loss : losses->elements())
+            solution.stability_losses.push_back(read_loss(loss, nodes));
+    }
+    solution.displacements = read_rows(reader.at("displacements"), nodes.size(), kMotionLimits);
+    solution.reactions = read_rows(reader.at("reactions"), nodes.size(), kLoadLimits);
+    return solution;
+}
+
+Json error_json(const DiscretizationError& error) {
+    return {{"displacement", error.displacement},
+            {"rotation", error.rotation},
+            {"share", error.share},
+            {"known", error.known}};
+}
+
+DiscretizationError read_error(const JsonReader& reader) {
+    reader.allow_only({"displacement", "rotation", "share", "known"});
+    return {read_not_negative(reader.at("displacement")), read_not_negative(reader.at("rotation")),
+            read_not_negative(reader.at("share")), reader.at("known").boolean()};
+}
+
+Json error_json(const ModelError& error) {
+    return {{"mean", error.mean}, {"largest", error.largest}, {"relative_l2", error.relative_l2}};
+}
+
+ModelError read_model_error(const JsonReader& reader) {
+    reader.allow_only({"mean", "largest", "relative_l2"});
+    return {read_not_negative(reader.at("mean")), read_not_negative(reader.at("largest")),
+            read_not_negative(reader.at("relative_l2"))};
+}
+
+Json range_json(const LinearRange& range) {
+    return {{"error_estimate", range.error}, {"loses_stability", range.loses_stability}};
+}
+
+LinearRange read_range(const JsonReader& reader) {
+    reader.allow_only({"error_estimate", "loses_stability"});
+    return {read_not_negative(reader.at("error_estimate")), reader.at("loses_stability").boolean()};
+}
+
+std::vector<int> read_tiles(const JsonReader& reader) {
+    std::vector<int> tiles;
+    for (const JsonReader& tile : reader.elements())
+        tiles.push_back(static_cast<int>(tile.integer(0, std::numeric_limits<int>::max())));
+    if (std::ranges::adjacent_find(tiles, std::greater_equal()) != tiles.end())
+        reader.fail("is not in ascending order, each tile once");
+    return tiles;
+}
+
+Json subject_json(const ResultSubject& subject) {
+    Json json = {{"model", subject.model},
+                 {"is_reference", subject.is_reference},
+                 {"load_case", Json::parse(subject.load_case_text)},
+                 {"tessellation", subject.tessellation_hash},
+                 {"painting", subject.painting_hash},
+                 {"setting", subject.setting_hash}};
+    if (!subject.full_tiles.empty()) json["full_tiles"] = subject.full_tiles;
+    if (subject.stages_text.empty()) return json;
+    json["stages"] = Json::parse(subject.stages_text);
+    json["stage_load_cases"] = Json::array();
+    for (const std::string& text : subject.stage_load_cases)
+        json["stage_load_cases"].push_back(Json::parse(text));
+    return json;
+}
+
+/// A SHA-256.
+std::string read_hash(const JsonReader& reader) {
+    constexpr std::size_t kDigits = 64;
+    std::string hash = reader.string();
+    if (hash.size() != kDigits || hash.find_first_not_of("0123456789abcdef") != std::string::npos)
+        reader.fail("is " + reader.text() + ", where a hash of 64 hexadecimal digits is needed");
+    return hash;
+}
+
+ResultSubject read_subject(const JsonReader& reader) {
+    reader.allow_only({"model", "is_reference", "load_case", "tessellation", "painting", "setting",
+                       "full_tiles", "stages", "stage_load_cases"});
+    const auto full_tiles = reader.find("full_tiles");
+    const auto stages = reader.find("stages");
+    std::vector<std::string> cases;
+    if (stages) {
+        for (const JsonReader& load_case : reader.at("stage_load_cases").elements())
+            cases.push_back(load_case.text());
+    }
+    return {.model = reader.at("model").string(),
+            .is_reference = reader.at("is_reference").boolean(),
+            .load_case = reader.at("load_case").at("name").string(),
+            .load_case_text = reader.at("load_case").text(),
+            .tessellation_hash = read_hash(reader.at("tessellation")),
+            .painting_hash = read_hash(reader.at("painting")),
+            .setting_hash = read_hash(reader.at("setting")),
+            .full_tiles = full_tiles ? read_tiles(*full_tiles) : std::vector<int>{},
+            .stages_text = stages ? stages->text() : "",
+            .stage_load_cases = std::move(cases)};
+}
+
+Result::Node read_node(const JsonReader& reader) {
+    reader.allow_only({"id", "rest_position", "interface"});
+    const std::vector<double> position = reader.at("rest_position").numbers(3);
+    return {static_cast<int>(reader.at("id").integer(0, std::numeric_limits<int>::max())),
+            {position[0], position[1], position[2]},
+            reader.at("interface").boolean()};
+}
+
+std::string read_solver(const JsonReader& reader) {
+    std::string name = reader.string();
+    const auto names = solver_names();
+    const std::vector<std::string> known(names.begin(), names.end());
+    if (std::ranges::find(known, name) == known.end())
+        reader.fail(base::unknown_name_message("solver", name, known));
+    return name;
+}
+
+void check_keys(const JsonReader& document) {
+    document.allow_only({"format",          "program",        "subject",
+                         "solver",          "load_factor",    "converged",
+                         "stable",          "stability",      "termination",
+                         "energy",          "residual",       "iterations",
+                         "displacements",   "reactions",      "seconds",
+                         "nodes",           "load_steps",     "stability_losses",
+                         "vibration_modes", "buckling_modes", "discretization_error",
+                         "buckled_tiles",   "linear_range",   "model_error_estimate"});
+}
+
+void refuse_keys(const JsonReader& json, const std::string& format, std::initializer_list<const char*> keys) {
+    for (const char* key : keys) {
+        if (const auto member = json.find(key)) member->fail("is no key of " + format);
+    }
+}
+
+/// Keys that came with a later format than the file's.
+void refuse_later_keys(const JsonReader& document) {
+    const std::string format = document.at("format").string();
+    if (format == "fretwork/result/4") return;
+    if (format == "fretwork/result/1") refuse_keys(document, format, {"program", "subject"});
+    refuse_keys(document, format, {"linear_range"});
+    if (const auto subject = document.find("subject"))
+        refuse_keys(*subject, format, {"stages", "stage_load_cases"});
+    if (format == "fretwork/result/3") return;
+    refuse_keys(document, format, {"model_error_estimate", "buckled_tiles"});
+    if (const auto subject = document.find("subject")) refuse_keys(*subject, format, {"full_tiles"});
+}
+
+std::vector<Result::Node> read_nodes(const JsonReader& reader) {
+    std::vector<Result::Node> nodes;
+    std::unordered_set<int> ids;
+    for (const JsonReader& node : reader.elements()) {
+        nodes.push_back(read_node(node));
+        if (!ids.insert(nodes.back().id).second)
+            node.at("id").fail("is " + std::to_string(nodes.back().id) + ", the id of a node before it");
+    }
+    return nodes;
+}
+
+/// A surface is solved from rest to its whole load, and no further.
+void check_load_factor(const JsonReader& document, const Result& result) {
+    const double factor = result.solution.load_factor;
+    if (!result.subject || (factor >= 0.0 && factor <= 1.0)) return;
+    document.at("load_factor")
+        .fail("is " + base::format_number(factor) + ", where a share of the load from 0 to 1 is needed");
+}
+
+/// What files of the first format did not have yet, and later ones always do.
+void read_origin(const JsonReader& document, Result& result) {
+    refuse_later_keys(document);
+    if (document.at("format").string() == "fretwork/result/1") return;
+    result.program = document.at("program").string();
+    if (const auto subject = document.find("subject")) result.subject = read_subject(*subject);
+}
+
+void read_errors(const JsonReader& document, Result& result) {
+    if (const auto error = document.find("discretization_error"))
+        result.discretization_error = read_error(*error);
+    if (const auto error = document.find("model_error_estimate"))
+        result.model_error = read_model_error(*error);
+    if (const auto range = document.find("linear_range")) result.linear_range = read_range(*range);
+    if (const auto tiles = document.find("buckled_tiles")) result.buckled_tiles = read_tiles(*tiles);
+}
+
+/// The result is the end of its load steps.
+void check_end(const JsonReader& document, const Result& result) {
+    if (result.load_steps.empty()) return;
+    const Solution& last = result.load_steps.back();
+    const Solution& end = result.solution;
+    const auto require = [&](const char* key, bool agrees) {
+        if (!agrees) document.at(key).fail("differs from that of the last of the load_steps");
+    };
+    require("load_factor", end.load_factor == last.load_factor);
+    require("termination", end.termination == last.termination);
+    require("displacements", end.displacements == last.displacements);
+    require("reactions", end.reactions == last.reactions);
+}
+
+std::vector<Solution> read_steps(const JsonReader& reader, const std::vector<Result::Node>& nodes) {
+    std::vector<Solution> steps;
+    for (const JsonReader& step : reader.elements()) {
+        step.allow_only({"load_factor", "converged", "stable", "stability", "termination", "energy",
+                         "residual", "iterations", "displacements", "reactions", "stability_losses"});
+        steps.push_back(read_solution(step, nodes));
+    }
+    return steps;
+}
+
+}  // namespace
+
+std::string result_text(const Result& result) {
+    Json json = {{"format", "fretwork/result/4"}, {"program", base::version()}, {"solver", result.solver}};
+    if (result.subject) json["subject"] = subject_json(*result.subject);
+    append_solution(json, result.solution, result.nodes);
+    if (result.linear_range) json["linear_range"] = range_json(*result.linear_range);
+    json["seconds"] = result.seconds;
+    json["nodes"] = Json::array();
+    for (const Result::Node& node : result.nodes) {
+        const Eigen::Vector3d& p = node.rest_position;
+        json["nodes"].push_back(
+            {{"id", node.id}, {"rest_position", {p.x(), p.y(), p.z()}}, {"interface", node.is_interface}});
+    }
+    for (const Solution& step : result.load_steps) {
+        Json step_json = Json::object();
+        append_solution(step_json, step, result.nodes);
+        json["load_steps"].push_back(std::move(step_json));
+    }
+    for (const Mode& mode : result.vibration_modes)
+        json["vibration_modes"].push_back({{"frequency", mode.value}, {"shape", rows_json(mode.shape)}});
+    if (result.discretization_error) json["discretization_error"] = error_json(*result.discretization_error);
+    if (result.model_error) json["model_error_estimate"] = error_json(*result.model_error);
+    if (result.buckled_tiles) json["buckled_tiles"] = *result.buckled_tiles;
+    for (const Mode& mode : result.buckling_modes)
+        json["buckling_modes"].push_back({{"load_factor", mode.value}, {"shape", rows_json(mode.shape)}});
+    return base::json_text(json);
+}
+
+void write_result(const Result& result, const std::filesystem::path& path) {
+    base::write_file_atomically(path, result_text(result));
+}
+
+Result read_result(const std::filesystem::path& path) {
+    return parse_result(base::read_text_file(path), path.string());
+}
+
+Result parse_result(std::string_view text, const std::string& source) {
+    const JsonReader document = JsonReader::from_text(text, source);
+    document.expect_format("result", 4);
+    check_keys(document);
+    Result result;
+    result.solver = read_solver(document.at("solver"));
+    read_origin(document, result);
+    result.nodes = read_nodes(document.at("nodes"));
+    result.solution = read_solution(document, result.nodes);
+    check_load_factor(document, result);
+    result.seconds = read_not_negative(document.at("seconds"));
+    if (const auto steps = document.find("load_steps")) result.load_steps = read_steps(*steps, result.nodes);
+    check_end(document, result);
+    read_errors(document, result);
+    if (const auto modes = document.find("vibration_modes"))
+        result.vibration_modes = read_modes(*modes, "frequency", result.nodes.size());
+    if (const auto modes = document.find("buckling_modes"))
+        result.buckling_modes = read_modes(*modes, "load_factor", result.nodes.size());
+    return result;
+}
+
+}  // namespace fretwork::mechanics

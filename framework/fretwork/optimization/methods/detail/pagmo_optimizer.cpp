@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The only file that makes a problem of pagmo, which takes most of the time to compile.
+#include <fretwork/optimization/methods/detail/pagmo_optimizer.hpp>
+#include <fretwork/optimization/methods/detail/unit_box.hpp>
+#include <fretwork/optimization/random.hpp>
+
+#include <cmath>
+#include <exception>
+#include <optional>
+#include <pagmo/population.hpp>
+#include <pagmo/problem.hpp>
+#include <utility>
+
+namespace fretwork::optimization::detail {
+namespace {
+
+/// pagmo has no other way to be stopped from inside an evaluation. Never leaves this file.
+class Refused final : public std::exception {};
+
+/// The evaluator in the shape that pagmo asks for. pagmo copies it; all copies share the evaluator.
+class UnitProblem {
+  public:
+    UnitProblem() = default;  // pagmo wants one
+    explicit UnitProblem(Evaluator& evaluator) : evaluator_(&evaluator), box_(evaluator.problem()) {}
+
+    [[nodiscard]] pagmo::vector_double fitness(const pagmo::vector_double& shares) const {
+        const auto size = static_cast<Eigen::Index>(shares.size());
+        const auto value =
+            evaluator_->value(box_->point(Eigen::Map<const Eigen::VectorXd>(shares.data(), size)));
+        if (!value) throw Refused{};
+        // pagmo subtracts values: an infinite one would give NaN.
+        return {std::isfinite(*value) ? *value : kHuge};
+    }
+    [[nodiscard]] std::pair<pagmo::vector_double, pagmo::vector_double> get_bounds() const {
+        const auto size = box_ ? static_cast<std::size_t>(box_->dimension()) : 1;
+        return {pagmo::vector_double(size, 0.0), pagmo::vector_double(size, 1.0)};
+    }
+
+  private:
+    static constexpr double kHuge = 1e100;
+    Evaluator* evaluator_ = nullptr;
+    std::optional<UnitBox> box_;
+};
+
+class PagmoRuns final : public Optimizer {
+  public:
+    PagmoRuns(MakeEvolution make, const PagmoOptions& options) : make_(make), options_(options) {}
+
+    RunOutcome run(Evaluator& evaluator) const override {
+        RunOutcome outcome{Ending::BudgetSpent, {}};
+        try {
+            for (int i = 0; i < options_.common.starts; ++i) {
+                const unsigned seed = derived_seed(options_.common.seed, static_cast<std::uint64_t>(i));
+                const Evolution evolution = make_(options_, {evaluator.bounds().dimension(), i, seed});
+                const pagmo::population first{pagmo::problem(UnitProblem(evaluator)), evolution.population,
+                                              seed};
+                const auto champion = evolution.algorithm.evolve(first).champion_x();
+                outcome = {Ending::Converged,
+                           UnitBox(evaluator.problem())
+                               .point(Eigen::Map<const Eigen::VectorXd>(
+                                   champion.data(), static_cast<Eigen::Index>(champion.size())))};
+            }
+        } catch (const Refused&) {
+            outcome = {Ending::BudgetSpent, evaluator.best_point()};
+        }
+        return outcome;
+    }
+
+  private:
+    MakeEvolution make_;
+    PagmoOptions options_;
+};
+
+}  // namespace
+
+std::unique_ptr<Optimizer> make_pagmo_runs(MakeEvolution make, const PagmoOptions& options) {
+    options.validate();
+    return std::make_unique<PagmoRuns>(make, options);
+}
+
+}  // namespace fretwork::optimization::detail

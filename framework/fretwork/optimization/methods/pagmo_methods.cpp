@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/base/text.hpp>
+#include <fretwork/optimization/methods/detail/pagmo_optimizer.hpp>
+#include <fretwork/optimization/methods/pagmo_methods.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <pagmo/algorithms/cmaes.hpp>
+#include <pagmo/algorithms/de.hpp>
+#include <pagmo/algorithms/simulated_annealing.hpp>
+
+namespace fretwork::optimization {
+namespace {
+
+using detail::Evolution;
+using detail::EvolutionTask;
+
+/// pagmo refuses populations below this.
+constexpr std::size_t kSmallestPopulation = 5;
+
+Evolution cma_es(const PagmoOptions& options, const EvolutionTask& task) {
+    constexpr double kAutomatic = -1.0;
+    constexpr double kInitialStep = 0.3;
+    constexpr int kLargestDoubling = 12;
+    const auto smallest = static_cast<std::size_t>(4.0 + 3.0 * std::log(task.dimension));
+    return {pagmo::algorithm(pagmo::cmaes(static_cast<unsigned>(options.largest_generations), kAutomatic,
+                                          kAutomatic, kAutomatic, kAutomatic, kInitialStep, options.tolerance,
+                                          options.tolerance, false, true, task.seed)),
+            std::max(smallest, kSmallestPopulation) << std::min(task.run, kLargestDoubling)};
+}
+
+Evolution corana_annealing(const PagmoOptions& /*options*/, const EvolutionTask& task) {
+    constexpr double kFirstTemperature = 10.0;
+    constexpr double kLastTemperature = 0.1;
+    constexpr unsigned kTemperatures = 10;
+    constexpr unsigned kRangeAdjustments = 10;
+    constexpr unsigned kMovesForAdjustment = 20;
+    constexpr double kFirstRange = 1.0;
+    return {pagmo::algorithm(pagmo::simulated_annealing(kFirstTemperature, kLastTemperature, kTemperatures,
+                                                        kRangeAdjustments, kMovesForAdjustment, kFirstRange,
+                                                        task.seed)),
+            1};
+}
+
+Evolution differential_evolution(const PagmoOptions& options, const EvolutionTask& task) {
+    constexpr double kWeight = 0.8;
+    constexpr double kCrossover = 0.9;
+    constexpr unsigned kRandOneExp = 2;
+    return {
+        pagmo::algorithm(pagmo::de(static_cast<unsigned>(options.largest_generations), kWeight, kCrossover,
+                                   kRandOneExp, options.tolerance, options.tolerance, task.seed)),
+        std::max(10 * static_cast<std::size_t>(task.dimension), kSmallestPopulation)};
+}
+
+}  // namespace
+
+void PagmoOptions::validate() const {
+    common.validate();
+    if (!(tolerance >= 0.0)) {
+        throw base::InputError("tolerance: " + base::format_number(tolerance) + " must be at least 0");
+    }
+    if (largest_generations < 1) {
+        throw base::InputError("generations: " + std::to_string(largest_generations) + " must be at least 1");
+    }
+}
+
+std::unique_ptr<Optimizer> make_cma_es(const PagmoOptions& options) {
+    return detail::make_pagmo_runs(cma_es, options);
+}
+
+std::unique_ptr<Optimizer> make_corana_annealing(const PagmoOptions& options) {
+    return detail::make_pagmo_runs(corana_annealing, options);
+}
+
+std::unique_ptr<Optimizer> make_differential_evolution(const PagmoOptions& options) {
+    return detail::make_pagmo_runs(differential_evolution, options);
+}
+
+}  // namespace fretwork::optimization

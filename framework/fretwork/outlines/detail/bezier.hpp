@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/geometry/polygon.hpp>
+
+#include <array>
+#include <vector>
+
+namespace fretwork::outlines::detail {
+
+/// x' = a x + c y + e, y' = b x + d y + f.
+struct Affine {
+    double a = 1.0, b = 0.0, c = 0.0, d = 1.0, e = 0.0, f = 0.0;
+    [[nodiscard]] geometry::Point2 operator()(geometry::Point2 p) const {
+        return {a * p.x + c * p.y + e, b * p.x + d * p.y + f};
+    }
+    /// First `inner`, then this.
+    [[nodiscard]] Affine after(const Affine& inner) const {
+        return {a * inner.a + c * inner.b, b * inner.a + d * inner.b,     a * inner.c + c * inner.d,
+                b * inner.c + d * inner.d, a * inner.e + c * inner.f + e, b * inner.e + d * inner.f + f};
+    }
+};
+
+/// A cubic Bezier curve by its control points; a straight piece has them on a line.
+using Bezier = std::array<geometry::Point2, 4>;
+
+/// A row of curves, each beginning where the one before ends.
+struct Subpath {
+    std::vector<Bezier> pieces;
+    bool is_closed = false;  ///< said to be; its ends may still meet otherwise
+};
+
+Bezier straight(geometry::Point2 from, geometry::Point2 to);
+
+/// An elliptic arc around `center`: the image of the unit circle's arc under x = axes[0] cos t + axes[1] sin
+/// t, cut into pieces of at most 30 degrees, which are off by less than a millionth of the radius.
+struct Arc {
+    geometry::Point2 center;
+    std::array<geometry::Point2, 2> axes;
+    double start = 0.0;  ///< rad
+    double sweep = 0.0;  ///< rad, either sign
+};
+std::vector<Bezier> beziers_of(const Arc& arc);
+
+/// How near a polygon stays to its curve.
+struct Flattening {
+    Affine to_metres{};
+    double tolerance;  ///< metres
+};
+/// The polygon of a subpath.
+geometry::Polygon flatten(const Subpath& subpath, const Flattening& how);
+
+}  // namespace fretwork::outlines::detail

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/outlines/regions/filled_region.hpp>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace fretwork::outlines::detail {
+
+/// What an SVG fills, in the order in which it is painted, and the colour of each of the shapes: "#rrggbb",
+/// or "" for a gradient.
+struct ColouredPicture {
+    Picture picture;
+    std::vector<std::string> colours;
+};
+
+/// Throws as read_outline_file.
+ColouredPicture read_svg_colours(const std::filesystem::path& path);
+
+}  // namespace fretwork::outlines::detail

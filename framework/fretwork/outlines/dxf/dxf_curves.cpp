@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/text.hpp>
+#include <fretwork/geometry/plane.hpp>
+#include <fretwork/outlines/dxf/dxf_curves.hpp>
+
+#include <numbers>
+
+namespace fretwork::outlines::detail {
+namespace {
+
+using geometry::Point2;
+using geometry::Polygon;
+
+constexpr double kTurn = 2 * std::numbers::pi;
+constexpr double kDegree = std::numbers::pi / 180;
+
+Point2 point(const DxfFile& file, const DxfEntity& entity, int code) {
+    return {file.value(entity, code), file.value(entity, code + 10)};
+}
+
+/// From `start` counterclockwise to `end`, more than nothing and at most a whole turn.
+double sweep_of(double start, double end) {
+    const double sweep = std::fmod(end - start, kTurn);
+    return sweep <= 0 ? sweep + kTurn : sweep;
+}
+
+DxfDrawn closed(Polygon points) {
+    points.pop_back();  // the first again
+    return {DxfCurve{std::move(points), DxfCurve::Ends::Closed}, ""};
+}
+
+DxfDrawn draw_arc(const DxfFile& file, const DxfEntity& entity, const Flattening& how) {
+    const double radius = file.value(entity, 40);
+    if (radius < 0)
+        file.fail(entity.line, std::string(entity.name) + " has the radius " + base::format_number(radius));
+    if (radius == 0) return {std::nullopt, std::string(entity.name) + " of radius 0"};
+    const Point2 center = point(file, entity, 10);
+    const bool is_circle = entity.name == "CIRCLE";
+    const double start = is_circle ? 0 : kDegree * file.value(entity, 50);
+    const double sweep = is_circle ? kTurn : sweep_of(start, kDegree * file.value(entity, 51));
+    Polygon points =
+        flatten({beziers_of(Arc{center, {Point2{radius, 0}, Point2{0, radius}}, start, sweep}), false}, how);
+    if (is_circle) return closed(std::move(points));
+    return {DxfCurve{std::move(points), DxfCurve::Ends::Open}, ""};
+}
+
+/// The second axis is the first one turned left and shortened; seen from below, turned right.
+DxfDrawn draw_ellipse(const DxfFile& file, const DxfEntity& entity, const Flattening& how) {
+    const Point2 major = point(file, entity, 11);
+    const double ratio = file.value(entity, 40) * (file.value_or(entity, 230, 1) < 0 ? -1 : 1);
+    if (!(length(major) > 0) || ratio == 0) file.fail(entity.line, "ELLIPSE has an axis without length");
+    const Point2 minor = ratio * Point2{-major.y, major.x};
+    const double start = file.value_or(entity, 41, 0);
+    const double end = file.value_or(entity, 42, kTurn);
+    constexpr double kRounding = 1e-6;  // rad; files round 2 pi
+    const double sweep = std::abs(std::abs(end - start) - kTurn) < kRounding ? kTurn : sweep_of(start, end);
+    Polygon points =
+        flatten({beziers_of(Arc{point(file, entity, 10), {major, minor}, start, sweep}), false}, how);
+    if (sweep == kTurn) return closed(std::move(points));
+    return {DxfCurve{std::move(points), DxfCurve::Ends::Open}, ""};
+}
+
+/// A vertex of a polyline; the side behind it is an arc whose quarter angle has the tangent `bulge`.
+struct Vertex {
+    Point2 place;
+    double bulge = 0.0;
+};
+
+/// Group 90 says how many vertices there are.
+void check_count(const DxfFile& file, const DxfEntity& entity, std::size_t vertices) {
+    const DxfGroup* group = file.find(entity, 90);
+    if (!group || file.whole_number(*group) == static_cast<long>(vertices)) return;
+    file.fail(group->line + 1, std::string(entity.name) + " promises " + std::string(group->value) +
+                                   " vertices, and has " + std::to_string(vertices));
+}
+
+std::vector<Vertex> light_vertices(const DxfFile& file, const DxfEntity& entity) {
+    std::vector<Vertex> vertices;
+    for (const DxfGroup& group : entity.groups) {
+        if (group.code == 10) vertices.push_back({{file.number(group), 0}, 0});
+        if (vertices.empty()) continue;
+        if (group.code == 20) vertices.back().place.y = file.number(group);
+        if (group.code == 42) vertices.back().bulge = file.number(group);
+    }
+    check_count(file, entity, vertices.size());
+    return vertices;
+}
+
+/// Flag 16 marks the control points of a curve that the other vertices are points of.
+std::vector<Vertex> heavy_vertices(const DxfFile& file, std::span<const DxfEntity> from) {
+    std::vector<Vertex> vertices;
+    for (std::size_t i = 1; i < from.size() && from[i].name == "VERTEX"; ++i)
+        if ((file.whole_or(from[i], 70, 0) & 16L) == 0)
+            vertices.push_back({point(file, from[i], 10), file.value_or(from[i], 42, 0)});
+    return vertices;
+}
+
+void add_side(const Vertex& from, Point2 to, std::vector<Bezier>& pieces) {
+    if (from.place == to) return;
+    if (from.bulge == 0) return pieces.push_back(straight(from.place, to));
+    const double sweep = 4 * std::atan(from.bulge);
+    const Point2 chord = to - from.place;
+    const Point2 left{-chord.y, chord.x};
+    const Point2 center = between(from.place, to, 0.5) + (0.5 / std::tan(sweep / 2)) * left;
+    const Point2 radius = from.place - center;
+    std::vector<Bezier> arc = beziers_of(Arc{center, {radius, Point2{-radius.y, radius.x}}, 0, sweep});
+    arc.front()[0] = from.place;
+    arc.back()[3] = to;
+    pieces.insert(pieces.end(), arc.begin(), arc.end());
+}
+
+DxfDrawn draw_polyline(const DxfFile& file, const DxfEntity& entity, const std::vector<Vertex>& vertices,
+                       const Flattening& how) {
+    if (vertices.size() < 2) return {std::nullopt, std::string(entity.name) + " of less than two points"};
+    const bool is_closed = (file.whole_or(entity, 70, 0) & 1L) != 0;
+    std::vector<Bezier> pieces;
+    for (std::size_t i = 0; i + 1 < vertices.size(); ++i)
+        add_side(vertices[i], vertices[i + 1].place, pieces);
+    if (is_closed) add_side(vertices.back(), vertices.front().place, pieces);
+    if (pieces.empty()) return {std::nullopt, std::string(entity.name) + " of less than two points"};
+    Polygon points = flatten({std::move(pieces), false}, how);
+    if (is_closed) return closed(std::move(points));
+    return {DxfCurve{std::move(points), DxfCurve::Ends::Open}, ""};
+}
+
+DxfDrawn draw_heavy_polyline(const DxfFile& file, std::span<const DxfEntity> from, const Flattening& how) {
+    constexpr long kMesh = 16 | 64;
+    if ((file.whole_or(from.front(), 70, 0) & kMesh) != 0) return {std::nullopt, "POLYLINE that is a mesh"};
+    return draw_polyline(file, from.front(), heavy_vertices(file, from), how);
+}
+
+/// Entities whose coordinates are those of the drawing, whatever their extrusion.
+bool is_in_world_coordinates(std::string_view name) {
+    return name == "LINE" || name == "ELLIPSE" || name == "SPLINE";
+}
+
+}  // namespace
+
+std::optional<Affine> dxf_orientation(const DxfFile& file, const DxfEntity& entity) {
+    constexpr double kFlat = 1e-6;
+    if (std::abs(file.value_or(entity, 210, 0)) > kFlat || std::abs(file.value_or(entity, 220, 0)) > kFlat)
+        return std::nullopt;
+    return file.value_or(entity, 230, 1) < 0 ? Affine{-1, 0, 0, 1, 0, 0} : Affine{};
+}
+
+DxfDrawn draw_dxf_entity(const DxfFile& file, std::span<const DxfEntity> from, const Flattening& given) {
+    const DxfEntity& entity = from.front();
+    const std::string_view name = entity.name;
+    if (name == "VERTEX" || name == "SEQEND" || name == "POINT") return {};
+    Flattening how = given;
+    if (name == "LINE") {
+        Polygon points = flatten({{straight(point(file, entity, 10), point(file, entity, 11))}, false}, how);
+        return {DxfCurve{std::move(points), DxfCurve::Ends::Open}, ""};
+    }
+    const auto orientation = dxf_orientation(file, entity);
+    if (!orientation) return {std::nullopt, std::string(name) + " that does not lie flat"};
+    if (!is_in_world_coordinates(name)) how.to_metres = given.to_metres.after(*orientation);
+    if (name == "CIRCLE" || name == "ARC") return draw_arc(file, entity, how);
+    if (name == "ELLIPSE") return draw_ellipse(file, entity, how);
+    if (name == "LWPOLYLINE") return draw_polyline(file, entity, light_vertices(file, entity), how);
+    if (name == "POLYLINE") return draw_heavy_polyline(file, from, how);
+    if (name == "SPLINE") {
+        if (!file.find(entity, 10)) return {std::nullopt, "SPLINE without control points"};
+        return {DxfCurve{draw_dxf_spline(file, entity, how), DxfCurve::Ends::Open}, ""};
+    }
+    return {std::nullopt, std::string(name)};
+}
+
+}  // namespace fretwork::outlines::detail

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/base/files/file.hpp>
+#include <fretwork/base/quantity.hpp>
+#include <fretwork/base/text.hpp>
+#include <fretwork/outlines/detail/outline_readers.hpp>
+#include <fretwork/outlines/detail/remarks.hpp>
+#include <fretwork/outlines/detail/small_letters.hpp>
+#include <fretwork/outlines/outline.hpp>
+#include <fretwork/outlines/outline_check.hpp>
+
+#include <algorithm>
+#include <array>
+
+namespace fretwork::outlines {
+namespace {
+
+using geometry::Point2;
+using geometry::Polygon;
+
+enum class Orientation { Counterclockwise, Clockwise };
+
+/// The first point stays the first. A simple polygon's area is not zero but for rounding.
+void orient(Polygon& polygon, Orientation wanted) {
+    const bool is_counterclockwise = geometry::signed_area(polygon) > 0;
+    if (is_counterclockwise != (wanted == Orientation::Counterclockwise))
+        std::reverse(polygon.begin() + 1, polygon.end());
+}
+
+}  // namespace
+
+double area_of(const Outline& outline) {
+    double area = geometry::signed_area(outline.boundary);
+    for (const Polygon& hole : outline.holes) area += geometry::signed_area(hole);
+    return area;
+}
+
+Outline make_outline(Polygon boundary, std::vector<Polygon> holes) {
+    std::vector<Polygon> loops{std::move(boundary)};
+    for (Polygon& hole : holes) loops.push_back(std::move(hole));
+    if (const auto flaw = outline_flaw(loops, {})) throw base::GeometryError(*flaw);
+    Outline outline;
+    for (std::size_t loop = 0; loop < loops.size(); ++loop) {
+        orient(loops[loop], loop == 0 ? Orientation::Counterclockwise : Orientation::Clockwise);
+        if (loop == 0)
+            outline.boundary = std::move(loops[loop]);
+        else
+            outline.holes.push_back(std::move(loops[loop]));
+    }
+    return outline;
+}
+
+namespace {
+
+struct Reader {
+    std::string_view ending;
+    OutlineFile (*read)(const std::filesystem::path&);
+};
+
+template <auto read_loops>
+OutlineFile outline_of_loops(const std::filesystem::path& path) {
+    return {{detail::outline_of(read_loops(path))}, {}};
+}
+
+OutlineFile read_json(const std::filesystem::path& path) {
+    return {{parse_outline(base::read_text_file(path), path.string())}, {}};
+}
+
+constexpr std::array<Reader, 6> kReaders = {{{".json", read_json},
+                                             {".svg", detail::read_svg_outlines},
+                                             {".dxf", detail::read_dxf_outlines},
+                                             {".obj", outline_of_loops<detail::read_obj_loops>},
+                                             {".ply", outline_of_loops<detail::read_ply_loops>},
+                                             {".off", outline_of_loops<detail::read_off_loops>}}};
+
+std::array<Point2, 2> box_of_all(const std::vector<Outline>& parts) {
+    std::array<Point2, 2> box = {parts.front().boundary.front(), parts.front().boundary.front()};
+    for (const Outline& part : parts) {
+        for (const Point2& point : part.boundary) {
+            box[0] = {std::min(box[0].x, point.x), std::min(box[0].y, point.y)};
+            box[1] = {std::max(box[1].x, point.x), std::max(box[1].y, point.y)};
+        }
+    }
+    return box;
+}
+
+}  // namespace
+
+OutlineFile scaled_to_width(OutlineFile file, double width) {
+    const auto [lower, upper] = box_of_all(file.parts);
+    const double factor = width / (upper.x - lower.x);
+    const auto scale = [factor](geometry::Polygon& loop) {
+        for (Point2& point : loop) point = {factor * point.x, factor * point.y};
+        geometry::remove_repeated_points(loop, 0.0);
+    };
+    for (Outline& part : file.parts) {
+        scale(part.boundary);
+        std::ranges::for_each(part.holes, scale);
+        part = make_outline(std::move(part.boundary), std::move(part.holes));
+    }
+    return file;
+}
+
+OutlineFile read_outline_file(const std::filesystem::path& path) {
+    const std::string ending = detail::in_small_letters(path.extension().string());
+    for (const Reader& reader : kReaders) {
+        if (reader.ending != ending) continue;
+        // Some readers have named the file already.
+        const auto has_name = [&](const base::Error& error) {
+            return std::string_view(error.what()).starts_with(path.string());
+        };
+        try {
+            return reader.read(path);
+        } catch (const base::GeometryError& error) {
+            if (has_name(error)) throw;
+            throw base::GeometryError(path.string(), "", error.what());
+        } catch (const base::InputError& error) {
+            if (has_name(error)) throw;
+            throw base::InputError(path.string(), "", error.what());
+        }
+    }
+    throw base::InputError(
+        path.string(), "",
+        "an outline is a .json, .svg, .dxf, .obj, .ply or .off file, and this ends in '" + ending + "'");
+}
+
+Outline read_outline(const std::filesystem::path& path) {
+    return std::move(read_outline_file(path).parts.front());
+}
+
+OutlineFile take_parts(OutlineFile file, std::string_view which) {
+    const std::size_t count = file.parts.size();
+    if (which == "all") return file;
+    const auto number = which == "largest" ? 1 : base::read_number<std::size_t>(which).value_or(0);
+    if (number < 1 || number > count)
+        throw base::InputError("part '" + base::shortened(base::printable(which), 20) +
+                               "' is none of largest, all, 1 .. " + std::to_string(count));
+    if (count == 1) return file;
+    file.parts = {std::move(file.parts[number - 1])};
+    file.remarks.push_back("part " + std::to_string(number) + " of " + std::to_string(count) + " taken" +
+                           (which == "largest" ? ", the largest" : ""));
+    return file;
+}
+
+std::string size_text(const std::vector<Outline>& parts) {
+    const auto [low, high] = box_of_all(parts);
+    return detail::in_millimetres(high.x - low.x) + " x " + detail::in_millimetres(high.y - low.y) + " mm";
+}
+
+}  // namespace fretwork::outlines

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/text.hpp>
+#include <fretwork/outlines/outline_check.hpp>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_2_algorithms.h>
+#include <CGAL/box_intersection_d.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+namespace fretwork::outlines {
+namespace {
+
+using geometry::Point2;
+using geometry::Polygon;
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using ExactPoint = Kernel::Point_2;
+
+std::string loop_name(std::size_t loop) {
+    return loop == 0 ? "the boundary" : "hole " + std::to_string(loop - 1);
+}
+
+std::string text(const ExactPoint& point) {
+    return "(" + base::format_number(point.x()) + ", " + base::format_number(point.y()) + ")";
+}
+
+/// A side of the outline, for messages and tests.
+struct Side {
+    std::size_t loop;
+    std::size_t index;  // of its first point
+    std::size_t count;  // sides of its loop
+    ExactPoint from;
+    ExactPoint to;
+
+    [[nodiscard]] std::string name() const {
+        return "side " + std::to_string(index) + " of " + loop_name(loop) + ", from " + text(from) + " to " +
+               text(to);
+    }
+    [[nodiscard]] bool is_followed_by(const Side& other) const {
+        return loop == other.loop && (index + 1) % count == other.index;
+    }
+};
+
+std::vector<Side> sides_of(const std::vector<Polygon>& loops) {
+    std::vector<Side> sides;
+    for (std::size_t loop = 0; loop < loops.size(); ++loop) {
+        const Polygon& points = loops[loop];
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const Point2& next = points[(i + 1) % points.size()];
+            sides.push_back({loop, i, points.size(), {points[i].x, points[i].y}, {next.x, next.y}});
+        }
+    }
+    return sides;
+}
+
+std::optional<std::string> flaw_of_points(const std::vector<Polygon>& loops) {
+    for (std::size_t loop = 0; loop < loops.size(); ++loop) {
+        if (loops[loop].size() < 3) {
+            return (loop_name(loop) + " has " + std::to_string(loops[loop].size()) +
+                    " points, where at least 3 are needed");
+        }
+        for (std::size_t i = 0; i < loops[loop].size(); ++i) {
+            const Point2& point = loops[loop][i];
+            if (!std::isfinite(point.x) || !std::isfinite(point.y))
+                return ("point " + std::to_string(i) + " of " + loop_name(loop) + " is not finite");
+            if (point == loops[loop][(i + 1) % loops[loop].size()])
+                return ("side " + std::to_string(i) + " of " + loop_name(loop) + " at " +
+                        text({point.x, point.y}) + " has no length");
+        }
+    }
+    return std::nullopt;
+}
+
+/// True if two sides have a point in common that they should not have.
+bool clash(const Side& a, const Side& b) {
+    const auto folds_back = [](const Side& first, const Side& second) {
+        return CGAL::collinear(first.from, first.to, second.to) &&
+               !CGAL::collinear_are_strictly_ordered_along_line(first.from, first.to, second.to);
+    };
+    if (a.is_followed_by(b)) return folds_back(a, b);
+    if (b.is_followed_by(a)) return folds_back(b, a);
+    return CGAL::do_intersect(Kernel::Segment_2(a.from, a.to), Kernel::Segment_2(b.from, b.to));
+}
+
+/// Call found(a, b) for each pair of sides that clash. Pairs whose boxes meet are tested, exactly.
+template <class Found>
+void for_each_clash(const std::vector<Side>& sides, const base::Control& control, const Found& found) {
+    using Box = CGAL::Box_intersection_d::Box_with_handle_d<double, 2, const Side*>;
+    std::vector<Box> boxes;
+    boxes.reserve(sides.size());
+    for (const Side& side : sides) boxes.emplace_back(side.from.bbox() + side.to.bbox(), &side);
+    CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
+        control.check();
+        const std::pair<const Side*, const Side*> pair = std::minmax(a.handle(), b.handle());
+        if (clash(*pair.first, *pair.second)) found(pair);
+    });
+}
+
+/// The first pair of sides that clash, in the order of loops and sides.
+std::optional<std::string> flaw_of_crossing(const std::vector<Polygon>& loops, const base::Control& control) {
+    const std::vector<Side> sides = sides_of(loops);
+    std::optional<std::pair<const Side*, const Side*>> first;
+    for_each_clash(sides, control, [&](const auto& pair) {
+        if (!first || pair < *first) first = pair;
+    });
+    if (!first) return std::nullopt;
+    return first->first->name() + " touches or crosses " + first->second->name();
+}
+
+bool is_inside(const Point2& point, const Polygon& polygon) {
+    std::vector<ExactPoint> points;
+    for (const Point2& p : polygon) points.emplace_back(p.x, p.y);
+    return CGAL::bounded_side_2(points.begin(), points.end(), ExactPoint(point.x, point.y), Kernel()) ==
+           CGAL::ON_BOUNDED_SIDE;
+}
+
+/// No two sides meet, so one point of a hole speaks for all of it.
+std::optional<std::string> flaw_of_nesting(const std::vector<Polygon>& loops, const base::Control& control) {
+    for (std::size_t hole = 1; hole < loops.size(); ++hole) {
+        control.check();
+        const Point2& point = loops[hole].front();
+        if (!is_inside(point, loops.front()))
+            return (loop_name(hole) + " lies outside the boundary, at " + text({point.x, point.y}));
+        for (std::size_t other = 1; other < loops.size(); ++other) {
+            if (other != hole && is_inside(point, loops[other]))
+                return (loop_name(hole) + " lies inside " + loop_name(other) + ", at " +
+                        text({point.x, point.y}));
+        }
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<std::string> outline_flaw(const std::vector<Polygon>& loops, const base::Control& control) {
+    if (auto flaw = flaw_of_points(loops)) return flaw;
+    if (auto flaw = flaw_of_crossing(loops, control)) return flaw;
+    return flaw_of_nesting(loops, control);
+}
+
+std::vector<Point2> places_of_crossings(const std::vector<Polygon>& loops, const base::Control& control) {
+    const std::vector<Side> sides = sides_of(loops);
+    std::set<const Side*> clashing;
+    for_each_clash(sides, control, [&](const auto& pair) { clashing.insert({pair.first, pair.second}); });
+    std::vector<Point2> places;
+    for (const Side* side : clashing)
+        places.push_back({0.5 * (side->from.x() + side->to.x()), 0.5 * (side->from.y() + side->to.y())});
+    if (!places.empty()) return places;
+    for (std::size_t hole = 1; hole < loops.size(); ++hole) {
+        control.check();
+        const Point2& point = loops[hole].front();
+        bool is_well = is_inside(point, loops.front());
+        for (std::size_t other = 1; other < loops.size(); ++other)
+            is_well = is_well && (other == hole || !is_inside(point, loops[other]));
+        if (!is_well) places.push_back(point);
+    }
+    return places;
+}
+
+}  // namespace fretwork::outlines

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/geometry/plane.hpp>
+#include <fretwork/outlines/detail/outline_readers.hpp>
+#include <fretwork/outlines/regions/drawn_lines.hpp>
+#include <fretwork/outlines/regions/line_joining.hpp>
+#include <fretwork/outlines/regions/map_parts.hpp>
+
+#include <algorithm>
+
+namespace fretwork::outlines::detail {
+namespace {
+
+using geometry::Polygon;
+
+/// Loose ends nearer than this to each other are joined, metres; in drawings smaller than a thousand times
+/// that, within a thousandth of their size.
+constexpr double kWidestGap = 2e-4;
+constexpr double kGapPerTolerance = kDetail / 1000;
+/// Ends nearer than this share of the flattening tolerance are one point: drawings are rounded.
+constexpr double kSameShare = 0.5;
+
+double width_of(const Polygon& line) {
+    const auto [low, high] = box_of({line});
+    return distance(low, high);
+}
+
+}  // namespace
+
+double widest_gap(double tolerance) {
+    return std::min(kWidestGap, kGapPerTolerance * tolerance);
+}
+
+Enclosed enclosed_by(DrawnLines lines, double tolerance, Remarks& remarks) {
+    const double same = kSameShare * tolerance;
+    JoinedLines joined = join_lines(lines.open, {same, widest_gap(tolerance)});
+    Contours contours = contours_of(joined.lines);
+    Enclosed enclosed;
+    for (const std::size_t line : contours.open)
+        if (joined.lines[line].size() > 1) enclosed.open.push_back(joined.given[line]);
+    std::ranges::move(contours.closed, std::back_inserter(lines.closed));
+    DistinctCurves distinct = distinct_curves(std::move(lines.closed), same);
+    enclosed.curves = std::move(distinct.curves);
+    if (joined.gaps > 0)
+        remarks.say(counted(joined.gaps, "gap") + " of at most " + roughly_in_millimetres(joined.widest_gap) +
+                    " mm closed");
+    if (const int doubled = joined.doubled + distinct.doubled; doubled > 0)
+        remarks.say(counted(doubled, "doubled line") + " taken once");
+    return enclosed;
+}
+
+std::size_t longest_of(const std::vector<Polygon>& lines, const std::vector<std::size_t>& which) {
+    return *std::ranges::max_element(which, {}, [&](std::size_t line) { return width_of(lines[line]); });
+}
+
+void leave_out_open(const std::vector<Polygon>& lines, const std::vector<std::size_t>& which,
+                    const std::string& place, Remarks& remarks) {
+    remarks.leave_out("open line" + std::string(which.size() == 1 ? "" : "s") + " (the longest, " +
+                          in_millimetres(width_of(lines[longest_of(lines, which)])) + " mm, at " + place +
+                          ")",
+                      static_cast<int>(which.size()));
+}
+
+}  // namespace fretwork::outlines::detail

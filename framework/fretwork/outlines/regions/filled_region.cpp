@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/outlines/regions/filled_region.hpp>
+#include <fretwork/outlines/regions/map_parts.hpp>
+#include <fretwork/outlines/regions/planar_map.hpp>
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <utility>
+
+namespace fretwork::outlines::detail {
+namespace {
+
+using geometry::Polygon;
+
+/// Curves that lie in one another: more is no drawing, and each pair of them is compared.
+constexpr std::size_t kMostNested = 256;
+
+bool is_inside(FillRule rule, int winding) {
+    return rule == FillRule::Nonzero ? winding != 0 : winding % 2 != 0;
+}
+
+/// Which shapes of a picture are open above the face that is looked at.
+class OpenShapes {
+  public:
+    explicit OpenShapes(const Picture& picture) : picture_(picture), clipped_(picture.clips.size()) {
+        for (const FilledShape& shape : picture.shapes) add(shape, std::nullopt);
+        for (std::size_t clip = 0; clip < picture.clips.size(); ++clip) {
+            for (const FilledShape& shape : picture.clips[clip].shapes) add(shape, clip);
+        }
+    }
+
+    [[nodiscard]] const std::vector<MapLine>& lines() const { return lines_; }
+
+    void cross(int line, int change) {
+        const std::size_t shape = shape_of_line_[static_cast<std::size_t>(line)];
+        Member& member = members_[shape];
+        const bool was_inside = is_inside(member.shape->rule, member.winding);
+        member.winding += change;
+        const bool is_now = is_inside(member.shape->rule, member.winding);
+        if (was_inside == is_now) return;
+        std::set<std::size_t>& open = member.clip ? clipped_[*member.clip] : filled_;
+        is_now ? static_cast<void>(open.insert(shape)) : static_cast<void>(open.erase(shape));
+    }
+    [[nodiscard]] bool is_filled() const {
+        return std::ranges::any_of(filled_, [&](std::size_t shape) { return is_visible(shape); });
+    }
+    [[nodiscard]] bool is_filled_by(std::size_t shape) const {
+        return filled_.contains(shape) && is_visible(shape);
+    }
+
+  private:
+    struct Member {
+        const FilledShape* shape;
+        std::optional<std::size_t> clip;  // that it belongs to; none: it is filled itself
+        int winding = 0;
+    };
+    void add(const FilledShape& shape, std::optional<std::size_t> clip) {
+        for (const Polygon& loop : shape.loops) {
+            lines_.push_back({&loop});
+            shape_of_line_.push_back(members_.size());
+        }
+        members_.push_back({&shape, clip});
+    }
+    [[nodiscard]] bool is_visible(std::size_t shape) const {
+        const auto& clip = members_[shape].shape->clip;
+        return !clip || is_open(*clip);
+    }
+    [[nodiscard]] bool is_open(std::size_t clip) const {
+        const auto& outer = picture_.clips[clip].outer;
+        return std::ranges::any_of(clipped_[clip], [&](std::size_t shape) { return is_visible(shape); }) &&
+               (!outer || is_open(*outer));
+    }
+
+    const Picture& picture_;
+    std::vector<Member> members_;
+    std::vector<MapLine> lines_;
+    std::vector<std::size_t> shape_of_line_;
+    std::set<std::size_t> filled_;                // shapes of the picture around the face
+    std::vector<std::set<std::size_t>> clipped_;  // for each clip, its shapes around the face
+};
+
+/// The shape with the largest box: only this one may cover all others.
+std::size_t widest_shape(const Picture& picture) {
+    std::size_t widest = 0;
+    double most = -1;
+    for (std::size_t shape = 0; shape < picture.shapes.size(); ++shape) {
+        const auto box = box_of(picture.shapes[shape].loops);
+        const double area = (box[1].x - box[0].x) * (box[1].y - box[0].y);
+        if (area > most) {
+            most = area;
+            widest = shape;
+        }
+    }
+    return widest;
+}
+
+/// Which curves contain which: A contains B if no face lies in B and not in A.
+class Nesting {
+  public:
+    explicit Nesting(std::size_t curves) : winding_(curves, 0), around_(curves), depth_(curves, -1) {}
+
+    void cross(int curve, int change) {
+        int& winding = winding_[static_cast<std::size_t>(curve)];
+        const bool was_inside = winding != 0;
+        winding += change;
+        if (was_inside == (winding != 0)) return;
+        if (was_inside)
+            open_.erase(curve);
+        else
+            open_.insert(curve);
+        if (open_.size() > kMostNested)
+            throw base::GeometryError("more than " + std::to_string(kMostNested) +
+                                      " closed curves lie in one another");
+    }
+    void look() {
+        for (const int curve : open_) {
+            auto& around = around_[static_cast<std::size_t>(curve)];
+            if (!around) {
+                around = open_;
+            } else {
+                std::erase_if(*around, [&](int other) { return !open_.contains(other); });
+            }
+        }
+        faces_.emplace_back(open_.begin(), open_.end());
+    }
+    /// Filled is a face whose innermost curve lies in an even number of others.
+    [[nodiscard]] bool is_filled(std::size_t face) const {
+        int deepest = -1;
+        for (const int curve : faces_[face]) deepest = std::max(deepest, depth(curve));
+        return deepest >= 0 && deepest % 2 == 0;
+    }
+
+  private:
+    /// Curves that contain each other are one, drawn twice.
+    [[nodiscard]] int depth(int curve) const {
+        int& known = depth_[static_cast<std::size_t>(curve)];
+        if (known >= 0) return known;
+        known = 0;
+        for (const int other : *around_[static_cast<std::size_t>(curve)])
+            if (other != curve && !around_[static_cast<std::size_t>(other)]->contains(curve))
+                known = std::max(known, depth(other) + 1);
+        return known;
+    }
+
+    std::vector<int> winding_;
+    std::set<int> open_;
+    std::vector<std::optional<std::set<int>>> around_;
+    std::vector<std::vector<int>> faces_;
+    mutable std::vector<int> depth_;
+};
+
+/// The points of a curve, the same wherever it begins and whichever way it runs.
+using Places = std::vector<std::array<double, 2>>;
+Places places_of(const Polygon& curve) {
+    const auto begun_at_the_least = [](Places places) {
+        std::ranges::rotate(places, std::ranges::min_element(places));
+        return places;
+    };
+    Places places;
+    for (const geometry::Point2& point : curve) places.push_back({point.x, point.y});
+    Places back(places.rbegin(), places.rend());
+    return std::min(begun_at_the_least(std::move(places)), begun_at_the_least(std::move(back)));
+}
+
+/// Shapes that fill what an earlier one fills, too.
+int count_doubled(const std::vector<FilledShape>& shapes) {
+    std::set<std::pair<std::vector<Places>, FillRule>> seen;
+    int doubled = 0;
+    for (const FilledShape& shape : shapes) {
+        std::vector<Places> loops;
+        for (const Polygon& loop : shape.loops) loops.push_back(places_of(loop));
+        std::ranges::sort(loops);
+        if (!seen.emplace(std::move(loops), shape.rule).second) ++doubled;
+    }
+    return doubled;
+}
+
+}  // namespace
+
+Region filled_region(const Picture& picture, double tolerance) {
+    if (picture.shapes.empty()) return {};
+    OpenShapes open(picture);
+    LineMap lines = make_line_map(open.lines());
+    const std::size_t widest = widest_shape(picture);
+    bool covers = picture.shapes.size() > 1;
+    visit_faces(lines, {.cross = [&](int line, int change) { open.cross(line, change); },
+                        .look =
+                            [&](PlanarMap::Face_handle face) {
+                                face->data().is_filled = open.is_filled();
+                                covers = covers && (!open.is_filled() || open.is_filled_by(widest));
+                            }});
+    Region region = region_of_map(lines, tolerance);
+    if (covers) region.cover = widest;
+    region.doubled = count_doubled(picture.shapes);
+    return region;
+}
+
+Region nested_region(const std::vector<Polygon>& curves, double tolerance) {
+    std::vector<MapLine> closed;
+    for (const Polygon& curve : curves) closed.push_back({&curve});
+    LineMap lines = make_line_map(closed);
+    Nesting nesting(curves.size());
+    visit_faces(lines, {.cross = [&](int line, int change) { nesting.cross(line, change); },
+                        .look = [&](PlanarMap::Face_handle) { nesting.look(); }});
+    for (auto face = lines.map.faces_begin(); face != lines.map.faces_end(); ++face)
+        face->data().is_filled = nesting.is_filled(static_cast<std::size_t>(face->data().number));
+    return region_of_map(lines, tolerance);
+}
+
+Contours contours_of(const std::vector<Polygon>& polylines) {
+    std::vector<MapLine> open;
+    for (const Polygon& line : polylines) open.push_back({&line, MapLine::Ends::Open});
+    LineMap lines = make_line_map(open);
+    std::vector<PlanarMap::Halfedge_handle> bridges;
+    std::vector<bool> encloses(polylines.size(), false);
+    for (auto edge = lines.map.edges_begin(); edge != lines.map.edges_end(); ++edge) {
+        if (edge->face() == edge->twin()->face()) {
+            bridges.push_back(edge);
+            continue;
+        }
+        for (const int side : edge->curve().data())
+            encloses[static_cast<std::size_t>(lines.sides[static_cast<std::size_t>(side)].line)] = true;
+    }
+    for (const auto bridge : bridges) lines.map.remove_edge(bridge);
+    Contours contours;
+    for (std::size_t line = 0; line < polylines.size(); ++line)
+        if (!encloses[line]) contours.open.push_back(line);
+    for (auto face = lines.map.faces_begin(); face != lines.map.faces_end(); ++face) {
+        for (auto loop = face->inner_ccbs_begin(); loop != face->inner_ccbs_end(); ++loop)
+            contours.closed.push_back(polygon_around(*loop));
+    }
+    return contours;
+}
+
+}  // namespace fretwork::outlines::detail

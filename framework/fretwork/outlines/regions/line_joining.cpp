@@ -1,0 +1,289 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/geometry/internal/segment_box.hpp>
+#include <fretwork/geometry/plane.hpp>
+#include <fretwork/outlines/regions/line_joining.hpp>
+#include <fretwork/outlines/regions/map_parts.hpp>
+
+#include <CGAL/box_intersection_d.h>
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <optional>
+#include <tuple>
+#include <unordered_map>
+
+namespace fretwork::outlines::detail {
+namespace {
+
+using geometry::Point2;
+using geometry::Polygon;
+
+/// Points in square cells as wide as a distance: who is within that distance lies in a neighbouring cell.
+class Grid {
+  public:
+    explicit Grid(double width) : width_(width) {}
+
+    void add(Point2 point, std::size_t number) { cells_[cell(point)].push_back(number); }
+    template <class Visit>
+    void visit_near(Point2 point, Visit visit) const {
+        const Cell middle = cell(point);
+        for (long x = middle.x - 1; x <= middle.x + 1; ++x) {
+            for (long y = middle.y - 1; y <= middle.y + 1; ++y) {
+                const auto found = cells_.find({x, y});
+                if (found == cells_.end()) continue;
+                for (const std::size_t number : found->second) visit(number);
+            }
+        }
+    }
+
+  private:
+    struct Cell {
+        long x;
+        long y;
+        friend bool operator==(const Cell&, const Cell&) = default;
+    };
+    struct Hash {
+        std::size_t operator()(const Cell& cell) const {
+            return std::hash<long>()(cell.x * 73'856'093L ^ cell.y * 19'349'663L);
+        }
+    };
+    [[nodiscard]] Cell cell(Point2 point) const {
+        return {static_cast<long>(std::floor(point.x / width_)),
+                static_cast<long>(std::floor(point.y / width_))};
+    }
+    double width_;
+    std::unordered_map<Cell, std::vector<std::size_t>, Hash> cells_;
+};
+
+/// The two ends of each line as numbered points: ends nearer than the tolerance have one number.
+class Ends {
+  public:
+    Ends(std::vector<Polygon>& lines, double same) : grid_(same), same_(same) {
+        for (Polygon& line : lines) numbers_.push_back({number_of(line.front()), number_of(line.back())});
+    }
+    [[nodiscard]] std::array<std::size_t, 2> of(std::size_t line) const { return numbers_[line]; }
+    [[nodiscard]] std::size_t count() const { return places_.size(); }
+
+  private:
+    /// The number of an end, which is moved to the place of its number.
+    std::size_t number_of(Point2& end) {
+        std::optional<std::size_t> found;
+        grid_.visit_near(end, [&](std::size_t other) {
+            if (distance(places_[other], end) <= same_ && (!found || other < *found)) found = other;
+        });
+        if (!found) {
+            found = places_.size();
+            places_.push_back(end);
+            grid_.add(end, *found);
+        }
+        end = places_[*found];
+        return *found;
+    }
+    Grid grid_;
+    double same_;
+    std::vector<Point2> places_;
+    std::vector<std::array<std::size_t, 2>> numbers_;
+};
+
+double length_of(const Polygon& line) {
+    double sum = 0;
+    for (std::size_t i = 0; i + 1 < line.size(); ++i) sum += distance(line[i], line[i + 1]);
+    return sum;
+}
+
+Point2 middle_of(const Polygon& line) {
+    double rest = 0.5 * length_of(line);
+    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+        const double step = distance(line[i], line[i + 1]);
+        if (step >= rest && step > 0) return between(line[i], line[i + 1], rest / step);
+        rest -= step;
+    }
+    return line.back();
+}
+
+/// Lines with the same ends, the same middle and the same length.
+std::vector<bool> find_doubled(const std::vector<Polygon>& lines, const Ends& ends, double same) {
+    std::map<std::array<std::size_t, 2>, std::vector<std::size_t>> by_ends;
+    std::vector<bool> is_doubled(lines.size(), false);
+    for (std::size_t line = 0; line < lines.size(); ++line) {
+        auto key = ends.of(line);
+        std::ranges::sort(key);
+        auto& others = by_ends[key];
+        is_doubled[line] = std::ranges::any_of(others, [&](std::size_t other) {
+            return distance(middle_of(lines[line]), middle_of(lines[other])) <= same &&
+                   std::abs(length_of(lines[line]) - length_of(lines[other])) <= 2 * same;
+        });
+        constexpr std::size_t kMostCompared = 64;
+        if (!is_doubled[line] && others.size() < kMostCompared) others.push_back(line);
+    }
+    return is_doubled;
+}
+
+struct LooseEnd {
+    Point2 place;
+    std::size_t line;  // of the joined ones
+};
+
+/// Ends that no other line shares.
+std::vector<LooseEnd> loose_ends(const JoinedLines& joined, const Ends& ends) {
+    std::vector<int> degree(ends.count(), 0);
+    for (const std::size_t given : joined.given)
+        for (const std::size_t end : ends.of(given)) ++degree[end];
+    std::vector<LooseEnd> loose;
+    for (std::size_t line = 0; line < joined.lines.size(); ++line) {
+        const auto numbers = ends.of(joined.given[line]);
+        if (degree[numbers[0]] == 1) loose.push_back({joined.lines[line].front(), line});
+        if (degree[numbers[1]] == 1) loose.push_back({joined.lines[line].back(), line});
+    }
+    return loose;
+}
+
+struct Gap {
+    double width;
+    std::size_t from;
+    std::size_t to;
+};
+
+std::vector<Gap> gaps_between(const std::vector<LooseEnd>& loose, const JoinedLines& joined, double most) {
+    Grid grid(most);
+    for (std::size_t end = 0; end < loose.size(); ++end) grid.add(loose[end].place, end);
+    std::vector<Gap> gaps;
+    for (std::size_t end = 0; end < loose.size(); ++end) {
+        grid.visit_near(loose[end].place, [&](std::size_t other) {
+            if (other <= end) return;
+            const double width = distance(loose[end].place, loose[other].place);
+            const bool is_itself = loose[end].line == loose[other].line;
+            constexpr double kMuchLonger = 4;  // a line that closes on itself is no short stroke
+            if (width <= most &&
+                (!is_itself || length_of(joined.lines[loose[end].line]) > kMuchLonger * most))
+                gaps.push_back({width, end, other});
+        });
+    }
+    std::ranges::sort(gaps, {}, [](const Gap& gap) { return std::tuple(gap.width, gap.from, gap.to); });
+    return gaps;
+}
+
+void close_gaps(JoinedLines& joined, const Ends& ends, double most) {
+    const std::vector<LooseEnd> loose = loose_ends(joined, ends);
+    std::vector<bool> is_joined(loose.size(), false);
+    for (const Gap& gap : gaps_between(loose, joined, most)) {
+        if (is_joined[gap.from] || is_joined[gap.to]) continue;
+        is_joined[gap.from] = is_joined[gap.to] = true;
+        joined.lines.push_back({loose[gap.from].place, loose[gap.to].place});
+        joined.given.push_back(joined.given[loose[gap.from].line]);
+        ++joined.gaps;
+        joined.widest_gap = std::max(joined.widest_gap, gap.width);
+    }
+}
+
+/// A side of a line by its first point.
+struct Side {
+    std::size_t line;
+    std::size_t index;
+};
+using SideBox = CGAL::Box_intersection_d::Box_with_handle_d<double, 2, const std::size_t*>;
+
+std::vector<Side> sides_of(const std::vector<Polygon>& lines) {
+    std::vector<Side> sides;
+    for (std::size_t line = 0; line < lines.size(); ++line)
+        for (std::size_t i = 0; i + 1 < lines[line].size(); ++i) sides.push_back({line, i});
+    return sides;
+}
+
+/// For each side (by number), the loose ends of other lines that lie on it and at none of its ends.
+std::map<std::size_t, std::vector<Point2>> ends_on(const std::vector<Side>& sides,
+                                                   const std::vector<LooseEnd>& loose,
+                                                   const JoinedLines& joined, double same) {
+    std::vector<std::size_t> numbers(std::max(sides.size(), loose.size()));
+    std::iota(numbers.begin(), numbers.end(), std::size_t{0});
+    std::vector<SideBox> end_boxes;
+    std::vector<SideBox> side_boxes;
+    for (std::size_t i = 0; i < loose.size(); ++i)
+        end_boxes.emplace_back(geometry::box_around(loose[i].place, loose[i].place, same), &numbers[i]);
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+        const Polygon& line = joined.lines[sides[i].line];
+        side_boxes.emplace_back(geometry::box_around(line[sides[i].index], line[sides[i].index + 1], same),
+                                &numbers[i]);
+    }
+    std::map<std::size_t, std::vector<Point2>> found;
+    const auto look = [&](const SideBox& a, const SideBox& b) {
+        const LooseEnd& end = loose[*a.handle()];
+        const Side& side = sides[*b.handle()];
+        const Point2 from = joined.lines[side.line][side.index];
+        const Point2 to = joined.lines[side.line][side.index + 1];
+        if (end.line == side.line || distance(end.place, from) <= same || distance(end.place, to) <= same)
+            return;
+        if (distance(end.place, nearest_on_segment(from, to, end.place)) <= same)
+            found[*b.handle()].push_back(end.place);
+    };
+    CGAL::box_intersection_d(end_boxes.begin(), end_boxes.end(), side_boxes.begin(), side_boxes.end(), look);
+    return found;
+}
+
+/// A loose end that lies on another line, but for rounding, becomes a point of it.
+void put_ends_on_lines(JoinedLines& joined, const Ends& ends, double same) {
+    const std::vector<Side> sides = sides_of(joined.lines);
+    auto found = ends_on(sides, loose_ends(joined, ends), joined, same);
+    // From the last side of a line to the first, so that the places of the others stay.
+    for (auto on = found.rbegin(); on != found.rend(); ++on) {
+        const Side& side = sides[on->first];
+        Polygon& line = joined.lines[side.line];
+        const Point2 from = line[side.index];
+        std::ranges::sort(on->second, {}, [&](Point2 point) { return distance(point, from); });
+        line.insert(line.begin() + static_cast<std::ptrdiff_t>(side.index) + 1, on->second.begin(),
+                    on->second.end());
+    }
+}
+
+}  // namespace
+
+JoinedLines join_lines(const std::vector<Polygon>& lines, const JoiningTolerance& tolerance) {
+    std::vector<Polygon> moved = lines;
+    const Ends ends(moved, tolerance.same);
+    const std::vector<bool> is_doubled = find_doubled(moved, ends, tolerance.same);
+    JoinedLines joined;
+    for (std::size_t line = 0; line < moved.size(); ++line) {
+        if (is_doubled[line]) {
+            ++joined.doubled;
+            continue;
+        }
+        joined.lines.push_back(std::move(moved[line]));
+        joined.given.push_back(line);
+    }
+    put_ends_on_lines(joined, ends, tolerance.same);
+    close_gaps(joined, ends, tolerance.gap);
+    return joined;
+}
+
+DistinctCurves distinct_curves(std::vector<Polygon> curves, double same) {
+    struct Measured {
+        std::array<Point2, 2> box;
+        double area;
+        double around;
+    };
+    const auto is_same = [&](const Measured& a, const Measured& b) {
+        return distance(a.box[0], b.box[0]) <= same && distance(a.box[1], b.box[1]) <= same &&
+               std::abs(a.area - b.area) <= same * a.around;
+    };
+    Grid corners(same);
+    std::vector<Measured> measured;
+    DistinctCurves distinct;
+    for (Polygon& curve : curves) {
+        const Measured here{box_of({curve}), std::abs(geometry::signed_area(curve)), perimeter(curve)};
+        bool is_doubled = false;
+        corners.visit_near(here.box[0], [&](std::size_t other) {
+            is_doubled = is_doubled || is_same(measured[other], here);
+        });
+        if (is_doubled) {
+            ++distinct.doubled;
+            continue;
+        }
+        corners.add(here.box[0], measured.size());
+        measured.push_back(here);
+        distinct.curves.push_back(std::move(curve));
+    }
+    return distinct;
+}
+
+}  // namespace fretwork::outlines::detail

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <pugixml.hpp>
+
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+/// Style sheets as far as they decide what a drawing fills (CSS 2.1 with the attribute selectors of level 3).
+namespace fretwork::outlines::detail {
+
+/// `fill: none !important`.
+struct CssDeclaration {
+    std::string name;   ///< in small letters
+    std::string value;  ///< trimmed
+    enum class Weight { Normal, Important } weight = Weight::Normal;
+};
+
+/// The inside of a `style` attribute or of a rule's braces. What cannot be read is left out, as CSS says.
+std::vector<CssDeclaration> parse_css_declarations(std::string_view text);
+
+/// A part of a selector without space or sign in it, such as `path.rim#a[x="1"]`.
+struct CssCompound {
+    struct Attribute {
+        std::string name;
+        std::string sign;  ///< empty: it is there; otherwise =, ~=, |=, ^=, $=, *=
+        std::string value;
+    };
+    char relation = ' ';                ///< to the compound before it: ' ', '>', '+', '~'
+    std::string type;                   ///< empty: any
+    std::vector<Attribute> attributes;  ///< classes and ids included
+    enum class Place { Any, First, Last, Root } place = Place::Any;
+};
+
+struct CssSelector {
+    std::vector<CssCompound> compounds;
+    int specificity = 0;
+};
+
+/// All style sheets of a document.
+class CssRules {
+  public:
+    /// Add the rules of one style sheet: those for all media and for screens.
+    void add(std::string_view text);
+    /// What applies to an element, the strongest last. Weight is not looked at.
+    [[nodiscard]] std::vector<const CssDeclaration*> of(pugi::xml_node node) const;
+    /// Selectors that are not understood, such as `:hover`; they apply to nothing.
+    [[nodiscard]] int unknown_selectors() const { return unknown_selectors_; }
+
+  private:
+    struct Rule {
+        CssSelector selector;
+        std::size_t block;
+    };
+    void add_rule(std::string_view selectors, std::string_view block);
+    void collect(const std::string& key, pugi::xml_node node, std::vector<const Rule*>& rules) const;
+
+    std::vector<std::vector<CssDeclaration>> blocks_;
+    std::vector<Rule> rules_;
+    std::unordered_map<std::string, std::vector<std::size_t>>
+        rules_by_key_;  // "#id", ".class", "type" or "*"
+    int unknown_selectors_ = 0;
+    mutable long looks_ = 0;
+};
+
+}  // namespace fretwork::outlines::detail

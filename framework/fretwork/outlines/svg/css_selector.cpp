@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/outlines/svg/css_selector.hpp>
+
+#include <algorithm>
+
+namespace fretwork::outlines::detail {
+namespace {
+
+constexpr long kMostLooks = 10'000'000;
+constexpr std::size_t kMostCompounds = 32;
+// Ids weigh more than any number of classes, and these more than any number of names.
+constexpr int kId = 1'000'000;
+constexpr int kClass = 1'000;
+
+bool is_name(char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) || c == '-' || c == '_' ||
+           static_cast<unsigned char>(c) >= 0x80;
+}
+
+class SelectorParser {
+  public:
+    explicit SelectorParser(std::string_view text) : text_(text) {}
+
+    std::optional<CssSelector> run() {
+        skip_space();
+        while (next_ < text_.size() && !has_failed_) {
+            if (selector_.compounds.size() == kMostCompounds) return std::nullopt;
+            read_compound();
+        }
+        if (has_failed_ || selector_.compounds.empty()) return std::nullopt;
+        return std::move(selector_);
+    }
+
+  private:
+    [[nodiscard]] char here() const { return next_ < text_.size() ? text_[next_] : '\0'; }
+    void skip_space() {
+        while (std::isspace(static_cast<unsigned char>(here()))) ++next_;
+    }
+    std::string name() {
+        std::string word;
+        for (; is_name(here()) || here() == '\\'; ++next_) {
+            if (here() == '\\') ++next_;
+            if (here() != '\0') word += here();
+        }
+        if (word.empty()) has_failed_ = true;
+        return word;
+    }
+
+    void read_compound() {
+        CssCompound compound;
+        if (std::string_view(">+~").find(here()) != std::string_view::npos) {
+            compound.relation = text_[next_++];
+            skip_space();
+        }
+        const std::size_t first = next_;
+        if (is_name(here())) {
+            compound.type = name();
+            selector_.specificity += 1;
+        } else if (here() == '*') {
+            ++next_;
+        }
+        while (!has_failed_ && std::string_view("#.[:").find(here()) != std::string_view::npos &&
+               here() != '\0')
+            read_condition(compound);
+        if (next_ == first) has_failed_ = true;
+        skip_space();
+        selector_.compounds.push_back(std::move(compound));
+    }
+
+    void read_condition(CssCompound& compound) {
+        const char sign = text_[next_++];
+        selector_.specificity += sign == '#' ? kId : kClass;
+        if (sign == '#') return compound.attributes.push_back({"id", "=", name()});
+        if (sign == '.') return compound.attributes.push_back({"class", "~=", name()});
+        if (sign == '[') return read_attribute(compound);
+        const std::string place = name();
+        if (place == "first-child") {
+            compound.place = CssCompound::Place::First;
+        } else if (place == "last-child") {
+            compound.place = CssCompound::Place::Last;
+        } else if (place == "root") {
+            compound.place = CssCompound::Place::Root;
+        } else {
+            has_failed_ = true;
+        }
+    }
+
+    void read_attribute(CssCompound& compound) {
+        const std::size_t end = text_.find(']', next_);
+        if (end == std::string_view::npos) {
+            has_failed_ = true;
+            return;
+        }
+        CssCompound::Attribute attribute;
+        skip_space();
+        attribute.name = name();
+        skip_space();
+        while (next_ < end && std::string_view("~|^$*=").find(here()) != std::string_view::npos)
+            attribute.sign += text_[next_++];
+        for (; next_ < end; ++next_)
+            if (here() != '"' && here() != '\'') attribute.value += here();
+        next_ = end + 1;
+        compound.attributes.push_back(std::move(attribute));
+    }
+
+    std::string_view text_;
+    std::size_t next_ = 0;
+    CssSelector selector_;
+    bool has_failed_ = false;
+};
+
+bool has_word(std::string_view words, std::string_view word) {
+    if (word.empty()) return false;
+    for (auto at = words.find(word); at != std::string_view::npos; at = words.find(word, at + 1)) {
+        const auto is_gap = [&](std::size_t i) {
+            return i >= words.size() || std::isspace(static_cast<unsigned char>(words[i]));
+        };
+        if ((at == 0 || is_gap(at - 1)) && is_gap(at + word.size())) return true;
+    }
+    return false;
+}
+
+bool holds(const CssCompound::Attribute& wanted, pugi::xml_node node) {
+    const pugi::xml_attribute attribute = node.attribute(wanted.name.c_str());
+    if (!attribute) return false;
+    const std::string_view value = attribute.value();
+    const std::string_view with = wanted.value;
+    if (wanted.sign.empty()) return true;
+    if (wanted.sign == "=") return value == with;
+    if (wanted.sign == "~=") return has_word(value, with);
+    if (wanted.sign == "|=") return value == with || value.starts_with(wanted.value + "-");
+    if (with.empty()) return false;
+    if (wanted.sign == "^=") return value.starts_with(with);
+    if (wanted.sign == "$=") return value.ends_with(with);
+    return wanted.sign == "*=" && value.find(with) != std::string_view::npos;
+}
+
+pugi::xml_node element_before(pugi::xml_node node) {
+    do node = node.previous_sibling();
+    while (node && node.type() != pugi::node_element);
+    return node;
+}
+pugi::xml_node element_after(pugi::xml_node node) {
+    do node = node.next_sibling();
+    while (node && node.type() != pugi::node_element);
+    return node;
+}
+
+bool is_at(CssCompound::Place place, pugi::xml_node node) {
+    switch (place) {
+        case CssCompound::Place::Any:
+            return true;
+        case CssCompound::Place::First:
+            return !element_before(node);
+        case CssCompound::Place::Last:
+            return !element_after(node);
+        case CssCompound::Place::Root:
+            return node.parent().type() == pugi::node_document;
+    }
+    return false;
+}
+
+bool is_chosen(const CssCompound& compound, pugi::xml_node node) {
+    std::string_view name = node.name();
+    name = name.substr(name.find(':') == std::string_view::npos ? 0 : name.find(':') + 1);
+    return (compound.type.empty() || compound.type == name) && is_at(compound.place, node) &&
+           std::ranges::all_of(compound.attributes, [&](const auto& wanted) { return holds(wanted, node); });
+}
+
+/// Whether compounds 0 .. last choose the element, with compound `last` on it.
+bool matches_up_to(const CssSelector& selector, std::size_t last, pugi::xml_node node, long& looks) {
+    if (++looks > kMostLooks) throw base::InputError("its style sheets are too intricate");
+    if (node.type() != pugi::node_element || !is_chosen(selector.compounds[last], node)) return false;
+    if (last == 0) return true;
+    const auto is_before = [&](pugi::xml_node other) {
+        return matches_up_to(selector, last - 1, other, looks);
+    };
+    switch (selector.compounds[last].relation) {
+        case '>':
+            return is_before(node.parent());
+        case '+':
+            return is_before(element_before(node));
+        case '~':
+            for (auto other = element_before(node); other; other = element_before(other))
+                if (is_before(other)) return true;
+            return false;
+        default:
+            for (auto other = node.parent(); other; other = other.parent())
+                if (is_before(other)) return true;
+            return false;
+    }
+}
+
+}  // namespace
+
+std::optional<CssSelector> parse_css_selector(std::string_view text) {
+    return SelectorParser(text).run();
+}
+
+bool matches(const CssSelector& selector, pugi::xml_node node, long& looks) {
+    return matches_up_to(selector, selector.compounds.size() - 1, node, looks);
+}
+
+}  // namespace fretwork::outlines::detail

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Clips of an SVG drawing, and the boxes that they are measured by.
+#include <fretwork/outlines/regions/map_parts.hpp>
+#include <fretwork/outlines/svg/svg_reader.hpp>
+
+#include <algorithm>
+#include <utility>
+
+namespace fretwork::outlines::detail {
+
+using geometry::Polygon;
+
+std::size_t SvgReader::add_clip(const std::vector<Subpath>& subpaths, const Surroundings& around) {
+    picture_.clips.push_back({{{loops_of(subpaths, around.map)}}, around.clip});
+    return picture_.clips.size() - 1;
+}
+
+std::optional<std::size_t> SvgReader::clip_of(const SvgElement& element, const Surroundings& around) {
+    const std::string_view value = element.properties().find("clip-path");
+    if (value.empty() || value == "none" || purpose_ == Purpose::Box) return around.clip;
+    if (!value.starts_with("url(")) {
+        remarks_.leave_out("clip-path without url()");
+        return around.clip;
+    }
+    const pugi::xml_node clip = document_.referred(value);
+    if (!clip || document_.name_of(clip) != "clipPath") return around.clip;
+    if (std::ranges::find(copying_, clip) != copying_.end()) document_.fail(clip, "clips itself");
+    return read_clip(clip, element, around);
+}
+
+std::size_t SvgReader::read_clip(pugi::xml_node clip, const SvgElement& clipped, Surroundings around) {
+    const SvgProperties properties(clip, document_.rules());
+    const SvgElement element(clip, properties, document_);
+    copying_.push_back(clip);
+    if (std::string_view(clip.attribute("clipPathUnits").value()) == "objectBoundingBox")
+        around.map = around.map.after(unit_box_of(clipped, around));
+    around.map = around.map.after(element.transform(around.measure));
+    around.clip = clip_of(element, around);  // a clip may be clipped
+    around.style = style_in({}, properties, document_);
+    Clip made{{}, around.clip};
+    around.clip.reset();
+    const auto shapes = std::exchange(shapes_, &made.shapes);
+    const auto purpose = std::exchange(purpose_, Purpose::Clip);
+    read_children(clip, around);
+    shapes_ = shapes;
+    purpose_ = purpose;
+    copying_.pop_back();
+    picture_.clips.push_back(std::move(made));
+    return picture_.clips.size() - 1;
+}
+
+Affine SvgReader::unit_box_of(const SvgElement& element, const Surroundings& around) {
+    std::vector<FilledShape> found;
+    const auto shapes = std::exchange(shapes_, &found);
+    const auto purpose = std::exchange(purpose_, Purpose::Box);
+    constexpr double kBoxShare = 1e-4;  // of the viewport, by which the box may be off
+    const double tolerance =
+        std::exchange(how_.tolerance, kBoxShare * std::max(around.measure.width, around.measure.height));
+    Surroundings inside{.style = around.style, .measure = around.measure, .depth = around.depth};
+    read_kind(document_.name_of(element.node()), element, inside);
+    shapes_ = shapes;
+    purpose_ = purpose;
+    how_.tolerance = tolerance;
+    std::vector<Polygon> loops;
+    for (FilledShape& shape : found) std::ranges::move(shape.loops, std::back_inserter(loops));
+    const auto [low, high] = box_of(loops);
+    return {high.x - low.x, 0, 0, high.y - low.y, low.x, low.y};
+}
+
+}  // namespace fretwork::outlines::detail

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/base/error.hpp>
+#include <fretwork/outlines/svg/css.hpp>
+
+#include <pugixml.hpp>
+
+#include <string>
+#include <string_view>
+#include <unordered_map>
+
+namespace fretwork::outlines::detail {
+
+/// What style sheets, the attribute `style` and presentation attributes say of one element.
+class SvgProperties {
+  public:
+    SvgProperties(pugi::xml_node node, const CssRules& rules);
+    /// The value that wins; empty if there is none.
+    [[nodiscard]] std::string_view find(std::string_view name) const;
+
+  private:
+    pugi::xml_node node_;
+    std::vector<CssDeclaration> own_;
+    std::vector<const CssDeclaration*> ascending_;
+};
+
+/// A drawing as XML: its elements by id, its style sheets, and places for messages.
+class SvgDocument {
+  public:
+    /// Throws InputError if the text is no XML, or no SVG.
+    SvgDocument(std::string source, std::string text);
+
+    [[nodiscard]] pugi::xml_node root() const { return document_.document_element(); }
+    [[nodiscard]] const CssRules& rules() const { return rules_; }
+    /// The name of an element of SVG without a prefix; empty for elements of others.
+    [[nodiscard]] std::string_view name_of(pugi::xml_node node) const;
+    /// What `#id` or `url(#id)` names; none if there is no such element here.
+    [[nodiscard]] pugi::xml_node referred(std::string_view reference) const;
+
+    /// "line 3, path 'rim'".
+    [[nodiscard]] std::string place(pugi::xml_node node) const;
+    [[noreturn]] void fail(pugi::xml_node node, const std::string& message) const;
+    /// Read the value of an attribute or property, and put file and place before what its reader complains
+    /// about.
+    template <class Reader>
+    auto read(pugi::xml_node node, std::string_view name, std::string_view value, Reader reader) const {
+        try {
+            return reader(value);
+        } catch (const base::InputError& error) {
+            fail(node, std::string(name) + ": " + error.what());
+        }
+    }
+
+  private:
+    void collect_ids_and_styles();
+
+    std::string source_;
+    std::string text_;
+    pugi::xml_document document_;
+    std::string prefix_;  // of SVG's elements, with its colon
+    std::unordered_map<std::string_view, pugi::xml_node> ids_;
+    CssRules rules_;
+};
+
+}  // namespace fretwork::outlines::detail

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/geometry/plane.hpp>
+#include <fretwork/outlines/detail/coloured_picture.hpp>
+#include <fretwork/outlines/detail/outline_readers.hpp>
+#include <fretwork/outlines/detail/remarks.hpp>
+#include <fretwork/outlines/regions/drawn_lines.hpp>
+#include <fretwork/outlines/svg/svg_geometry.hpp>
+#include <fretwork/outlines/svg/svg_page.hpp>
+#include <fretwork/outlines/svg/svg_style.hpp>
+
+namespace fretwork::outlines::detail {
+
+/// What a browser would fill of an SVG drawing (SVG 2, chapters 5 to 14); where it fills nothing, what closed
+/// lines enclose.
+class SvgReader {
+  public:
+    explicit SvgReader(const std::filesystem::path& path);
+
+    OutlineFile run();
+    ColouredPicture run_for_colours();
+
+  private:
+    /// What an element gets from those around it.
+    struct Surroundings {
+        SvgStyle style{};
+        Affine map{};  ///< to metres
+        SvgMeasure measure{};
+        std::optional<std::size_t> clip{};
+        int depth = 1;
+    };
+    /// Shapes in a clip count whether they are painted or not; the box of a clipped element, too.
+    enum class Purpose { Paint, Clip, Box };
+
+    void read();
+    /// Drawings for laser cutters have lines only: where the fills give no part, closed lines are outlines,
+    /// and what lies in one of them is a hole, as in DXF. Throws GeometryError if no line is closed.
+    Region stroked_region();
+    [[nodiscard]] std::string nothing_filled() const;
+    /// In brackets, what was left out.
+    [[nodiscard]] std::string left_out_text() const;
+    void read_children(pugi::xml_node parent, const Surroundings& around);
+    void read_element(pugi::xml_node node, const Surroundings& outer);
+    void read_kind(std::string_view name, const SvgElement& element, const Surroundings& around);
+    /// The first of the alternatives whose conditions hold.
+    void read_switch(pugi::xml_node parent, const Surroundings& around);
+    /// An `svg` or `symbol` shows its viewBox in a box of its own; `sized` says how large that is.
+    void read_viewport(const SvgElement& element, const SvgElement& sized, Surroundings around);
+    void read_use(const SvgElement& element, Surroundings around);
+    void read_copied_viewport(pugi::xml_node copied, const SvgElement& use, Surroundings around);
+    void read_shape(std::string_view name, const SvgElement& element, const Surroundings& around);
+    void remember_stroke(pugi::xml_node node, const Surroundings& around);
+    void add_stroke(pugi::xml_node node, const Surroundings& around);
+    void add_open_line(geometry::Polygon points, pugi::xml_node node, std::optional<std::size_t> clip);
+    void add_closed_line(geometry::Polygon points, std::optional<std::size_t> clip);
+    [[nodiscard]] std::vector<geometry::Polygon> loops_of(const std::vector<Subpath>& subpaths,
+                                                          const Affine& map) const;
+    void check_loops(const std::vector<geometry::Polygon>& loops, pugi::xml_node node);
+    /// Whether a point lies in the drawing, or not many times its size outside.
+    [[nodiscard]] bool is_near_page(geometry::Point2 point) const;
+    void check_on_page(geometry::Point2 point, pugi::xml_node node) const;
+    std::size_t add_clip(const std::vector<Subpath>& subpaths, const Surroundings& around);
+    /// The clip of an element, within that of those around it.
+    std::optional<std::size_t> clip_of(const SvgElement& element, const Surroundings& around);
+    std::size_t read_clip(pugi::xml_node clip, const SvgElement& clipped, Surroundings around);
+    /// From the unit square to the box of an element, in the element's own coordinates.
+    Affine unit_box_of(const SvgElement& element, const Surroundings& around);
+
+    std::string source_;
+    SvgDocument document_;
+    SvgPage page_;
+    Flattening how_{.tolerance = kFlatteningTolerance};
+    Picture picture_;
+    std::vector<FilledShape>* shapes_ = &picture_.shapes;
+    std::vector<pugi::xml_node> places_;   // of the picture's shapes
+    std::vector<std::string> colours_;     // of the same
+    std::vector<pugi::xml_node> copying_;  // what is being copied or clips
+    Purpose purpose_ = Purpose::Paint;
+    Remarks remarks_;
+    int elements_ = 0;
+    int lines_ = 0;  // shapes that are stroked and not filled
+    /// All that is stroked. It is looked at only if the fills give no part.
+    std::vector<std::pair<pugi::xml_node, Surroundings>> strokes_;
+    DrawnLines lines_drawn_;
+    std::vector<pugi::xml_node> open_places_;  // of the open lines
+    std::size_t points_ = 0;
+};
+
+}  // namespace fretwork::outlines::detail

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/outlines/regions/filled_region.hpp>
+#include <fretwork/outlines/svg/svg_document.hpp>
+
+#include <string>
+
+namespace fretwork::outlines::detail {
+
+/// What elements hand on to those in them, as far as it decides what is filled or stroked.
+struct SvgStyle {
+    enum class Paint { None, Some };
+    Paint fill = Paint::Some;
+    Paint stroke = Paint::None;
+    double fill_opacity = 1.0;
+    double stroke_opacity = 1.0;
+    enum class StrokeWidth { Zero, Some } stroke_width = StrokeWidth::Some;
+    FillRule fill_rule = FillRule::Nonzero;
+    FillRule clip_rule = FillRule::Nonzero;
+    enum class Visibility { Visible, Hidden } visibility = Visibility::Visible;
+    double font_size = 16.0;                 ///< pixels
+    std::string fill_colour = "#000000";     ///< "#rrggbb"; empty: a gradient, or another kind of colour
+    std::string current_colour = "#000000";  ///< of the property `color`
+
+    [[nodiscard]] bool is_filled() const {
+        return fill == Paint::Some && fill_opacity > 0 && visibility == Visibility::Visible;
+    }
+    [[nodiscard]] bool is_stroked() const {
+        return stroke == Paint::Some && stroke_opacity > 0 && stroke_width == StrokeWidth::Some &&
+               visibility == Visibility::Visible;
+    }
+};
+
+/// The style of an element in one of the style `outer`.
+SvgStyle style_in(const SvgStyle& outer, const SvgProperties& properties, const SvgDocument& document);
+
+/// Whether an element and all that is in it is left out: `display: none`, `opacity: 0`.
+bool is_switched_off(const SvgProperties& properties);
+
+/// Whether its conditions (language, extensions) hold, as for a reader of English in a browser.
+bool meets_conditions(pugi::xml_node node);
+
+}  // namespace fretwork::outlines::detail

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/pattern/detail/quotient.hpp>
+#include <fretwork/pattern/search/word.hpp>
+
+#include <array>
+#include <cstdint>
+
+namespace fretwork::pattern::detail {
+
+/// Decides the graph rules on the quotient of the fan, with bit sets of orbits: what detail/fan_graph.hpp
+/// defines by Boost.Graph on the fan itself. The tests prove the two equal on every graph of three layouts.
+///
+/// Why the quotient is enough. "Root" is the center, or the outside that ties the interface nodes together; a
+/// rotation of the fan leaves both in place.
+/// - A connected part of the quotient lifts to one component if it has a root, else to gcd(gains of its
+///   cycles, 6) components.
+/// - Let a node v be no center. What its removal cuts off holds no other copy of v: a path from one copy to
+///   the root through another could be rotated on for ever; and where a component has no root but several
+///   copies of v, its block tree has a block that rotations fix, from which all copies are equally far. So
+///   what v cuts off is a lifted component of the quotient without v's orbit; it has no root, and all its
+///   links to that orbit end at the one copy v.
+/// - The center is an articulation point if its component falls into several lifted components without it.
+class Connectivity {
+  public:
+    explicit Connectivity(const Quotient& quotient) : quotient_(&quotient) {}
+
+    /// Take the graph that these candidate edges make. Everything below is about it.
+    template <class Word>
+    void choose(Word edges) {
+        used_ = 0;
+        link_count_ = 0;
+        for_each_bit(edges, [&](int edge) { add(quotient_->link(EdgeIndex(edge))); });
+    }
+
+    /// True if the fan, unused nodes left out, has one component (or no edge).
+    [[nodiscard]] bool is_connected() const;
+    /// True if the fan has an articulation point once its interface nodes are tied together from outside.
+    [[nodiscard]] bool has_articulation() const;
+
+  private:
+    using Orbits = std::uint64_t;
+
+    void add(const Quotient::Link& link) {
+        for (const int orbit : {link.first, link.second}) {
+            const Orbits bit = Orbits{1} << orbit;
+            if ((used_ & bit) == 0) neighbours_[static_cast<std::size_t>(orbit)] = 0;
+            used_ |= bit;
+        }
+        neighbours_[static_cast<std::size_t>(link.first)] |= Orbits{1} << link.second;
+        neighbours_[static_cast<std::size_t>(link.second)] |= Orbits{1} << link.first;
+        links_[static_cast<std::size_t>(link_count_++)] = link;
+    }
+    [[nodiscard]] Orbits center_bit() const {
+        return quotient_->center() < 0 ? Orbits{0} : Orbits{1} << quotient_->center();
+    }
+    [[nodiscard]] Orbits roots() const { return center_bit() | quotient_->interface_orbits(); }
+
+    [[nodiscard]] Orbits flood(Orbits seeds, Orbits within) const;
+    [[nodiscard]] Orbits flood_with_outside(Orbits seeds, Orbits within) const;
+    [[nodiscard]] int lifted_components(Orbits part) const;
+    [[nodiscard]] bool center_is_articulation(Orbits component) const;
+    [[nodiscard]] bool orbit_is_articulation(int orbit, Orbits component) const;
+    [[nodiscard]] bool hangs_on_one_copy(Orbits part, int orbit) const;
+
+    const Quotient* quotient_;
+    Orbits used_ = 0;
+    int link_count_ = 0;
+    std::array<Orbits, 64> neighbours_{};
+    std::array<Quotient::Link, kMaxCandidateEdges> links_{};
+};
+
+}  // namespace fretwork::pattern::detail

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/base/control.hpp>
+#include <fretwork/pattern/census.hpp>
+#include <fretwork/pattern/search/random.hpp>
+#include <fretwork/pattern/search/word.hpp>
+
+#include <cstddef>
+#include <unordered_map>
+#include <vector>
+
+namespace fretwork::pattern::detail {
+
+/// Counts by size: entry k is the number of sets with k members.
+using CountsBySize = std::vector<GraphCount>;
+
+/// The sets of edges without a conflicting pair, counted and drawn without listing them.
+///
+/// P(A), the counts of such sets within A, is the product over A's parts that have no conflict between them;
+/// in one part, with v the edge of most conflicts, P(A) = P(A - v) + x P(A - v - conflicts of v). What has
+/// been met is remembered.
+template <class Word>
+class IndependentSets {
+  public:
+    /// @param conflicts  per edge, symmetric
+    /// @param most_parts  how many parts may be remembered before counting gives up
+    /// Throws Stopped.
+    IndependentSets(std::vector<Word> conflicts, Word edges, std::size_t most_parts,
+                    const base::Control& control = {});
+
+    /// False if counting gave up; then nothing else may be called.
+    [[nodiscard]] bool is_counted() const { return is_counted_; }
+    /// How many sets there are of each size.
+    [[nodiscard]] const CountsBySize& counts() const { return all_.tails.front(); }
+    /// A set of `size` members, each with the same probability. Pre: counts()[size] > 0.
+    [[nodiscard]] Word draw(int size, RandomStream& random) const;
+
+  private:
+    /// Parts without conflicts between them. `tails[i]` counts the sets within parts i and after.
+    struct Forest {
+        std::vector<std::size_t> parts;
+        std::vector<CountsBySize> tails;
+    };
+    /// A part, as its most conflicting edge divides it.
+    struct Part {
+        int edge = 0;
+        Forest without;  ///< what is left of the part if the edge is not chosen
+        Forest with;     ///< if it is
+        CountsBySize counts;
+    };
+    struct WordHash {
+        std::size_t operator()(Word word) const;
+    };
+    [[nodiscard]] Word part_of_lowest(Word edges) const;
+    [[nodiscard]] int most_conflicting(Word part) const;
+    Forest make_forest(Word edges, const base::Control& control);
+    std::size_t make_part(Word edges, const base::Control& control);
+    [[nodiscard]] Word draw_from(const Forest& forest, int size, RandomStream& random) const;
+    [[nodiscard]] Word draw_from(const Part& part, int size, RandomStream& random) const;
+
+    std::vector<Word> conflicts_;
+    std::size_t most_parts_;
+    bool is_counted_ = true;
+    std::vector<Part> parts_;
+    std::unordered_map<Word, std::size_t, WordHash> numbers_;  ///< of the parts that are known
+    Forest all_;
+};
+
+extern template class IndependentSets<Word64>;
+extern template class IndependentSets<Word128>;
+
+}  // namespace fretwork::pattern::detail

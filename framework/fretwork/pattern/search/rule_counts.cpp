@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/pattern/search/rule_counts.hpp>
+
+#include <algorithm>
+#include <bit>
+#include <numeric>
+#include <string>
+#include <unordered_map>
+
+namespace fretwork::pattern::detail {
+namespace {
+
+// What is remembered at most; each is some hundred bytes.
+constexpr std::size_t kMostParts = 300'000;
+constexpr std::size_t kMostStates = 200'000;
+constexpr std::size_t kMostGroups = 16;
+
+std::optional<CountsBySize> count(const ConflictRule& rule, int edge_count) {
+    std::vector<Word128> conflicts;
+    Word128 edges = 0;
+    for (int e = 0; e < edge_count; ++e) {
+        conflicts.push_back(to_word<Word128>(rule.conflicts[static_cast<std::size_t>(e)]));
+        edges |= single<Word128>(e);
+    }
+    const IndependentSets<Word128> sets(std::move(conflicts), edges, kMostParts);
+    if (!sets.is_counted()) return std::nullopt;
+    return sets.counts();
+}
+
+/// The number of sets that meet every group: all sets, less those that miss one, plus those that miss two, ..
+std::optional<CountsBySize> count(const CoverRule& rule, int edge_count) {
+    if (rule.groups.size() > kMostGroups) return std::nullopt;
+    CountsBySize counts(static_cast<std::size_t>(edge_count) + 1);
+    for (unsigned missed = 0; missed < 1u << rule.groups.size(); ++missed) {
+        Pattern::Bits shunned;
+        for_each_bit(Word64{missed},
+                     [&](int group) { shunned |= rule.groups[static_cast<std::size_t>(group)].edges; });
+        const int left = edge_count - static_cast<int>(shunned.count());
+        const bool is_added = std::popcount(missed) % 2 == 0;
+        for (int k = 0; k <= left; ++k) {
+            GraphCount& entry = counts[static_cast<std::size_t>(k)];
+            entry = is_added ? entry + binomial(left, k) : entry - binomial(left, k);
+        }
+    }
+    return counts;
+}
+
+/// Edge by edge, a table from the loads on the resources so far to the counts of sets that lead there. A
+/// resource that no later edge loads is forgotten.
+class LoadTable {
+  public:
+    /// @param order  in which edges will be offered
+    LoadTable(const CapacityRule& rule, const std::vector<int>& order)
+        : rule_(&rule), last_edge_(rule.resources.size(), -1) {
+        for (std::size_t r = 0; r < rule.resources.size(); ++r) {
+            for (const int edge : order) {
+                if (rule.resources[r].loads[static_cast<std::size_t>(edge)] > 0) last_edge_[r] = edge;
+            }
+        }
+        table_[Loads(rule.resources.size(), '\0')] = {1};
+    }
+
+    void offer(int edge) {
+        Table next;
+        for (const auto& [loads, counts] : table_) {
+            add(next, settled(loads, edge), counts, 0);
+            if (const std::optional<Loads> heavier = with_edge(loads, edge))
+                add(next, settled(*heavier, edge), counts, 1);
+        }
+        table_ = std::move(next);
+    }
+    [[nodiscard]] std::size_t size() const { return table_.size(); }
+    [[nodiscard]] CountsBySize total() const {
+        CountsBySize sum;
+        for (const auto& [loads, counts] : table_) add_shifted(sum, counts, 0);
+        return sum;
+    }
+
+  private:
+    using Loads = std::string;  // one byte for each resource
+    using Table = std::unordered_map<Loads, CountsBySize>;
+
+    static void add_shifted(CountsBySize& sum, const CountsBySize& counts, std::size_t shift) {
+        sum.resize(std::max(sum.size(), counts.size() + shift));
+        for (std::size_t k = 0; k < counts.size(); ++k) sum[k + shift] += counts[k];
+    }
+    static void add(Table& table, Loads loads, const CountsBySize& counts, std::size_t shift) {
+        add_shifted(table[std::move(loads)], counts, shift);
+    }
+    [[nodiscard]] Loads settled(Loads loads, int edge) const {
+        for (std::size_t r = 0; r < loads.size(); ++r) {
+            if (last_edge_[r] == edge) loads[r] = '\0';
+        }
+        return loads;
+    }
+    [[nodiscard]] std::optional<Loads> with_edge(Loads loads, int edge) const {
+        for (std::size_t r = 0; r < loads.size(); ++r) {
+            const int load = loads[r] + rule_->resources[r].loads[static_cast<std::size_t>(edge)];
+            if (load > rule_->limit) return std::nullopt;
+            loads[r] = static_cast<char>(load);
+        }
+        return loads;
+    }
+
+    const CapacityRule* rule_;
+    std::vector<int> last_edge_;
+    Table table_;
+};
+
+/// All edges that load the first resource, then the others that load the second, and so on: resources are
+/// done with one by one, and the table stays small.
+std::vector<int> elimination_order(const CapacityRule& rule, int edge_count) {
+    const auto first_resource = [&](int edge) {
+        const auto loaded = std::find_if(
+            rule.resources.begin(), rule.resources.end(),
+            [&](const auto& resource) { return resource.loads[static_cast<std::size_t>(edge)] > 0; });
+        return loaded - rule.resources.begin();
+    };
+    std::vector<int> order(static_cast<std::size_t>(edge_count));
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(),
+                     [&](int a, int b) { return first_resource(a) < first_resource(b); });
+    return order;
+}
+
+std::optional<CountsBySize> count(const CapacityRule& rule, int edge_count) {
+    constexpr int kMostInAByte = 100;
+    if (rule.limit > kMostInAByte) return std::nullopt;
+    const std::vector<int> order = elimination_order(rule, edge_count);
+    LoadTable table(rule, order);
+    for (const int edge : order) {
+        table.offer(edge);
+        if (table.size() > kMostStates) return std::nullopt;
+    }
+    return table.total();
+}
+
+std::optional<CountsBySize> count(const GraphRule&, int) {
+    return std::nullopt;
+}
+
+std::optional<CountsBySize> count(const PredicateRule&, int) {
+    return std::nullopt;
+}
+
+}  // namespace
+
+GraphCount binomial(int n, int k) {
+    if (k < 0 || k > n) return 0;
+    std::vector<GraphCount> row(static_cast<std::size_t>(k) + 1);
+    row[0] = 1;
+    for (int i = 1; i <= n; ++i) {
+        for (int j = std::min(i, k); j >= 1; --j)
+            row[static_cast<std::size_t>(j)] += row[static_cast<std::size_t>(j) - 1];
+    }
+    return row[static_cast<std::size_t>(k)];
+}
+
+std::optional<CountsBySize> count_graphs_that_keep(const Rule& rule, int edge_count) {
+    auto counts = std::visit([&](const auto& form) { return count(form, edge_count); }, rule);
+    if (counts) counts->resize(static_cast<std::size_t>(edge_count) + 1);
+    return counts;
+}
+
+}  // namespace fretwork::pattern::detail

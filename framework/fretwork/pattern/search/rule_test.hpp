@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/pattern/filter_catalogue.hpp>
+#include <fretwork/pattern/search/connectivity.hpp>
+
+#include <span>
+#include <vector>
+
+namespace fretwork::pattern::detail {
+
+/// Says of one graph after the other which rules it breaks, each rule for itself.
+template <class Word>
+class RuleTest {
+  public:
+    RuleTest(const NodeLayout& layout, std::span<const Filter> filters);
+
+    /// One bit for each filter, set if the graph breaks its rule.
+    std::uint64_t broken(Word edges);
+
+  private:
+    /// A conflict or capacity or cover rule as masks.
+    struct Compiled {
+        const Rule* rule = nullptr;
+        std::vector<Word> masks;  ///< conflicts per edge, or groups
+    };
+    [[nodiscard]] bool breaks(const Compiled& compiled, Word edges) const;
+
+    Quotient quotient_;
+    Connectivity connectivity_;
+    std::vector<Compiled> rules_;
+};
+
+extern template class RuleTest<Word64>;
+extern template class RuleTest<Word128>;
+
+}  // namespace fretwork::pattern::detail

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/pattern/enumerate.hpp>
+#include <fretwork/pattern/search/connectivity.hpp>
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace fretwork::pattern::detail {
+
+/// The rules of an enumeration, compiled to masks over one machine word of candidate edges.
+template <class Word>
+class SearchProblem {
+  public:
+    struct Load {
+        int resource = 0;
+        int amount = 0;
+    };
+    /// A resource, and for each capacity that may be left of it the edges that ask for more.
+    struct Resource {
+        int limit = 0;
+        std::vector<Word> too_heavy;
+    };
+
+    SearchProblem(const NodeLayout& layout, std::span<const Filter> filters, const EdgeRange& range);
+
+    EdgeRange range;
+    Word candidates = 0;          ///< edges that no rule forbids outright
+    std::vector<Word> conflicts;  ///< per edge
+    std::vector<Resource> resources;
+    std::vector<std::vector<Load>> loads;  ///< per edge
+    std::vector<Word> groups;              ///< of each, at least one edge
+    std::vector<const PredicateRule*> predicates;
+    bool must_be_connected = false;
+    bool must_have_no_articulation = false;
+
+    Quotient quotient;
+    std::vector<std::uint64_t> ends;         ///< per edge: the orbits that it meets
+    std::vector<std::uint64_t> double_ends;  ///< per edge: the orbits whose nodes it meets more than once
+    std::vector<Word> edges_at;              ///< per orbit
+
+  private:
+    void add(const ConflictRule& rule);
+    void add(const CapacityRule& rule);
+    void add(const CoverRule& rule);
+    void add(const GraphRule& rule);
+    void add(const PredicateRule& rule);
+    void index_orbits();
+};
+
+/// A node of the search tree: edges that are chosen, and later ones that may still be.
+template <class Word>
+struct SearchNode {
+    Word chosen = 0;
+    Word available = 0;
+};
+
+/// Walks the tree of all patterns that can still become valid: the children of a node add one later edge.
+template <class Word>
+class Search {
+  public:
+    /// @param control  looked at every few thousand nodes
+    Search(const SearchProblem<Word>& problem, const base::Control& control);
+
+    /// Call visit(chosen, edge_count) for every valid pattern in the subtree of a node, in lexicographic
+    /// order.
+    template <class Visit>
+    void walk(const SearchNode<Word>& node, const Visit& visit) {
+        enter(node);
+        descend(node, bit_count(node.chosen), visit);
+    }
+
+    /// True if the node's own set of edges is a valid pattern.
+    bool is_valid(const SearchNode<Word>& node) {
+        enter(node);
+        return accepts(node.chosen, bit_count(node.chosen));
+    }
+
+    /// The children of a node that cannot be ruled out.
+    std::vector<SearchNode<Word>> children(const SearchNode<Word>& node);
+
+  private:
+    /// The orbits that are met at all, and those whose nodes are met at least twice.
+    struct Ends {
+        std::uint64_t once = 0;
+        std::uint64_t twice = 0;
+    };
+
+    void enter(const SearchNode<Word>& node);
+    Word take(int edge, Word available);
+    void release(int edge);
+    [[nodiscard]] Ends with_edge(int edge) const;
+    [[nodiscard]] bool is_hopeful(Word chosen, Word available) const;
+    bool accepts(Word chosen, int edge_count);
+
+    template <class Visit>
+    void descend(SearchNode<Word> node, int edge_count, const Visit& visit) {
+        constexpr unsigned kNodesBetweenChecks = 4096;
+        if (++nodes_ % kNodesBetweenChecks == 0) control_->check();
+        if (accepts(node.chosen, edge_count)) visit(node.chosen, edge_count);
+        if (edge_count == problem_->range.most) return;
+        for (Word left = node.available; left != 0;) {
+            if (!is_hopeful(node.chosen, left)) return;
+            const int edge = lowest_bit(left);
+            left &= left - 1;
+            const Ends before = ends_;
+            ends_ = with_edge(edge);
+            const SearchNode<Word> child{node.chosen | single<Word>(edge), take(edge, left)};
+            if (is_hopeful(child.chosen, child.available)) descend(child, edge_count + 1, visit);
+            release(edge);
+            ends_ = before;
+        }
+    }
+
+    const SearchProblem<Word>* problem_;
+    const base::Control* control_;
+    unsigned nodes_ = 0;  ///< that were entered
+    Connectivity connectivity_;
+    std::vector<int> capacity_left_;
+    Ends ends_;
+};
+
+extern template class SearchProblem<Word64>;
+extern template class SearchProblem<Word128>;
+extern template class Search<Word64>;
+extern template class Search<Word128>;
+
+}  // namespace fretwork::pattern::detail

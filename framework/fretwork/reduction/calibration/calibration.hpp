@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/base/control.hpp>
+#include <fretwork/reduction/models/tile_model.hpp>
+#include <fretwork/reduction/response.hpp>
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fretwork::reduction {
+
+/// A number with its name, in SI units.
+struct NamedValue {
+    std::string name;
+    double value = 0.0;
+    friend bool operator==(const NamedValue&, const NamedValue&) = default;
+};
+
+struct CalibrationOptions {
+    std::string optimizer = "ceres-multistart";  ///< a row of the optimizer catalogue
+    int starts = 8;
+    std::uint64_t seed = 1;
+    int budget = 20000;  ///< evaluations of the objective at most
+    base::Control control{};
+    /// Throws InputError if a value makes no sense.
+    void validate() const;
+};
+
+/// A tile model fitted to, or only compared with, the responses of one pattern.
+struct Calibration {
+    std::string model;      ///< a row of the catalogue of tile models
+    std::string optimizer;  ///< "none" where nothing is fitted
+    std::uint64_t seed = 0;
+    int starts = 0;
+    double objective = 0.0;  ///< E of Eq. (8) at the parameters
+    std::vector<double>
+        scenario_errors;  ///< e_k summed over the magnitudes as in Eq. (8): weighted parts of E, by scenario
+    long evaluations = 0;
+    std::vector<NamedValue> parameters;  ///< in the order of the model's row; none where nothing is fitted
+    std::vector<std::string> at_bound;   ///< names of the parameters at a bound
+    /// The start that found these parameters ended by its method's own criterion, and the budget was not
+    /// spent.
+    bool converged = true;
+    int dead_starts = 0;  ///< of `starts`, those that gave no descent; libraries do not keep it
+};
+
+/// The parameters in the order of a model's row. Throws InputError that names one that is missing or that the
+/// model does not have.
+std::vector<double> parameter_values(const Calibration& calibration, const TileModel& model);
+
+/// What calibrate() takes: a pattern in its setting, and the responses to be fitted.
+struct CalibrationInput {
+    const pattern::NodeLayout& layout;
+    const pattern::Pattern& pattern;
+    const Setting& setting;
+    const std::vector<Response>& responses;
+};
+
+/// Fit a tile model to a pattern's responses by its linear displacements: Eqs. (1) to (11). A model without
+/// parameters is only compared with them: one for small displacements by its linear displacements, one for
+/// large by its own responses. Deterministic given the options. Throws NumericalError if no sample can be
+/// fitted, or if no start of the search got beyond its first point; base::Stopped.
+Calibration calibrate(const TileModel& model, const CalibrationInput& input,
+                      const CalibrationOptions& options = {});
+
+}  // namespace fretwork::reduction

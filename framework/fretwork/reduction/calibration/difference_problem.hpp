@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/reduction/calibration/calibration_problem.hpp>
+#include <fretwork/reduction/calibration/model_response.hpp>
+
+namespace fretwork::reduction {
+
+/// The calibration of any linear tile model: the tile is built and condensed anew at each point, and the
+/// derivatives of its displacements are central differences. Variables: the parameters, or their natural
+/// logarithms where the row says so.
+class DifferenceProblem final : public CalibrationProblem {
+  public:
+    /// Keeps references to all. Throws InputError if the bounds of a parameter make no sense; NumericalError
+    /// if a scenario lets the tile move freely in the middle of the bounds.
+    DifferenceProblem(const TileModel& model, const ModelTile& tile, const Objective& objective,
+                      const Setting& setting);
+
+    [[nodiscard]] std::string name() const override { return model_.name; }
+    [[nodiscard]] const optimization::Bounds& bounds() const override { return bounds_; }
+    [[nodiscard]] bool offers(optimization::Evaluation) const override { return true; }
+    /// Derivatives need two more tiles a parameter.
+    [[nodiscard]] long cost(optimization::Evaluation kind) const override;
+    [[nodiscard]] std::string cost_unit() const override { return "tiles condensed"; }
+    [[nodiscard]] bool has_kinks() const override { return true; }
+    [[nodiscard]] bool is_logarithm(int variable) const override;
+
+    [[nodiscard]] double value(const Eigen::VectorXd& point) const override;
+    [[nodiscard]] optimization::GradientEvaluation gradient(const Eigen::VectorXd& point,
+                                                            double smoothing) const override;
+    [[nodiscard]] optimization::ResidualEvaluation residuals(const Eigen::VectorXd& point,
+                                                             double smoothing) const override;
+    [[nodiscard]] optimization::CurvatureEvaluation curvature(const Eigen::VectorXd& point,
+                                                              double smoothing) const override;
+
+    [[nodiscard]] std::vector<double> parameter_values(const Eigen::VectorXd& point) const override;
+    /// Not finite where round-off leaves the stiffness indefinite, as it can near the bounds.
+    [[nodiscard]] UnitDisplacements displacements(const Eigen::VectorXd& point) const override;
+
+  private:
+    [[nodiscard]] UnitDisplacementsAndDerivatives derivatives(const Eigen::VectorXd& point) const;
+
+    const TileModel& model_;
+    const ModelTile& tile_;
+    const Objective& objective_;
+    optimization::Bounds bounds_;
+    UnitDisplacements not_finite_;
+};
+
+}  // namespace fretwork::reduction

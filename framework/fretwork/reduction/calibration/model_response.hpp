@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/reduction/models/tile_model.hpp>
+#include <fretwork/reduction/response.hpp>
+#include <fretwork/reduction/unit_displacements.hpp>
+
+#include <Eigen/Core>
+
+#include <span>
+#include <vector>
+
+namespace fretwork::reduction {
+
+/// A tile model of one pattern in the setting's regular polygon, and its displacements under the setting's
+/// scenarios. Keeps references to the model, the layout and the setting. Thread-safe.
+class ModelTile {
+  public:
+    ModelTile(const TileModel& model, const pattern::NodeLayout& layout, const pattern::Pattern& pattern,
+              const Setting& setting);
+
+    /// The tile as a structure, neither held nor loaded; its first nodes are the interface nodes.
+    [[nodiscard]] StructureParts parts(std::span<const double> parameters) const;
+    /// The linear displacements, from the tile's stiffness at rest. Throws NumericalError that names a
+    /// scenario under which the tile can move freely.
+    [[nodiscard]] UnitDisplacements displacements(std::span<const double> parameters) const;
+    /// The nonlinear responses of the model, in the form of compute_responses. Throws Stopped.
+    [[nodiscard]] std::vector<Response> responses(std::span<const double> parameters,
+                                                  const base::Control& control = {}) const;
+
+  private:
+    const TileModel& model_;
+    const pattern::NodeLayout& layout_;
+    const Setting& setting_;
+    geometry::Polygon polygon_;
+    pattern::Fan fan_;
+    std::vector<Eigen::Vector3d> interface_nodes_;
+};
+
+}  // namespace fretwork::reduction

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/geometry/rotation.hpp>
+#include <fretwork/mechanics/condensation.hpp>
+#include <fretwork/mechanics/corotational_element.hpp>
+#include <fretwork/mechanics/node_states.hpp>
+#include <fretwork/reduction/models/condensed_tile.hpp>
+#include <fretwork/reduction/models/corotational_tile.hpp>
+#include <fretwork/reduction/response.hpp>
+
+#include <utility>
+
+namespace fretwork::reduction {
+namespace {
+
+using mechanics::CorotationalMotion;
+using mechanics::kDofsPerNode;
+using mechanics::NodeValues;
+
+class CorotationalTile final : public TileStructure {
+  public:
+    CorotationalTile(mechanics::CorotationalBody::Parts parts, std::shared_ptr<const InnerNodes> inner)
+        : mean_(Eigen::Vector3d::Zero()), inner_(std::move(inner)) {
+        for (const Eigen::Vector3d& node : parts.nodes)
+            mean_ += node / static_cast<double>(parts.nodes.size());
+        body_ = std::make_shared<mechanics::CorotationalBody>(std::move(parts));
+    }
+
+    [[nodiscard]] std::span<const Eigen::Vector3d> inner_nodes() const override { return {}; }
+
+    void add_to(StructureParts& surface, const TilePlace& place) const override {
+        surface.elements.push_back(
+            mechanics::corotational_element({place.nodes.begin(), place.nodes.end()}, body_, place.turn));
+    }
+
+    /// The inner nodes follow in the tile's frame, and are carried by it.
+    [[nodiscard]] std::optional<BeamMotion> beam_motion(const TileMotion& motion) const override {
+        if (motion.displacements == Displacements::Small) return condensed_motion(*inner_, motion);
+        const auto moved =
+            mechanics::corotational_motion(*body_, motion.turn, mechanics::node_states(motion.nodes));
+        if (!moved) return std::nullopt;
+        const NodeValues followed = inner_->follow(moved->in_frame);
+        const Eigen::Index own = motion.nodes.rows();
+        BeamMotion beams{NodeValues(own + followed.rows(), kDofsPerNode),
+                         NodeValues(own + followed.rows(), kDofsPerNode)};
+        beams.nodes << motion.nodes, carried(followed, *moved, motion.turn);
+        beams.in_frame << turned(moved->in_frame, motion.turn), turned(followed, motion.turn);
+        return beams;
+    }
+
+  private:
+    /// From rows seen from the frame to displacements and rotations in the surface's axes.
+    [[nodiscard]] NodeValues carried(const NodeValues& rows, const CorotationalMotion& moved,
+                                     const Eigen::Matrix3d& turn) const {
+        NodeValues result(rows.rows(), kDofsPerNode);
+        for (Eigen::Index i = 0; i < rows.rows(); ++i) {
+            const Eigen::Vector3d arm = inner_->places()[static_cast<std::size_t>(i)] - mean_;
+            const Eigen::Vector3d arm_now = arm + rows.row(i).head<3>().transpose();
+            result.row(i).head<3>() = (moved.shift + moved.axes * arm_now - turn * arm).transpose();
+            const Eigen::Quaterniond spin = geometry::exponential(rows.row(i).tail<3>().transpose());
+            const Eigen::Matrix3d rotation = moved.axes * spin.toRotationMatrix() * turn.transpose();
+            result.row(i).tail<3>() = geometry::logarithm(Eigen::Quaterniond(rotation)).transpose();
+        }
+        return result;
+    }
+
+    Eigen::Vector3d mean_;  ///< of the interface nodes, m
+    std::shared_ptr<const InnerNodes> inner_;
+    std::shared_ptr<const mechanics::CorotationalBody> body_;
+};
+
+}  // namespace
+
+std::shared_ptr<const TileStructure> corotational_tile(mechanics::Frame tile, int interface_nodes) {
+    const auto inner = std::make_shared<const InnerNodes>(std::move(tile), interface_nodes);
+    const auto& nodes = inner->tile().nodes;
+    mechanics::CorotationalBody::Parts parts{{nodes.begin(), nodes.begin() + interface_nodes},
+                                             condensed_frame(inner->tile(), interface_nodes)};
+    parts.mass = [inner] {
+        return mechanics::condense_mass(mechanics::assemble(inner->tile()),
+                                        mechanics::first_nodes(inner->interface_nodes()));
+    };
+    return std::make_shared<CorotationalTile>(std::move(parts), inner);
+}
+
+TileModel corotational_tile_model() {
+    return {
+        .name = "corotational",
+        .summary = "the condensed stiffness of each tile in a frame that turns with it; large displacements",
+        .displacements = Displacements::Large,
+        .sharing = Sharing::Congruent,
+        .build = [](const TileInput& input) {
+            return corotational_tile(fan_frame(input.layout, input.fan, input.polygon, input.setting),
+                                     input.fan.interface_node_count);
+        }};
+}
+
+}  // namespace fretwork::reduction

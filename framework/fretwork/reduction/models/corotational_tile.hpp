@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/reduction/models/tile_model.hpp>
+
+namespace fretwork::reduction {
+
+/// A tile that moves and turns at will with a frame of its own, and answers with its condensed stiffness
+/// what its interface nodes do against that frame (mechanics/corotational_element.hpp). Its mass is that of
+/// the beams, condensed statically. Throws as condensed_frame.
+///
+/// @param tile  its first `interface_nodes` nodes are the interface nodes
+std::shared_ptr<const TileStructure> corotational_tile(mechanics::Frame tile, int interface_nodes);
+
+/// The row of the catalogue: nothing is fitted, and congruent tiles are condensed once.
+TileModel corotational_tile_model();
+
+}  // namespace fretwork::reduction

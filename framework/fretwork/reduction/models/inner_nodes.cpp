@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/mechanics/assembly.hpp>
+#include <fretwork/mechanics/condensation.hpp>
+#include <fretwork/reduction/models/inner_nodes.hpp>
+
+#include <utility>
+
+namespace fretwork::reduction {
+
+InnerNodes::InnerNodes(mechanics::Frame tile, int interface_nodes)
+    : tile_(std::move(tile)), interface_nodes_(interface_nodes) {}
+
+std::span<const Eigen::Vector3d> InnerNodes::places() const {
+    return std::span(tile_.nodes).subspan(static_cast<std::size_t>(interface_nodes_));
+}
+
+mechanics::NodeValues InnerNodes::follow(const mechanics::NodeValues& interface_nodes) const {
+    std::call_once(computed_, [this] {
+        matrix_ = mechanics::following(mechanics::assemble(tile_), mechanics::first_nodes(interface_nodes_));
+    });
+    // Rows lie one behind the other, so all of them are one column.
+    mechanics::NodeValues moved(matrix_.rows() / mechanics::kDofsPerNode, mechanics::kDofsPerNode);
+    Eigen::Map<Eigen::VectorXd>(moved.data(), moved.size()).noalias() =
+        matrix_ * Eigen::Map<const Eigen::VectorXd>(interface_nodes.data(), interface_nodes.size());
+    return moved;
+}
+
+}  // namespace fretwork::reduction

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/mechanics/frame/frame.hpp>
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fretwork::reduction {
+
+/// A standard load case of one tile in the reference hexagon, by its interface nodes. Paper, Section 5.2 and
+/// Fig. 10. It is written for one interface node a side; spread_over_sides makes it fit any layout.
+struct Scenario {
+    struct Support {
+        int interface_node = 0;
+        mechanics::DofSet fixed;
+        friend bool operator==(const Support&, const Support&) = default;
+    };
+    struct Load {  ///< for a magnitude of 1 N
+        int interface_node = 0;
+        std::array<double, 3> force{};   ///< N
+        std::array<double, 3> moment{};  ///< N m, fixed direction in space
+        friend bool operator==(const Load&, const Load&) = default;
+    };
+    std::string name;
+    std::string description;
+    double weight = 1.0;            ///< w_k of Eq. (8), Table 2
+    double max_magnitude = 0.0;     ///< N
+    std::vector<Support> supports;  ///< "held" in files
+    std::vector<Load> loads;
+    friend bool operator==(const Scenario&, const Scenario&) = default;
+};
+
+/// The five scenarios of the paper in its order: axial, shear, bending, dome, saddle
+/// (experiments/scenarios/*.json).
+const std::vector<Scenario>& paper_scenarios();
+
+/// The scenario of a tile with several interface nodes a side: what is said of interface node i holds for all
+/// nodes of side i. Each is held so, and takes an equal share of force and moment. Since nodes lie
+/// symmetrically about the middle of their side, the side's resultants stay. The paper has one node a side.
+Scenario spread_over_sides(const Scenario& scenario, int nodes_a_side);
+
+/// Read a scenario from JSON text; `source` names it in messages. Throws InputError.
+Scenario parse_scenario(std::string_view text, std::string source);
+/// parse_scenario gives an equal scenario.
+std::string scenario_text(const Scenario& scenario);
+/// Throws InputError with file and JSON pointer.
+Scenario read_scenario(const std::filesystem::path& path);
+/// Throws IoError; then the file is as it was.
+void write_scenario(const Scenario& scenario, const std::filesystem::path& path);
+
+}  // namespace fretwork::reduction

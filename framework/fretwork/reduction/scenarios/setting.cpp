@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/base/limits.hpp>
+#include <fretwork/base/text.hpp>
+#include <fretwork/reduction/scenarios/setting.hpp>
+
+#include <numbers>
+#include <set>
+
+namespace fretwork::reduction {
+namespace {
+
+void check_interface_node(const Setting& setting, int node, const std::string& source,
+                          const std::string& place) {
+    if (node < setting.sides) return;
+    throw base::InputError(source, place,
+                           "there is no interface node " + std::to_string(node) + " in a polygon of " +
+                               std::to_string(setting.sides) + " sides");
+}
+
+void check_scenario(const Setting& setting, std::size_t index, const std::string& source) {
+    const Scenario& scenario = setting.scenarios[index];
+    const std::string place = "/scenarios/" + std::to_string(index);
+    if (!base::is_positive_within(scenario.max_magnitude, base::kForceLimits))
+        throw base::InputError(source, place + "/max_magnitude",
+                               "is " + base::format_number(scenario.max_magnitude) + ", where " +
+                                   base::positive_range_text(base::kForceLimits) + " is needed");
+    for (std::size_t i = 0; i < scenario.supports.size(); ++i) {
+        check_interface_node(setting, scenario.supports[i].interface_node, source,
+                             place + "/held/" + std::to_string(i));
+    }
+    for (std::size_t i = 0; i < scenario.loads.size(); ++i) {
+        check_interface_node(setting, scenario.loads[i].interface_node, source,
+                             place + "/loads/" + std::to_string(i));
+    }
+}
+
+void check_quantities(const Setting& setting, const std::string& source) {
+    const auto require = [&](const char* place, double value, const base::Limits& limits) {
+        if (!base::is_positive_within(value, limits))
+            throw base::InputError(source, place,
+                                   "is " + base::format_number(value) + ", where " +
+                                       base::positive_range_text(limits) + " is needed");
+    };
+    const mechanics::Section& section = setting.section;
+    require("/tile_side", setting.tile_side, base::kLengthLimits);
+    require("/section/area", section.area, base::kAreaLimits);
+    require("/section/I2", section.I2, base::kSecondMomentLimits);
+    require("/section/I3", section.I3, base::kSecondMomentLimits);
+    require("/section/J", section.J, base::kSecondMomentLimits);
+    if (section.shear_area2) require("/section/shear_area2", *section.shear_area2, base::kAreaLimits);
+    if (section.shear_area3) require("/section/shear_area3", *section.shear_area3, base::kAreaLimits);
+    const mechanics::Material& material = setting.material;
+    require("/material/young_modulus", material.young_modulus, base::kModulusLimits);
+    if (material.given_shear_modulus)
+        require("/material/shear_modulus", *material.given_shear_modulus, base::kModulusLimits);
+    if (setting.strength) require("/material/strength", *setting.strength, base::kModulusLimits);
+    if (material.density != 0.0) require("/material/density", material.density, base::kDensityLimits);
+}
+
+}  // namespace
+
+std::vector<std::string> doubts_about(const Setting& setting) {
+    constexpr double kSoftest = 1e4;  // Pa; foams are stiffer
+    constexpr double kWeakest = 1e3;  // Pa
+    constexpr double kLargest = 10;   // m
+    std::vector<std::string> doubts;
+    const auto doubt = [&](const char* what, double value, const char* why) {
+        doubts.push_back(what + base::format_number(value) + why);
+    };
+    if (setting.material.young_modulus < kSoftest)
+        doubt("Young's modulus is ", setting.material.young_modulus,
+              " Pa, less than any solid has (2 GPa is 2e9)");
+    if (setting.strength && *setting.strength < kWeakest)
+        doubt("the strength is ", *setting.strength, " Pa, less than any solid bears (40 MPa is 4e7)");
+    if (setting.tile_side > kLargest) doubt("tiles have sides of ", setting.tile_side, " m (15 mm is 0.015)");
+    return doubts;
+}
+
+std::string_view sample_policy_name(SamplePolicy policy) {
+    return policy == SamplePolicy::Paper ? "paper" : "stable";
+}
+
+std::string_view joints_name(Joints joints) {
+    return joints == Joints::Centreline ? "centreline" : "stiff";
+}
+
+void Setting::validate(const std::string& source) const {
+    const auto require = [&](bool makes_sense, const char* place, const char* what) {
+        if (!makes_sense) throw base::InputError(source, place, what);
+    };
+    check_quantities(*this, source);
+    require(sides >= 3, "/sides", "a polygon has at least 3 sides");
+    require(divisions >= 1, "/divisions", "at least 1 is needed");
+    require(magnitudes >= 1, "/magnitudes", "at least 1 is needed");
+    require(!scenarios.empty(), "/scenarios", "at least one is needed");
+    std::set<std::string> names;
+    for (std::size_t i = 0; i < scenarios.size(); ++i) {
+        if (!names.insert(scenarios[i].name).second) {
+            throw base::InputError(source, "/scenarios/" + std::to_string(i),
+                                   "a second scenario is called '" + scenarios[i].name + "'");
+        }
+        check_scenario(*this, i, source);
+    }
+}
+
+Setting paper_setting() {
+    constexpr double kBarWidth = 0.002;
+    constexpr double kCircumdiameter = 0.03 * std::numbers::sqrt3;
+    constexpr double kPlaDensity = 1240.0;  // Section 7.3; no response depends on it
+    Setting setting;
+    setting.material = {.young_modulus = 1e9, .poisson_ratio = 0.3, .density = kPlaDensity};
+    setting.section = mechanics::rectangle_section(kBarWidth, kBarWidth);
+    setting.tile_side = kCircumdiameter / 2.0;
+    setting.scenarios = paper_scenarios();
+    return setting;
+}
+
+}  // namespace fretwork::reduction

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/base/files/file.hpp>
+#include <fretwork/base/text.hpp>
+#include <fretwork/reduction/detail/scenario_json.hpp>
+#include <fretwork/reduction/scenarios/setting_file.hpp>
+
+#include <algorithm>
+
+namespace fretwork::reduction {
+namespace {
+
+using base::Json;
+using base::JsonReader;
+
+mechanics::Material read_material(const JsonReader& json) {
+    json.allow_only({"young_modulus", "poisson_ratio", "density", "shear_modulus", "strength"});
+    mechanics::Material material;
+    material.young_modulus = json.at("young_modulus").positive_number();
+    material.poisson_ratio = json.at("poisson_ratio").number();
+    if (!(material.poisson_ratio > -1.0 && material.poisson_ratio <= 0.5)) {
+        json.at("poisson_ratio").fail("a Poisson's ratio lies above -1 and up to 0.5");
+    }
+    if (const auto density = json.find("density")) {
+        material.density = density->number();
+        if (material.density < 0.0) density->fail("a density is not negative");
+    }
+    if (const auto given = json.find("shear_modulus"))
+        material.given_shear_modulus = given->positive_number();
+    return material;
+}
+
+mechanics::Section read_shape(const JsonReader& json) {
+    const std::string type = json.at("type").choice({"rectangle", "circle", "tube"});
+    if (type == "rectangle") {
+        json.allow_only({"type", "width", "height"});
+        return mechanics::rectangle_section(json.at("width").positive_number(),
+                                            json.at("height").positive_number());
+    }
+    if (type == "circle") {
+        json.allow_only({"type", "diameter"});
+        return mechanics::circle_section(json.at("diameter").positive_number());
+    }
+    json.allow_only({"type", "outer_diameter", "inner_diameter"});
+    const double outer = json.at("outer_diameter").positive_number();
+    const double inner = json.at("inner_diameter").positive_number();
+    if (inner >= outer) json.at("inner_diameter").fail("must be less than the outer diameter");
+    return mechanics::tube_section(outer, inner);
+}
+
+mechanics::Section read_section(const JsonReader& json) {
+    if (json.find("type")) return read_shape(json);
+    json.allow_only({"area", "I2", "I3", "J", "shear_area2", "shear_area3"});
+    mechanics::Section section{.area = json.at("area").positive_number(),
+                               .I2 = json.at("I2").positive_number(),
+                               .I3 = json.at("I3").positive_number(),
+                               .J = json.at("J").positive_number()};
+    if (const auto area = json.find("shear_area2")) section.shear_area2 = area->positive_number();
+    if (const auto area = json.find("shear_area3")) section.shear_area3 = area->positive_number();
+    return section;
+}
+
+Scenario named_scenario(const JsonReader& json) {
+    const std::string name = json.string();
+    const auto& known = paper_scenarios();
+    const auto found = std::ranges::find(known, name, &Scenario::name);
+    if (found != known.end()) return *found;
+    std::vector<std::string> names;
+    for (const Scenario& scenario : known) names.push_back(scenario.name);
+    json.fail(base::unknown_name_message("scenario", name, names));
+}
+
+Scenario read_scenario_entry(const JsonReader& json) {
+    if (json.is_string()) return named_scenario(json);
+    if (!json.find("use")) return detail::read_scenario(json);
+    json.allow_only({"use", "max_magnitude", "weight"});
+    Scenario scenario = named_scenario(json.at("use"));
+    if (const auto magnitude = json.find("max_magnitude"))
+        scenario.max_magnitude = magnitude->positive_number();
+    if (const auto weight = json.find("weight")) scenario.weight = weight->positive_number();
+    return scenario;
+}
+
+void read_choices(const JsonReader& json, Setting& setting) {
+    if (const auto sides = json.find("sides")) setting.sides = static_cast<int>(sides->integer(3, 100));
+    if (const auto count = json.find("divisions")) {
+        setting.divisions = static_cast<int>(count->integer(1, 100));
+    }
+    if (const auto count = json.find("magnitudes")) {
+        setting.magnitudes = static_cast<int>(count->integer(1, 1000));
+    }
+    if (const auto branch = json.find("branch")) {
+        setting.sample_policy =
+            branch->choice({"paper", "stable"}) == "paper" ? SamplePolicy::Paper : SamplePolicy::Stable;
+    }
+    if (const auto joints = json.find("joints")) {
+        setting.joints =
+            joints->choice({"centreline", "stiff"}) == "stiff" ? Joints::Stiff : Joints::Centreline;
+    }
+}
+
+/// The first format did not have it yet.
+std::optional<double> read_strength(const JsonReader& document) {
+    const auto material = document.find("material");
+    const auto strength = material ? material->find("strength") : std::nullopt;
+    if (!strength) return std::nullopt;
+    const std::string format = document.at("format").string();
+    if (format == "fretwork/setting/1") strength->fail("is no key of " + format);
+    return strength->positive_number();
+}
+
+Setting read_document(const JsonReader& json) {
+    json.expect_format("setting", 2);
+    json.allow_only({"format", "material", "section", "tile_side", "sides", "divisions", "magnitudes",
+                     "branch", "joints", "scenarios"});
+    Setting setting = paper_setting();
+    if (const auto material = json.find("material")) setting.material = read_material(*material);
+    setting.strength = read_strength(json);
+    if (const auto section = json.find("section")) setting.section = read_section(*section);
+    if (const auto side = json.find("tile_side")) setting.tile_side = side->positive_number();
+    read_choices(json, setting);
+    if (const auto scenarios = json.find("scenarios")) {
+        setting.scenarios.clear();
+        for (const JsonReader& entry : scenarios->elements()) {
+            setting.scenarios.push_back(read_scenario_entry(entry));
+        }
+    }
+    setting.validate(json.source());
+    return setting;
+}
+
+Json material_json(const mechanics::Material& material) {
+    Json json = {{"young_modulus", material.young_modulus},
+                 {"poisson_ratio", material.poisson_ratio},
+                 {"density", material.density}};
+    if (material.given_shear_modulus) json["shear_modulus"] = *material.given_shear_modulus;
+    return json;
+}
+
+Json section_json(const mechanics::Section& section) {
+    Json json = {{"area", section.area}, {"I2", section.I2}, {"I3", section.I3}, {"J", section.J}};
+    if (section.shear_area2) json["shear_area2"] = *section.shear_area2;
+    if (section.shear_area3) json["shear_area3"] = *section.shear_area3;
+    return json;
+}
+
+Json setting_json(const Setting& setting) {
+    Json json = {{"format", setting.strength ? "fretwork/setting/2" : "fretwork/setting/1"},
+                 {"material", material_json(setting.material)},
+                 {"section", section_json(setting.section)},
+                 {"tile_side", setting.tile_side},
+                 {"sides", setting.sides},
+                 {"divisions", setting.divisions},
+                 {"magnitudes", setting.magnitudes},
+                 {"branch", sample_policy_name(setting.sample_policy)},
+                 {"scenarios", Json::array()}};
+    // Only where it is needed: a setting with centrelines keeps its text, and so its hash.
+    if (setting.joints != Joints::Centreline) {
+        json["format"] = "fretwork/setting/2";
+        json["joints"] = joints_name(setting.joints);
+    }
+    for (const Scenario& scenario : setting.scenarios) {
+        json["scenarios"].push_back(detail::scenario_json(scenario));
+    }
+    if (setting.strength) json["material"]["strength"] = *setting.strength;
+    return json;
+}
+
+/// All of a setting, whatever its file leaves out.
+Json comparable_json(const Setting& setting) {
+    Json json = setting_json(setting);
+    json.erase("format");
+    json["joints"] = joints_name(setting.joints);
+    return json;
+}
+
+/// The value at a pointer, or what stands for its absence.
+std::string value_text(const Json& json, const Json::json_pointer& pointer) {
+    return json.contains(pointer) ? json.at(pointer).dump() : "nothing";
+}
+
+}  // namespace
+
+Setting read_setting(const std::filesystem::path& path) {
+    return read_document(JsonReader::from_file(path));
+}
+
+Setting parse_setting(std::string_view text, std::string source) {
+    return read_document(JsonReader::from_text(text, std::move(source)));
+}
+
+void write_setting(const Setting& setting, const std::filesystem::path& path) {
+    base::write_file_atomically(path, setting_text(setting));
+}
+
+std::string setting_text(const Setting& setting) {
+    return base::json_text(setting_json(setting));
+}
+
+Setting without_strength(Setting setting) {
+    setting.strength.reset();
+    return setting;
+}
+
+std::string setting_difference(const Setting& wanted, const Setting& present) {
+    const Json left = comparable_json(without_strength(wanted));
+    const Json right = comparable_json(without_strength(present));
+    const Json patch = Json::diff(right, left);
+    if (patch.empty()) return "";
+    const Json::json_pointer place(patch.front().at("path").get<std::string>());
+    return place.to_string() + ": " + value_text(left, place) + ", where the library has " +
+           value_text(right, place);
+}
+
+}  // namespace fretwork::reduction

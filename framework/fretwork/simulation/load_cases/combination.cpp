@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/base/text.hpp>
+#include <fretwork/simulation/load_cases/combination.hpp>
+
+#include <algorithm>
+
+namespace fretwork::simulation {
+namespace {
+
+void add(const LoadCase& part, double factor, LoadCase& sum) {
+    sum.supports.insert(sum.supports.end(), part.supports.begin(), part.supports.end());
+    for (LoadCase::Load load : part.loads) {
+        load.force *= factor;
+        load.moment *= factor;
+        sum.loads.push_back(std::move(load));
+    }
+    for (LoadCase::AreaLoad load : part.area_loads) {
+        load.per_area *= factor;
+        sum.area_loads.push_back(std::move(load));
+    }
+    for (LoadCase::PrescribedDisplacement displacement : part.prescribed) {
+        displacement.value *= factor;
+        sum.prescribed.push_back(std::move(displacement));
+    }
+    sum.gravity += factor * part.gravity;
+}
+
+}  // namespace
+
+const LoadCase& load_case_of(const std::string& name, std::span<const LoadCase> cases) {
+    const auto found = std::ranges::find(cases, name, &LoadCase::name);
+    if (found != cases.end()) return *found;
+    std::vector<std::string> names;
+    for (const LoadCase& other : cases) names.push_back(other.name);
+    throw base::InputError(base::unknown_name_message("load case", name, names));
+}
+
+LoadCase combined(const LoadCase& load_case, std::span<const LoadCase> cases) {
+    LoadCase sum = load_case;
+    sum.combines.clear();
+    for (std::size_t i = 0; i < load_case.combines.size(); ++i) {
+        const LoadCase::Share& share = load_case.combines[i];
+        try {
+            if (share.load_case == load_case.name) throw base::InputError("is itself");
+            const LoadCase& part = load_case_of(share.load_case, cases);
+            if (!part.combines.empty())
+                throw base::InputError("'" + part.name + "' is a combination, too: name what it combines");
+            add(part, share.factor, sum);
+        } catch (const base::InputError& error) {
+            throw base::InputError("load case '" + load_case.name + "'",
+                                   "/combines/" + std::to_string(i) + "/load_case", error.what());
+        }
+    }
+    return sum;
+}
+
+}  // namespace fretwork::simulation

@@ -1,0 +1,311 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/files/file.hpp>
+#include <fretwork/base/limits.hpp>
+#include <fretwork/simulation/detail/load_case_json.hpp>
+#include <fretwork/simulation/detail/side_names.hpp>
+#include <fretwork/simulation/load_cases/load_case_file.hpp>
+
+#include <algorithm>
+
+namespace fretwork::simulation {
+namespace {
+
+using base::Json;
+using base::JsonReader;
+using detail::kSideNames;
+using detail::side_name;
+using mechanics::Dof;
+using mechanics::kDofNames;
+
+constexpr base::Limits kPerLengthLimits{1e-21, 1e15, "N/m"};
+constexpr base::Limits kPerAreaLimits{1e-24, 1e18, "N/m2"};
+
+double read_number(const JsonReader& json, const base::Limits& limits) {
+    const double value = json.number();
+    if (!base::is_within(value, limits))
+        json.fail("is " + json.text() + ", where " + base::range_text(limits) + " is needed");
+    return value;
+}
+
+Eigen::Vector3d read_vector(const std::optional<JsonReader>& json, const base::Limits& limits) {
+    if (!json) return Eigen::Vector3d::Zero();
+    const auto numbers = json->elements(3);
+    return {read_number(numbers[0], limits), read_number(numbers[1], limits),
+            read_number(numbers[2], limits)};
+}
+
+Json vector_json(const Eigen::Vector3d& vector) {
+    return Json{vector.x(), vector.y(), vector.z()};
+}
+
+NodesById read_ids(const JsonReader& json) {
+    NodesById selection;
+    for (const JsonReader& id : json.elements())
+        selection.ids.push_back(static_cast<int>(id.integer(0, 1'000'000'000)));
+    if (selection.ids.empty()) json.fail("is empty, where at least one id of an interface node is needed");
+    return selection;
+}
+
+NodesInBox read_box(const JsonReader& json) {
+    const std::vector<double> box = json.numbers(4);
+    if (box[0] > box[2] || box[1] > box[3])
+        json.fail("is " + json.text() + ", where xmin ymin xmax ymax are needed");
+    return {{box[0], box[1], box[2], box[3]}};
+}
+
+NodesNearest read_points(const JsonReader& json) {
+    NodesNearest selection;
+    for (const JsonReader& point : json.elements()) {
+        const std::vector<double> place = point.numbers(2);
+        selection.points.push_back({place[0], place[1]});
+    }
+    if (selection.points.empty()) json.fail("is empty, where at least one point is needed");
+    return selection;
+}
+
+NodesAtSide read_side(const JsonReader& json) {
+    const std::string name = json.choice({kSideNames[0], kSideNames[1], kSideNames[2], kSideNames[3]});
+    const auto place = std::find(kSideNames.begin(), kSideNames.end(), name);
+    return {static_cast<Side>(place - kSideNames.begin())};
+}
+
+Selection read_selection(const JsonReader& json) {
+    const auto nodes = json.find("nodes");
+    const auto box = json.find("box");
+    const auto nearest = json.find("nearest");
+    const auto side = json.find("side");
+    if (nodes.has_value() + box.has_value() + nearest.has_value() + side.has_value() != 1) {
+        json.fail("picks its nodes by exactly one of nodes, box, nearest, side");
+    }
+    if (nodes) return read_ids(*nodes);
+    if (box) return read_box(*box);
+    if (nearest) return read_points(*nearest);
+    return read_side(*side);
+}
+
+void write_selection(const Selection& selection, Json& json) {
+    if (const auto* ids = std::get_if<NodesById>(&selection)) json["nodes"] = ids->ids;
+    if (const auto* box = std::get_if<NodesInBox>(&selection)) json["box"] = box->box;
+    if (const auto* side = std::get_if<NodesAtSide>(&selection)) json["side"] = side_name(side->side);
+    if (const auto* nearest = std::get_if<NodesNearest>(&selection)) {
+        for (const geometry::Point2& point : nearest->points) json["nearest"].push_back({point.x, point.y});
+    }
+}
+
+std::optional<Dof> dof_of(const std::string& name) {
+    const auto place = std::find(kDofNames.begin(), kDofNames.end(), name);
+    if (place == kDofNames.end()) return std::nullopt;
+    return static_cast<Dof>(place - kDofNames.begin());
+}
+
+LoadCase::Support read_support(const JsonReader& json) {
+    json.allow_only({"nodes", "box", "nearest", "side", "fixed"});
+    LoadCase::Support support{read_selection(json), {}};
+    for (const JsonReader& name : json.at("fixed").elements()) {
+        const std::string dof = name.choice({"ux", "uy", "uz", "rx", "ry", "rz"});
+        support.fixed.contains[static_cast<std::size_t>(*dof_of(dof))] = true;
+    }
+    return support;
+}
+
+Json support_json(const LoadCase::Support& support) {
+    Json json;
+    write_selection(support.where, json);
+    json["fixed"] = Json::array();
+    for (std::size_t d = 0; d < kDofNames.size(); ++d) {
+        if (support.fixed.contains[d]) json["fixed"].push_back(kDofNames[d]);
+    }
+    return json;
+}
+
+LoadCase::Load read_load(const JsonReader& json) {
+    json.allow_only({"nodes", "box", "nearest", "side", "force", "moment", "amount"});
+    if (!json.find("force") && !json.find("moment")) json.fail("has neither a force nor a moment");
+    LoadCase::Load load{read_selection(json), read_vector(json.find("force"), base::kForceLimits),
+                        read_vector(json.find("moment"), base::kMomentLimits), LoadCase::Amount::Each};
+    const auto amount = json.find("amount");
+    if (amount && amount->choice({"each", "total"}) == "total") load.amount = LoadCase::Amount::Total;
+    return load;
+}
+
+LoadCase::Load read_line_load(const JsonReader& json) {
+    json.allow_only({"side", "between", "per_length"});
+    const auto side = json.find("side");
+    const auto between = json.find("between");
+    if (side.has_value() == between.has_value())
+        json.fail("runs along a side or between two points of the rim: one of side, between is needed");
+    LoadCase::Load load{NodesAtSide{}, read_vector(json.at("per_length"), kPerLengthLimits),
+                        Eigen::Vector3d::Zero(), LoadCase::Amount::PerLength};
+    if (side) {
+        load.where = read_side(*side);
+    } else {
+        (void)between->elements(2);
+        load.where = read_points(*between);
+    }
+    return load;
+}
+
+Json load_json(const LoadCase::Load& load) {
+    Json json;
+    if (load.amount == LoadCase::Amount::PerLength) {
+        write_selection(load.where, json);
+        if (json.contains("nearest")) json["between"] = std::move(json["nearest"]);
+        json.erase("nearest");
+        json["per_length"] = vector_json(load.force);
+        return json;
+    }
+    write_selection(load.where, json);
+    if (!load.force.isZero(0)) json["force"] = vector_json(load.force);
+    if (!load.moment.isZero(0)) json["moment"] = vector_json(load.moment);
+    if (load.force.isZero(0) && load.moment.isZero(0)) json["force"] = vector_json(load.force);
+    if (load.amount == LoadCase::Amount::Total) json["amount"] = "total";
+    return json;
+}
+
+/// One entry may prescribe several dofs; each becomes one PrescribedDisplacement.
+void read_prescribed(const JsonReader& json, std::vector<LoadCase::PrescribedDisplacement>& list) {
+    json.allow_only({"nodes", "box", "nearest", "side", "ux", "uy", "uz", "rx", "ry", "rz"});
+    const Selection where = read_selection(json);
+    const std::size_t before = list.size();
+    for (const auto& [key, value] : json.members()) {
+        const auto dof = dof_of(key);
+        if (!dof) continue;
+        const base::Limits& limits = *dof < Dof::rx ? base::kLengthLimits : base::kAngleLimits;
+        list.push_back({where, *dof, read_number(value, limits)});
+    }
+    if (list.size() == before) json.fail("prescribes nothing: one of ux, uy, uz, rx, ry, rz is needed");
+}
+
+Json prescribed_json(const LoadCase::PrescribedDisplacement& prescribed) {
+    Json json;
+    write_selection(prescribed.where, json);
+    json[kDofNames[static_cast<std::size_t>(prescribed.dof)]] = prescribed.value;
+    return json;
+}
+
+LoadCase::AreaLoad read_area_load(const JsonReader& json) {
+    json.allow_only({"nodes", "box", "nearest", "side", "tiles", "per_area"});
+    const Eigen::Vector3d per_area = read_vector(json.at("per_area"), kPerAreaLimits);
+    const auto tiles = json.find("tiles");
+    if (!tiles) return {read_selection(json), per_area};
+    json.allow_only({"tiles", "per_area"});
+    return {LoadCase::AreaLoad::Tiles{read_ids(*tiles).ids}, per_area};
+}
+
+Json area_load_json(const LoadCase::AreaLoad& load) {
+    Json json;
+    if (const auto* where = std::get_if<Selection>(&load.where)) write_selection(*where, json);
+    if (const auto* tiles = std::get_if<LoadCase::AreaLoad::Tiles>(&load.where))
+        json["tiles"] = tiles->numbers;
+    json["per_area"] = vector_json(load.per_area);
+    return json;
+}
+
+LoadCase::Share read_share(const JsonReader& json) {
+    json.allow_only({"load_case", "factor"});
+    constexpr base::Limits kFactorLimits{1e-6, 1e6, "times the load case"};
+    return {json.at("load_case").string(), read_number(json.at("factor"), kFactorLimits)};
+}
+
+Json share_json(const LoadCase::Share& share) {
+    return {{"load_case", share.load_case}, {"factor", share.factor}};
+}
+
+template <class Value>
+Json list_json(const std::vector<Value>& values, Json (*to_json)(const Value&)) {
+    Json list = Json::array();
+    for (const Value& value : values) list.push_back(to_json(value));
+    return list;
+}
+
+std::vector<JsonReader> elements_of(const JsonReader& json, std::string_view key) {
+    const auto list = json.find(key);
+    return list ? list->elements() : std::vector<JsonReader>{};
+}
+
+bool needs_third_format(const LoadCase& load_case) {
+    return std::ranges::any_of(load_case.loads, [](const LoadCase::Load& load) {
+        return load.amount == LoadCase::Amount::PerLength;
+    });
+}
+
+bool needs_second_format(const LoadCase& load_case) {
+    return !load_case.area_loads.empty() || !load_case.combines.empty();
+}
+
+}  // namespace
+
+namespace detail {
+
+LoadCase load_case_from_json(const JsonReader& json) {
+    json.expect_format("load-case", 3);
+    json.allow_only(
+        {"format", "name", "description", "supports", "loads", "prescribed", "gravity", "combines"});
+    LoadCase load_case;
+    load_case.name = json.at("name").string();
+    if (load_case.name.empty()) json.at("name").fail("is empty, where a name is needed");
+    if (const auto description = json.find("description")) load_case.description = description->string();
+    for (const JsonReader& support : elements_of(json, "supports"))
+        load_case.supports.push_back(read_support(support));
+    for (const JsonReader& load : elements_of(json, "loads")) {
+        if (load.find("per_length"))
+            load_case.loads.push_back(read_line_load(load));
+        else if (load.find("per_area"))
+            load_case.area_loads.push_back(read_area_load(load));
+        else
+            load_case.loads.push_back(read_load(load));
+    }
+    for (const JsonReader& entry : elements_of(json, "prescribed"))
+        read_prescribed(entry, load_case.prescribed);
+    load_case.gravity = read_vector(json.find("gravity"), base::kAccelerationLimits);
+    for (const JsonReader& share : elements_of(json, "combines"))
+        load_case.combines.push_back(read_share(share));
+    if (json.at("format").string() == "fretwork/load-case/1" && needs_second_format(load_case))
+        json.fail(
+            "is of fretwork/load-case/1, which has neither per_area nor combines; fretwork/load-case/2 has");
+    if (json.at("format").string() != "fretwork/load-case/3" && needs_third_format(load_case))
+        json.fail("is of " + json.at("format").string() +
+                  ", which has no per_length; fretwork/load-case/3 has");
+    return load_case;
+}
+
+Json load_case_to_json(const LoadCase& load_case) {
+    Json json;
+    // What the first format can say is written so: other programs read it.
+    json["format"] = needs_third_format(load_case)    ? "fretwork/load-case/3"
+                     : needs_second_format(load_case) ? "fretwork/load-case/2"
+                                                      : "fretwork/load-case/1";
+    json["name"] = load_case.name;
+    json["description"] = load_case.description;
+    json["supports"] = list_json(load_case.supports, support_json);
+    json["loads"] = list_json(load_case.loads, load_json);
+    for (const LoadCase::AreaLoad& load : load_case.area_loads) json["loads"].push_back(area_load_json(load));
+    json["prescribed"] = list_json(load_case.prescribed, prescribed_json);
+    json["gravity"] = vector_json(load_case.gravity);
+    if (!load_case.combines.empty()) json["combines"] = list_json(load_case.combines, share_json);
+    return json;
+}
+
+}  // namespace detail
+
+LoadCase parse_load_case(std::string_view text, const std::string& source) {
+    return detail::load_case_from_json(JsonReader::from_text(text, source));
+}
+
+std::string load_case_text(const LoadCase& load_case) {
+    return base::json_text(detail::load_case_to_json(load_case));
+}
+
+bool is_same(const LoadCase& left, const LoadCase& right) {
+    return &left == &right || load_case_text(left) == load_case_text(right);
+}
+
+void write_load_case(const LoadCase& load_case, const std::filesystem::path& path) {
+    base::write_file_atomically(path, load_case_text(load_case));
+}
+
+LoadCase read_load_case(const std::filesystem::path& path) {
+    return detail::load_case_from_json(JsonReader::from_file(path));
+}
+
+}  // namespace fretwork::simulation

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/base/text.hpp>
+#include <fretwork/simulation/load_cases/selection.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace fretwork::simulation {
+namespace {
+
+using geometry::Point2;
+using tiling::InterfaceIndex;
+using tiling::Tessellation;
+
+std::string exact_place_text(const Point2& point) {
+    return "(" + base::format_number(point.x) + ", " + base::format_number(point.y) + ")";
+}
+
+std::vector<InterfaceIndex> nodes_where(const Tessellation& tessellation, const auto& condition) {
+    std::vector<InterfaceIndex> picked;
+    for (std::size_t i = 0; i < tessellation.interface_nodes.size(); ++i) {
+        if (condition(i)) picked.emplace_back(i);
+    }
+    return picked;
+}
+
+/// The interface nodes that only one tile has.
+std::vector<bool> rim_nodes(const Tessellation& tessellation) {
+    std::vector<int> uses(tessellation.interface_nodes.size(), 0);
+    for (const tiling::Tile& tile : tessellation.tiles) {
+        for (const InterfaceIndex node : tile.interface_nodes) ++uses[static_cast<std::size_t>(node)];
+    }
+    std::vector<bool> on_rim(uses.size());
+    std::transform(uses.begin(), uses.end(), on_rim.begin(), [](int count) { return count == 1; });
+    return on_rim;
+}
+
+/// How far a point lies from a side of the bounding box is its height above the lowest point, seen from that
+/// side.
+double height(const Point2& point, Side side) {
+    switch (side) {
+        case Side::Left:
+            return point.x;
+        case Side::Right:
+            return -point.x;
+        case Side::Bottom:
+            return point.y;
+        case Side::Top:
+            return -point.y;
+    }
+    return 0.0;
+}
+
+class Picker {
+  public:
+    explicit Picker(const Tessellation& tessellation) : tessellation_(tessellation) {}
+
+    std::vector<InterfaceIndex> operator()(const NodesById& selection) const {
+        std::vector<InterfaceIndex> picked;
+        const auto count = static_cast<int>(tessellation_.interface_nodes.size());
+        for (const int id : selection.ids) {
+            if (id < 0 || id >= count) {
+                throw base::InputError("there is no interface node " + std::to_string(id) +
+                                       "; they run from 0 to " + std::to_string(count - 1));
+            }
+            picked.emplace_back(id);
+        }
+        return picked;
+    }
+
+    std::vector<InterfaceIndex> operator()(const NodesInBox& selection) const {
+        const auto [xmin, ymin, xmax, ymax] = selection.box;
+        auto picked = nodes_where(tessellation_, [&](std::size_t i) {
+            const Point2& p = tessellation_.interface_nodes[i];
+            return p.x >= xmin && p.x <= xmax && p.y >= ymin && p.y <= ymax;
+        });
+        if (picked.empty()) {
+            throw base::InputError("no interface node lies in the box from " +
+                                   exact_place_text({xmin, ymin}) + " to " + exact_place_text({xmax, ymax}));
+        }
+        return picked;
+    }
+
+    std::vector<InterfaceIndex> operator()(const NodesNearest& selection) const {
+        std::vector<InterfaceIndex> picked;
+        for (const Point2& point : selection.points) {
+            const auto nearer = [&](const Point2& a, const Point2& b) {
+                return std::hypot(a.x - point.x, a.y - point.y) < std::hypot(b.x - point.x, b.y - point.y);
+            };
+            const auto& nodes = tessellation_.interface_nodes;
+            picked.emplace_back(std::min_element(nodes.begin(), nodes.end(), nearer) - nodes.begin());
+        }
+        return picked;
+    }
+
+    std::vector<InterfaceIndex> operator()(const NodesAtSide& selection) const {
+        double lowest = std::numeric_limits<double>::infinity();
+        for (const Point2& node : tessellation_.interface_nodes)
+            lowest = std::min(lowest, height(node, selection.side));
+        const double strip = tiling::mean_tile_side(tessellation_);
+        const std::vector<bool> on_rim = rim_nodes(tessellation_);
+        return nodes_where(tessellation_, [&](std::size_t i) {
+            return on_rim[i] && height(tessellation_.interface_nodes[i], selection.side) <= lowest + strip;
+        });
+    }
+
+  private:
+    const Tessellation& tessellation_;
+};
+
+}  // namespace
+
+std::vector<InterfaceIndex> select_nodes(const Selection& selection, const Tessellation& tessellation) {
+    std::vector<InterfaceIndex> picked = std::visit(Picker(tessellation), selection);
+    std::sort(picked.begin(), picked.end());
+    picked.erase(std::unique(picked.begin(), picked.end()), picked.end());
+    return picked;
+}
+
+}  // namespace fretwork::simulation

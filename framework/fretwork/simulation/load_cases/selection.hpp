@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/tiling/tessellation.hpp>
+
+#include <array>
+#include <variant>
+#include <vector>
+
+namespace fretwork::simulation {
+
+/// A side of the bounding box.
+enum class Side { Left, Right, Bottom, Top };
+
+/// Interface nodes by their numbers.
+struct NodesById {
+    std::vector<int> ids;
+};
+/// All interface nodes in a box, its rim included: xmin ymin xmax ymax in metres.
+struct NodesInBox {
+    std::array<double, 4> box{};
+};
+/// The interface node nearest to each of some points.
+struct NodesNearest {
+    std::vector<geometry::Point2> points;
+};
+/// The rim nodes along one side: those in a strip of one mean tile side along that side of the bounding box.
+struct NodesAtSide {
+    Side side = Side::Left;
+};
+/// Which interface nodes a support or a load is on.
+using Selection = std::variant<NodesById, NodesInBox, NodesNearest, NodesAtSide>;
+
+/// The interface nodes of a selection, ascending, each once. Throws InputError if there is none, or an id is
+/// out of range.
+std::vector<tiling::InterfaceIndex> select_nodes(const Selection& selection,
+                                                 const tiling::Tessellation& tessellation);
+
+}  // namespace fretwork::simulation

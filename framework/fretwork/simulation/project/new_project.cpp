@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/simulation/project/new_project.hpp>
+#include <fretwork/tiling/mesh_tessellation.hpp>
+#include <fretwork/tiling/tessellate_parts.hpp>
+
+#include <algorithm>
+
+namespace fretwork::simulation {
+namespace {
+
+pattern::NodeLayout chosen_layout(const NewProjectOptions& options, const library::Library* library) {
+    if (!library) return pattern::find_node_layout(options.layout.empty() ? "paper7" : options.layout);
+    if (!options.layout.empty()) library->check_layout(pattern::find_node_layout(options.layout));
+    return library->layout();
+}
+
+/// The options are checked before, so that what is refused is the outline.
+tiling::TessellationResult tessellate_named(const std::vector<outlines::Outline>& parts,
+                                            const std::string& name, const pattern::NodeLayout& layout,
+                                            const tiling::TessellationOptions& options) {
+    options.validate();
+    if (name.empty()) return tiling::tessellate_parts(parts, layout, options);
+    try {
+        return tiling::tessellate_parts(parts, layout, options);
+    } catch (const base::GeometryError& error) {
+        throw base::GeometryError(name, "", error.what());
+    } catch (const base::InputError& error) {
+        throw base::InputError(name, "", error.what());
+    }
+}
+
+tiling::TessellationResult new_tiles(const std::vector<outlines::Outline>& parts,
+                                     const NewProjectOptions& options, const pattern::NodeLayout& layout,
+                                     const reduction::Setting& setting) {
+    tiling::TessellationOptions tiles;
+    tiles.edge_length = options.edge_length.value_or(setting.tile_side);
+    tiles.smallest_side = std::min(mechanics::rectangle_width(setting.section), 0.25 * tiles.edge_length);
+    tiles.narrow = options.narrow;
+    tiles.control = options.control;
+    return tessellate_named(parts, options.outline_name, layout, tiles);
+}
+
+}  // namespace
+
+NewProject make_project(const outlines::Outline& outline, const NewProjectOptions& options,
+                        const library::Library* library) {
+    return make_project(std::vector{outline}, options, library);
+}
+
+NewProject make_project(const std::vector<outlines::Outline>& parts, const NewProjectOptions& options,
+                        const library::Library* library) {
+    if (parts.empty()) throw base::InputError(options.outline_name, "", "has no part");
+    check(options.painting);
+    NewProject made;
+    made.project.layout = chosen_layout(options, library);
+    made.project.outline = parts.front();
+    made.project.further_outlines.assign(parts.begin() + 1, parts.end());
+    const reduction::Setting setting = library ? library->setting() : reduction::paper_setting();
+    const bool is_mesh = options.tiles == TilesFrom::Mesh;
+    tiling::TessellationResult result =
+        is_mesh ? tiling::read_mesh_tessellation(options.outline_name, made.project.layout)
+                : new_tiles(parts, options, made.project.layout, setting);
+    made.edge_length = is_mesh ? result.report.mean_side : options.edge_length.value_or(setting.tile_side);
+    made.report = result.report;
+    made.project.tessellation = std::move(result.tessellation);
+    paint(made.project.tessellation, options.painting, {made.project.layout, setting, library});
+    return made;
+}
+
+}  // namespace fretwork::simulation

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/base/text.hpp>
+#include <fretwork/simulation/load_cases/combination.hpp>
+#include <fretwork/simulation/project/project.hpp>
+
+namespace fretwork::simulation {
+
+LoadCase find_load_case(const Project& project, const std::string& name) {
+    if (name.empty() && project.load_cases.size() == 1)
+        return combined(project.load_cases.front(), project.load_cases);
+    if (project.load_cases.empty())
+        throw base::InputError("the project has no load case yet; add one with 'fretwork case add'");
+    if (!name.empty()) return combined(load_case_of(name, project.load_cases), project.load_cases);
+    std::vector<std::string> names;
+    for (const LoadCase& load_case : project.load_cases) names.push_back(load_case.name);
+    throw base::InputError("the project has several load cases; choose one: " + base::join(names, ", "));
+}
+
+std::vector<std::string> models_by_tile(const Project& project) {
+    std::vector<std::string> models;
+    if (project.tile_models.empty()) return models;
+    models.resize(project.tessellation.tiles.size());
+    for (const Project::TileModelChoice& choice : project.tile_models) {
+        for (const tiling::TileIndex tile : choice.tiles)
+            models[static_cast<std::size_t>(tile)] = choice.model;
+    }
+    return models;
+}
+
+}  // namespace fretwork::simulation

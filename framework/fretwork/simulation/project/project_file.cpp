@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/base/files/file.hpp>
+#include <fretwork/reduction/scenarios/setting_file.hpp>
+#include <fretwork/simulation/detail/load_case_json.hpp>
+#include <fretwork/simulation/load_cases/combination.hpp>
+#include <fretwork/simulation/project/project_file.hpp>
+#include <fretwork/tiling/tessellation_check.hpp>
+
+namespace fretwork::simulation {
+namespace {
+
+using base::Json;
+using base::JsonReader;
+using geometry::Point2;
+using tiling::Tessellation;
+using tiling::Tile;
+
+constexpr long long kMostOfAKind = 100'000'000;
+
+std::vector<Point2> read_points(const JsonReader& json) {
+    std::vector<Point2> points;
+    for (const JsonReader& element : json.elements()) {
+        const std::vector<double> place = element.numbers(2);
+        points.push_back({place[0], place[1]});
+    }
+    return points;
+}
+
+Json points_json(const std::vector<Point2>& points) {
+    Json list = Json::array();
+    for (const Point2& point : points) list.push_back({point.x, point.y});
+    return list;
+}
+
+template <class Index>
+std::vector<Index> read_indices(const JsonReader& json) {
+    std::vector<Index> indices;
+    for (const JsonReader& element : json.elements()) indices.emplace_back(element.integer(0, kMostOfAKind));
+    return indices;
+}
+
+template <class Index>
+Json indices_json(const std::vector<Index>& indices) {
+    Json list = Json::array();
+    for (const Index index : indices) list.push_back(index.value);
+    return list;
+}
+
+Tile read_tile(const JsonReader& json) {
+    json.allow_only({"vertices", "interface_nodes", "pattern"});
+    return {read_indices<tiling::VertexIndex>(json.at("vertices")),
+            read_indices<tiling::InterfaceIndex>(json.at("interface_nodes")),
+            static_cast<int>(json.at("pattern").integer(-1, kMostOfAKind))};
+}
+
+Json tile_json(const Tile& tile) {
+    return {{"vertices", indices_json(tile.vertices)},
+            {"interface_nodes", indices_json(tile.interface_nodes)},
+            {"pattern", tile.pattern}};
+}
+
+Tessellation read_tessellation(const JsonReader& json) {
+    json.allow_only({"vertices", "interface_nodes", "tiles", "patterns"});
+    Tessellation tessellation;
+    tessellation.vertices = read_points(json.at("vertices"));
+    tessellation.interface_nodes = read_points(json.at("interface_nodes"));
+    for (const JsonReader& tile : json.at("tiles").elements()) tessellation.tiles.push_back(read_tile(tile));
+    for (const JsonReader& id : json.at("patterns").elements()) tessellation.patterns.push_back(id.string());
+    return tessellation;
+}
+
+Json tessellation_json(const Tessellation& tessellation) {
+    Json json;
+    json["patterns"] = tessellation.patterns;
+    json["tiles"] = Json::array();
+    for (const Tile& tile : tessellation.tiles) json["tiles"].push_back(tile_json(tile));
+    json["vertices"] = points_json(tessellation.vertices);
+    json["interface_nodes"] = points_json(tessellation.interface_nodes);
+    return json;
+}
+
+outlines::Outline read_part_json(const JsonReader& json) {
+    std::vector<geometry::Polygon> holes;
+    for (const JsonReader& hole : json.at("holes").elements()) holes.push_back(read_points(hole));
+    return outlines::make_outline(read_points(json.at("boundary")), std::move(holes));
+}
+
+/// The outlines of all parts, the first one in the members that one part alone has.
+std::vector<outlines::Outline> read_outlines_json(const JsonReader& json) {
+    json.allow_only({"boundary", "holes", "further_parts"});
+    std::vector<outlines::Outline> outlines{read_part_json(json)};
+    if (const auto further = json.find("further_parts")) {
+        for (const JsonReader& part : further->elements()) {
+            part.allow_only({"boundary", "holes"});
+            outlines.push_back(read_part_json(part));
+        }
+    }
+    return outlines;
+}
+
+Json part_json(const outlines::Outline& outline) {
+    Json json;
+    json["boundary"] = points_json(outline.boundary);
+    json["holes"] = Json::array();
+    for (const geometry::Polygon& hole : outline.holes) json["holes"].push_back(points_json(hole));
+    return json;
+}
+
+Json outlines_json(const Project& project) {
+    Json json = part_json(project.outline);
+    for (const outlines::Outline& part : project.further_outlines)
+        json["further_parts"].push_back(part_json(part));
+    return json;
+}
+
+void read_library_link(const JsonReader& json, Project& project) {
+    json.allow_only({"path", "hash"});
+    project.library_path = json.at("path").string();
+    project.library_hash = json.at("hash").string();
+}
+
+/// Every id of the palette must be a pattern of the project's layout.
+void check_patterns(const JsonReader& json, const Project& project) {
+    for (const JsonReader& id : json.at("tessellation").at("patterns").elements()) {
+        try {
+            (void)pattern::parse_pattern_id(project.layout, id.string());
+        } catch (const base::InputError& error) {
+            id.fail(error.what());
+        }
+    }
+}
+
+/// Other stages check without knowing the file: add file and place to their errors.
+template <class Error, class Read>
+auto in_place(const JsonReader& json, Read&& read) {
+    try {
+        return read(json);
+    } catch (const Error& error) {
+        json.fail(error.what());
+    }
+}
+
+void read_load_cases(const JsonReader& json, Project& project) {
+    for (const JsonReader& element : json.elements()) {
+        LoadCase load_case = detail::load_case_from_json(element);
+        for (const LoadCase& other : project.load_cases) {
+            if (other.name == load_case.name)
+                element.at("name").fail("'" + other.name + "' is the name of two load cases");
+        }
+        project.load_cases.push_back(std::move(load_case));
+    }
+    in_place<base::InputError>(json, [&](const JsonReader&) {
+        for (const LoadCase& load_case : project.load_cases) (void)combined(load_case, project.load_cases);
+    });
+}
+
+void read_tile_models(const JsonReader& json, Project& project) {
+    std::vector<bool> is_chosen(project.tessellation.tiles.size(), false);
+    for (const JsonReader& element : json.elements()) {
+        element.allow_only({"model", "tiles"});
+        Project::TileModelChoice choice{element.at("model").string(), {}};
+        for (const JsonReader& tile : element.at("tiles").elements()) {
+            const long long last = std::ssize(is_chosen) - 1;
+            choice.tiles.emplace_back(tile.integer(0, last));
+            auto chosen = is_chosen[static_cast<std::size_t>(choice.tiles.back())];
+            if (chosen) tile.fail("is a tile for which a model is chosen twice");
+            chosen = true;
+        }
+        project.tile_models.push_back(std::move(choice));
+    }
+}
+
+Project project_from_json(const JsonReader& json) {
+    json.expect_format("project", 3);
+    json.allow_only(
+        {"format", "layout", "setting", "library", "outline", "tessellation", "load_cases", "tile_models"});
+    Project project;
+    project.layout = pattern::parse_node_layout(json.at("layout").text(), json.source() + ": /layout");
+    if (const auto setting = json.find("setting"))
+        project.setting = reduction::parse_setting(setting->text(), json.source() + ": /setting");
+    if (const auto library = json.find("library")) read_library_link(*library, project);
+    auto outlines = in_place<base::GeometryError>(json.at("outline"), read_outlines_json);
+    project.outline = std::move(outlines.front());
+    project.further_outlines.assign(std::make_move_iterator(outlines.begin() + 1),
+                                    std::make_move_iterator(outlines.end()));
+    project.tessellation = read_tessellation(json.at("tessellation"));
+    project.tessellation.layout = project.layout.name();
+    check_patterns(json, project);
+    in_place<base::InputError>(json.at("tessellation"), [&](const JsonReader&) {
+        tiling::validate(project.tessellation, project.layout);
+    });
+    read_load_cases(json.at("load_cases"), project);
+    if (const auto models = json.find("tile_models")) read_tile_models(*models, project);
+    return project;
+}
+
+}  // namespace
+
+Project parse_project(std::string_view text, const std::string& source) {
+    return project_from_json(JsonReader::from_text(text, source));
+}
+
+Project read_project(const std::filesystem::path& path) {
+    return project_from_json(JsonReader::from_file(path));
+}
+
+std::string project_text(const Project& project) {
+    Json json;
+    // Older programs read all but surfaces of several parts.
+    json["format"] = project.further_outlines.empty() ? "fretwork/project/2" : "fretwork/project/3";
+    json["layout"] = Json::parse(pattern::node_layout_text(project.layout));
+    if (project.setting) json["setting"] = Json::parse(reduction::setting_text(*project.setting));
+    if (!project.library_path.empty())
+        json["library"] = {{"path", project.library_path}, {"hash", project.library_hash}};
+    json["load_cases"] = Json::array();
+    for (const LoadCase& load_case : project.load_cases)
+        json["load_cases"].push_back(detail::load_case_to_json(load_case));
+    json["outline"] = outlines_json(project);
+    json["tessellation"] = tessellation_json(project.tessellation);
+    for (const Project::TileModelChoice& choice : project.tile_models)
+        json["tile_models"].push_back({{"model", choice.model}, {"tiles", indices_json(choice.tiles)}});
+    return base::json_text(json);
+}
+
+void write_project(const Project& project, const std::filesystem::path& path) {
+    base::write_file_atomically(path, project_text(project));
+}
+
+}  // namespace fretwork::simulation

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/base/text.hpp>
+#include <fretwork/reduction/models/tile_model.hpp>
+#include <fretwork/simulation/project/project_file.hpp>
+#include <fretwork/simulation/project/project_library.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+namespace fretwork::simulation {
+namespace {
+
+/// Where a project says which tile model a tile has; "" where it does not.
+std::string place_of_model(const Project& project, tiling::TileIndex tile) {
+    for (std::size_t i = 0; i < project.tile_models.size(); ++i) {
+        if (std::ranges::find(project.tile_models[i].tiles, tile) != project.tile_models[i].tiles.end())
+            return "/tile_models/" + std::to_string(i);
+    }
+    return "";
+}
+
+/// A library that another program has changed, or a disk.
+void check_values(std::span<const double> values, const std::string& pattern,
+                  const reduction::TileModel& model) {
+    constexpr double kLeast = 1e-100, kMost = 1e100;  // of what any calibration gives
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const reduction::TileParameter& parameter = model.parameters[i];
+        const bool must_be_positive = parameter.scale == reduction::TileParameter::Scale::Logarithmic;
+        const bool is_sound = std::abs(values[i]) < kMost && (!must_be_positive || values[i] > kLeast);
+        if (!is_sound)
+            throw base::InputError("the library's calibration of pattern " + pattern + " with " + model.name +
+                                   " is damaged: " + parameter.name + " is " +
+                                   base::format_number(values[i]) + "; calibrate it again in a new library");
+    }
+}
+
+}  // namespace
+
+std::string library_path_of(const std::string& project_file, const Project& project) {
+    if (project.library_path.empty()) return "";
+    // A project that comes through a pipe lies nowhere: its paths are those of the folder one works in.
+    std::error_code unknown;
+    const bool is_file = std::filesystem::is_regular_file(project_file, unknown);
+    const auto folder = is_file ? std::filesystem::path(project_file).parent_path() : std::filesystem::path();
+    return (folder / project.library_path).string();
+}
+
+reduction::Setting setting_of(const Project& project, const library::Library* library) {
+    if (library == nullptr) return project.setting.value_or(reduction::paper_setting());
+    if (project.setting) library->check_setting(*project.setting);
+    reduction::Setting setting = library->setting();
+    if (project.setting && project.setting->strength) setting.strength = project.setting->strength;
+    return setting;
+}
+
+std::optional<library::Library> open_project_library(const std::string& project_file, const Project& project,
+                                                     const std::string& wanted) {
+    if (!wanted.empty()) return library::Library::open(wanted);
+    if (project.library_path.empty()) return std::nullopt;
+    const std::string path = library_path_of(project_file, project);
+    std::error_code ignored;
+    if (!std::filesystem::exists(path, ignored))
+        throw base::InputError(
+            project_file, "/library/path",
+            "the library " + path + " is not there; bring it back, or name it with --library");
+    library::Library library = library::Library::open(path);
+    if (!library.has_content(project.library_hash)) {
+        throw base::InputError(
+            project_file, "/library/hash",
+            "the library " + path +
+                " has changed since the project was made; name it with --library to use it as it is now");
+    }
+    return library;
+}
+
+bool needs_library(const Project& project, const ModelChoice& choice) {
+    const auto is_calibrated = [&](const std::string& model) {
+        return !reduction::find_tile_model(model, choice.models).parameters.empty();
+    };
+    return !project.setting || is_calibrated(choice.name) ||
+           std::ranges::any_of(project.tile_models, is_calibrated, &Project::TileModelChoice::model);
+}
+
+Project read_checked_project(const std::string& file) {
+    Project project = read_project(file);
+    for (std::size_t i = 0; i < project.tile_models.size(); ++i) {
+        try {
+            (void)reduction::find_tile_model(project.tile_models[i].model);
+        } catch (const base::InputError& error) {
+            throw base::InputError(file, "/tile_models/" + std::to_string(i) + "/model", error.what());
+        }
+    }
+    return project;
+}
+
+void check_calibrations(const std::string& file, const Project& project, const Surface& surface,
+                        const ModelChoice& choice) {
+    for (std::size_t t = 0; t < surface.tessellation.tiles.size(); ++t) {
+        const tiling::TileIndex tile(t);
+        try {
+            const auto& model = tile_model(surface, choice, tile);
+            const std::vector<double> values = tile_parameters(surface, tile, model);
+            const auto pattern = static_cast<std::size_t>(surface.tessellation.tiles[t].pattern);
+            check_values(values, surface.tessellation.patterns[pattern], model);
+        } catch (const base::InputError& error) {
+            throw base::InputError(file, place_of_model(project, tile), error.what());
+        }
+    }
+}
+
+}  // namespace fretwork::simulation

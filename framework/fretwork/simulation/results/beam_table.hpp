@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/mechanics/results/result_file.hpp>
+#include <fretwork/mechanics/results/section_forces.hpp>
+#include <fretwork/simulation/surface.hpp>
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace fretwork::simulation {
+
+/// What one beam of a surface bears. Nothing acts on it between its ends, so its largest stress is at one of
+/// them.
+struct BeamRow {
+    std::size_t beam = 0;  ///< its number, in the order of the full model
+    tiling::TileIndex tile;
+    std::array<int, 2> nodes{};               ///< numbers in the full model; interface nodes come first
+    std::array<Eigen::Vector3d, 2> places{};  ///< of its ends at rest, m
+    std::array<mechanics::SectionForces, 2> forces{};
+    std::array<double, 2> stress{};  ///< Pa, the largest normal stress at each end
+    [[nodiscard]] double largest_stress() const { return stress[0] > stress[1] ? stress[0] : stress[1]; }
+};
+
+/// The beams of a surface in a result.
+struct BeamTable {
+    std::vector<BeamRow> rows;         ///< of the beams whose tile model tells how they move
+    std::size_t unknown = 0;           ///< beams of other tiles
+    std::optional<double> strength{};  ///< Pa, with which utilizations are told
+    /// The largest stress over the strength; none without a strength.
+    [[nodiscard]] std::optional<double> utilization(const BeamRow& row) const;
+};
+
+/// With the strength of the setting's material, if it has one. Throws InputError if the result is not one of
+/// the surface.
+BeamTable beam_table(const Surface& surface, const mechanics::Result& result);
+
+/// The rows with the largest stress first; `count` of them at most.
+std::vector<BeamRow> most_stressed(const BeamTable& table, std::size_t count);
+
+/// CSV with LF: beam, tile, pattern, nodes, places, and section forces and stress at both ends, in SI.
+std::string beam_table_csv(const BeamTable& table, const Surface& surface);
+/// The same as JSON: `{"strength", "unknown_beams", "beams": [..]}`.
+std::string beam_table_json(const BeamTable& table, const Surface& surface);
+
+}  // namespace fretwork::simulation

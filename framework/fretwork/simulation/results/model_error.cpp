@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/simulation/results/comparison.hpp>
+#include <fretwork/simulation/results/model_error.hpp>
+
+namespace fretwork::simulation {
+
+std::optional<mechanics::ModelError> model_error(const mechanics::Result& result,
+                                                 const mechanics::Result& better) {
+    if (!result.solution.converged() || !better.solution.converged()) return std::nullopt;
+    const Comparison comparison = compare(better, result);
+    if (comparison.max_displacement == 0.0) return mechanics::ModelError{};
+    return mechanics::ModelError{.mean = comparison.mean_translation_error / comparison.max_displacement,
+                                 .largest = comparison.max_translation_error / comparison.max_displacement,
+                                 .relative_l2 = comparison.relative_l2_error};
+}
+
+}  // namespace fretwork::simulation

@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/base/parallel.hpp>
+#include <fretwork/mechanics/node_states.hpp>
+#include <fretwork/reduction/scenarios/joints.hpp>
+#include <fretwork/simulation/detail/tile_builder.hpp>
+#include <fretwork/simulation/results/result_subject.hpp>
+#include <fretwork/simulation/results/surface_beams.hpp>
+
+#include <limits>
+#include <map>
+
+namespace fretwork::simulation {
+namespace {
+
+using mechanics::kDofsPerNode;
+using mechanics::NodeValues;
+using tiling::TileIndex;
+
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+
+/// The numbers of the painted tiles.
+std::vector<TileIndex> painted_tiles(const tiling::Tessellation& tessellation) {
+    std::vector<TileIndex> painted;
+    for (std::size_t t = 0; t < tessellation.tiles.size(); ++t) {
+        if (tessellation.tiles[t].pattern >= 0) painted.emplace_back(t);
+    }
+    return painted;
+}
+
+tiling::TessellationFan painted_fan(const Surface& surface, std::span<const TileIndex> painted) {
+    if (painted.size() == surface.tessellation.tiles.size()) return surface_fan(surface);
+    tiling::Tessellation part = surface.tessellation;
+    part.tiles.clear();
+    for (const TileIndex tile : painted)
+        part.tiles.push_back(surface.tessellation.tiles[static_cast<std::size_t>(tile)]);
+    return tiling::assemble_fans(surface.layout, part);
+}
+
+/// How far the joints reach along all beams, tile by tile.
+std::vector<double> reaches_of(const Surface& surface, std::span<const TileIndex> painted) {
+    std::map<std::pair<int, std::size_t>, pattern::Fan> fans;  // by pattern and number of sides
+    std::vector<double> reaches;
+    for (const TileIndex tile : painted) {
+        const geometry::Polygon polygon = tiling::tile_polygon(surface.tessellation, tile);
+        const int pattern = surface.tessellation.tiles[static_cast<std::size_t>(tile)].pattern;
+        auto& fan = fans[{pattern, polygon.size()}];
+        if (fan.nodes.empty())
+            fan = pattern::make_fan(surface.layout, surface.patterns[static_cast<std::size_t>(pattern)],
+                                    static_cast<int>(polygon.size()));
+        const auto own = reduction::joint_reaches(fan, pattern::place_fan(surface.layout, fan, polygon));
+        reaches.insert(reaches.end(), own.begin(), own.end());
+    }
+    return reaches;
+}
+
+/// Where the parts of all tiles begin, from where those of the painted ones do.
+std::vector<SurfaceBeams::Start> starts_of(const tiling::Tessellation& tessellation,
+                                           const tiling::TessellationFan& fan) {
+    std::vector<SurfaceBeams::Start> starts;
+    SurfaceBeams::Start next{tessellation.interface_nodes.size(), 0};
+    std::size_t painted = 0;
+    for (const tiling::Tile& tile : tessellation.tiles) {
+        starts.push_back(next);
+        if (tile.pattern < 0) continue;
+        next.inner_node += fan.tile_nodes[painted].size() - tile.interface_nodes.size();
+        next.beam = static_cast<std::size_t>(fan.first_edge[painted + 1]);
+        ++painted;
+    }
+    starts.push_back(next);
+    return starts;
+}
+
+/// Fills in what the tiles tell, one by one.
+class StateWriter {
+  public:
+    StateWriter(const Surface& surface, const SurfaceBeams& beams,
+                std::span<const mechanics::BeamSection> sections, BeamState& state)
+        : tessellation_(surface.tessellation),
+          bar_(surface.setting.section),
+          beams_(beams),
+          sections_(sections),
+          state_(state) {}
+
+    void write(TileIndex tile, const std::optional<reduction::BeamMotion>& motion) const {
+        const auto t = static_cast<std::size_t>(tile);
+        const auto first = static_cast<Eigen::Index>(beams_.starts[t].inner_node);
+        const auto count = static_cast<Eigen::Index>(beams_.starts[t + 1].inner_node) - first;
+        if (!motion) return;
+        state_.nodes.middleRows(first, count) = motion->nodes.bottomRows(count);
+        if (!sections_.empty()) write_forces(t, *motion);
+    }
+
+  private:
+    /// The row of a node of the surface among those of its tile.
+    class RowOf {
+      public:
+        RowOf(const tiling::Tessellation& tessellation, const SurfaceBeams& beams, std::size_t tile)
+            : interface_(tessellation.tiles[tile].interface_nodes),
+              interface_count_(beams.interface_nodes),
+              first_inner_(beams.starts[tile].inner_node) {}
+        Eigen::Index operator()(mechanics::NodeIndex node) const {
+            const auto n = static_cast<std::size_t>(node);
+            if (n >= interface_count_) return static_cast<Eigen::Index>(interface_.size() + n - first_inner_);
+            Eigen::Index row = 0;
+            while (interface_[static_cast<std::size_t>(row)].value != node.value) ++row;
+            return row;
+        }
+
+      private:
+        const std::vector<tiling::InterfaceIndex>& interface_;
+        std::size_t interface_count_;
+        std::size_t first_inner_;
+    };
+
+    void write_forces(std::size_t tile, const reduction::BeamMotion& motion) const {
+        const RowOf row_of(tessellation_, beams_, tile);
+        const NodeValues& rows = motion.in_frame.rows() > 0 ? motion.in_frame : motion.nodes;
+        for (std::size_t b = beams_.starts[tile].beam; b < beams_.starts[tile + 1].beam; ++b) {
+            const Eigen::Index from = row_of(beams_.ends[b][0]);
+            const Eigen::Index to = row_of(beams_.ends[b][1]);
+            const auto ends = motion.displacements == reduction::Displacements::Large
+                                  ? sections_[b].large(mechanics::node_state(rows.row(from)),
+                                                       mechanics::node_state(rows.row(to)))
+                                  : sections_[b].linear(rows.row(from).transpose(), rows.row(to).transpose());
+            for (std::size_t end = 0; end < 2; ++end) {
+                const mechanics::SectionForces& f = ends[end];
+                state_.forces.row(static_cast<Eigen::Index>(2 * b + end)) << f.N, f.V2, f.V3, f.T, f.M2, f.M3,
+                    mechanics::largest_normal_stress(f, bar_);
+            }
+        }
+    }
+
+    const tiling::Tessellation& tessellation_;
+    const mechanics::Section& bar_;  ///< with which stiff joints have nothing to do
+    const SurfaceBeams& beams_;
+    std::span<const mechanics::BeamSection> sections_;
+    BeamState& state_;
+};
+
+struct StateRequest {
+    const Surface& surface;
+    const SurfaceBeams& beams;
+    std::span<const mechanics::BeamSection> sections;
+    int threads = 0;
+};
+
+template <class MotionOf>
+BeamState state_of(const StateRequest& request, const mechanics::Solution& solution,
+                   const MotionOf& motion_of) {
+    const SurfaceBeams& beams = request.beams;
+    BeamState state;
+    const auto interface_nodes = static_cast<Eigen::Index>(beams.interface_nodes);
+    state.nodes.setConstant(static_cast<Eigen::Index>(beams.nodes.size()), kDofsPerNode, kUnknown);
+    state.nodes.topRows(interface_nodes) = solution.displacements.topRows(interface_nodes);
+    state.forces.setConstant(static_cast<Eigen::Index>(2 * request.sections.size()), 7, kUnknown);
+    const StateWriter writer(request.surface, beams, request.sections, state);
+    base::parallel_for(beams.starts.size() - 1, request.threads,
+                       [&](std::size_t t) { writer.write(TileIndex(t), motion_of(TileIndex(t))); });
+    return state;
+}
+
+/// The tiles of a result that was read, built anew.
+class ReadTiles {
+  public:
+    ReadTiles(const Surface& surface, const mechanics::Result& result, const SurfaceBeams& beams)
+        : surface_(surface), result_(result) {
+        const auto rows = static_cast<std::size_t>(result.solution.displacements.rows());
+        if (rows < beams.interface_nodes)
+            throw base::InputError("the result is not one of this project: it has too few nodes");
+        if (result.subject)
+            build(main_model(*result.subject), result.subject->full_tiles);
+        else if (rows == beams.nodes.size())
+            build(reference_choice({}).name, {});
+        if (!tiles_.empty() && starts_.back() != rows)
+            throw base::InputError("the result is not one of this project: its models have " +
+                                   std::to_string(starts_.back()) + " nodes, and it has " +
+                                   std::to_string(rows));
+    }
+
+    [[nodiscard]] std::optional<reduction::BeamMotion> beam_motion(TileIndex tile) const {
+        if (tiles_.empty()) return std::nullopt;
+        const auto t = static_cast<std::size_t>(tile);
+        const auto& interface_nodes = surface_.tessellation.tiles[t].interface_nodes;
+        const auto inner = static_cast<Eigen::Index>(starts_[t + 1] - starts_[t]);
+        const mechanics::NodeValues& rows = result_.solution.displacements;
+        reduction::TileMotion motion{.nodes = NodeValues(std::ssize(interface_nodes) + inner, kDofsPerNode),
+                                     .turn = tiles_[t].turn,
+                                     .displacements = result_.solver == "linear"
+                                                          ? reduction::Displacements::Small
+                                                          : reduction::Displacements::Large};
+        Eigen::Index row = 0;
+        for (const tiling::InterfaceIndex node : interface_nodes)
+            motion.nodes.row(row++) = rows.row(node.value);
+        motion.nodes.bottomRows(inner) = rows.middleRows(static_cast<Eigen::Index>(starts_[t]), inner);
+        return tiles_[t].structure->beam_motion(motion);
+    }
+
+  private:
+    void build(const std::string& model, std::span<const int> full_tiles) {
+        Surface chosen = surface_;
+        chosen.tile_models.resize(chosen.tessellation.tiles.size());
+        for (const int tile : full_tiles) {
+            if (tile < 0 || static_cast<std::size_t>(tile) >= chosen.tile_models.size())
+                throw base::InputError("the result is not one of this project: it has a tile " +
+                                       std::to_string(tile) + " in full");
+            chosen.tile_models[static_cast<std::size_t>(tile)] = reference_choice({}).name;
+        }
+        tiles_ = detail::TileBuilder().build_all(chosen, model_choice({.model = model}), {});
+        starts_.push_back(surface_.tessellation.interface_nodes.size());
+        for (const detail::BuiltTile& tile : tiles_)
+            starts_.push_back(starts_.back() + tile.structure->inner_nodes().size());
+    }
+
+    const Surface& surface_;
+    const mechanics::Result& result_;
+    std::vector<detail::BuiltTile> tiles_;
+    std::vector<std::size_t> starts_;  ///< of each tile the first of its own nodes, and their number
+};
+
+}  // namespace
+
+SurfaceBeams surface_beams(const Surface& surface) {
+    const auto painted = painted_tiles(surface.tessellation);
+    const tiling::TessellationFan fan = painted_fan(surface, painted);
+    SurfaceBeams beams;
+    beams.interface_nodes = surface.tessellation.interface_nodes.size();
+    beams.nodes.reserve(fan.nodes.size());
+    for (const geometry::Point2& node : fan.nodes) beams.nodes.emplace_back(node.x, node.y, 0.0);
+    for (const tiling::TessellationFan::Edge& edge : fan.edges) {
+        beams.ends.push_back(
+            {mechanics::NodeIndex(edge.nodes[0].value), mechanics::NodeIndex(edge.nodes[1].value)});
+        beams.tiles.push_back(painted[static_cast<std::size_t>(edge.tile)]);
+    }
+    beams.starts = starts_of(surface.tessellation, fan);
+    beams.joint_reaches = reaches_of(surface, painted);
+    return beams;
+}
+
+std::vector<mechanics::BeamSection> beam_sections(const SurfaceBeams& beams,
+                                                  const reduction::Setting& setting) {
+    std::vector<mechanics::BeamSection> sections;
+    sections.reserve(beams.ends.size());
+    for (std::size_t i = 0; i < beams.ends.size(); ++i) {
+        const auto& [a, b] = beams.ends[i];
+        const std::array ends{beams.nodes[static_cast<std::size_t>(a)],
+                              beams.nodes[static_cast<std::size_t>(b)]};
+        const reduction::TileMaterial bar = reduction::bar_of(
+            setting, {.length = (ends[1] - ends[0]).norm(), .joint_reach = beams.joint_reaches[i]});
+        sections.emplace_back(
+            mechanics::Beam{.nodes = {a, b}, .section = bar.section, .material = bar.material}, ends);
+    }
+    return sections;
+}
+
+BeamState beam_state(const Session& session, const mechanics::Solution& solution, const SurfaceBeams& beams,
+                     std::span<const mechanics::BeamSection> sections) {
+    return state_of({session.surface(), beams, sections, session.options().threads}, solution,
+                    [&](TileIndex tile) { return session.beam_motion(tile, solution); });
+}
+
+BeamState beam_state(const Surface& surface, const mechanics::Result& result, const SurfaceBeams& beams,
+                     std::span<const mechanics::BeamSection> sections) {
+    const ReadTiles tiles(surface, result, beams);
+    return state_of({surface, beams, sections, 0}, result.solution,
+                    [&](TileIndex tile) { return tiles.beam_motion(tile); });
+}
+
+}  // namespace fretwork::simulation

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/mechanics/modes.hpp>
+#include <fretwork/simulation/load_cases/load_case.hpp>
+#include <fretwork/simulation/surface.hpp>
+
+#include <vector>
+
+namespace fretwork::simulation {
+
+/// Which modes of a surface are wanted.
+enum class ModeKind { Vibration, Buckling };
+
+/// The lowest modes of a surface with all of its beams, as a load case holds and (for buckling) loads it;
+/// rows as those of surface_beams. Throws as mechanics::vibration_modes, and InputError as surface_frame.
+std::vector<mechanics::Mode> surface_modes(const Surface& surface, const LoadCase& load_case, ModeKind kind,
+                                           int count, const mechanics::ModeOptions& options = {});
+
+}  // namespace fretwork::simulation

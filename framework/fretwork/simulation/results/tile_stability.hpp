@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/base/control.hpp>
+#include <fretwork/mechanics/results/solution.hpp>
+#include <fretwork/simulation/simulation_options.hpp>
+#include <fretwork/simulation/surface.hpp>
+
+#include <vector>
+
+namespace fretwork::simulation {
+
+/// The tiles, ascending, whose beams buckle with their interface nodes held where a solution of the surface
+/// has them: the full tile, alone, has no stable equilibrium on the way there. A reduced tile cannot know of
+/// that. So are tiles told whose equilibrium is not found.
+///
+/// @param solution  its first rows are the interface nodes
+/// Throws as TileBuilder does, and Stopped.
+std::vector<tiling::TileIndex> buckled_tiles(const Surface& surface, const mechanics::Solution& solution,
+                                             const SimulationOptions& options,
+                                             const base::Control& control = {});
+
+}  // namespace fretwork::simulation

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/tiling/dual/cell_sides.hpp>
+
+#include <utility>
+
+namespace fretwork::tiling::detail {
+namespace {
+
+/// Call body with each side of each cell.
+template <class Body>
+void for_each_cell_side(const Dual& dual, const base::Control& control, const Body& body) {
+    for (std::size_t c = 0; c < dual.cells.size(); ++c) {
+        control.check();
+        const std::vector<int>& cell = dual.cells[c];
+        for (std::size_t i = 0; i < cell.size(); ++i) body(CellSide{cell[i], cell[(i + 1) % cell.size()], c});
+    }
+}
+
+}  // namespace
+
+/// Sorted by the smaller end first, by counting: that can be stopped, which a sort of all could not.
+std::vector<CellSide> sides_of_cells(const Dual& dual, const base::Control& control) {
+    std::vector<std::size_t> start(dual.vertices.size() + 1, 0);
+    const auto smaller_end = [](const CellSide& side) { return static_cast<std::size_t>(side.ends().first); };
+    for_each_cell_side(dual, control, [&](const CellSide& side) { ++start[smaller_end(side) + 1]; });
+    for (std::size_t v = 1; v < start.size(); ++v) start[v] += start[v - 1];
+    std::vector<CellSide> sides(start.back());
+    std::vector<std::size_t> next = start;
+    for_each_cell_side(dual, control, [&](const CellSide& side) { sides[next[smaller_end(side)]++] = side; });
+    const auto key = [](const CellSide& side) { return std::pair(side.ends().second, side.cell); };
+    for (std::size_t v = 0; v + 1 < start.size(); ++v) {
+        control.check();
+        std::ranges::sort(std::span(sides).subspan(start[v], start[v + 1] - start[v]), {}, key);
+    }
+    return sides;
+}
+
+}  // namespace fretwork::tiling::detail

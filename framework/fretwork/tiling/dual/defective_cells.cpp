@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/tiling/dual/cell_sides.hpp>
+#include <fretwork/tiling/dual/defective_cells.hpp>
+
+#include <algorithm>
+
+namespace fretwork::tiling::detail {
+namespace {
+
+/// A cell and its sides that it shares with another cell.
+class Removal {
+  public:
+    Removal(const Dual& dual, std::size_t cell, const base::Control& control) : dual_(dual), cell_(cell) {
+        for_each_side(sides_of_cells(dual, control), control, [&](std::span<const CellSide> same) {
+            if (same.size() != 2) return;
+            if (same[0].cell == cell) shared_.push_back({same[0], same[1].cell});
+            if (same[1].cell == cell) shared_.push_back({same[1], same[0].cell});
+        });
+    }
+
+    std::vector<Dual> run(double most_area) {
+        std::vector<Dual> results;
+        if (is_end() && geometry::signed_area(polygon_of(dual_, cell_)) <= most_area)
+            results.push_back(with(cell_, {}));
+        for (const Shared& shared : shared_) {
+            const std::vector<int> merged = union_with(shared);
+            if (merged.empty()) continue;
+            results.push_back(with(shared.other, merged));
+        }
+        return results;
+    }
+
+  private:
+    struct Shared {
+        CellSide side;
+        std::size_t other;
+    };
+    [[nodiscard]] const DualVertex& vertex(int v) const {
+        return dual_.vertices[static_cast<std::size_t>(v)];
+    }
+
+    /// One side joins it to the others, from the rim to the rim.
+    [[nodiscard]] bool is_end() const {
+        if (shared_.size() != 1) return false;
+        const auto [from, to] = shared_.front().side.ends();
+        return vertex(from).loop >= 0 && vertex(from).loop == vertex(to).loop;
+    }
+
+    /// Around the neighbour and the cell, without those ends of the shared side that no third cell has: on
+    /// the rim they are left out if that makes the cell convex, inside they end no side any more. Empty if
+    /// the union is not convex.
+    [[nodiscard]] std::vector<int> union_with(const Shared& shared) const {
+        std::vector<int> first = dual_.cells[cell_];
+        std::vector<int> other = dual_.cells[shared.other];
+        std::ranges::rotate(first, std::ranges::find(first, shared.side.to));
+        std::ranges::rotate(other, std::ranges::find(other, shared.side.from));
+        first.insert(first.end(), other.begin() + 1, other.end() - 1);
+        for (const int end : {shared.side.from, shared.side.to}) {
+            if (std::ranges::count(first, end) != 1) return {};
+            if (uses(end) == 2 && !is_convex_at(first, end)) std::erase(first, end);
+        }
+        return first.size() >= 3 && geometry::is_convex(polygon(first)) ? first : std::vector<int>{};
+    }
+    [[nodiscard]] std::ptrdiff_t uses(int v) const {
+        return std::ranges::count_if(
+            dual_.cells, [&](const std::vector<int>& cell) { return std::ranges::count(cell, v) > 0; });
+    }
+    [[nodiscard]] geometry::Polygon polygon(const std::vector<int>& cell) const {
+        geometry::Polygon result;
+        for (const int v : cell) result.push_back(vertex(v).place);
+        return result;
+    }
+    [[nodiscard]] bool is_convex_at(const std::vector<int>& cell, int v) const {
+        const auto i = static_cast<std::size_t>(std::ranges::find(cell, v) - cell.begin());
+        const std::size_t count = cell.size();
+        const int before = cell[(i + count - 1) % count];
+        const int after = cell[(i + 1) % count];
+        return geometry::is_convex({vertex(before).place, vertex(v).place, vertex(after).place});
+    }
+
+    [[nodiscard]] Dual with(std::size_t changed, const std::vector<int>& vertices) const {
+        Dual result = dual_;
+        result.cells[changed] = vertices;
+        result.cells.erase(result.cells.begin() + static_cast<std::ptrdiff_t>(cell_));
+        return result;
+    }
+
+    const Dual& dual_;
+    std::size_t cell_;
+    std::vector<Shared> shared_;
+};
+
+}  // namespace
+
+std::vector<Dual> without_cell(const Dual& dual, std::size_t cell, double most_area,
+                               const base::Control& control) {
+    return Removal(dual, cell, control).run(most_area);
+}
+
+}  // namespace fretwork::tiling::detail

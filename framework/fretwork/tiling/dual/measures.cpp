@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/geometry/plane.hpp>
+#include <fretwork/tiling/dual/cell_sides.hpp>
+#include <fretwork/tiling/dual/measures.hpp>
+
+#include <algorithm>
+#include <limits>
+#include <numbers>
+
+namespace fretwork::tiling::detail {
+namespace {
+
+using geometry::Point2;
+using geometry::Polygon;
+
+/// Of the area of a regular hexagon: a smaller tile, mostly at a corner of the outline, is a knot of bars.
+constexpr double kSmall = 0.25;
+constexpr double kHexagon = 1.5 * std::numbers::sqrt3;  // its area, with sides of 1
+
+/// Mean and standard deviation of what is added.
+class Spread {
+  public:
+    void add(double value) {
+        count_ += 1.0;
+        sum_ += value;
+        sum_of_squares_ += value * value;
+    }
+    [[nodiscard]] double mean() const { return sum_ / count_; }
+    [[nodiscard]] double deviation() const {
+        return std::sqrt(std::max(0.0, sum_of_squares_ / count_ - mean() * mean()));
+    }
+    [[nodiscard]] double relative() const { return deviation() / mean(); }
+
+  private:
+    double count_ = 0.0;
+    double sum_ = 0.0;
+    double sum_of_squares_ = 0.0;
+};
+
+bool is_at_rim(const Dual& dual, const std::vector<int>& cell) {
+    return std::ranges::any_of(
+        cell, [&](int vertex) { return dual.vertices[static_cast<std::size_t>(vertex)].loop >= 0; });
+}
+
+double smallest_angle(const Polygon& polygon) {
+    double smallest = std::numbers::pi;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const Point2 here = polygon[(i + 1) % polygon.size()];
+        const Point2 next = polygon[(i + 2) % polygon.size()];
+        smallest = std::min(smallest, std::abs(turn(next - here, polygon[i] - here)));
+    }
+    return smallest;
+}
+
+/// The spread of sides over wanted sides.
+Spread measure_sides(const Dual& dual, const SizeField& field, const base::Control& control,
+                     TessellationReport& report) {
+    Spread lengths;
+    Spread ratios;
+    report.smallest_side = std::numeric_limits<double>::infinity();
+    const auto sides = sides_of_cells(dual, control);
+    for_each_side(sides, control, [&](std::span<const CellSide> same) {
+        const Point2 from = dual.vertices[static_cast<std::size_t>(same.front().from)].place;
+        const Point2 to = dual.vertices[static_cast<std::size_t>(same.front().to)].place;
+        const double side = distance(from, to);
+        lengths.add(side);
+        ratios.add(side / field.at(between(from, to, 0.5)));
+        report.smallest_side = std::min(report.smallest_side, side);
+    });
+    report.mean_side = lengths.mean();
+    report.sd_side = lengths.deviation();
+    return ratios;
+}
+
+}  // namespace
+
+Measures measure(const Dual& dual, const SizeField& field, const base::Control& control) {
+    Measures result;
+    TessellationReport& report = result.report;
+    const Spread sides = measure_sides(dual, field, control, report);
+    report.smallest_angle = std::numbers::pi;
+    report.tiles = static_cast<int>(dual.cells.size());
+    int hexagons = 0;
+    int inner = 0;
+    int inner_hexagons = 0;
+    int misfits = 0;
+    int refined = 0;
+    int small = 0;
+    Spread areas;
+    for (std::size_t cell = 0; cell < dual.cells.size(); ++cell) {
+        control.check();
+        const Polygon polygon = polygon_of(dual, cell);
+        const bool at_rim = is_at_rim(dual, dual.cells[cell]);
+        const bool is_hexagon = polygon.size() == 6;
+        hexagons += is_hexagon ? 1 : 0;
+        inner += at_rim ? 0 : 1;
+        inner_hexagons += !at_rim && is_hexagon ? 1 : 0;
+        misfits += is_hexagon || (at_rim && polygon.size() == 5) ? 0 : 1;
+        const double wanted = field.at(polygon.front());
+        refined += wanted < field.largest() ? 1 : 0;
+        const double area = geometry::signed_area(polygon) / (wanted * wanted);
+        areas.add(area);
+        small += area < kSmall * kHexagon ? 1 : 0;
+        report.smallest_angle = std::min(report.smallest_angle, smallest_angle(polygon));
+    }
+    const auto count = static_cast<double>(report.tiles);
+    report.hexagon_share = hexagons / count;
+    report.inner_hexagon_share = inner > 0 ? static_cast<double>(inner_hexagons) / inner : 0.0;
+    report.refined_share = refined / count;
+    result.mean_ratio = sides.mean();
+    result.irregularity = small + misfits / count + sides.relative() + areas.relative();
+    return result;
+}
+
+}  // namespace fretwork::tiling::detail

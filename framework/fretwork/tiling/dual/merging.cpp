@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/geometry/plane.hpp>
+#include <fretwork/tiling/dual/cell_sides.hpp>
+#include <fretwork/tiling/dual/merging.hpp>
+
+#include <algorithm>
+#include <iterator>
+#include <numbers>
+#include <optional>
+#include <tuple>
+
+namespace fretwork::tiling::detail {
+namespace {
+
+using geometry::Point2;
+using geometry::Polygon;
+
+constexpr double kSmaller = 0.8;  // of the largest wanted side: cells wanted smaller may be merged
+constexpr double kLongest = 1.5;  // side of a merged cell over the largest wanted one
+constexpr double kBend = 0.04;    // of a side's length: a point on the rim so near to it is left out
+constexpr double kSharpest = 35 * std::numbers::pi / 180;
+
+class Merger {
+  public:
+    Merger(Dual& dual, const SizeField& field, const base::Control& control)
+        : dual_(dual), field_(field), control_(control), uses_(dual.vertices.size(), 0) {
+        for (const std::vector<int>& cell : dual.cells) {
+            for (const int v : cell) ++uses_[static_cast<std::size_t>(v)];
+        }
+    }
+
+    void run() {
+        while (merge_some()) {
+        }
+        std::erase_if(dual_.cells, [](const std::vector<int>& cell) { return cell.empty(); });
+    }
+
+  private:
+    [[nodiscard]] Point2 place(int v) const { return dual_.vertices[static_cast<std::size_t>(v)].place; }
+
+    /// Each cell at most once, the smallest pairs first.
+    bool merge_some() {
+        struct Pair {
+            double size;
+            CellSide side;
+            std::size_t other;
+        };
+        std::vector<Pair> pairs;
+        const auto sides = sides_of_cells(dual_, control_);
+        for_each_side(sides, control_, [&](std::span<const CellSide> same) {
+            if (same.size() != 2) return;
+            const Point2 middle = between(place(same[0].from), place(same[0].to), 0.5);
+            if (field_.at(middle) > kSmaller * field_.largest()) return;
+            const double size = geometry::signed_area(polygon_of(dual_, same[0].cell)) +
+                                geometry::signed_area(polygon_of(dual_, same[1].cell));
+            pairs.push_back({size, same[0], same[1].cell});
+        });
+        std::ranges::sort(pairs, {},
+                          [](const Pair& p) { return std::tuple(p.size, p.side.from, p.side.to); });
+        std::vector<bool> is_touched(dual_.cells.size(), false);
+        bool has_merged = false;
+        for (const Pair& pair : pairs) {
+            if (is_touched[pair.side.cell] || is_touched[pair.other]) continue;
+            if (!merge(pair.side, pair.other)) continue;
+            is_touched[pair.side.cell] = is_touched[pair.other] = true;
+            has_merged = true;
+        }
+        return has_merged;
+    }
+
+    bool merge(const CellSide& side, std::size_t other) {
+        std::vector<int> merged = union_of(dual_.cells[side.cell], dual_.cells[other], side);
+        std::vector<int> superfluous{side.from, side.to};
+        std::ranges::copy_if(merged, std::back_inserter(superfluous),
+                             [&](int v) { return dual_.vertices[static_cast<std::size_t>(v)].divides_side; });
+        for (const int v : superfluous) {
+            if (std::ranges::count(merged, v) != 1) return false;
+            if (may_go(v, merged)) std::erase(merged, v);
+        }
+        if (!is_good(merged)) return false;
+        for (const std::size_t cell : {side.cell, other}) {
+            for (const int v : dual_.cells[cell]) --uses_[static_cast<std::size_t>(v)];
+        }
+        for (const int v : merged) ++uses_[static_cast<std::size_t>(v)];
+        dual_.cells[side.cell] = std::move(merged);
+        dual_.cells[other].clear();
+        return true;
+    }
+    /// Around the first cell from the side's second end to its first, and then around the other one.
+    static std::vector<int> union_of(std::vector<int> first, std::vector<int> other, const CellSide& side) {
+        std::ranges::rotate(first, std::ranges::find(first, side.to));
+        std::ranges::rotate(other, std::ranges::find(other, side.from));
+        first.insert(first.end(), other.begin() + 1, other.end() - 1);
+        return first;
+    }
+    /// On the rim, of these two cells alone, no corner, and nearly on the line between its neighbours.
+    [[nodiscard]] bool may_go(int v, const std::vector<int>& cell) const {
+        const DualVertex& vertex = dual_.vertices[static_cast<std::size_t>(v)];
+        if (vertex.loop < 0 || vertex.is_fixed || uses_[static_cast<std::size_t>(v)] > 2) return false;
+        const auto i = static_cast<std::size_t>(std::ranges::find(cell, v) - cell.begin());
+        const Point2 before = place(cell[(i + cell.size() - 1) % cell.size()]);
+        const Point2 after = place(cell[(i + 1) % cell.size()]);
+        return distance(nearest_on_segment(before, after, vertex.place), vertex.place) <
+               kBend * distance(before, after);
+    }
+    [[nodiscard]] bool is_good(const std::vector<int>& cell) const {
+        Polygon polygon;
+        for (const int v : cell) polygon.push_back(place(v));
+        if (!geometry::is_convex(polygon)) return false;
+        for (std::size_t i = 0; i < polygon.size(); ++i) {
+            const Point2 here = polygon[(i + 1) % polygon.size()];
+            const Point2 side = polygon[(i + 2) % polygon.size()] - here;
+            if (length(side) > kLongest * field_.largest()) return false;
+            if (turn(side, polygon[i] - here) < kSharpest) return false;
+        }
+        return true;
+    }
+
+    Dual& dual_;
+    const SizeField& field_;
+    const base::Control& control_;
+    std::vector<int> uses_;  // of each vertex
+};
+
+}  // namespace
+
+void merge_small_cells(Dual& dual, const SizeField& field, const base::Control& control) {
+    Merger(dual, field, control).run();
+}
+
+}  // namespace fretwork::tiling::detail

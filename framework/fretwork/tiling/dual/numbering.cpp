@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/geometry/plane.hpp>
+#include <fretwork/pattern/rational.hpp>
+#include <fretwork/tiling/dual/numbering.hpp>
+
+#include <algorithm>
+#include <complex>
+#include <numbers>
+
+namespace fretwork::tiling::detail {
+namespace {
+
+using geometry::Point2;
+using geometry::Polygon;
+
+constexpr double kPi = std::numbers::pi;
+
+/// The direction in which a side faces, away from the tile.
+double facing(Point2 from, Point2 to) {
+    return std::atan2(from.x - to.x, to.y - from.y);
+}
+
+/// The direction in which the first sides of tiles should face: straight down, turned by at most 30 degrees
+/// to where the sides of the hexagons face on the whole. Thus equal tiles get equal orientations, and not one
+/// or another by chance where two sides are equally near to straight down.
+double first_side_facing(const Dual& dual, const base::Control& control) {
+    std::complex<double> sixfold;
+    for (std::size_t cell = 0; cell < dual.cells.size(); ++cell) {
+        control.check();
+        const Polygon polygon = polygon_of(dual, cell);
+        if (polygon.size() != 6) continue;
+        for (std::size_t i = 0; i < 6; ++i)
+            sixfold += std::polar(1.0, 6 * facing(polygon[i], polygon[(i + 1) % 6]));
+    }
+    const double down = -kPi / 2;
+    // The sixfold direction of "straight down" is exp(6 i down) = -1.
+    double off = std::abs(sixfold) > 0 ? std::arg(-sixfold) / 6 : 0;
+    if (off < -kPi / 6 + 1e-6) off += kPi / 3;  // both ends of the range are the same: take one of them
+    return down + off;
+}
+
+/// Which vertex of a polygon is vertex 0: the one before the side that faces nearest to a direction.
+std::size_t first_vertex(const Polygon& polygon, double wanted_facing) {
+    std::size_t best = 0;
+    double best_off = 4;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const double off = std::abs(
+            std::remainder(facing(polygon[i], polygon[(i + 1) % polygon.size()]) - wanted_facing, 2 * kPi));
+        if (off < best_off - 1e-9) {
+            best = i;
+            best_off = off;
+        }
+    }
+    return best;
+}
+
+/// The cells from left to right, those at the same place from bottom to top.
+std::vector<std::size_t> from_left_to_right(const Dual& dual, const base::Control& control) {
+    std::vector<std::pair<double, double>> keys;
+    for (std::size_t cell = 0; cell < dual.cells.size(); ++cell) {
+        control.check();
+        const Point2 middle = geometry::centroid(polygon_of(dual, cell));
+        keys.emplace_back(middle.x, middle.y);
+    }
+    std::vector<std::size_t> order(dual.cells.size());
+    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return keys[a] < keys[b]; });
+    return order;
+}
+
+class Numberer {
+  public:
+    Numberer(const Dual& dual, const pattern::NodeLayout& layout, const base::Control& control)
+        : dual_(dual), control_(control), numbers_(dual.vertices.size()), sides_(dual.vertices.size()) {
+        result_.layout = layout.name();
+        for (const pattern::Rational& place : layout.description().interface)
+            places_.push_back(place.to_double());
+    }
+
+    Tessellation run() {
+        const double facing = first_side_facing(dual_, control_);
+        for (const std::size_t cell : from_left_to_right(dual_, control_)) {
+            control_.check();
+            std::vector<int> vertices = dual_.cells[cell];
+            const auto first = static_cast<std::ptrdiff_t>(first_vertex(polygon_of(dual_, cell), facing));
+            std::rotate(vertices.begin(), vertices.begin() + first, vertices.end());
+            add_tile(vertices);
+        }
+        return std::move(result_);
+    }
+
+  private:
+    void add_tile(const std::vector<int>& vertices) {
+        Tile tile;
+        for (const int vertex : vertices) tile.vertices.push_back(number_of(vertex));
+        for (std::size_t i = 0; i < vertices.size(); ++i) {
+            const auto nodes = nodes_on_side(tile.vertices[i], tile.vertices[(i + 1) % vertices.size()]);
+            tile.interface_nodes.insert(tile.interface_nodes.end(), nodes.begin(), nodes.end());
+        }
+        result_.tiles.push_back(std::move(tile));
+    }
+
+    VertexIndex number_of(int vertex) {
+        const auto v = static_cast<std::size_t>(vertex);
+        if (!numbers_[v].is_valid()) {
+            numbers_[v] = VertexIndex(result_.vertices.size());
+            result_.vertices.push_back(dual_.vertices[v].place);
+        }
+        return numbers_[v];
+    }
+
+    /// The interface nodes on a side in this direction; the neighbour runs through the same ones the other
+    /// way.
+    std::vector<InterfaceIndex> nodes_on_side(VertexIndex from, VertexIndex to) {
+        std::vector<InterfaceIndex> nodes;
+        for (const Side& other : sides_[static_cast<std::size_t>(to)]) {
+            if (other.to != from) continue;
+            for (std::size_t i = places_.size(); i-- > 0;) nodes.emplace_back(other.first_node + i);
+            return nodes;
+        }
+        sides_[static_cast<std::size_t>(from)].push_back({to, result_.interface_nodes.size()});
+        const Point2 a = result_.vertices[static_cast<std::size_t>(from.value)];
+        const Point2 b = result_.vertices[static_cast<std::size_t>(to.value)];
+        for (const double place : places_) {
+            nodes.emplace_back(result_.interface_nodes.size());
+            result_.interface_nodes.push_back(between(a, b, place));
+        }
+        return nodes;
+    }
+
+    const Dual& dual_;
+    const base::Control& control_;
+    std::vector<double> places_;  // of interface nodes, as shares of a side
+    Tessellation result_;
+    std::vector<VertexIndex> numbers_;  // of the dual's vertices
+    /// A side that a tile has, and the number of its first interface node.
+    struct Side {
+        VertexIndex to;
+        std::size_t first_node;
+    };
+    std::vector<std::vector<Side>> sides_;  // by the vertex that they begin at
+};
+
+}  // namespace
+
+Tessellation number(const Dual& dual, const pattern::NodeLayout& layout, const base::Control& control) {
+    return Numberer(dual, layout, control).run();
+}
+
+}  // namespace fretwork::tiling::detail

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/geometry/plane.hpp>
+#include <fretwork/tiling/dual/cell_sides.hpp>
+#include <fretwork/tiling/dual/regularize.hpp>
+#include <fretwork/tiling/dual/rim_sides.hpp>
+
+#include <algorithm>
+#include <complex>
+#include <numbers>
+
+namespace fretwork::tiling::detail {
+namespace {
+
+using geometry::Point2;
+using geometry::Polygon;
+
+using Complex = std::complex<double>;
+
+/// exp(2 pi i k / count) for each k, made once for each count.
+class RootsOfUnity {
+  public:
+    const std::vector<Complex>& of(std::size_t count) {
+        if (roots_.size() <= count) roots_.resize(count + 1);
+        std::vector<Complex>& roots = roots_[count];
+        for (std::size_t k = roots.size(); k < count; ++k) {
+            const double turns = static_cast<double>(k) / static_cast<double>(count);
+            roots.push_back(std::polar(1.0, 2 * std::numbers::pi * turns));
+        }
+        return roots;
+    }
+
+  private:
+    std::vector<std::vector<Complex>> roots_;
+};
+
+/// The regular polygon that is nearest to a polygon in the least-squares sense: its mean, and the first
+/// Fourier coefficient of its vertices.
+Polygon nearest_regular_polygon(const Polygon& polygon, const std::vector<Complex>& roots) {
+    Complex mean;
+    Complex first;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const Complex place(polygon[i].x, polygon[i].y);
+        mean += place;
+        first += place * std::conj(roots[i]);
+    }
+    const double share = 1.0 / static_cast<double>(polygon.size());
+    Polygon regular;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const Complex place = share * (mean + first * roots[i]);
+        regular.push_back({place.real(), place.imag()});
+    }
+    return regular;
+}
+
+constexpr double kPullingAngle = 40 * std::numbers::pi / 180;  // cells with a sharper one pull harder
+constexpr double kPullingSide = 0.4;                           // of the cell's mean, the same
+/// Angles beyond count as straight: rounding may make them reflex.
+constexpr double kStraight = 170 * std::numbers::pi / 180;
+constexpr double kHarder = 1.2;  // by so much each time
+constexpr double kHardest = 10;
+/// How hard a side pulls beside its cell, where sides are made even. Inside, they are even nearly of
+/// themselves, and the angles would pay for more.
+constexpr double kSidesAtRim = 2;
+constexpr double kSidesInside = 0.5;
+constexpr double kSlide = 0.9;  // of the way to the neighbour along the rim, at most
+
+/// Whether a cell has a reflex or sharp angle or a short side.
+bool is_far_from_regular(const Polygon& polygon) {
+    const double mean = perimeter(polygon) / static_cast<double>(polygon.size());
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const Point2 here = polygon[(i + 1) % polygon.size()];
+        const Point2 side = polygon[(i + 2) % polygon.size()] - here;
+        double angle = turn(side, polygon[i] - here);
+        if (angle < -kStraight) angle += 2 * std::numbers::pi;
+        if (angle < kPullingAngle || length(side) < kPullingSide * mean) return true;
+    }
+    return false;
+}
+
+class Regularizer {
+  public:
+    Regularizer(Dual& dual, const Rim& rim, const SizeField* field, const Work& work)
+        : dual_(dual), rim_(rim), field_(field), work_(work), weights_(dual.cells.size(), 1.0) {
+        find_neighbors_on_rim();
+    }
+
+    void iterate() {
+        sums_.assign(dual_.vertices.size(), {});
+        weight_sums_.assign(dual_.vertices.size(), 0.0);
+        for (std::size_t cell = 0; cell < dual_.cells.size(); ++cell) pull(cell);
+        for (std::size_t v = 0; v < dual_.vertices.size(); ++v) {
+            work_.check();
+            if (weight_sums_[v] > 0 && !dual_.vertices[v].is_fixed)
+                move(v, (1.0 / weight_sums_[v]) * sums_[v]);
+        }
+        for (std::size_t v = 0; v < dual_.vertices.size(); ++v) {
+            if (dual_.vertices[v].divides_side && next_[v] >= 0) keep_convex(v);
+        }
+    }
+
+  private:
+    void find_neighbors_on_rim() {
+        previous_.assign(dual_.vertices.size(), -1);
+        next_.assign(dual_.vertices.size(), -1);
+        const auto sides = sides_of_cells(dual_, work_.control());
+        for_each_side(sides, work_.control(), [&](std::span<const CellSide> same) {
+            if (same.size() != 1) return;
+            next_[static_cast<std::size_t>(same.front().from)] = same.front().to;
+            previous_[static_cast<std::size_t>(same.front().to)] = same.front().from;
+        });
+    }
+
+    void pull(std::size_t cell) {
+        work_.check();
+        const Polygon polygon = polygon_of(dual_, cell);
+        double& weight = weights_[cell];
+        weight = is_far_from_regular(polygon) ? std::min(kHardest, kHarder * weight)
+                                              : std::max(1.0, weight / kHarder);
+        if (field_) pull_sides(cell, polygon);
+        const Polygon wanted = nearest_regular_polygon(polygon, roots_.of(polygon.size()));
+        for (std::size_t i = 0; i < wanted.size(); ++i) add(dual_.cells[cell][i], wanted[i], weight);
+    }
+
+    /// Each side pulls or pushes its ends to its wanted length.
+    void pull_sides(std::size_t cell, const Polygon& polygon) {
+        const std::vector<int>& vertices = dual_.cells[cell];
+        const bool is_at_rim = std::ranges::any_of(
+            vertices, [&](int v) { return dual_.vertices[static_cast<std::size_t>(v)].loop >= 0; });
+        const double weight = is_at_rim ? kSidesAtRim : kSidesInside;
+        for (std::size_t i = 0; i < polygon.size(); ++i) {
+            const std::size_t next = (i + 1) % polygon.size();
+            const double side = distance(polygon[i], polygon[next]);
+            if (!(side > 0)) continue;
+            const Point2 middle = between(polygon[i], polygon[next], 0.5);
+            const Point2 half = (0.5 * field_->at(middle) / side) * (polygon[next] - polygon[i]);
+            add(vertices[i], middle - half, weight);
+            add(vertices[next], middle + half, weight);
+        }
+    }
+    void add(int vertex, Point2 wanted, double weight) {
+        const auto v = static_cast<std::size_t>(vertex);
+        sums_[v] = sums_[v] + weight * wanted;
+        weight_sums_[v] += weight;
+    }
+
+    void move(std::size_t v, Point2 wanted) {
+        DualVertex& vertex = dual_.vertices[v];
+        if (vertex.loop < 0) {
+            vertex.place = wanted;
+            return;
+        }
+        const ClosedCurve& curve = rim_.curves[static_cast<std::size_t>(vertex.loop)];
+        const double back = kSlide * way(previous_[v], static_cast<int>(v));
+        const double forth = kSlide * way(static_cast<int>(v), next_[v]);
+        vertex.along = curve.nearest_between(vertex.along - back, vertex.along + forth, wanted);
+        vertex.place = curve.at(vertex.along);
+    }
+    /// Its neighbours have moved, too.
+    void keep_convex(std::size_t v) {
+        DualVertex& vertex = dual_.vertices[v];
+        const auto place = [&](int other) { return dual_.vertices[static_cast<std::size_t>(other)].place; };
+        const ClosedCurve& curve = rim_.curves[static_cast<std::size_t>(vertex.loop)];
+        vertex.place = convex_place(curve.at(vertex.along), {place(previous_[v]), place(next_[v])});
+    }
+    /// Along the outline from one vertex to another in front of it; 0 if it is not in front.
+    [[nodiscard]] double way(int from, int to) const {
+        if (from < 0 || to < 0) return 0.0;
+        const DualVertex& a = dual_.vertices[static_cast<std::size_t>(from)];
+        const DualVertex& b = dual_.vertices[static_cast<std::size_t>(to)];
+        if (a.loop != b.loop) return 0.0;
+        const ClosedCurve& curve = rim_.curves[static_cast<std::size_t>(a.loop)];
+        const double forward = curve.way(a.along, b.along);
+        return forward < 0.9 * curve.length() ? forward : 0.0;
+    }
+
+    Dual& dual_;
+    const Rim& rim_;
+    const SizeField* field_;  // of the sides that pull; null: they do not
+    const Work& work_;
+    RootsOfUnity roots_;
+    std::vector<double> weights_;
+    std::vector<int> previous_;  // for each vertex of the rim
+    std::vector<int> next_;
+    std::vector<Point2> sums_;
+    std::vector<double> weight_sums_;
+};
+
+}  // namespace
+
+void regularize(Dual& dual, const Rim& rim, int iterations, const Work& work) {
+    Regularizer regularizer(dual, rim, nullptr, work);
+    for (int iteration = 0; iteration < iterations; ++iteration) regularizer.iterate();
+}
+
+void even_out(Dual& dual, const Rim& rim, const SizeField& field, int iterations, const Work& work) {
+    Regularizer regularizer(dual, rim, &field, work);
+    for (int iteration = 0; iteration < iterations; ++iteration) regularizer.iterate();
+}
+
+}  // namespace fretwork::tiling::detail

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/geometry/plane.hpp>
+#include <fretwork/tiling/dual/dual.hpp>
+#include <fretwork/tiling/remeshing/ears.hpp>
+#include <fretwork/tiling/remeshing/inside.hpp>
+#include <fretwork/tiling/remeshing/sites.hpp>
+#include <fretwork/tiling/remeshing/triangulation.hpp>
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace fretwork::tiling::detail {
+namespace {
+
+using geometry::Point2;
+using geometry::Polygon;
+
+/// The centroid of a tile, its parts weighted with the number of tiles that are wanted there.
+/// @param sides  wanted at the polygon's vertices
+Point2 weighted_centroid(const Polygon& polygon, std::span<const double> sides) {
+    const Point2 middle = geometry::centroid(polygon);
+    Point2 sum{};
+    double weights = 0.0;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const std::size_t next = (i + 1) % polygon.size();
+        const double side = (sides[i] + sides[next]) / (sides[0] + sides[1]);
+        // Tiles of size h come about where the density of the centroid is h^-4.
+        const double weight =
+            cross(polygon[i] - middle, polygon[next] - middle) / (side * side * side * side);
+        sum = sum + (weight / 3) * (polygon[i] + polygon[next] + middle);
+        weights += weight;
+    }
+    return weights > 0 ? (1 / weights) * sum : middle;
+}
+
+/// Where the sites of a dual's tiles move to.
+class Centroids {
+  public:
+    Centroids(const Dual& dual, const SizeField& field) : dual_(dual) {
+        if (field.is_uniform()) return;
+        for (const DualVertex& vertex : dual.vertices) wanted_.push_back(field.at(vertex.place));
+    }
+
+    /// Nothing for a tile that is turned over.
+    std::optional<Point2> of(std::size_t site) {
+        const Polygon polygon = polygon_of(dual_, site);
+        if (polygon.size() < 3 || !(geometry::signed_area(polygon) > 0)) return std::nullopt;
+        if (wanted_.empty()) return geometry::centroid(polygon);
+        sides_.clear();
+        for (const int v : dual_.cells[site]) sides_.push_back(wanted_[static_cast<std::size_t>(v)]);
+        return weighted_centroid(polygon, sides_);
+    }
+
+  private:
+    const Dual& dual_;
+    std::vector<double> wanted_;  // sides at the vertices; empty: the same everywhere
+    std::vector<double> sides_;
+};
+
+}  // namespace
+
+std::vector<Point2> relax(const Rim& rim, const SizeField& field, std::vector<Point2> sites, int iterations,
+                          Work& work) {
+    const InsideTest is_inside(rim, 0.0);
+    for (int i = 0; i < iterations; ++i) {
+        work.advance();
+        if (sites.empty()) continue;
+        Triangulation triangulation = triangulate(rim, sites, work);
+        flip_ears(triangulation);
+        const Dual dual = dual_of(rim, triangulation, work);
+        Centroids centroids(dual, field);
+        for (std::size_t site = 0; site < sites.size(); ++site) {
+            work.check();
+            const auto target = centroids.of(site);
+            if (target && is_inside(*target, 0.0)) sites[site] = *target;
+        }
+    }
+    return sites;
+}
+
+}  // namespace fretwork::tiling::detail

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/base/control.hpp>
+#include <fretwork/tiling/dual/dual.hpp>
+
+#include <vector>
+
+namespace fretwork::tiling::detail {
+
+/// The sides that only one cell has, as closed lines of vertices.
+struct DualRim {
+    std::vector<std::vector<int>> lines;
+    /// Vertices at which the rim touches itself, and ends of sides that more cells have than can be.
+    std::vector<int> knots;
+};
+
+DualRim rim_of(const Dual& dual, const base::Control& control);
+
+/// The lines of the rim (one at least) as polygons, the outer one first.
+std::vector<geometry::Polygon> loops_of(const Dual& dual, const DualRim& rim);
+
+/// How many sets of cells hang together by sides, and a cell of the smallest set.
+struct Pieces {
+    int count = 0;
+    std::size_t cell_of_smallest = 0;
+};
+Pieces pieces_of(const Dual& dual, const base::Control& control);
+
+}  // namespace fretwork::tiling::detail

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/base/files/file.hpp>
+#include <fretwork/base/text.hpp>
+#include <fretwork/tiling/painting/field.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <muParser.h>
+#include <png.h>
+
+namespace fretwork::tiling {
+namespace {
+
+using geometry::Point2;
+
+/// A point in shares of the box: 0 to 1 across it.
+Point2 share_at(const PlaneBox& box, Point2 point) {
+    const auto share = [](double low, double high, double value) {
+        return high > low ? (value - low) / (high - low) : 0.5;
+    };
+    return {share(box.low.x, box.high.x, point.x), share(box.low.y, box.high.y, point.y)};
+}
+
+struct GreyImage {
+    std::size_t width = 0;
+    std::size_t height = 0;
+    std::vector<std::uint8_t> grey;  ///< row by row from the top
+};
+
+/// More pixels than any surface has use for would take the memory.
+constexpr std::size_t kMostPixels = 100'000'000;
+
+GreyImage read_image(const std::filesystem::path& path) {
+    const std::string bytes = base::read_text_file(path);
+    png_image image{};
+    image.version = PNG_IMAGE_VERSION;
+    const auto fail = [&](const std::string& what) {
+        png_image_free(&image);
+        throw base::InputError(path.string(), "", "cannot be read as a PNG image: " + what);
+    };
+    if (png_image_begin_read_from_memory(&image, bytes.data(), bytes.size()) == 0) fail(image.message);
+    if (std::size_t{image.width} * image.height > kMostPixels)
+        fail("it has more than " + std::to_string(kMostPixels) + " pixels");
+    image.format = PNG_FORMAT_GRAY;
+    GreyImage read{image.width, image.height, {}};
+    read.grey.resize(PNG_IMAGE_SIZE(image));
+    const png_color white{255, 255, 255};  // under what is transparent
+    if (png_image_finish_read(&image, &white, read.grey.data(), 0, nullptr) == 0) fail(image.message);
+    return read;
+}
+
+}  // namespace
+
+std::vector<double> expression_values(const std::string& expression, const PlaneBox& box,
+                                      const std::vector<Point2>& points) {
+    Point2 place;
+    Point2 share;
+    const auto fail = [&](const std::string& what) {
+        throw base::InputError("'" + base::shortened(expression, 80) + "': " + what);
+    };
+    std::vector<double> values;
+    try {
+        mu::Parser parser;
+        parser.DefineVar("x", &place.x);
+        parser.DefineVar("y", &place.y);
+        parser.DefineVar("u", &share.x);
+        parser.DefineVar("v", &share.y);
+        parser.DefineConst("pi", std::acos(-1.0));
+        parser.SetExpr(expression);
+        for (const Point2& point : points) {
+            place = point;
+            share = share_at(box, point);
+            values.push_back(parser.Eval());
+        }
+    } catch (const mu::ParserError& error) {
+        std::string complaint = base::shortened(error.GetMsg(), 120);
+        if (complaint.ends_with('.')) complaint.pop_back();
+        fail(complaint + "; there are the variables x, y (metres), u and v (0 to 1)");
+    }
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        if (!std::isfinite(values[i]))
+            fail("has no finite value at x = " + base::format_number(points[i].x) +
+                 ", y = " + base::format_number(points[i].y));
+    }
+    return values;
+}
+
+std::vector<double> image_values(const std::filesystem::path& image, const PlaneBox& box,
+                                 const std::vector<Point2>& points) {
+    const GreyImage grey = read_image(image);
+    const auto pixel = [](double share, std::size_t count) {
+        const double place = std::floor(share * static_cast<double>(count));
+        return static_cast<std::size_t>(std::clamp(place, 0.0, static_cast<double>(count - 1)));
+    };
+    std::vector<double> values;
+    for (const Point2& point : points) {
+        const Point2 share = share_at(box, point);
+        const std::size_t row = pixel(1.0 - share.y, grey.height);
+        values.push_back(1.0 - grey.grey[row * grey.width + pixel(share.x, grey.width)] / 255.0);
+    }
+    return values;
+}
+
+}  // namespace fretwork::tiling

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/tiling/painting/painting.hpp>
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace fretwork::tiling {
+
+/// A pattern and a value of it, such as its bending stiffness.
+struct GradedPattern {
+    std::string pattern;  ///< id
+    double value = 0.0;
+};
+
+/// Whether the value that a tile's pattern misses is handed to its neighbours that are not painted yet.
+enum class Dithering { None, ErrorDiffusion };
+
+/// Paint some tiles with the patterns whose values are nearest to the wanted ones, in the order of the tiles.
+///
+/// Error diffusion [FloydSteinberg1976] on tiles: what a tile misses is shared evenly by the tiles beside it
+/// that come later, or goes to the next tile where there is none. So the mean of the painting is that of the
+/// wanted values, as far as the patterns reach. Throws InputError if there are no patterns or not as many
+/// values as tiles.
+Painting graded_painting(const Tessellation& tessellation, std::span<const TileIndex> tiles,
+                         std::span<const GradedPattern> patterns, std::span<const double> wanted,
+                         Dithering dithering);
+
+}  // namespace fretwork::tiling

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/base/files/file.hpp>
+#include <fretwork/base/internal/json_text.hpp>
+#include <fretwork/base/json_reader.hpp>
+#include <fretwork/pattern/judge.hpp>
+#include <fretwork/pattern/pattern.hpp>
+#include <fretwork/tiling/detail/split_mix.hpp>
+#include <fretwork/tiling/painting/painting.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <set>
+
+namespace fretwork::tiling {
+namespace {
+
+/// What makes a graph a pattern in every tile. The paper's other two filters have numbers, and so are a
+/// matter of what a person wants.
+std::vector<pattern::Filter> structural_filters(const pattern::NodeLayout& layout) {
+    std::vector<pattern::Filter> filters = pattern::make_filters(layout);
+    std::erase_if(filters, [](const pattern::Filter& filter) {
+        return pattern::find_filter_kind(filter.name).parameter != pattern::FilterParameter::None;
+    });
+    return filters;
+}
+
+/// Takes patterns one by one.
+class Palette {
+  public:
+    explicit Palette(const pattern::NodeLayout& layout)
+        : layout_(layout), filters_(structural_filters(layout)) {}
+
+    /// Throws InputError that names the pattern and the rule which it breaks.
+    void add(std::string_view text) {
+        const pattern::Pattern pattern = pattern::parse_pattern_id(layout_, text);
+        const std::string id = pattern::pattern_id(layout_, pattern);
+        const pattern::Verdict verdict = pattern::judge(layout_, filters_, pattern);
+        if (!verdict.accepted)
+            throw base::InputError("'" + id + "' is no valid pattern (" + verdict.filter +
+                                   "): " + verdict.reason);
+        if (!known_.insert(id).second) throw base::InputError("names the pattern " + id + " twice");
+        ids_.push_back(id);
+    }
+    [[nodiscard]] std::vector<std::string> ids() const { return ids_; }
+
+  private:
+    const pattern::NodeLayout& layout_;
+    std::vector<pattern::Filter> filters_;
+    std::set<std::string> known_;
+    std::vector<std::string> ids_;
+};
+
+std::vector<std::string> read_patterns(const base::JsonReader& list, const pattern::NodeLayout& layout) {
+    Palette palette(layout);
+    for (const base::JsonReader& element : list.elements()) {
+        const std::string id = element.string();
+        try {
+            palette.add(id);
+        } catch (const base::InputError& error) {
+            element.fail(error.what());
+        }
+    }
+    if (palette.ids().empty()) list.fail("is empty, where at least one pattern is needed");
+    return palette.ids();
+}
+
+}  // namespace
+
+std::vector<std::string> make_palette(const pattern::NodeLayout& layout, std::span<const std::string> ids) {
+    Palette palette(layout);
+    for (const std::string& id : ids) palette.add(id);
+    return palette.ids();
+}
+
+void paint_randomly(Tessellation& tessellation, std::span<const std::string> patterns, std::uint64_t seed) {
+    if (patterns.empty()) throw base::InputError("there is no pattern to paint with");
+    tessellation.patterns.assign(patterns.begin(), patterns.end());
+    detail::SplitMix64 random(seed);
+    for (Tile& tile : tessellation.tiles) tile.pattern = static_cast<int>(random.below(patterns.size()));
+}
+
+void paint_uniformly(Tessellation& tessellation, const std::string& pattern) {
+    tessellation.patterns = {pattern};
+    for (Tile& tile : tessellation.tiles) tile.pattern = 0;
+}
+
+Painting parse_painting(std::string_view text, const std::string& source, const pattern::NodeLayout& layout) {
+    const auto file = base::JsonReader::from_text(text, source);
+    file.expect_format("painting");
+    file.allow_only({"format", "layout", "patterns", "tiles"});
+    if (const auto name = file.at("layout"); name.string() != layout.name())
+        name.fail("is " + name.text() + ", where the layout in use is \"" + layout.name() + "\"");
+    Painting painting;
+    painting.patterns = read_patterns(file.at("patterns"), layout);
+    if (const auto tiles = file.find("tiles")) {
+        const auto last = static_cast<long long>(painting.patterns.size()) - 1;
+        for (const base::JsonReader& tile : tiles->elements())
+            painting.tiles.push_back(static_cast<int>(tile.integer(0, last)));
+        if (painting.tiles.empty()) tiles->fail("is empty; leave it out to give a palette");
+    }
+    return painting;
+}
+
+std::string painting_text(const Painting& painting, const pattern::NodeLayout& layout) {
+    base::Json json;
+    json["format"] = "fretwork/painting/1";
+    json["layout"] = layout.name();
+    json["patterns"] = painting.patterns;
+    if (!painting.tiles.empty()) json["tiles"] = painting.tiles;
+    return base::json_text(json);
+}
+
+Painting read_painting(const std::filesystem::path& path, const pattern::NodeLayout& layout) {
+    return parse_painting(base::read_text_file(path), path.string(), layout);
+}
+
+void write_painting(const Painting& painting, const pattern::NodeLayout& layout,
+                    const std::filesystem::path& path) {
+    base::write_file_atomically(path, painting_text(painting, layout));
+}
+
+void paint(Tessellation& tessellation, const Painting& painting) {
+    if (painting.tiles.size() != tessellation.tiles.size())
+        throw base::InputError("the painting is for " + std::to_string(painting.tiles.size()) +
+                               " tiles, and the tessellation has " +
+                               std::to_string(tessellation.tiles.size()));
+    for (const int pattern : painting.tiles) {
+        if (pattern < 0 || pattern >= static_cast<int>(painting.patterns.size()))
+            throw base::InputError("the painting has no pattern " + std::to_string(pattern));
+    }
+    tessellation.patterns = painting.patterns;
+    for (std::size_t t = 0; t < painting.tiles.size(); ++t) tessellation.tiles[t].pattern = painting.tiles[t];
+}
+
+Painting random_painting(std::size_t tiles, std::span<const WeightedPattern> patterns, std::uint64_t seed) {
+    if (patterns.empty()) throw base::InputError("there is no pattern to paint with");
+    Painting painting;
+    std::vector<double> shares;  // up to and with each pattern
+    for (const WeightedPattern& choice : patterns) {
+        if (!(choice.weight > 0.0) || !std::isfinite(choice.weight))
+            throw base::InputError("the weight of " + choice.pattern + " is not above zero");
+        painting.patterns.push_back(choice.pattern);
+        shares.push_back((shares.empty() ? 0.0 : shares.back()) + choice.weight);
+    }
+    const bool is_even = std::ranges::all_of(
+        patterns, [&](const WeightedPattern& choice) { return choice.weight == patterns.front().weight; });
+    detail::SplitMix64 random(seed);
+    for (std::size_t t = 0; t < tiles; ++t) {
+        // Even chances are drawn as paint_randomly draws them: the same seed paints the same.
+        const auto place =
+            is_even ? static_cast<std::ptrdiff_t>(random.below(patterns.size()))
+                    : std::ranges::upper_bound(shares, random.share() * shares.back()) - shares.begin();
+        painting.tiles.push_back(static_cast<int>(std::min(place, std::ssize(patterns) - 1)));
+    }
+    return painting;
+}
+
+void paint_tiles(Tessellation& tessellation, std::span<const TileIndex> tiles, const Painting& painting) {
+    if (painting.tiles.size() != tiles.size())
+        throw base::InputError("the painting is for " + std::to_string(painting.tiles.size()) +
+                               " tiles, and " + std::to_string(tiles.size()) + " are to be painted");
+    const std::size_t before = tessellation.patterns.size();
+    std::vector<std::string> all = tessellation.patterns;
+    std::ranges::copy(painting.patterns, std::back_inserter(all));
+    for (std::size_t i = 0; i < tiles.size(); ++i)
+        tessellation.tiles[static_cast<std::size_t>(tiles[i])].pattern =
+            static_cast<int>(before) + painting.tiles[i];
+    // Each pattern once, in the order of the palettes, and only those that a tile has.
+    std::vector<int> place(all.size(), -1);
+    std::set<int> used;
+    for (const Tile& tile : tessellation.tiles) used.insert(tile.pattern);
+    std::vector<std::string> kept;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (!used.contains(static_cast<int>(i))) continue;
+        const auto known = std::ranges::find(kept, all[i]);
+        place[i] = static_cast<int>(known - kept.begin());
+        if (known == kept.end()) kept.push_back(all[i]);
+    }
+    for (Tile& tile : tessellation.tiles)
+        if (tile.pattern >= 0) tile.pattern = place[static_cast<std::size_t>(tile.pattern)];
+    tessellation.patterns = std::move(kept);
+}
+
+}  // namespace fretwork::tiling

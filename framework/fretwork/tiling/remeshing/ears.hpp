@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/tiling/remeshing/triangulation.hpp>
+
+namespace fretwork::tiling::detail {
+
+/// Give the corners of the outline that triangles of three rim points cut off to the tiles behind them: the
+/// edge between is flipped where the two triangles make a convex quadrilateral.
+void flip_ears(Triangulation& triangulation);
+
+/// The ends of an edge inside that joins two points of the rim.
+struct Chord {
+    int from = -1;
+    int to = -1;
+};
+/// Such edges that are left. Where one lies, the tiles on both sides of it share no side, or a part of the
+/// outline has no tile.
+std::vector<Chord> chords_of(const Triangulation& triangulation);
+
+}  // namespace fretwork::tiling::detail

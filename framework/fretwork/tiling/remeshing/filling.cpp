@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/geometry/plane.hpp>
+#include <fretwork/tiling/remeshing/ears.hpp>
+#include <fretwork/tiling/remeshing/inside.hpp>
+#include <fretwork/tiling/remeshing/site_grid.hpp>
+#include <fretwork/tiling/remeshing/sites.hpp>
+#include <fretwork/tiling/remeshing/triangulation.hpp>
+
+#include <algorithm>
+#include <optional>
+#include <tuple>
+
+namespace fretwork::tiling::detail {
+namespace {
+
+using geometry::Point2;
+
+// All of the spacing.
+constexpr double kEmptyRadius = 0.8;     // of a circle without sites; 0.58 in a regular lattice
+constexpr double kHalfBand = 0.45;       // the same between points of the rim
+constexpr double kRimDistance = 0.35;    // between a site that fills a gap and the rim
+constexpr double kLeastFilling = 0.65;   // between a site that fills a gap and the others
+constexpr double kBridgeDistance = 0.3;  // between a site that bridges a chord and the others
+constexpr int kRounds = 8;
+
+/// Where the triangle's sides are as far away as they can be: the middle of the circle through its corners.
+/// None if it lies far outside the triangle.
+std::optional<Point2> circumcenter(Point2 a, Point2 b, Point2 c) {
+    const Point2 u = b - a;
+    const Point2 v = c - a;
+    const double area = cross(u, v);
+    if (area <= 0) return std::nullopt;
+    const double scale = 0.5 / area;
+    return a +
+           Point2{scale * (v.y * dot(u, u) - u.y * dot(v, v)), scale * (u.x * dot(v, v) - v.x * dot(u, u))};
+}
+
+/// The triangle's circumcenter and radius.
+struct EmptyCircle {
+    double radius;
+    Point2 middle;
+};
+
+std::vector<EmptyCircle> large_empty_circles(const Triangulation& triangulation, const Spacing& spacing,
+                                             const Work& work) {
+    std::vector<EmptyCircle> circles;
+    for (const auto& [a, b, c] : triangulation.triangles) {
+        work.check();
+        const auto place = [&](int point) { return triangulation.points[static_cast<std::size_t>(point)]; };
+        const auto middle = circumcenter(place(a), place(b), place(c));
+        if (!middle) continue;
+        const double radius = distance(*middle, place(a));
+        const bool is_on_rim = triangulation.is_rim(a) && triangulation.is_rim(b) && triangulation.is_rim(c);
+        const double least = (is_on_rim ? kHalfBand : kEmptyRadius) * spacing.at(*middle);
+        if (radius > least) circles.push_back({radius, *middle});
+    }
+    const auto key = [](const EmptyCircle& circle) {
+        return std::tuple(-circle.radius, circle.middle.x, circle.middle.y);
+    };
+    std::ranges::sort(circles, {}, key);
+    return circles;
+}
+
+}  // namespace
+
+void fill_empty_parts(const Rim& rim, const Spacing& spacing, std::vector<Point2>& sites, const Work& work) {
+    const InsideTest is_inside(rim, kRimDistance * spacing.largest());
+    SiteGrid grid(spacing.largest());
+    for (const Point2& site : sites) grid.add(site);
+    for (int round = 0; round < kRounds; ++round) {
+        const std::size_t before = sites.size();
+        for (const EmptyCircle& circle : large_empty_circles(triangulate(rim, sites, work), spacing, work)) {
+            const double wanted = spacing.at(circle.middle);
+            if (!is_inside(circle.middle, kRimDistance * wanted)) continue;
+            if (grid.has_near(circle.middle, kLeastFilling * wanted)) continue;
+            grid.add(circle.middle);
+            sites.push_back(circle.middle);
+        }
+        if (sites.size() == before) return;
+    }
+}
+
+bool bridge_chords(const Rim& rim, const Spacing& spacing, std::vector<Point2>& sites, const Work& work) {
+    Triangulation triangulation = triangulate(rim, sites, work);
+    flip_ears(triangulation);
+    SiteGrid grid(spacing.largest());
+    for (const Point2& site : sites) grid.add(site);
+    const std::size_t before = sites.size();
+    for (const Chord& chord : chords_of(triangulation)) {
+        const auto place = [&](int point) { return triangulation.points[static_cast<std::size_t>(point)]; };
+        const Point2 middle = between(place(chord.from), place(chord.to), 0.5);
+        if (grid.has_near(middle, kBridgeDistance * spacing.at(middle))) continue;
+        grid.add(middle);
+        sites.push_back(middle);
+    }
+    return sites.size() > before;
+}
+
+}  // namespace fretwork::tiling::detail

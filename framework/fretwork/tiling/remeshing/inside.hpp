@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/tiling/remeshing/rim.hpp>
+
+#include <cstddef>
+#include <vector>
+
+namespace fretwork::tiling::detail {
+
+/// Tells whether a point is inside the polygons through a rim's points, at least a margin (metres) away from
+/// them. Looks only at the sides near the point: they are sorted into bands across the longer side of the
+/// rim's box.
+class InsideTest {
+  public:
+    /// Refers to the rim. No margin that is asked for later may be larger.
+    InsideTest(const Rim& rim, double largest_margin);
+    [[nodiscard]] bool operator()(geometry::Point2 point, double margin) const;
+
+  private:
+    [[nodiscard]] std::size_t band_of(double place) const;
+    [[nodiscard]] double along(geometry::Point2 point) const { return is_wide_ ? point.x : point.y; }
+    [[nodiscard]] bool is_crossed(geometry::Point2 from, geometry::Point2 to, geometry::Point2 point) const;
+
+    const Rim& rim_;
+    bool is_wide_ = false;                         // the bands divide x, else y
+    double low_ = 0.0;                             // where the first band begins
+    double band_ = 1.0;                            // width of a band
+    std::vector<std::vector<std::size_t>> sides_;  // of each band, by their first points
+};
+
+}  // namespace fretwork::tiling::detail

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/base/control.hpp>
+#include <fretwork/outlines/outline.hpp>
+#include <fretwork/tiling/remeshing/closed_curve.hpp>
+#include <fretwork/tiling/remeshing/size_field.hpp>
+
+#include <vector>
+
+namespace fretwork::tiling::detail {
+
+/// A point on the outline.
+struct RimPoint {
+    geometry::Point2 place;
+    int loop = 0;            ///< 0: the boundary; 1, 2, ..: the holes
+    double along = 0.0;      ///< its place on the loop's curve
+    bool is_corner = false;  ///< a corner of the outline: it stays where it is
+};
+
+/// An outline with points on it at even distances: the protected border of the triangulation.
+struct Rim {
+    std::vector<ClosedCurve> curves;  ///< the outline itself, loop by loop
+    std::vector<RimPoint> points;     ///< loop by loop, in the direction of the outline
+    std::vector<int> next;            ///< for each point the next point of the same loop
+};
+
+/// Put points on the outline's corners, and evenly between them at about the wanted distances. Throws
+/// base::Stopped.
+Rim sample_rim(const outlines::Outline& outline, const Spacing& spacing, const base::Control& control);
+
+/// Where the polygons through the rim's points cross or touch each other: there the points are too far apart
+/// for the gap between two parts of the outline. Decided exactly. Throws base::Stopped.
+std::vector<geometry::Point2> rim_crossings(const Rim& rim, const base::Control& control);
+
+}  // namespace fretwork::tiling::detail

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/geometry/polygon.hpp>
+
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+namespace fretwork::tiling::detail {
+
+/// The wanted side of the tiles at each place: the same everywhere but near the places that limit it. From
+/// these it grows with the distance, by kGrowth at most, so that neighbours differ little.
+class SizeField {
+  public:
+    static constexpr double kGrowth = 0.4;
+
+    /// @param side  wanted far from all limits, metres
+    explicit SizeField(double side) : side_(side), smallest_(side) {}
+
+    /// The wanted side at a place, metres.
+    [[nodiscard]] double at(geometry::Point2 place) const;
+    /// Let the side at a place be `side` at most (metres). No limit is kept that changes the side by less
+    /// than a fifth. Returns whether it is kept.
+    bool limit(geometry::Point2 place, double side);
+
+    [[nodiscard]] double largest() const { return side_; }
+    /// The smallest limit, metres.
+    [[nodiscard]] double smallest() const { return smallest_; }
+    [[nodiscard]] bool is_uniform() const { return cells_.empty(); }
+
+    /// A square in which some limit is felt.
+    struct Square {
+        geometry::Point2 middle;
+        double half_width;
+    };
+    [[nodiscard]] std::vector<Square> limited_squares() const;
+
+  private:
+    struct Limit {
+        geometry::Point2 place;
+        double side;
+    };
+    using Cell = std::uint64_t;  // of a square grid: column and row
+    [[nodiscard]] Cell cell(std::int32_t column, std::int32_t row) const;
+    [[nodiscard]] std::int32_t index(double coordinate) const;
+
+    double side_;
+    double smallest_;
+    std::unordered_map<Cell, std::vector<Limit>> cells_;  // the limits that are felt in a cell
+};
+
+/// The wanted distance of neighbouring sites: so many times the side of the tiles there.
+struct Spacing {
+    const SizeField& field;
+    double factor;  ///< sqrt(3) for regular hexagons
+    [[nodiscard]] double at(geometry::Point2 place) const { return factor * field.at(place); }
+    [[nodiscard]] double largest() const { return factor * field.largest(); }
+};
+
+}  // namespace fretwork::tiling::detail

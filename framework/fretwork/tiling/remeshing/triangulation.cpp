@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/tiling/remeshing/triangulation.hpp>
+
+#include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Triangulation_face_base_with_info_2.h>
+#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+
+#include <deque>
+
+namespace fretwork::tiling::detail {
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+struct FaceInfo {
+    int depth = -1;     // rims between the face and infinity: odd is inside
+    int triangle = -1;  // of those inside
+};
+struct VertexInfo {
+    int point = -1;
+};
+using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<VertexInfo, Kernel>;
+using FaceBase =
+    CGAL::Triangulation_face_base_with_info_2<FaceInfo, Kernel,
+                                              CGAL::Constrained_triangulation_face_base_2<Kernel>>;
+using Delaunay =
+    CGAL::Constrained_Delaunay_triangulation_2<Kernel,
+                                               CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>,
+                                               CGAL::No_constraint_intersection_requiring_constructions_tag>;
+
+/// Count for every face how many rims lie between it and infinity.
+void mark_depths(Delaunay& delaunay, const Work& work) {
+    std::deque<Delaunay::Face_handle> open{delaunay.infinite_face()};
+    delaunay.infinite_face()->info().depth = 0;
+    while (!open.empty()) {
+        work.check();
+        const Delaunay::Face_handle face = open.front();
+        open.pop_front();
+        for (int i = 0; i < 3; ++i) {
+            const Delaunay::Face_handle other = face->neighbor(i);
+            if (other->info().depth >= 0) continue;
+            const bool crosses_rim = face->is_constrained(i);
+            other->info().depth = face->info().depth + (crosses_rim ? 1 : 0);
+            // All of one region before the next, so that each face gets its smallest depth.
+            crosses_rim ? open.push_back(other) : open.push_front(other);
+        }
+    }
+}
+
+/// The faces inside the rim, and which are neighbours.
+void add_triangles(Delaunay& delaunay, const Work& work, Triangulation& result) {
+    const auto is_inside = [](Delaunay::Face_handle face) { return face->info().depth % 2 != 0; };
+    for (const Delaunay::Face_handle face : delaunay.finite_face_handles()) {
+        work.check();
+        if (!is_inside(face)) continue;
+        face->info().triangle = static_cast<int>(result.triangles.size());
+        result.triangles.push_back(
+            {face->vertex(0)->info().point, face->vertex(1)->info().point, face->vertex(2)->info().point});
+    }
+    result.neighbors.reserve(result.triangles.size());
+    for (const Delaunay::Face_handle face : delaunay.finite_face_handles()) {
+        if (!is_inside(face)) continue;
+        const auto behind = [&](int i) {
+            return face->is_constrained(i) ? -1 : face->neighbor(i)->info().triangle;
+        };
+        result.neighbors.push_back({behind(0), behind(1), behind(2)});
+    }
+}
+
+}  // namespace
+
+Triangulation triangulate(const Rim& rim, const std::vector<geometry::Point2>& sites, const Work& work) {
+    Triangulation result;
+    Delaunay delaunay;
+    result.rim_count = static_cast<int>(rim.points.size());
+    std::vector<Delaunay::Vertex_handle> handles;
+    const auto insert = [&](geometry::Point2 point) {
+        work.check();
+        // The last vertex is near the next one: points come loop by loop and site by site.
+        const auto near = handles.empty() ? Delaunay::Face_handle() : handles.back()->face();
+        const Delaunay::Vertex_handle vertex = delaunay.insert(Kernel::Point_2(point.x, point.y), near);
+        if (vertex->info().point < 0) vertex->info().point = static_cast<int>(result.points.size());
+        result.points.push_back(point);
+        handles.push_back(vertex);
+    };
+    for (const RimPoint& point : rim.points) insert(point.place);
+    for (std::size_t i = 0; i < rim.next.size(); ++i) {
+        work.check();
+        delaunay.insert_constraint(handles[i], handles[static_cast<std::size_t>(rim.next[i])]);
+    }
+    for (const geometry::Point2& site : sites) insert(site);
+    mark_depths(delaunay, work);
+    add_triangles(delaunay, work, result);
+    return result;
+}
+
+}  // namespace fretwork::tiling::detail

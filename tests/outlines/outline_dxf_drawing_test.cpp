@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Drawings as drafting programs make them: blocks, layers, splines, gaps.
+#include "outlines/outlines.hpp"
+
+#include <fretwork/outlines/outline.hpp>
+
+#include <numbers>
+
+namespace fretwork::outlines {
+namespace {
+
+using test::complaint_of;
+using test::TemporaryFolder;
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+constexpr double kPi = std::numbers::pi;
+
+struct Sections {
+    std::string entities;
+    std::string layers;
+    std::string blocks;
+};
+
+/// Codes and values one after the other become a file in millimetres.
+OutlineFile read(const Sections& sections) {
+    std::string text = "0 SECTION 2 HEADER 9 $INSUNITS 70 4 0 ENDSEC 0 SECTION 2 TABLES " + sections.layers +
+                       " 0 ENDSEC 0 SECTION 2 BLOCKS " + sections.blocks + " 0 ENDSEC 0 SECTION 2 ENTITIES " +
+                       sections.entities + " 0 ENDSEC 0 EOF";
+    text.erase(std::unique(text.begin(), text.end(), [](char a, char b) { return a == ' ' && b == ' '; }),
+               text.end());
+    std::replace(text.begin(), text.end(), ' ', '\n');
+    const TemporaryFolder folder;
+    return read_outline_file(folder.file("o.dxf", text + "\n"));
+}
+OutlineFile read(const std::string& entities) {
+    return read(Sections{entities, "", ""});
+}
+/// Square millimetres.
+double area(const OutlineFile& file) {
+    double sum = 0;
+    for (const Outline& part : file.parts) sum += 1e6 * area_of(part);
+    return sum;
+}
+std::string number(double value) {
+    return std::to_string(value);
+}
+std::string line(double x1, double y1, double x2, double y2) {
+    return "0 LINE 8 0 10 " + number(x1) + " 20 " + number(y1) + " 11 " + number(x2) + " 21 " + number(y2) +
+           " ";
+}
+std::string rectangle(double x, double y, double width, double height, const std::string& layer = "0") {
+    return "0 LWPOLYLINE 8 " + layer + " 90 4 70 1 10 " + number(x) + " 20 " + number(y) + " 10 " +
+           number(x + width) + " 20 " + number(y) + " 10 " + number(x + width) + " 20 " + number(y + height) +
+           " 10 " + number(x) + " 20 " + number(y + height) + " ";
+}
+std::string square_of_lines(double side) {
+    return line(0, 0, side, 0) + line(side, 0, side, side) + line(side, side, 0, side) + line(0, side, 0, 0);
+}
+constexpr double kRound = 0.1;  // square millimetres: 0.02 mm times a few millimetres of curves
+
+TEST(DxfDrawing, AnEllipseLiesAlongItsMajorAxis) {
+    const OutlineFile file = read("0 ELLIPSE 10 5 20 5 11 0 21 4 40 0.5 41 0 42 6.283185307179586");
+    EXPECT_NEAR(area(file), 8 * kPi, kRound);
+    EXPECT_EQ(size_text(file.parts), "4 x 8 mm");
+    const OutlineFile half =
+        read("0 ELLIPSE 10 0 20 0 11 4 21 0 40 0.5 41 0 42 3.141592653589793 " + line(-4, 0, 4, 0));
+    EXPECT_NEAR(area(half), 4 * kPi, kRound);
+    EXPECT_GT(half.parts.front().boundary.size(), 8U);
+}
+
+TEST(DxfDrawing, ASplineIsTheCurveOfItsKnotsAndWeights) {
+    // Four rational quadratic arcs are a circle of radius 10 (Piegl and Tiller, The NURBS Book, Section 7.5).
+    const std::string w = number(std::sqrt(0.5));
+    std::string circle = "0 SPLINE 70 12 71 2 72 12 73 9";
+    for (const char* knot : {"0", "0", "0", "1", "1", "2", "2", "3", "3", "4", "4", "4"})
+        circle += " 40 " + std::string(knot);
+    for (int i = 0; i < 9; ++i) circle += " 41 " + (i % 2 == 0 ? std::string("1") : w);
+    for (const char* point : {"10 20 0", "10 20 10", "0 20 10", "-10 20 10", "-10 20 0", "-10 20 -10",
+                              "0 20 -10", "10 20 -10", "10 20 0"})
+        circle += " 10 " + std::string(point);
+    EXPECT_NEAR(area(read(circle)), 100 * kPi, 1);
+    EXPECT_THAT(complaint_of([] { read("0 SPLINE 70 0 71 3 40 0 40 1 10 0 20 0 10 1 20 1"); }),
+                HasSubstr("2 control points and 2 knots"));
+}
+
+TEST(DxfDrawing, ABlockIsDrawnWhereItIsInserted) {
+    const std::string block = "0 BLOCK 8 0 2 Plate 10 5 20 5 " + rectangle(5, 5, 10, 20) + " 0 ENDBLK ";
+    EXPECT_NEAR(area(read(Sections{"0 INSERT 2 PLATE 10 100 20 0", "", block})), 200, 1e-6);
+    EXPECT_NEAR(area(read(Sections{"0 INSERT 2 plate 10 100 20 0 41 2 42 -3 50 30", "", block})), 1200, 1e-6);
+    const OutlineFile array =
+        read(Sections{"0 INSERT 2 plate 10 0 20 0 70 3 71 2 44 15 45 25 50 90", "", block});
+    EXPECT_EQ(array.parts.size(), 6U);
+    EXPECT_EQ(size_text(array.parts), "45 x 40 mm");  // turned by 90 degrees
+    const OutlineFile mirrored = read(Sections{"0 INSERT 2 plate 10 100 20 0 230 -1", "", block});
+    EXPECT_NEAR(mirrored.parts.front().boundary.front().x, -0.1, 1e-12);
+}
+
+TEST(DxfDrawing, BlocksInBlocksEndSomewhere) {
+    const std::string self = "0 BLOCK 2 A 0 INSERT 2 A 0 ENDBLK ";
+    EXPECT_THAT(complaint_of([&] {
+                    read(Sections{"0 INSERT 2 A", "", self});
+                }),
+                HasSubstr("contains itself"));
+    std::string bomb = "0 BLOCK 2 B0 0 TEXT 1 a 0 ENDBLK ";
+    for (int i = 1; i < 30; ++i) {
+        const std::string before = " 0 INSERT 2 B" + std::to_string(i - 1);
+        bomb += " 0 BLOCK 2 B" + std::to_string(i) + before + before + " 0 ENDBLK ";
+    }
+    EXPECT_THAT(complaint_of([&] {
+                    read(Sections{"0 INSERT 2 B29", "", bomb});
+                }),
+                HasSubstr("more than 200000 entities"));
+    EXPECT_THAT(complaint_of([&] {
+                    read(Sections{"0 INSERT 2 B0 70 100000 71 100000", "", bomb});
+                }),
+                HasSubstr("copies"));
+    EXPECT_THAT(read(Sections{rectangle(0, 0, 9, 9) + "0 INSERT 2 none", "", ""}).remarks,
+                ElementsAre("1 INSERT of a block that is not there left out"));
+}
+
+TEST(DxfDrawing, LayersThatAreOffAndPaperSpaceDoNotCount) {
+    const std::string layers = "0 LAYER 2 Off 70 0 62 -7 0 LAYER 2 Frozen 70 1 62 7 0 LAYER 2 On 70 0 62 7 ";
+    const OutlineFile file = read(Sections{
+        rectangle(0, 0, 10, 10, "on") + rectangle(50, 0, 20, 20, "OFF") + rectangle(50, 0, 30, 30, "Frozen") +
+            "0 CIRCLE 67 1 10 0 20 0 40 100 0 CIRCLE 60 1 10 0 20 0 40 100",
+        layers, ""});
+    EXPECT_NEAR(area(file), 100, 1e-6);
+    EXPECT_THAT(file.remarks,
+                ElementsAre("2 on layers that are off, 1 in paper space, 1 invisible left out"));
+}
+
+TEST(DxfDrawing, InABlockLayerZeroIsTheLayerOfTheInsertion) {
+    const std::string layers = "0 LAYER 2 Off 70 0 62 -7 0 LAYER 2 Frozen 70 1 62 7 ";
+    const std::string block =
+        "0 BLOCK 2 A " + rectangle(0, 0, 10, 10, "0") + rectangle(50, 0, 20, 20, "Own") + " 0 ENDBLK ";
+    EXPECT_NEAR(area(read(Sections{"0 INSERT 2 A 8 Any", layers, block})), 500, 1e-6);
+    EXPECT_NEAR(area(read(Sections{"0 INSERT 2 A 8 Off", layers, block})), 400, 1e-6);
+    EXPECT_THAT(complaint_of([&] {
+                    read(Sections{"0 INSERT 2 A 8 Frozen", layers, block});
+                }),
+                HasSubstr("1 on layers that are off left out"));
+}
+
+TEST(DxfDrawing, EntitiesSeenFromBelowAreMirrored) {
+    const OutlineFile file = read("0 CIRCLE 10 100 20 50 40 10 210 0 220 0 230 -1");
+    double x = 0;
+    for (const auto& point : file.parts.front().boundary)
+        x += point.x / static_cast<double>(file.parts.front().boundary.size());
+    EXPECT_NEAR(x, -0.1, 1e-6);
+    EXPECT_THAT(complaint_of([] { read("0 CIRCLE 10 0 20 0 40 1 210 1 220 0 230 0"); }),
+                HasSubstr("1 CIRCLE that does not lie flat"));
+}
+
+TEST(DxfDrawing, OtherEntitiesAreCountedAndTold) {
+    const OutlineFile file = read("0 TEXT 1 a 0 TEXT 1 b 0 HATCH 0 MTEXT 1 c 0 TEXT 1 d 0 POINT 10 1 20 1 " +
+                                  rectangle(0, 0, 10, 10));
+    EXPECT_NEAR(area(file), 100, 1e-6);
+    EXPECT_THAT(file.remarks, ElementsAre("3 TEXT, 1 HATCH, 1 MTEXT left out"));
+}
+
+TEST(DxfDrawing, EndsThatNearlyMeetAreJoinedAndTold) {
+    const OutlineFile file =
+        read(line(0, 0, 100, 0) + line(100.02, 0, 100, 100) + line(100, 100, 0, 100) + line(0, 99.97, 0, 0));
+    EXPECT_NEAR(area(file), 10000, 10);
+    EXPECT_THAT(file.remarks, ElementsAre("2 gaps of at most 0.03 mm closed"));
+    EXPECT_THAT(
+        complaint_of([] { read(line(0, 0, 100, 0) + line(100, 0, 100, 100) + line(100, 100, 0, 0.3)); }),
+        AllOf(HasSubstr("not closed"), HasSubstr("from (0, 0) mm to (100, 0) mm"),
+              HasSubstr("up to 0.1 mm")));
+}
+
+TEST(DxfDrawing, DoubledLinesAreOne) {
+    const OutlineFile file = read(square_of_lines(50) + line(50, 50, 50, 0) + rectangle(10, 10, 5, 5) +
+                                  rectangle(10, 10, 5, 5) + line(0, 0, 50, 0));
+    EXPECT_NEAR(area(file), 2500 - 25, 1e-6);
+    EXPECT_THAT(file.remarks, ElementsAre("3 doubled lines taken once"));
+}
+
+TEST(DxfDrawing, LooseLinesAreLeftOutAndRoomsAreOneShape) {
+    const OutlineFile file =
+        read(square_of_lines(50) + line(25, 0, 25, 50) + line(50, 50, 60, 60) + line(10, 10, 12, 10));
+    EXPECT_NEAR(area(file), 2500, 1e-6);
+    EXPECT_THAT(file.remarks, ElementsAre(AllOf(HasSubstr("2 open lines"), HasSubstr("14.14 mm"))));
+}
+
+TEST(DxfDrawing, AnEndThatLiesOnALineButForRoundingIsJoinedToIt) {
+    // A bay whose sides end 1 um before, and 1 um behind, the long line.
+    const OutlineFile file = read(line(-50, 0, 50, 0) + line(-10, 0.001, -10, 20) + line(-10, 20, 10, 20) +
+                                  line(10, 20, 10, -0.001));
+    EXPECT_NEAR(area(file), 400, 0.2);
+}
+
+TEST(DxfDrawing, LinesThatCrossAtTheCornersEncloseWhatIsBetween) {
+    EXPECT_NEAR(
+        area(read(line(-5, 0, 55, 0) + line(50, -5, 50, 55) + line(55, 50, -5, 50) + line(0, 55, 0, -5))),
+        2500, 1e-6);
+}
+
+TEST(DxfDrawing, HolesIslandsAndUnions) {
+    const OutlineFile nested =
+        read(rectangle(0, 0, 90, 90) + rectangle(10, 10, 70, 70) + rectangle(20, 20, 50, 50));
+    ASSERT_EQ(nested.parts.size(), 2U);
+    EXPECT_NEAR(area(nested), 8100 - 4900 + 2500, 1e-6);
+    EXPECT_EQ(nested.parts.front().holes.size(), 1U);
+    EXPECT_NEAR(area(read(rectangle(0, 0, 20, 20) + rectangle(10, 10, 20, 20))), 700, 1e-6);
+    EXPECT_NEAR(area(read(rectangle(0, 0, 20, 20) + rectangle(0, 5, 5, 5))), 375,
+                1e-6);  // a notch from the rim
+    EXPECT_THAT(read(rectangle(0, 0, 90, 90)).remarks, IsEmpty());
+}
+
+// More than 256 curves in one another are refused; equal ones do not lie in one another, wherever they begin.
+TEST(DxfDrawing, HundredsOfEqualCurvesAreOneAndToldOf) {
+    const std::string begun_elsewhere =
+        "0 LWPOLYLINE 8 0 90 4 70 1 10 50 20 0 10 50 20 40 10 0 20 40 10 0 20 0 ";
+    std::string many = rectangle(-10, -10, 80, 70);
+    for (int i = 0; i < 300; ++i) many += rectangle(0, 0, 50, 40) + begun_elsewhere;
+    const OutlineFile file = read(many);
+    ASSERT_EQ(file.parts.size(), 1U);
+    EXPECT_EQ(file.parts.front().holes.size(), 1U);
+    EXPECT_THAT(file.remarks, testing::Contains(HasSubstr("599 doubled lines taken once")));
+}
+
+}  // namespace
+}  // namespace fretwork::outlines
