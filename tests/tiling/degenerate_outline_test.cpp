@@ -180,5 +180,22 @@ TEST(DegenerateOutline, ByChanceIsTiledValidlyOrRefusedInOneLine) {
     EXPECT_GT(refused, 30);
 }
 
+TEST(TessellateLimits, ThousandsOfSmallHolesAreRefusedWithWhatTheyWouldTake) {
+    std::vector<geometry::Polygon> holes;
+    for (int column = 0; column < 100; ++column) {
+        for (int row = 0; row < 100; ++row) {
+            const double x = 0.01 * column + 0.003;
+            const double y = 0.01 * row + 0.003;
+            holes.push_back({{x, y}, {x, y + 0.004}, {x + 0.004, y + 0.004}, {x + 0.004, y}});
+        }
+    }
+    const outlines::Outline sheet = outlines::make_outline({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, holes);
+    const std::string complaint = test::complaint_of(
+        [&] { tessellate(sheet, pattern::find_node_layout("paper7"), {.edge_length = 0.026}); });
+    EXPECT_THAT(complaint,
+                testing::AllOf(testing::HasSubstr("10000 holes"), testing::HasSubstr("000 tiles and"),
+                               testing::HasSubstr("GB of memory"), testing::HasSubstr("leave out")));
+}
+
 }  // namespace
 }  // namespace fretwork::tiling

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/text.hpp>
+#include <fretwork/geometry/box_grid.hpp>
 #include <fretwork/outlines/outline_check.hpp>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -110,25 +111,58 @@ std::optional<std::string> flaw_of_crossing(const std::vector<Polygon>& loops, c
     return first->first->name() + " touches or crosses " + first->second->name();
 }
 
-bool is_inside(const Point2& point, const Polygon& polygon) {
+std::vector<ExactPoint> exact(const Polygon& polygon) {
     std::vector<ExactPoint> points;
     for (const Point2& p : polygon) points.emplace_back(p.x, p.y);
-    return CGAL::bounded_side_2(points.begin(), points.end(), ExactPoint(point.x, point.y), Kernel()) ==
+    return points;
+}
+
+bool is_inside(const Point2& point, const std::vector<ExactPoint>& polygon) {
+    return CGAL::bounded_side_2(polygon.begin(), polygon.end(), ExactPoint(point.x, point.y), Kernel()) ==
            CGAL::ON_BOUNDED_SIDE;
 }
 
-/// No two sides meet, so one point of a hole speaks for all of it.
+std::vector<geometry::Box> boxes_of_holes(const std::vector<Polygon>& loops) {
+    std::vector<geometry::Box> boxes;
+    for (std::size_t hole = 1; hole < loops.size(); ++hole) boxes.push_back(geometry::box_of(loops[hole]));
+    return boxes;
+}
+
+/// Which loop lies in which, of loops whose sides do not meet: one point of a hole speaks for all of it.
+/// Drawings have thousands of holes, so only those whose boxes meet are compared.
+class Nesting {
+  public:
+    explicit Nesting(const std::vector<Polygon>& loops)
+        : loops_(loops), boundary_(exact(loops.front())), holes_(boxes_of_holes(loops)) {}
+
+    [[nodiscard]] bool is_in_boundary(std::size_t hole) const {
+        return is_inside(loops_[hole].front(), boundary_);
+    }
+    /// The first other hole around a hole.
+    [[nodiscard]] std::optional<std::size_t> hole_around(std::size_t hole) const {
+        const Point2 point = loops_[hole].front();
+        for (const std::size_t near : holes_.meeting({point.x, point.y, point.x, point.y})) {
+            const std::size_t other = near + 1;
+            if (other != hole && is_inside(point, exact(loops_[other]))) return other;
+        }
+        return std::nullopt;
+    }
+
+  private:
+    const std::vector<Polygon>& loops_;
+    std::vector<ExactPoint> boundary_;
+    geometry::BoxGrid holes_;
+};
+
 std::optional<std::string> flaw_of_nesting(const std::vector<Polygon>& loops, const base::Control& control) {
+    const Nesting nesting(loops);
     for (std::size_t hole = 1; hole < loops.size(); ++hole) {
         control.check();
         const Point2& point = loops[hole].front();
-        if (!is_inside(point, loops.front()))
-            return (loop_name(hole) + " lies outside the boundary, at " + text({point.x, point.y}));
-        for (std::size_t other = 1; other < loops.size(); ++other) {
-            if (other != hole && is_inside(point, loops[other]))
-                return (loop_name(hole) + " lies inside " + loop_name(other) + ", at " +
-                        text({point.x, point.y}));
-        }
+        const std::string place = ", at " + text({point.x, point.y});
+        if (!nesting.is_in_boundary(hole)) return loop_name(hole) + " lies outside the boundary" + place;
+        if (const auto other = nesting.hole_around(hole))
+            return loop_name(hole) + " lies inside " + loop_name(*other) + place;
     }
     return std::nullopt;
 }
@@ -149,13 +183,10 @@ std::vector<Point2> places_of_crossings(const std::vector<Polygon>& loops, const
     for (const Side* side : clashing)
         places.push_back({0.5 * (side->from.x() + side->to.x()), 0.5 * (side->from.y() + side->to.y())});
     if (!places.empty()) return places;
+    const Nesting nesting(loops);
     for (std::size_t hole = 1; hole < loops.size(); ++hole) {
         control.check();
-        const Point2& point = loops[hole].front();
-        bool is_well = is_inside(point, loops.front());
-        for (std::size_t other = 1; other < loops.size(); ++other)
-            is_well = is_well && (other == hole || !is_inside(point, loops[other]));
-        if (!is_well) places.push_back(point);
+        if (!nesting.is_in_boundary(hole) || nesting.hole_around(hole)) places.push_back(loops[hole].front());
     }
     return places;
 }

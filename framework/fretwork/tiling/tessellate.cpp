@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/parallel.hpp>
+#include <fretwork/geometry/box.hpp>
 #include <fretwork/geometry/internal/message_text.hpp>
 #include <fretwork/geometry/plane.hpp>
 #include <fretwork/tiling/detail/narrow_parts.hpp>
@@ -28,6 +29,9 @@ using geometry::metres;
 using geometry::short_number;
 
 constexpr int kMostTiles = 100000;
+/// Where tiles are refined everywhere, all is done again up to eight times.
+constexpr double kMostRefinedTiles = 20000;
+constexpr double kBytesPerTile = 8000;  // measured, rounded up
 /// So many tiles are made in all, about: a small outline can be tried in more ways.
 constexpr double kTilesInFinal = 1600;
 constexpr double kTilesInGraded = 500;   // the same, where an attempt may be followed by others
@@ -127,6 +131,24 @@ struct WantedSides {
     std::optional<detail::NarrowPlace> too_narrow;
 };
 
+/// About how many tiles the holes and narrow places of an outline want; 0 where all tiles are wanted alike.
+/// Samples lie in the box around it, and its share of that box counts.
+double refined_tiles(const outlines::Outline& outline, const SizeField& field, const base::Control& control) {
+    if (field.is_uniform() || outline.holes.empty()) return 0.0;
+    constexpr int kSamples = 400;  // along the longer side of the box
+    const geometry::Box box = geometry::box_of(outline.boundary);
+    const double step = std::max(box.width(), box.height()) / kSamples;
+    double tiles = 0.0;
+    for (double x = box.xmin + 0.5 * step; x < box.xmax; x += step) {
+        control.check();
+        for (double y = box.ymin + 0.5 * step; y < box.ymax; y += step) {
+            const double side = field.at({x, y});
+            tiles += step * step / (kHexagonArea * side * side);
+        }
+    }
+    return tiles * outlines::area_of(outline) / (box.width() * box.height());
+}
+
 /// Smaller tiles where the outline is narrow, and around small holes.
 WantedSides wanted_sides(const outlines::Outline& outline, const TessellationOptions& options) {
     SizeField field(options.edge_length);
@@ -167,11 +189,14 @@ Candidate best_attempt(const Subject& subject, const TessellationOptions& option
     const double least = smallest_wanted(options);
     Candidate best;
     std::vector<Start> starts;
+    std::optional<double> known_factor;
     for (int attempt = 0; attempt < kAttempts; ++attempt) {
         const Task task{subject.blunt.outline, field, options, subject.limits};
         // What was uniform before may need other starts, and more of them.
-        if (attempt < 2) starts = best_starts(task, turned_by, work);
+        if (attempt == 0 || (attempt == 1 && !known_factor)) starts = best_starts(task, turned_by, work);
+        if (known_factor) starts.front().factor = *known_factor;
         Candidate candidate = best_candidate(task, starts, work);
+        if (starts.size() == 1 && candidate.factor) known_factor = candidate.factor;
         const bool is_first = attempt == 0;
         if (is_first || detail::is_better(candidate, best)) best = candidate;
         if (best.defects.empty() || options.narrow == Narrow::Refuse) break;
@@ -199,6 +224,13 @@ Candidate best_tiling(const outlines::Outline& outline, const TessellationOption
     Candidate best;
     if (too_narrow) {
         best.defects.push_back({detail::DefectKind::TooNarrow, too_narrow->place});
+        return best;
+    }
+    if (const double tiles = refined_tiles(blunt.outline, field, options.control);
+        tiles > kMostRefinedTiles) {
+        best.defects.push_back({detail::DefectKind::TooMany, outline.boundary.front()});
+        best.report.tiles = static_cast<int>(std::min(tiles, 1e9));
+        best.report.smallest_side = field.smallest();
         return best;
     }
     const double share = blunt.lost_area / outlines::area_of(outline);
@@ -275,6 +307,17 @@ std::string advice(const std::optional<double>& side) {
     return "; no smaller side that was tried works: make the outline wider there";
 }
 
+/// Thousands of small holes would take hours.
+[[noreturn]] void refuse_many(const outlines::Outline& outline, const TessellationReport& wanted) {
+    throw base::InputError(
+        "the outline has " + std::to_string(outline.holes.size()) + " holes: with sides down to " +
+        metres(wanted.smallest_side) + " around them and where it is narrow it would need about " +
+        std::to_string(wanted.tiles / 1000) + "000 tiles and " +
+        short_number(std::ceil(wanted.tiles * kBytesPerTile / 1e8) / 10) + " GB of memory, where " +
+        short_number(kMostRefinedTiles) +
+        " tiles are the most that are refined; leave out the smallest holes, or tile a part of the outline");
+}
+
 [[noreturn]] void refuse(const outlines::Outline& outline, const TessellationOptions& options,
                          const detail::Defect& defect, Work& work) {
     const auto works = side_that_works(outline, options, kNextSide * options.edge_length, work);
@@ -320,6 +363,8 @@ TessellationResult tessellate(const outlines::Outline& outline, const pattern::N
     if (options.narrow == Narrow::Refuse) refuse_narrow(clean.outline, options);
     Work work(options.control, "tiling");
     Candidate best = best_tiling(clean.outline, options, kTurnedBy, work);
+    if (!best.defects.empty() && best.defects.front().kind == detail::DefectKind::TooMany)
+        refuse_many(clean.outline, best.report);
     if (!best.defects.empty()) refuse(clean.outline, options, best.defects.front(), work);
     work.complete();
     best.report.negligible_points = clean.left_out;

@@ -34,12 +34,16 @@ constexpr int kEveningIterations = 40;
 constexpr std::size_t kMostToRemove = 12;  // more defects are left to smaller tiles
 constexpr double kRemovedShare = 1e-3;     // of the outline's area: so much may one removed tile uncover
 /// Distance of sites over wanted side: between where the searches for lattices and meshes end.
+/// Of a factor that was tried: the search does not come so near to it again if its sides were that far off.
+constexpr double kNearFactor = 0.03;
+constexpr double kFarRatio = 0.2;
 constexpr double kRoughFactor = 1.6;
 constexpr int kRoughIterations = 8;
 constexpr int kLastRelaxations = 10;  // after chords are bridged
 
 /// Looks for the distance of the sites at which the sides are the wanted ones. They grow with the distance,
-/// but in jumps, since the number of tiles is a whole number.
+/// but in jumps, since the number of tiles is a whole number. A thousand equal holes make one large jump:
+/// there the search goes to the middle of what it knows, and not back to where it was.
 class FactorSearch {
   public:
     explicit FactorSearch(double factor) : factor_(factor) {}
@@ -47,17 +51,25 @@ class FactorSearch {
     /// @param ratio  the mean of sides over wanted sides at factor()
     void learn(double ratio) {
         (ratio < 1 ? low_ : high_) = factor_;
+        if (std::abs(std::log(ratio)) > kFarRatio) far_off_.push_back(factor_);
         const double guess = factor_ / ratio;
-        const bool is_bracketed = low_ > 0 && high_ > 0;
-        factor_ = is_bracketed && (guess <= std::min(low_, high_) || guess >= std::max(low_, high_))
-                      ? std::sqrt(low_ * high_)
-                      : guess;
+        factor_ = low_ > 0 && high_ > 0 && is_refuted(guess) ? std::sqrt(low_ * high_) : guess;
     }
+    /// Whether the sides jumped from too short to too long.
+    [[nodiscard]] bool has_jumped() const { return has_jumped_; }
 
   private:
+    [[nodiscard]] bool is_refuted(double guess) {
+        const auto is_near = [&](double tried) { return std::abs(std::log(guess / tried)) < kNearFactor; };
+        if (std::ranges::any_of(far_off_, is_near)) return has_jumped_ = true;
+        return guess <= std::min(low_, high_) || guess >= std::max(low_, high_);
+    }
+
     double factor_;
     double low_ = 0.0;   // the last at which sides were too short
     double high_ = 0.0;  // the last at which sides were too long
+    std::vector<double> far_off_;
+    bool has_jumped_ = false;
 };
 
 /// Makes the tilings of one start.
@@ -258,12 +270,14 @@ Candidate make_candidate(const Task& task, const Start& start, Work& work) {
         } else {
             candidate.side_error = std::numeric_limits<double>::infinity();
         }
+        candidate.factor = search.factor();
         search.learn(ratio);
         if (!best || is_better_density(candidate, *best)) best = std::move(candidate);
         const double good = is_graded ? kGoodGradedError : kGoodSideError;
         if (best->side_error <= good && (best->defects.empty() || is_graded)) break;
         if (best->side_error <= good && round >= 2) break;
     }
+    if (!search.has_jumped()) best->factor.reset();
     if (task.options.narrow == Narrow::Merge && is_graded && best->defects.empty()) {
         const double error = best->side_error;
         tiler.merge(*best);

@@ -33,6 +33,9 @@ struct Candidate {
     std::vector<Defect> defects;
     double side_error = 0.0;    ///< of the mean of sides over wanted sides, relative
     double irregularity = 0.0;  ///< the smaller the better
+    /// The distance of its sites over the wanted side, where that was hard to find: another attempt with
+    /// nearly the same wanted sides begins there.
+    std::optional<double> factor{};
 };
 
 /// A first sketch of the tiling from a start: how irregular it will be (cheap, and good enough to leave the

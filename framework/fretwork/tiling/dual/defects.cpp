@@ -192,6 +192,8 @@ std::string_view words_for(DefectKind kind) {
     switch (kind) {
         case DefectKind::TooNarrow:
             return "no tile fits there";
+        case DefectKind::TooMany:
+            return "it would need too many tiles";
         case DefectKind::Torn:
             return "the tiles would not hang together as the outline does";
         case DefectKind::NotConvex:

@@ -11,7 +11,7 @@
 namespace fretwork::tiling::detail {
 
 /// What may be wrong with a tiling.
-enum class DefectKind { TooNarrow, Torn, NotConvex, Uncovered, ShortSide, SharpAngle };
+enum class DefectKind { TooNarrow, TooMany, Torn, NotConvex, Uncovered, ShortSide, SharpAngle };
 
 /// In words: "the tiles would not hang together as the outline does".
 std::string_view words_for(DefectKind kind);

@@ -11,6 +11,8 @@ using geometry::Point2;
 
 constexpr double kNegligible = 1.2;  // a limit that changes the side by less is not kept
 
+constexpr double kSlack = 1.0 + 1e-9;     // beyond rounding
+
 }  // namespace
 
 SizeField::Cell SizeField::cell(std::int32_t column, std::int32_t row) const {
@@ -26,8 +28,13 @@ double SizeField::at(Point2 place) const {
     double side = side_;
     const auto found = cells_.find(cell(index(place.x), index(place.y)));
     if (found == cells_.end()) return side;
-    for (const Limit& limit : found->second)
-        side = std::min(side, limit.side + kGrowth * distance(place, limit.place));
+    for (const Limit& limit : found->second) {
+        // Roots are taken only where they may count.
+        const geometry::Point2 apart = place - limit.place;
+        const double reach = (side - limit.side) / kGrowth;
+        if (reach <= 0.0 || dot(apart, apart) > kSlack * reach * reach) continue;
+        side = std::min(side, limit.side + kGrowth * length(apart));
+    }
     return side;
 }
 
