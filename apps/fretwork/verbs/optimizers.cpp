@@ -10,10 +10,10 @@
 #include <fretwork/base/internal/json_text.hpp>
 #include <fretwork/base/quantity.hpp>
 #include <fretwork/base/text.hpp>
-#include <fretwork/study/known_value.hpp>
-#include <fretwork/study/landscape.hpp>
-#include <fretwork/study/study.hpp>
-#include <fretwork/study/study_problem.hpp>
+#include <fretwork/optimization/studies/known_value.hpp>
+#include <fretwork/optimization/studies/landscape.hpp>
+#include <fretwork/optimization/studies/study.hpp>
+#include <fretwork/reduction/calibration/study_problems.hpp>
 
 #include <chrono>
 #include <cstdio>
@@ -23,7 +23,7 @@ namespace fretwork::app {
 namespace {
 
 using base::Json;
-using study::Contender;
+using optimization::study::Contender;
 
 constexpr const char* kOptimizersExamples = R"(
 Examples:
@@ -39,9 +39,9 @@ struct OptimizersOptions {
     std::string problems = "all";
     std::string optimizers = "all";
     std::size_t patterns = 60;
-    study::KnownValueOptions known_values;
-    study::StudyPlan plan;
-    study::LandscapeOptions landscape;
+    optimization::study::KnownValueOptions known_values;
+    optimization::study::StudyPlan plan;
+    optimization::study::LandscapeOptions landscape;
     int threads = 0;
     bool json = false;
 };
@@ -50,7 +50,7 @@ struct OptimizersOptions {
 
 ExitCode list(const OptimizersOptions& options) {
     Json rows = Json::array();
-    for (const Contender& contender : study::default_contenders()) {
+    for (const Contender& contender : optimization::study::default_contenders()) {
         const auto& row = *contender.method;
         if (options.json) {
             rows.push_back({{"name", row.name},
@@ -74,12 +74,14 @@ ExitCode known(OptimizersOptions options) {
     LongWork work;
     options.known_values.threads = options.threads;
     options.known_values.control = work.control();
+    options.known_values.families = reduction::study_families();
     const auto search = [&] {
-        const auto ids = options.ids.empty() ? study::study_problem_ids(options.patterns)
-                                             : study::read_problem_ids(options.ids);
+        const auto ids = options.ids.empty() ? reduction::study_problem_ids(options.patterns)
+                                             : optimization::study::read_problem_ids(
+                                                   options.ids, options.known_values.families);
         return find_known_values(ids, options.known_values);
     };
-    auto values = options.known.empty() ? search() : study::read_known_values(options.known);
+    auto values = options.known.empty() ? search() : optimization::study::read_known_values(options.known);
     if (!options.results.empty()) improve_known_values(values, options.results);
     base::write_file_atomically(options.out, known_values_csv(values));
     if (options.json) {
@@ -96,7 +98,7 @@ ExitCode known(OptimizersOptions options) {
 /// "slsqp" with the comparison's number of starts, "slsqp:32" with 32.
 Contender chosen_contender(const std::string& word) {
     const auto colon = word.find(':');
-    const auto all = study::default_contenders();
+    const auto all = optimization::study::default_contenders();
     const auto* row = &optimization::find_optimizer(word.substr(0, colon));
     Contender contender = *std::ranges::find(all, row, &Contender::method);
     if (colon == std::string::npos) return contender;
@@ -109,7 +111,7 @@ Contender chosen_contender(const std::string& word) {
 }
 
 std::vector<Contender> chosen_contenders(const std::string& choice) {
-    if (choice == "all") return study::default_contenders();
+    if (choice == "all") return optimization::study::default_contenders();
     std::vector<Contender> chosen;
     for (const std::string& word : base::split(choice, ',')) chosen.push_back(chosen_contender(word));
     return chosen;
@@ -118,9 +120,9 @@ std::vector<Contender> chosen_contenders(const std::string& choice) {
 /// The problems that --problems chooses from the file of known values.
 std::vector<std::string> problems_of(const OptimizersOptions& options) {
     std::vector<std::string> ids;
-    for (const study::KnownValue& value : study::read_known_values(options.known))
+    for (const optimization::study::KnownValue& value : optimization::study::read_known_values(options.known))
         ids.push_back(value.problem);
-    return study::chosen_problems(ids, options.problems);
+    return optimization::study::chosen_problems(ids, options.problems);
 }
 
 std::filesystem::path made_folder(const std::string& path) {
@@ -130,8 +132,8 @@ std::filesystem::path made_folder(const std::string& path) {
     return path;
 }
 
-void print(const study::StudyReport& report, double seconds, const OptimizersOptions& options) {
-    const std::string path = study::run_table_path(options.out).string();
+void print(const optimization::study::StudyReport& report, double seconds, const OptimizersOptions& options) {
+    const std::string path = optimization::study::run_table_path(options.out).string();
     if (options.json) {
         print_document({{"runs_before", report.runs_before},
                         {"runs_done", report.runs_done},
@@ -148,12 +150,13 @@ void print(const study::StudyReport& report, double seconds, const OptimizersOpt
 ExitCode run(OptimizersOptions options) {
     LongWork work;
     options.plan.problems = problems_of(options);
+    options.plan.families = reduction::study_families();
     options.plan.contenders = chosen_contenders(options.optimizers);
     options.plan.threads = options.threads;
     options.plan.control = work.control();
     options.plan.validate();
     const auto begin = std::chrono::steady_clock::now();
-    const study::StudyReport report = run_study(options.plan, made_folder(options.out));
+    const optimization::study::StudyReport report = run_study(options.plan, made_folder(options.out));
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
     print(report, seconds.count(), options);
     return report.runs_left_out > 0 ? ExitCode::DidNotSucceed : ExitCode::Done;
@@ -165,8 +168,9 @@ ExitCode landscape(OptimizersOptions options) {
     LongWork work;
     options.landscape.threads = options.threads;
     options.landscape.control = work.control();
+    options.landscape.families = reduction::study_families();
     const auto problems = problems_of(options);
-    const study::Landscape landscape = explore_landscape(problems, options.landscape);
+    const optimization::study::Landscape landscape = explore_landscape(problems, options.landscape);
     const auto folder = made_folder(options.out);
     base::FileBatch files;
     files.add(folder / "descents.csv", landscape.descents);

@@ -11,7 +11,7 @@ using geometry::Point2;
 
 constexpr double kNegligible = 1.2;  // a limit that changes the side by less is not kept
 
-constexpr double kSlack = 1.0 + 1e-9;     // beyond rounding
+constexpr double kSlack = 1.0 + 1e-9;  // beyond rounding
 
 }  // namespace
 

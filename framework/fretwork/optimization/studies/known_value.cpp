@@ -5,16 +5,15 @@
 #include <fretwork/base/quantity.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/optimization/sampling.hpp>
-#include <fretwork/study/known_value.hpp>
-#include <fretwork/study/run_table.hpp>
-#include <fretwork/study/study_problem.hpp>
+#include <fretwork/optimization/studies/known_value.hpp>
+#include <fretwork/optimization/studies/run_table.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <mutex>
 
-namespace fretwork::study {
+namespace fretwork::optimization::study {
 namespace {
 
 /// Apart from the seeds of the runs, which are hashes.
@@ -34,11 +33,9 @@ double median_value(const optimization::Problem& problem) {
 }
 
 KnownValue find_known_value(const std::string& id, const KnownValueOptions& options) {
-    const StudyProblem entry = make_study_problem(id);
+    const StudyProblem entry = make_study_problem(id, options.families);
     if (entry.best_value) {
-        // The objective of a calibration has no unit; that of a good fit is of the order of 1.
-        const double scale =
-            family_of(id) == "synthetic" ? 1.0 : median_value(*entry.problem) - *entry.best_value;
+        const double scale = entry.scale ? *entry.scale : median_value(*entry.problem) - *entry.best_value;
         return {id, *entry.best_value, scale, "construction"};
     }
     KnownValue known{id, 0.0, 0.0, ""};
@@ -141,4 +138,4 @@ void improve_known_values(std::vector<KnownValue>& values, const std::filesystem
     }
 }
 
-}  // namespace fretwork::study
+}  // namespace fretwork::optimization::study

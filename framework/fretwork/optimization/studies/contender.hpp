@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace fretwork::study {
+namespace fretwork::optimization::study {
 
 /// A method as it takes part in a study, with restarts as a part of it.
 struct Contender {
@@ -20,4 +20,4 @@ std::vector<Contender> default_contenders();
 /// How often a contender runs on one problem: once if its method is deterministic, else as often as wanted.
 int repetitions_of(const Contender& contender, int wanted);
 
-}  // namespace fretwork::study
+}  // namespace fretwork::optimization::study

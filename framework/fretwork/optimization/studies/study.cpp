@@ -3,9 +3,8 @@
 #include <fretwork/base/files/file.hpp>
 #include <fretwork/base/files/file_lock.hpp>
 #include <fretwork/base/parallel.hpp>
-#include <fretwork/study/run_table.hpp>
-#include <fretwork/study/study.hpp>
-#include <fretwork/study/study_problem.hpp>
+#include <fretwork/optimization/studies/run_table.hpp>
+#include <fretwork/optimization/studies/study.hpp>
 
 #include <algorithm>
 #include <atomic>
@@ -15,7 +14,7 @@
 #include <optional>
 #include <system_error>
 
-namespace fretwork::study {
+namespace fretwork::optimization::study {
 namespace {
 
 struct Task {
@@ -41,9 +40,10 @@ std::vector<Task> missing_tasks(const StudyPlan& plan, const RunTable& table) {
 /// a problem while others get theirs.
 class ProblemStore {
   public:
+    explicit ProblemStore(const ProblemFamilies& families) : families_(families) {}
     const StudyProblem& get(const std::string& id) {
         Entry& entry = entry_of(id);
-        std::call_once(entry.made, [&] { entry.problem = make_study_problem(id); });
+        std::call_once(entry.made, [&] { entry.problem = make_study_problem(id, families_); });
         return *entry.problem;
     }
 
@@ -56,6 +56,7 @@ class ProblemStore {
         const std::lock_guard lock(mutex_);
         return entries_[id];
     }
+    const ProblemFamilies& families_;
     std::mutex mutex_;
     std::map<std::string, Entry> entries_;
 };
@@ -137,7 +138,7 @@ StudyReport run_study(const StudyPlan& plan, const std::filesystem::path& folder
     const std::size_t runs_before = table.size();
     RunConditions conditions = plan.conditions;
     conditions.budget.control = plan.control.silent();
-    ProblemStore store;
+    ProblemStore store(plan.families);
     TableWriter writer(std::move(table), folder, plan);
     base::Progress* progress = plan.control.progress;
     if (progress != nullptr) progress->start("run optimizers", tasks.size());
@@ -156,4 +157,4 @@ StudyReport run_study(const StudyPlan& plan, const std::filesystem::path& folder
     return {runs_before, runs_done, tasks.size() - runs_done};
 }
 
-}  // namespace fretwork::study
+}  // namespace fretwork::optimization::study

@@ -2,12 +2,13 @@
 #pragma once
 
 #include <fretwork/base/control.hpp>
+#include <fretwork/optimization/studies/study_problem.hpp>
 
 #include <filesystem>
 #include <string>
 #include <vector>
 
-namespace fretwork::study {
+namespace fretwork::optimization::study {
 
 /// The least objective that is known of one problem.
 struct KnownValue {
@@ -22,9 +23,10 @@ std::vector<KnownValue> read_known_values(const std::filesystem::path& path);
 std::string known_values_csv(const std::vector<KnownValue>& values);
 
 struct KnownValueOptions {
-    int starts = 300;         ///< descents of each calibrator on each problem
-    int threads = 0;          ///< 0: all there are
-    base::Control control{};  ///< told of every problem that is done
+    ProblemFamilies families{};  ///< that the ids name
+    int starts = 300;            ///< descents of each calibrator on each problem
+    int threads = 0;             ///< 0: all there are
+    base::Control control{};     ///< told of every problem that is done
     /// Throws InputError if a value makes no sense.
     void validate() const;
 };
@@ -38,4 +40,4 @@ std::vector<KnownValue> find_known_values(const std::vector<std::string>& proble
 /// Take over what the runs of a table found lower.
 void improve_known_values(std::vector<KnownValue>& values, const std::filesystem::path& results);
 
-}  // namespace fretwork::study
+}  // namespace fretwork::optimization::study

@@ -3,15 +3,15 @@
 
 #include <fretwork/base/files/file.hpp>
 #include <fretwork/base/text.hpp>
-#include <fretwork/study/run_table.hpp>
-#include <fretwork/study/study.hpp>
-#include <fretwork/study/study_problem.hpp>
+#include <fretwork/optimization/studies/run_table.hpp>
+#include <fretwork/optimization/studies/study.hpp>
+#include <fretwork/reduction/calibration/study_problems.hpp>
 
 #include <algorithm>
 #include <sys/wait.h>
 #include <unistd.h>
 
-namespace fretwork::study {
+namespace fretwork::optimization::study {
 namespace {
 
 using optimization::find_optimizer;
@@ -19,6 +19,7 @@ using test::TemporaryFolder;
 
 StudyPlan small_plan(const std::string& method) {
     StudyPlan plan;
+    plan.families = reduction::study_families();
     plan.problems = {"analytic/beale", "analytic/levy", "analytic/sphere"};
     plan.contenders = {{&find_optimizer(method), 1}};
     plan.conditions.budget.cost = 2000;
@@ -128,11 +129,13 @@ TEST(Study, RefusesAPlanThatMakesNoSense) {
 }
 
 TEST(StudyProblems, OfLayoutsWithSeveralInterfaceNodesASideAreRefused) {
-    EXPECT_THAT(
-        test::complaint_of([] { (void)make_study_problem("calibration/doors6:0-1+1-2+1-3+1-4+2-3+3-5"); }),
-        testing::HasSubstr("doors6"));
-    EXPECT_NO_THROW((void)make_study_problem("calibration/spider4:0-1+1-3"));
+    EXPECT_THAT(test::complaint_of([] {
+                    (void)make_study_problem("calibration/doors6:0-1+1-2+1-3+1-4+2-3+3-5",
+                                             reduction::study_families());
+                }),
+                testing::HasSubstr("doors6"));
+    EXPECT_NO_THROW((void)make_study_problem("calibration/spider4:0-1+1-3", reduction::study_families()));
 }
 
 }  // namespace
-}  // namespace fretwork::study
+}  // namespace fretwork::optimization::study

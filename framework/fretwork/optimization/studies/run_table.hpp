@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <fretwork/study/run.hpp>
+#include <fretwork/optimization/studies/run.hpp>
 
 #include <map>
 #include <span>
 #include <string>
 #include <string_view>
 
-namespace fretwork::study {
+namespace fretwork::optimization::study {
 
 /// The names of the table's columns, joined by commas.
 std::string run_table_header();
@@ -37,4 +37,4 @@ class RunTable {
     std::map<RunKey, std::string> rows_;
 };
 
-}  // namespace fretwork::study
+}  // namespace fretwork::optimization::study

@@ -2,13 +2,13 @@
 #pragma once
 
 #include <fretwork/optimization/minimize.hpp>
-#include <fretwork/study/contender.hpp>
+#include <fretwork/optimization/studies/contender.hpp>
 
 #include <compare>
 #include <cstdint>
 #include <string>
 
-namespace fretwork::study {
+namespace fretwork::optimization::study {
 
 /// What identifies a run in a study.
 struct RunKey {
@@ -52,4 +52,4 @@ struct RunTarget {
 RunRecord record_run(const RunTarget& target, const Contender& contender, const RunKey& key,
                      const RunConditions& conditions);
 
-}  // namespace fretwork::study
+}  // namespace fretwork::optimization::study

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fretwork/study/contender.hpp>
+#include <fretwork/optimization/studies/contender.hpp>
 
 #include <algorithm>
 #include <string_view>
 
-namespace fretwork::study {
+namespace fretwork::optimization::study {
 namespace {
 
 /// How many starts a method gets, where it is not one.
@@ -44,4 +44,4 @@ int repetitions_of(const Contender& contender, int wanted) {
     return contender.method->kind == optimization::OptimizerClass::Global ? 1 : wanted;
 }
 
-}  // namespace fretwork::study
+}  // namespace fretwork::optimization::study

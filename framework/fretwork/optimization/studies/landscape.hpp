@@ -2,16 +2,18 @@
 #pragma once
 
 #include <fretwork/base/control.hpp>
+#include <fretwork/optimization/studies/study_problem.hpp>
 
 #include <string>
 #include <vector>
 
-namespace fretwork::study {
+namespace fretwork::optimization::study {
 
 struct LandscapeOptions {
-    int descents = 300;       ///< of each kind on each problem, from uniform random points
-    int threads = 0;          ///< 0: all there are
-    base::Control control{};  ///< told of every problem that is done
+    ProblemFamilies families{};  ///< that the ids name
+    int descents = 300;          ///< of each kind on each problem, from uniform random points
+    int threads = 0;             ///< 0: all there are
+    base::Control control{};     ///< told of every problem that is done
     /// Throws InputError if a value makes no sense.
     void validate() const;
 };
@@ -28,4 +30,4 @@ struct Landscape {
 /// Explore problems, which are named by their ids. Throws base::Stopped.
 Landscape explore_landscape(const std::vector<std::string>& problems, const LandscapeOptions& options);
 
-}  // namespace fretwork::study
+}  // namespace fretwork::optimization::study

@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <fretwork/study/run.hpp>
+#include <fretwork/optimization/studies/run.hpp>
+#include <fretwork/optimization/studies/study_problem.hpp>
 
 #include <filesystem>
 #include <string>
 #include <vector>
 
-namespace fretwork::study {
+namespace fretwork::optimization::study {
 
 /// What is run: every contender on every problem, so many times.
 struct StudyPlan {
     std::vector<std::string> problems;  ///< ids (see study_problem.hpp)
+    ProblemFamilies families;           ///< that they name
     std::vector<Contender> contenders;
     RunConditions conditions;  ///< its budget's control is not used: that of the plan is
     int repetitions = 15;
@@ -39,4 +41,4 @@ std::filesystem::path run_table_path(const std::filesystem::path& folder);
 /// InputError if the table was made under other conditions.
 StudyReport run_study(const StudyPlan& plan, const std::filesystem::path& folder);
 
-}  // namespace fretwork::study
+}  // namespace fretwork::optimization::study

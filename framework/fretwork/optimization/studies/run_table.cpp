@@ -2,12 +2,12 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/quantity.hpp>
 #include <fretwork/base/text.hpp>
-#include <fretwork/study/run_table.hpp>
+#include <fretwork/optimization/studies/run_table.hpp>
 
 #include <algorithm>
 #include <cstdio>
 
-namespace fretwork::study {
+namespace fretwork::optimization::study {
 namespace {
 
 std::string short_number(double value, int digits = 7) {
@@ -145,4 +145,4 @@ std::string RunTable::csv() const {
     return text;
 }
 
-}  // namespace fretwork::study
+}  // namespace fretwork::optimization::study

@@ -5,13 +5,12 @@
 #include <fretwork/optimization/methods/ceres_residuals.hpp>
 #include <fretwork/optimization/methods/gauss_newton_multistart.hpp>
 #include <fretwork/optimization/minimize.hpp>
-#include <fretwork/study/landscape.hpp>
-#include <fretwork/study/study_problem.hpp>
+#include <fretwork/optimization/studies/landscape.hpp>
 
 #include <limits>
 #include <memory>
 
-namespace fretwork::study {
+namespace fretwork::optimization::study {
 namespace {
 
 using optimization::Optimizer;
@@ -110,7 +109,7 @@ Landscape explore_landscape(const std::vector<std::string>& problems, const Land
     base::Progress* progress = options.control.progress;
     if (progress != nullptr) progress->start("landscape", problems.size());
     for (std::size_t p = 0; p < problems.size(); ++p) {
-        const StudyProblem entry = make_study_problem(problems[p]);
+        const StudyProblem entry = make_study_problem(problems[p], options.families);
         Descent best;
         for (const Kind& kind : kKinds) {
             const auto found = descend(*entry.problem, kind, options);
@@ -126,4 +125,4 @@ Landscape explore_landscape(const std::vector<std::string>& problems, const Land
     return landscape;
 }
 
-}  // namespace fretwork::study
+}  // namespace fretwork::optimization::study

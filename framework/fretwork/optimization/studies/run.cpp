@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/files/sha256.hpp>
-#include <fretwork/study/run.hpp>
+#include <fretwork/optimization/studies/run.hpp>
 
 #include <ctime>
 
-namespace fretwork::study {
+namespace fretwork::optimization::study {
 namespace {
 
 double thread_cpu_seconds() {
@@ -52,4 +52,4 @@ RunRecord record_run(const RunTarget& target, const Contender& contender, const 
     return record;
 }
 
-}  // namespace fretwork::study
+}  // namespace fretwork::optimization::study

@@ -4,14 +4,14 @@
 
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/text.hpp>
-#include <fretwork/study/run_table.hpp>
+#include <fretwork/optimization/studies/run_table.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <set>
 
-namespace fretwork::study {
+namespace fretwork::optimization::study {
 namespace {
 
 using optimization::find_optimizer;
@@ -157,4 +157,4 @@ TEST(RunTable, RefusesRowsOfOtherConditionsAndBrokenOnes) {
 }
 
 }  // namespace
-}  // namespace fretwork::study
+}  // namespace fretwork::optimization::study
