@@ -6,12 +6,24 @@
 
 #include <boost/algorithm/string/replace.hpp>
 
+#include <cstdlib>
+#include <system_error>
+
 namespace fretwork::studio {
 
 namespace {
 
 /// No kind of file has a longer ending, and with it the name must fit.
 constexpr std::size_t kLongestEnding = 32;
+
+std::filesystem::path folder_for_a_while() {
+    std::error_code error;
+    auto folder = std::filesystem::temp_directory_path(error);
+    if (!error) return folder;
+    const char* wanted = std::getenv("TMPDIR");
+    throw base::IoError("the folder for temporary files, TMPDIR, is '" +
+                        shown_name(wanted != nullptr ? wanted : "/tmp") + "': " + error.message());
+}
 
 }  // namespace
 
@@ -24,7 +36,7 @@ SentFile parse_sent_file(const base::JsonReader& json) {
 FileOnDisk::FileOnDisk(const SentFile& sent)
     : shown_(shown_name(sent.name)),
       ending_(std::filesystem::path(sent.name).extension().string().substr(0, kLongestEnding)),
-      folder_(std::filesystem::temp_directory_path() / "sent", base::Scratch::Kind::Folder) {
+      folder_(folder_for_a_while() / "sent", base::Scratch::Kind::Folder) {
     base::write_file_atomically(path(), sent.content);
 }
 
