@@ -13,6 +13,7 @@
 #include <boost/beast/websocket.hpp>
 
 #include <chrono>
+#include <deque>
 #include <map>
 #include <optional>
 #include <utility>  // Boost.Asio 1.74 needs it and does not say so
@@ -30,6 +31,9 @@ using ErrorCode = beast::error_code;
 constexpr int kUsualPort = 8080;
 constexpr int kPortsTried = 100;
 constexpr std::size_t kMostConnections = 64;
+/// Of them, those whose request has not come yet: any program on this machine can open them, without the
+/// token.
+constexpr std::size_t kMostWaiting = 32;
 constexpr std::size_t kMostHeaderBytes = 16384;
 /// A file of 64 MB in Base64, and what stands around it.
 constexpr std::size_t kMostMessageBytes = 90'000'000;
@@ -121,11 +125,14 @@ class HttpServer::Impl {
     void accept();
     void accept_later();
     void take(tcp::socket socket);
+    /// Whoever has waited longest for its request to come goes, where too many do.
+    void make_room();
 
     Service& service_;
     std::string token_;
     std::chrono::milliseconds request_time_;
     std::size_t connections_ = 0;
+    std::deque<std::weak_ptr<Connection>> waiting_;  ///< whose request has not come yet, the oldest first
     std::int64_t last_client_ = 0;
     std::map<ClientId, std::weak_ptr<Client>> clients_;
     // What is under way holds connections, which tell the members above when they go: so it goes first.
@@ -221,9 +228,15 @@ class HttpServer::Impl::Connection : public std::enable_shared_from_this<Connect
         http::async_read(stream_, buffer_, parser_,
                          [self = shared_from_this()](ErrorCode error, std::size_t) { self->serve(error); });
     }
+    [[nodiscard]] bool is_waiting() const { return is_waiting_; }
+    void close() {
+        is_waiting_ = false;
+        stream_.close();
+    }
 
   private:
     void serve(ErrorCode error) {
+        is_waiting_ = false;
         if (error == http::error::end_of_stream || error == asio::error::operation_aborted ||
             error == beast::error::timeout)
             return;
@@ -286,6 +299,7 @@ class HttpServer::Impl::Connection : public std::enable_shared_from_this<Connect
     beast::flat_buffer buffer_;
     http::request_parser<http::string_body> parser_;
     Response response_;
+    bool is_waiting_ = true;
 };
 
 bool HttpServer::Impl::try_listen(const tcp::endpoint& endpoint, ErrorCode& error) {
@@ -330,15 +344,28 @@ void HttpServer::Impl::accept_later() {
 }
 
 /// A connection counts from here on, whether or not it ever sends a request.
+void HttpServer::Impl::make_room() {
+    std::erase_if(waiting_, [](const std::weak_ptr<Connection>& one) {
+        const auto connection = one.lock();
+        return !connection || !connection->is_waiting();
+    });
+    if (waiting_.size() < kMostWaiting) return;
+    waiting_.front().lock()->close();
+    waiting_.pop_front();
+}
+
 void HttpServer::Impl::take(tcp::socket socket) {
     ErrorCode ignored;
+    make_room();
     if (connections_ >= kMostConnections) {
         socket.non_blocking(true, ignored);  // who does not take the answer gets none
         socket.write_some(asio::buffer(kTooMany), ignored);
         return;
     }
     socket.set_option(tcp::no_delay(true), ignored);
-    std::make_shared<Connection>(*this, std::move(socket))->read();
+    const auto connection = std::make_shared<Connection>(*this, std::move(socket));
+    waiting_.push_back(connection);
+    connection->read();
 }
 
 void HttpServer::Impl::send(ClientId client, const Outgoing& outgoing) {
