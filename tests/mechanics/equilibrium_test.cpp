@@ -75,6 +75,25 @@ TEST(Equilibrium, ApproachesLinearSolutionAsLoadVanishes) {
     }
 }
 
+// Supports that move as one rigid body load a structure with nothing. All forces are rounding, which no
+// residual relative to them can be small beside.
+TEST(Equilibrium, FollowsSupportsThatMoveAsARigidBody) {
+    Frame frame = sample::cantilever({.divisions = 8});
+    frame.nodes[1] = {0.4, 0.3, -0.8};
+    frame.loads.clear();
+    frame.supports = {{NodeIndex(0), {{false, true, true, true, true, true}}}};
+    frame.prescribed.push_back({NodeIndex(0), Dof::ux, 0.02});
+    const Solution linear = solve_linear(assemble(frame));
+    const Solution nonlinear = full_load(frame);
+    for (const Solution& solution : {linear, nonlinear}) {
+        ASSERT_TRUE(solution.converged());
+        // Rounding of 0.02 m at nodes that are a metre away from the origin.
+        for (Eigen::Index node = 0; node < solution.displacements.rows(); ++node)
+            EXPECT_LT((solution.displacements.row(node).head<3>() - Eigen::RowVector3d(0.02, 0, 0)).norm(),
+                      1e-13);
+    }
+}
+
 // A stiff part must not raise the residual that is allowed in a soft part far from it.
 TEST(Equilibrium, ResidualIsJudgedAtEachNode) {
     Frame frame = thin_cantilever(20);

@@ -17,6 +17,8 @@ using base::at;
 /// thread takes of them at a time. What is in a batch stays in the cache.
 constexpr std::size_t kBatchNumbers = 300'000;
 constexpr std::size_t kPieceNumbers = 10'000;
+/// Displacements may be some hundred times as long as the elements, and are rounded accordingly.
+constexpr double kRoundingOfMotion = 100.0;
 
 /// Numbers in the tangents of all elements.
 std::size_t tangent_numbers(const Assembly& assembly) {
@@ -275,8 +277,16 @@ void NonlinearSystem::gather_unbalanced(double load_factor) {
     }
     const double scale = load_factor * structure::force_norm(unknowns_.assembly().loads, unknowns_.length()) +
                          structure::force_norm(reactions(), unknowns_.length());
-    const bool is_at_rest = square == 0.0 || ((!is_loaded_ || load_factor == 0.0) && is_rounding());
+    const bool is_at_rest = square == 0.0 || ((!is_loaded_ || load_factor == 0.0) && is_rounding()) ||
+                            is_moved_rigidly(scale, std::sqrt(square));
     relative_residual_ = is_at_rest ? 0.0 : std::sqrt(square) / scale;
+}
+
+/// Supports that move a structure as a rigid body load it with nothing: all forces are rounding, also the
+/// reactions.
+bool NonlinearSystem::is_moved_rigidly(double scale, double unbalanced) const {
+    if (!unknowns_.has_prescribed() || !unknowns_.assembly().loads.isZero(0.0)) return false;
+    return std::max(scale, unbalanced) <= kRoundingOfMotion * rounding_.norm();
 }
 
 void NonlinearSystem::evaluate(const Configuration& configuration, double load_factor, Demand demand) {

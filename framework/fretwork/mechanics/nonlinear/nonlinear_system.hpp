@@ -119,6 +119,7 @@ class NonlinearSystem {
     void add_moment_terms(const Configuration& configuration, double load_factor, const NodeValues& internal);
     [[nodiscard]] Eigen::Matrix3d skew_of_moment(int node, double load_factor) const;
     void gather_unbalanced(double load_factor);
+    [[nodiscard]] bool is_moved_rigidly(double scale, double unbalanced) const;
 
     Unknowns unknowns_;
     bool is_loaded_ = false;
