@@ -228,6 +228,19 @@ TEST(Architecture, PrivateHeadersAreNotForPublicHeadersNorForOtherStages) {
     }
 }
 
+TEST(Architecture, PublicHeadersAreInstalled) {
+    for (const SourceFile& file : sources()) {
+        if (!file.is_public) continue;
+        const std::string list = base::read_text_file(kFramework / file.stage / "CMakeLists.txt");
+        const std::string headers = list.substr(list.find("HEADERS"));
+        const std::regex name(
+            "[ \n]" + std::regex_replace(file.name.substr(file.stage.size() + 1), std::regex("\\."), "\\.") +
+            "[ \n]");
+        EXPECT_TRUE(std::regex_search(headers, name))
+            << file.name << " is public and not in the list of headers";
+    }
+}
+
 TEST(Architecture, InternalHeadersAreForAllStagesButNotForPublicHeaders) {
     for (const SourceFile& file : sources()) {
         for (const std::string& include : file.includes) {
