@@ -14,7 +14,6 @@ namespace {
 
 using geometry::Point2;
 
-
 /// An interface node may be off its place by so much of the side: what rounding does to coordinates.
 constexpr double kPlaceTolerance = 1e-6;
 
