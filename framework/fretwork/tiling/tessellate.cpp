@@ -31,6 +31,7 @@ using geometry::short_number;
 constexpr int kMostTiles = 100000;
 /// Where tiles are refined everywhere, all is done again up to eight times.
 constexpr double kMostRefinedTiles = 20000;
+constexpr int kAnglesOfMany = 2;        // of lattices that are sketched where there are many refined tiles
 constexpr double kBytesPerTile = 8000;  // measured, rounded up
 /// So many tiles are made in all, about: a small outline can be tried in more ways.
 constexpr double kTilesInFinal = 1600;
@@ -70,8 +71,8 @@ double estimated_tiles(const outlines::Outline& outline, const TessellationOptio
 /// between two of them.
 std::vector<Start> best_starts(const Task& task, double turned_by, Work& work) {
     const bool is_graded = !task.field.is_uniform();
-    const auto count = static_cast<std::size_t>(is_graded ? (task.options.lattice_angles + 1) / 2
-                                                          : task.options.lattice_angles);
+    const int angles = is_graded ? (task.options.lattice_angles + 1) / 2 : task.options.lattice_angles;
+    const auto count = static_cast<std::size_t>(task.has_many() ? std::min(angles, kAnglesOfMany) : angles);
     std::vector<std::pair<detail::Sketch, Start>> ranking(count);
     work.begin_part(count * detail::rough_steps(task.options), kSketchingShare);
     base::parallel_for(count, task.options.threads, [&](std::size_t i) {
@@ -179,6 +180,7 @@ struct Subject {
     const detail::BluntOutline& blunt;
     const SizeField& field;
     detail::QualityLimits limits;
+    double refined_tiles = 0.0;
 };
 
 /// The best tiling of several attempts: where one has defects, the tiles are wanted smaller in the next. All
@@ -191,7 +193,7 @@ Candidate best_attempt(const Subject& subject, const TessellationOptions& option
     std::vector<Start> starts;
     std::optional<double> known_factor;
     for (int attempt = 0; attempt < kAttempts; ++attempt) {
-        const Task task{subject.blunt.outline, field, options, subject.limits};
+        const Task task{subject.blunt.outline, field, options, subject.limits, subject.refined_tiles};
         // What was uniform before may need other starts, and more of them.
         if (attempt == 0 || (attempt == 1 && !known_factor)) starts = best_starts(task, turned_by, work);
         if (known_factor) starts.front().factor = *known_factor;
@@ -226,8 +228,8 @@ Candidate best_tiling(const outlines::Outline& outline, const TessellationOption
         best.defects.push_back({detail::DefectKind::TooNarrow, too_narrow->place});
         return best;
     }
-    if (const double tiles = refined_tiles(blunt.outline, field, options.control);
-        tiles > kMostRefinedTiles) {
+    const double tiles = refined_tiles(blunt.outline, field, options.control);
+    if (tiles > kMostRefinedTiles) {
         best.defects.push_back({detail::DefectKind::TooMany, outline.boundary.front()});
         best.report.tiles = static_cast<int>(std::min(tiles, 1e9));
         best.report.smallest_side = field.smallest();
@@ -237,7 +239,8 @@ Candidate best_tiling(const outlines::Outline& outline, const TessellationOption
     const Subject subject{blunt,
                           field,
                           {.smallest_side = options.smallest_side,
-                           .covered_share = detail::QualityLimits{}.covered_share / (1 - share)}};
+                           .covered_share = detail::QualityLimits{}.covered_share / (1 - share)},
+                          tiles};
     for (const double turned_by : turns) {
         Candidate candidate = best_attempt(subject, options, turned_by, work);
         if (best.dual.cells.empty() || detail::is_better(candidate, best)) best = std::move(candidate);

@@ -253,6 +253,15 @@ void describe(Candidate& candidate, const Task& task, const Start& start, Work& 
     candidate.irregularity = measures.irregularity;
 }
 
+/// The mean of sides over wanted sides at a density, by a sketch, where it is far off: more than that need
+/// not be known of this density.
+std::optional<double> far_ratio(const Tiler& tiler, const Task& task, double factor, Work& work) {
+    const Dual dual = tiler.sketch(factor);
+    if (dual.cells.empty()) return std::nullopt;
+    const double ratio = measure(dual, task.field, work.control()).mean_ratio;
+    return std::abs(std::log(ratio)) > kFarRatio ? std::optional(ratio) : std::nullopt;
+}
+
 }  // namespace
 
 Candidate make_candidate(const Task& task, const Start& start, Work& work) {
@@ -261,7 +270,13 @@ Candidate make_candidate(const Task& task, const Start& start, Work& work) {
     std::optional<Candidate> best;
     FactorSearch search(start.factor);
     for (int round = 0; round < kSearchRounds; ++round) {
-        if (search.factor() < kFinestFactor * start.factor) break;
+        if (best && search.factor() < kFinestFactor * start.factor) break;
+        if (const auto far = task.has_many() && round + 1 < kSearchRounds
+                                 ? far_ratio(tiler, task, search.factor(), work)
+                                 : std::nullopt) {
+            search.learn(*far);
+            continue;
+        }
         Candidate candidate = tiler.tiles(search.factor());
         double ratio = 1.5;
         if (!candidate.dual.cells.empty()) {

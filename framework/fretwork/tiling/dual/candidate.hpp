@@ -24,6 +24,9 @@ struct Task {
     const SizeField& field;
     const TessellationOptions& options;
     QualityLimits limits;
+    double refined_tiles = 0.0;  ///< about, where holes and narrow places want them small; else 0
+    /// So many that each try takes seconds: what is known to be of no use is tried roughly.
+    [[nodiscard]] bool has_many() const { return refined_tiles > 3000.0; }
 };
 
 /// A tiling of the outline, one of several to choose from.
