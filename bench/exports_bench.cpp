@@ -25,7 +25,7 @@ const Scene& scene_of(int tiles) {
     const std::vector<std::string> patterns = {"0-1+1-6", "1-6+3-6", "0-1+0-6+1-6"};
     tiling::paint_randomly(project.tessellation, patterns, 1);
     Scene scene{simulation::make_surface(project, nullptr)};
-    mechanics::Result result;
+    simulation::SurfaceResult result;
     const auto nodes = simulation::surface_fan(scene.surface).nodes;
     result.solution.displacements =
         mechanics::NodeValues::Random(static_cast<Eigen::Index>(nodes.size()), 6) * 1e-3;

@@ -188,7 +188,7 @@ const Surface& irregular(const benchmark::State& state) {
 double bending_force(const Surface& surface) {
     static std::map<const Surface*, double> forces;
     if (const auto found = forces.find(&surface); found != forces.end()) return found->second;
-    const mechanics::Result result = simulate(surface, cantilever(1.0), {.model = "condensed"});
+    const simulation::SurfaceResult result = simulate(surface, cantilever(1.0), {.model = "condensed"});
     double length = 0.0;
     for (const geometry::Point2& point : surface.tessellation.vertices) length = std::max(length, point.x);
     return forces[&surface] =
@@ -207,7 +207,7 @@ void bent_from_rest(benchmark::State& state, const char* model) {
     const Surface& surface = irregular(state);
     const LoadCase load_case = cantilever(bending_force(surface));
     for (auto _ : state) {
-        const mechanics::Result result = simulate(surface, load_case, {.model = model});
+        const simulation::SurfaceResult result = simulate(surface, load_case, {.model = model});
         state.counters["iterations"] = result.solution.iterations;
         state.counters["residual"] = result.solution.residual;
         state.counters["converged"] = result.solution.converged();

@@ -22,7 +22,7 @@ const std::vector<std::string> kPatterns = {"0-1+1-6", "0-1+1-5+1-6+5-6", "0-6",
 
 /// The force at which the linear surface is deflected by 0.45 of its length: a nonlinear one by about 0.4.
 double bending_force(const simulation::Project& project) {
-    const mechanics::Result result = simulation::simulate(
+    const simulation::SurfaceResult result = simulation::simulate(
         simulation::make_surface(project, nullptr), test::cantilever({0, 0, -1}), {.model = "condensed"});
     double length = 0.0;
     for (const geometry::Point2& point : project.tessellation.vertices) length = std::max(length, point.x);

@@ -9,14 +9,9 @@
 
 namespace fretwork::app {
 
-mechanics::Result read_surface_result(const std::string& file) {
-    mechanics::Result result = mechanics::read_result(file);
-    if (result.subject) {
-        simulation::check_subject(*result.subject, file);
-    } else {
-        std::fprintf(stderr, "fretwork: %s does not say what it is a result of (an older program made it)\n",
-                     base::printable(file).c_str());
-    }
+simulation::SurfaceResult read_surface_result(const std::string& file) {
+    simulation::SurfaceResult result = simulation::read_surface_result(file);
+    simulation::check_subject(*result.subject, file);
     if (result.linear_range && simulation::is_exceeded(*result.linear_range))
         std::fprintf(stderr, "fretwork: %s: %s\n", base::printable(file).c_str(),
                      simulation::linear_range_text(*result.linear_range).c_str());

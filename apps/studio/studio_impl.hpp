@@ -108,7 +108,7 @@ class Studio::Impl final : public Service {
         std::string model;
     };
     [[nodiscard]] Job make_job(const Request& request, const std::string& model);
-    [[nodiscard]] static SolvedSurface solved_in(const Job& job, mechanics::Result result);
+    [[nodiscard]] static SolvedSurface solved_in(const Job& job, simulation::SurfaceResult result);
     /// The revision of the beams that are shown; -1 while those of the document are being built.
     [[nodiscard]] std::int64_t beams_revision_now() const;
     void start(const Request& request, Job job,

@@ -29,7 +29,7 @@ class OneSolve {
         if (input.fields.any()) sections_ = simulation::beam_sections(*beams_, session_.surface().setting);
     }
 
-    mechanics::Result solve(const base::Control& control) { return session_.solve(control); }
+    simulation::SurfaceResult solve(const base::Control& control) { return session_.solve(control); }
     [[nodiscard]] simulation::BeamState state_in(const mechanics::Solution& solution) const {
         return simulation::beam_state(session_, solution, *beams_, sections_);
     }
@@ -98,7 +98,7 @@ void Studio::Impl::start(const Request& request, Job job,
     answer(request);
 }
 
-SolvedSurface Studio::Impl::solved_in(const Job& job, mechanics::Result result) {
+SolvedSurface Studio::Impl::solved_in(const Job& job, simulation::SurfaceResult result) {
     SolvedSurface solved;
     solved.model = job.model;
     solved.situation = job.input.situation;
@@ -187,7 +187,7 @@ void Studio::Impl::compare(const Request& request) {
             "it from being solved");
     start(request, job, [live](const Job& asked, const base::Control& control) -> std::vector<Outgoing> {
         OneSolve one(asked.input, asked.beams, options_of(*asked.input.situation.state, asked.model));
-        const mechanics::Result reference = one.solve(control);
+        const simulation::SurfaceResult reference = one.solve(control);
         const simulation::BeamState state = one.state_in(reference.solution);
         const auto comparison = simulation::compare(reference, live->result);
         const Json event = {{"event", "compared"},

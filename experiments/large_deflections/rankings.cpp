@@ -56,13 +56,13 @@ simulation::Surface with_full_tiles(simulation::Surface surface, const std::vect
 /// Mean errors over the largest displacement: of corotational tiles, and with each ranking.
 base::Json mean_errors(const simulation::Surface& surface, const simulation::LoadCase& load_case,
                        double share) {
-    const mechanics::Result full = simulate(surface, load_case, with_model("full"));
-    const auto error = [&](const mechanics::Result& result) {
+    const simulation::SurfaceResult full = simulate(surface, load_case, with_model("full"));
+    const auto error = [&](const simulation::SurfaceResult& result) {
         const simulation::Comparison comparison = simulation::compare(full, result);
         return comparison.mean_translation_error / comparison.max_displacement;
     };
     simulation::Session session(surface, load_case, with_model("corotational"));
-    mechanics::Result corotational = session.solve();
+    simulation::SurfaceResult corotational = session.solve();
     const std::vector<TileDeformation> tiles = session.tile_deformations(corotational.solution);
     const std::size_t count = simulation::worst_tiles(tiles, share).size();
     base::Json errors = {{"corotational", error(corotational)}};

@@ -61,13 +61,13 @@ LoadCase load_case(const std::string& kind, double amount, const Shape& shape) {
     return result;
 }
 
-double largest_displacement(const mechanics::Result& result) {
+double largest_displacement(const simulation::SurfaceResult& result) {
     return result.solution.displacements.leftCols<3>().rowwise().norm().maxCoeff();
 }
 
 /// Nothing if there is no equilibrium.
-std::optional<mechanics::Result> solved(const Surface& surface, const LoadCase& loads,
-                                        const std::string& model) {
+std::optional<simulation::SurfaceResult> solved(const Surface& surface, const LoadCase& loads,
+                                                const std::string& model) {
     try {
         auto result =
             simulation::simulate(surface, loads, {.model = model, .models = catalogue(), .threads = 1});

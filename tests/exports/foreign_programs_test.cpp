@@ -82,7 +82,7 @@ TEST(ForeignPrograms, VtkReadsTheSeriesOfLoadStepsWithTheirPositions) {
     if (!succeeds("/usr/bin/python3 -c 'import vtkmodules.vtkIOXML'"))
         GTEST_SKIP() << "python3-vtk9 is not installed";
     const simulation::Surface surface = sample_surface();
-    mechanics::Result result = bent(surface, Rows::EveryNode);
+    simulation::SurfaceResult result = bent(surface, Rows::EveryNode);
     for (const double factor : {0.25, 0.5, 1.0}) {
         result.load_steps.push_back(bent(surface, Rows::EveryNode, factor).solution);
         result.load_steps.back().load_factor = factor;

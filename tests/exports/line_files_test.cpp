@@ -172,7 +172,7 @@ TEST(SolutionLines, ShowADividedBeamAsItBends) {
     frame.supports.push_back({mechanics::NodeIndex(1), {{false, false, false, true, false, false}}});
     frame.loads.push_back({mechanics::NodeIndex(1), {0, 0, 0}, {0, 0, 0.5 * std::numbers::pi}});
     const auto assembly = mechanics::assemble(frame);
-    mechanics::Result result;
+    simulation::SurfaceResult result;
     result.solution = mechanics::follow_load_path(assembly, mechanics::even_load_factors(4)).back();
     ASSERT_TRUE(result.solution.converged());
     result.vibration_modes = mechanics::vibration_modes(assembly, 1);
@@ -193,7 +193,7 @@ TEST(SolutionLines, ShowADividedBeamAsItBends) {
 
 TEST(LineFiles, VtuHasTheModesUnderTheirValues) {
     const auto assembly = mechanics::assemble(straight_beam(1));
-    mechanics::Result result;
+    simulation::SurfaceResult result;
     mechanics::NodeValues shape = mechanics::NodeValues::Zero(2, mechanics::kDofsPerNode);
     result.solution.displacements = shape;
     result.solution.inner_displacements.resize(0, mechanics::kDofsPerNode);

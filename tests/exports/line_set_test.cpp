@@ -32,7 +32,7 @@ TEST(ResultLines, OfAnotherSurfaceAreRefused) {
     const simulation::Surface larger = sample_surface(4, 3);
     EXPECT_THAT(complaint_of([&] { (void)result_lines(larger, bent(surface, Rows::InterfaceNodes)); }),
                 HasSubstr("too few nodes"));
-    mechanics::Result moved = bent(surface, Rows::EveryNode);
+    simulation::SurfaceResult moved = bent(surface, Rows::EveryNode);
     moved.nodes[3].rest_position.x() += 0.001;
     EXPECT_THAT(complaint_of([&] { (void)result_lines(surface, moved); }), HasSubstr("node 3"));
 }

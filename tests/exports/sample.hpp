@@ -71,13 +71,13 @@ inline simulation::Surface sample_surface(int columns = 3, int rows = 2) {
 /// The surface bent upwards from x = 0 on, `share` of the way: of every node (the full model), or of the
 /// interface nodes only (a reduced one).
 enum class Rows { EveryNode, InterfaceNodes };
-inline mechanics::Result bent(const simulation::Surface& surface, Rows rows, double share = 1.0) {
+inline simulation::SurfaceResult bent(const simulation::Surface& surface, Rows rows, double share = 1.0) {
     const std::size_t interfaces = surface.tessellation.interface_nodes.size();
     const tiling::TessellationFan fan = simulation::surface_fan(surface);
     const std::size_t count = rows == Rows::EveryNode ? fan.nodes.size() : interfaces;
     double xmax = 0.0;
     for (const auto& node : fan.nodes) xmax = std::max(xmax, node.x);
-    mechanics::Result result;
+    simulation::SurfaceResult result;
     result.solver = "made up";
     result.solution.displacements = mechanics::NodeValues::Zero(static_cast<Eigen::Index>(count), 6);
     for (std::size_t i = 0; i < count; ++i) {

@@ -116,7 +116,7 @@ TEST(Facts, GravityOfALoadCaseBearsOnTheOutlineAndNotOnTheBeams) {
     const Facts known = facts(surface, {}, {&on_outline, nullptr});
     ASSERT_TRUE(known.stress);
     const simulation::LoadCase on_beams = pulled(9.81 * known.mass / known.beam_mass);
-    mechanics::Result same = simulation::simulate(surface, on_beams, {.model = "condensed"});
+    simulation::SurfaceResult same = simulation::simulate(surface, on_beams, {.model = "condensed"});
     same.subject = simulation::result_subject(surface, on_beams, {.model = "condensed"});
     EXPECT_NEAR(known.stress->value, facts(surface, {}, {nullptr, &same}).stress->value,
                 1e-8 * known.stress->value);

@@ -4,7 +4,6 @@
 
 #include <fretwork/mechanics/paths/equilibrium.hpp>
 #include <fretwork/mechanics/paths/relaxation.hpp>
-#include <fretwork/mechanics/paths/snapping.hpp>
 
 #include <gtest/gtest.h>
 
@@ -57,7 +56,8 @@ TEST_P(Snapping, PathThatEndsAtALimitLoadReachesTheFullLoadBeyondIt) {
     const Solution stopped = follow_load_path(assembly, std::vector{1.0}).back();
     ASSERT_EQ(stopped.termination, Termination::LimitLoad);
     ASSERT_LT(stopped.load_factor, 0.95);
-    const Solution snapped = follow_snapping_path(assembly, std::vector{1.0}).back();
+    const Solution snapped =
+        follow_load_path(assembly, std::vector{1.0}, {.branch = Branch::Snapping}).back();
     ASSERT_TRUE(snapped.converged());
     EXPECT_TRUE(snapped.stable);
     EXPECT_EQ(snapped.load_factor, 1.0);
@@ -79,7 +79,7 @@ TEST_P(Snapping, EquilibriaBeforeTheLimitAreThoseOfThePrimaryPath) {
     const double limit = follow_load_path(assembly, std::vector{1.0}).back().load_factor;
     const std::vector factors{0.3 * limit, 0.6 * limit};
     const auto primary = follow_load_path(assembly, factors);
-    const auto snapping = follow_snapping_path(assembly, factors);
+    const auto snapping = follow_load_path(assembly, factors, {.branch = Branch::Snapping});
     for (std::size_t i = 0; i < factors.size(); ++i)
         EXPECT_LT((primary[i].displacements - snapping[i].displacements).norm(),
                   1e-6 * primary[i].displacements.norm());

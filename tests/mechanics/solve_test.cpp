@@ -70,6 +70,7 @@ TEST(Solve, OptionsThatTheSolverWouldIgnoreAreRefused) {
     EXPECT_THAT(complaint({.solver = Solver::Linear, .steps = 3}), HasSubstr("steps works with"));
     EXPECT_THAT(complaint({.solver = Solver::Linear, .branch = Branch::Primary}), HasSubstr("branch works"));
     EXPECT_THAT(complaint({.solver = Solver::Linear, .estimate_error = true}), HasSubstr("newton"));
+    EXPECT_THAT(complaint({.branch = Branch::Snapping, .estimate_error = true}), HasSubstr("limit loads"));
     EXPECT_THAT(complaint({.rotational_mass = RotationalMass::Natural}), HasSubstr("dynamic-relaxation"));
     EXPECT_THAT(complaint({.solver = Solver::DynamicRelaxation, .threads = 2}), HasSubstr("one thread"));
     EXPECT_THAT(complaint({.steps = 0}), HasSubstr("steps is 0"));

@@ -35,7 +35,7 @@ NodeValues no_loads(const Assembly& assembly) {
 
 TEST(StagedPath, AnArchThatIsPushedThroughAndFreedStaysThere) {
     const Assembly assembly = assemble(bistable_arch());
-    StagedPath path(assembly, Snaps::Stop);
+    StagedPath path(assembly);
     const Solution pushed =
         path.advance({pins(), {{NodeIndex(1), Dof::uz, -1.9 * kRise}}, no_loads(assembly)});
     ASSERT_TRUE(pushed.converged());
@@ -49,7 +49,7 @@ TEST(StagedPath, AnArchThatIsPushedThroughAndFreedStaysThere) {
 
 TEST(StagedPath, WhatIsKeptBearsTheLoadThatPressedIt) {
     const Assembly assembly = assemble(bistable_arch());
-    StagedPath path(assembly, Snaps::Stop);
+    StagedPath path(assembly);
     NodeValues loads = no_loads(assembly);
     loads(1, 2) = -0.2;
     const Solution pressed = path.advance({pins(), {}, loads});
@@ -74,7 +74,7 @@ TEST(StagedPath, AStageBeginsAsSlowlyAsALargeLoadNeeds) {
     const Assembly assembly = assemble(frame);
     NodeValues loads = no_loads(assembly);
     loads(1, 2) = -10.0 * stiffness / (length * length);
-    StagedPath path(assembly, Snaps::Stop);
+    StagedPath path(assembly);
     const Solution staged = path.advance({frame.supports, {}, loads});
     ASSERT_TRUE(staged.converged());
     EXPECT_TRUE(staged.stability_losses.empty());
@@ -88,7 +88,7 @@ TEST(StagedPath, AStageBeginsAsSlowlyAsALargeLoadNeeds) {
 TEST(StagedPath, OneStageIsTheLoadPath) {
     const Frame star = sample::star();
     const Assembly assembly = assemble(star);
-    StagedPath path(assembly, Snaps::Stop);
+    StagedPath path(assembly);
     const Solution staged = path.advance({star.supports, {}, assembly.loads});
     const Solution whole = follow_load_path(assembly, std::vector{1.0}).back();
     ASSERT_TRUE(staged.converged());
@@ -104,10 +104,10 @@ TEST(StagedPath, SnapsAreCrossedOnRequestAndTold) {
                                          {NodeIndex(1), {{true, true, false, true, true, true}}}};
     NodeValues loads = no_loads(assembly);
     loads(1, 2) = -3.0;
-    StagedPath stopping(assembly, Snaps::Stop);
+    StagedPath stopping(assembly);
     const Solution stopped = stopping.advance({clamps, {}, loads});
     EXPECT_EQ(stopped.termination, Termination::LimitLoad);
-    StagedPath crossing(assembly, Snaps::Cross);
+    StagedPath crossing(assembly, {.branch = Branch::Snapping});
     const Solution snapped = crossing.advance({clamps, {}, loads});
     ASSERT_TRUE(snapped.converged());
     EXPECT_TRUE(snapped.stable);

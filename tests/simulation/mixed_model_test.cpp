@@ -29,7 +29,7 @@ LoadCase heavy() {
     return cantilever({0, 0, -0.3});
 }
 
-mechanics::Result solved(const std::string& model, const LoadCase& load_case = heavy()) {
+simulation::SurfaceResult solved(const std::string& model, const LoadCase& load_case = heavy()) {
     return simulate(surface(), load_case, {.model = model});
 }
 

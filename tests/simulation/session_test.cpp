@@ -38,7 +38,7 @@ double largest_difference(const NodeValues& a, const NodeValues& b) {
 }
 
 /// What the session's project gives when it is simulated from nothing.
-mechanics::Result from_nothing(const Session& session) {
+simulation::SurfaceResult from_nothing(const Session& session) {
     return simulate(session.surface(), session.load_case(), session.options());
 }
 

@@ -21,7 +21,7 @@ using testing::HasSubstr;
 /// Patterns with the center and without, with the face node and without.
 const std::vector<std::string> kPatterns = {"0-1+1-6", "0-6", "0-1+1-5+1-6+5-6"};
 
-NodeValues interface_rows(const mechanics::Result& result, const Surface& surface) {
+NodeValues interface_rows(const simulation::SurfaceResult& result, const Surface& surface) {
     return result.solution.displacements.topRows(
         static_cast<Eigen::Index>(surface.tessellation.interface_nodes.size()));
 }
@@ -192,12 +192,12 @@ TEST(Compare, OfAResultWithItselfIsZero) {
 
 /// Two nodes with errors of 3 and 1 mm: mean 2, sd of the population 1; rotations about x by 0.1 and 0.
 TEST(Compare, MatchesAnExampleByHand) {
-    mechanics::Result full;
+    simulation::SurfaceResult full;
     full.nodes = {{0, {0, 0, 0}, true}, {1, {0.3, 0.2, 0}, true}};
     full.solution.displacements = NodeValues::Zero(2, 6);
     full.solution.displacements(0, 2) = 0.004;
     full.solution.displacements(0, 3) = 0.1;
-    mechanics::Result reduced = full;
+    simulation::SurfaceResult reduced = full;
     reduced.solution.displacements(0, 2) = 0.001;
     reduced.solution.displacements(0, 3) = 0.0;
     reduced.solution.displacements(1, 1) = 0.001;
@@ -247,17 +247,17 @@ TEST(Compare, RefusesResultsOfDifferentSubjects) {
 }
 
 TEST(Compare, RefusesResultsOfDifferentSurfaces) {
-    mechanics::Result full;
+    simulation::SurfaceResult full;
     full.nodes = {{0, {0, 0, 0}, true}, {1, {0.3, 0.2, 0}, true}};
     full.solution.displacements = NodeValues::Zero(2, 6);
-    mechanics::Result fewer = full;
+    simulation::SurfaceResult fewer = full;
     fewer.nodes[1].is_interface = false;
     EXPECT_THAT(complaint_of([&] { compare(full, fewer); }), HasSubstr("2 and 1 interface nodes"));
-    mechanics::Result moved = full;
+    simulation::SurfaceResult moved = full;
     moved.nodes[1].rest_position.x() = 0.31;
     EXPECT_THAT(complaint_of([&] { compare(full, moved); }),
                 HasSubstr("interface node 1 lies at different places"));
-    mechanics::Result failed = full;
+    simulation::SurfaceResult failed = full;
     failed.solution.termination = mechanics::Termination::Diverged;
     EXPECT_THAT(complaint_of([&] { compare(full, failed); }), HasSubstr("did not converge"));
 }

@@ -24,7 +24,7 @@ LoadCase named(const char* name, double force) {
     return load_case;
 }
 
-mechanics::Result staged(const std::vector<LoadCase>& cases, const char* stages) {
+simulation::SurfaceResult staged(const std::vector<LoadCase>& cases, const char* stages) {
     const std::vector<Stage> parsed = parse_stages(stages, "stages.json");
     return simulate_stages(strip(), {cases.front(), cases, parsed}, {.model = "corotational"});
 }
@@ -81,7 +81,7 @@ TEST(Stages, AreAPartOfWhatAResultIsAResultOf) {
                                                   .c_str())
                     .subject;
     };
-    const mechanics::ResultSubject pressed = of(-0.01, "1");
+    const simulation::ResultSubject pressed = of(-0.01, "1");
     EXPECT_EQ(subject_difference(pressed, of(-0.01, "1")), "");
     EXPECT_EQ(subject_difference(pressed, of(-0.01, "2")), "the stages");
     EXPECT_THAT(subject_difference(pressed, of(-0.02, "1")), HasSubstr("the stages"))
@@ -89,7 +89,7 @@ TEST(Stages, AreAPartOfWhatAResultIsAResultOf) {
     const auto alone = simulate(strip(), named("tip", -0.01), {.model = "corotational"});
     EXPECT_EQ(subject_difference(pressed, *alone.subject), "the stages");
     EXPECT_NO_THROW(check_subject(pressed, "r.json"));
-    mechanics::ResultSubject broken = pressed;
+    simulation::ResultSubject broken = pressed;
     broken.stages_text = R"({"format": "fretwork/stages/1", "stages": []})";
     EXPECT_THAT(complaint_of([&] { check_subject(broken, "r.json"); }),
                 testing::StartsWith("r.json: /subject/stages"));

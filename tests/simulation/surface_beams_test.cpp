@@ -26,7 +26,7 @@ Surface surface_with_stiff_joints() {
 /// The beams as a model moves them.
 BeamState state_of(const Surface& surface, const LoadCase& load_case, const SimulationOptions& options) {
     Session session(surface, load_case, options);
-    const mechanics::Result result = session.solve();
+    const simulation::SurfaceResult result = session.solve();
     const SurfaceBeams beams = surface_beams(surface);
     return beam_state(session, result.solution, beams, beam_sections(beams, surface.setting));
 }
@@ -34,7 +34,8 @@ BeamState state_of(const Surface& surface, const LoadCase& load_case, const Simu
 TEST(SurfaceBeams, HaveTheNodesOfTheFullModel) {
     const Surface surface = sample_surface();
     const SurfaceBeams beams = surface_beams(surface);
-    const mechanics::Result full = simulate(surface, test::cantilever({0, 0, -0.001}), {.model = "full"});
+    const simulation::SurfaceResult full =
+        simulate(surface, test::cantilever({0, 0, -0.001}), {.model = "full"});
     ASSERT_EQ(beams.nodes.size(), full.nodes.size());
     for (std::size_t n = 0; n < full.nodes.size(); ++n) {
         EXPECT_EQ(beams.nodes[n], full.nodes[n].rest_position);
@@ -149,7 +150,7 @@ TEST(BeamState, OfAResultThatWasReadIsThatOfItsSession) {
     for (const char* model : {"full", "condensed", "corotational"}) {
         Session session(surface, load_case, {.model = model});
         const BeamState expected = beam_state(session, session.solve().solution, beams, sections);
-        const mechanics::Result result = simulate(surface, load_case, {.model = model});
+        const simulation::SurfaceResult result = simulate(surface, load_case, {.model = model});
         const BeamState state = beam_state(surface, result, beams, sections);
         EXPECT_EQ(state.nodes, expected.nodes) << model;
         EXPECT_EQ(state.forces, expected.forces) << model;

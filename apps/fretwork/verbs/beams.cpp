@@ -32,21 +32,18 @@ struct BeamsOptions {
     bool json = false;
 };
 
-simulation::Surface read_surface(const BeamsOptions& options, const mechanics::Result& result) {
+simulation::Surface read_surface(const BeamsOptions& options, const simulation::SurfaceResult& result) {
     const simulation::Project project = simulation::read_checked_project(options.project);
-    const bool is_calibrated =
-        !result.subject ||
-        simulation::needs_library(
-            project, simulation::model_choice({.model = simulation::main_model(*result.subject)}));
+    const bool is_calibrated = simulation::needs_library(
+        project, simulation::model_choice({.model = simulation::main_model(*result.subject)}));
     std::optional<library::Library> library;
     if (!options.library.empty() || !project.setting || is_calibrated)
         library = simulation::open_project_library(options.project, project, options.library);
     return simulation::make_surface(project, library ? &*library : nullptr);
 }
 
-void check_own_result(const mechanics::Result& result, const simulation::Surface& surface,
+void check_own_result(const simulation::SurfaceResult& result, const simulation::Surface& surface,
                       const std::string& file) {
-    if (!result.subject) return;
     const std::string difference =
         simulation::subject_difference(*result.subject, simulation::surface_identity(surface));
     if (!difference.empty())
@@ -54,8 +51,8 @@ void check_own_result(const mechanics::Result& result, const simulation::Surface
 }
 
 /// At the end of which stages the beams bear this.
-void print_stages(const mechanics::Result& result) {
-    if (!result.subject || result.subject->stages_text.empty()) return;
+void print_stages(const simulation::SurfaceResult& result) {
+    if (result.subject->stages_text.empty()) return;
     std::vector<std::string> names;
     for (const simulation::Stage& stage : simulation::parse_stages(result.subject->stages_text, "stages"))
         names.push_back("'" + base::printable(stage.name) + "'");
@@ -81,7 +78,7 @@ void print(const simulation::BeamTable& table, const simulation::Surface& surfac
 }
 
 ExitCode run(const BeamsOptions& options) {
-    const mechanics::Result result = read_surface_result(options.result);
+    const simulation::SurfaceResult result = read_surface_result(options.result);
     const simulation::Surface surface = read_surface(options, result);
     check_own_result(result, surface, options.result);
     simulation::BeamTable table = simulation::beam_table(surface, result);

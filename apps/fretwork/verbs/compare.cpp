@@ -47,8 +47,8 @@ base::Json to_json(const std::string& name, const simulation::Comparison& compar
 }
 
 /// A refusal names the files, which the stage does not know.
-simulation::Comparison compare(const CompareOptions& options, const mechanics::Result& full,
-                               const mechanics::Result& reduced) {
+simulation::Comparison compare(const CompareOptions& options, const simulation::SurfaceResult& full,
+                               const simulation::SurfaceResult& reduced) {
     try {
         return simulation::compare(full, reduced);
     } catch (const base::InputError& error) {

@@ -73,9 +73,9 @@ struct OwnSurface {
 };
 
 /// A result that was read from a file must be one of the surface.
-void check_own_result(const mechanics::Result& result, const std::string& file, const OwnSurface& own) {
-    const std::string difference =
-        result.subject ? simulation::subject_difference(*result.subject, own.identity) : "";
+void check_own_result(const simulation::SurfaceResult& result, const std::string& file,
+                      const OwnSurface& own) {
+    const std::string difference = simulation::subject_difference(*result.subject, own.identity);
     if (!difference.empty())
         throw base::InputError(file, "", "is no result of this project: they differ in " + difference);
     try {
@@ -145,8 +145,8 @@ void check_load_case(const simulation::LoadCase& load_case, const ExportOptions&
                      const exports::Scene& scene) {
     const auto drawn = simulation::result_subject(scene.surface, load_case, {});
     for (std::size_t i = 0; i < scene.results.size(); ++i) {
-        const auto& subject = scene.results[i].result.subject;
-        const std::string difference = subject ? simulation::subject_difference(*subject, drawn) : "";
+        const std::string difference =
+            simulation::subject_difference(*scene.results[i].result.subject, drawn);
         if (!difference.empty())
             throw base::InputError(options.results[i], "",
                                    "is no result of the load case '" + load_case.name +
@@ -160,10 +160,8 @@ bool needs_library(const ExportOptions& options, const simulation::Project& proj
                    const std::vector<exports::Scene::LabelledResult>& results) {
     if (!options.library.empty() || !project.setting) return true;
     return std::ranges::any_of(results, [&](const exports::Scene::LabelledResult& shown) {
-        const auto& subject = shown.result.subject;
-        return !subject ||
-               simulation::needs_library(
-                   project, simulation::model_choice({.model = simulation::main_model(*subject)}));
+        const std::string model = simulation::main_model(*shown.result.subject);
+        return simulation::needs_library(project, simulation::model_choice({.model = model}));
     });
 }
 

@@ -18,9 +18,7 @@
 #include <fretwork/simulation/project/project_library.hpp>
 #include <fretwork/simulation/results/comparison.hpp>
 #include <fretwork/simulation/results/surface_linear_range.hpp>
-#include <fretwork/simulation/results/surface_modes.hpp>
 #include <fretwork/simulation/simulate.hpp>
-#include <fretwork/simulation/stable_path.hpp>
 #include <fretwork/simulation/stages.hpp>
 #include <fretwork/simulation/surface_frame.hpp>
 
@@ -46,8 +44,6 @@ struct SimulateOptions {
     std::string deck;
     std::string branch = "primary";
     std::string stages;
-    int vibration_modes = 0;
-    int buckling_modes = 0;
     std::string series;
     std::vector<std::string> drawings;  ///< a VTU and an SVG file, where asked for
     bool linear = false;
@@ -85,13 +81,13 @@ std::string numbers_text(const std::vector<int>& numbers) {
 }
 
 /// Null if it was not asked for, or is not known.
-base::Json model_error_json(const mechanics::Result& result) {
+base::Json model_error_json(const simulation::SurfaceResult& result) {
     const auto& error = result.model_error;
     if (!error) return nullptr;
     return {{"mean", error->mean}, {"largest", error->largest}, {"relative_l2", error->relative_l2}};
 }
 
-base::Json linear_range_json(const mechanics::Result& result) {
+base::Json linear_range_json(const simulation::SurfaceResult& result) {
     const auto& range = result.linear_range;
     if (!range) return nullptr;
     return {{"error_estimate", range->error},
@@ -105,7 +101,7 @@ base::Json values_of(const std::vector<mechanics::Mode>& modes) {
     return values;
 }
 
-base::Json stability_losses_json(const mechanics::Result& result) {
+base::Json stability_losses_json(const simulation::SurfaceResult& result) {
     base::Json losses = base::Json::array();
     for (const mechanics::StabilityLoss& loss : result.solution.stability_losses)
         losses.push_back({{"load_factor", loss.load_factor},
@@ -115,13 +111,13 @@ base::Json stability_losses_json(const mechanics::Result& result) {
     return losses;
 }
 
-base::Json buckled_tiles_json(const mechanics::Result& result) {
+base::Json buckled_tiles_json(const simulation::SurfaceResult& result) {
     return result.buckled_tiles ? base::Json(*result.buckled_tiles) : base::Json(nullptr);
 }
 
-void print_json(const mechanics::Result& result) {
+void print_json(const simulation::SurfaceResult& result) {
     const auto& solution = result.solution;
-    const mechanics::ResultSubject& subject = result.subject.value();
+    const simulation::ResultSubject& subject = result.subject.value();
     const base::Json json = {{"model", subject.model},
                              {"load_case", subject.load_case},
                              {"solver", result.solver},
@@ -144,7 +140,7 @@ void print_json(const mechanics::Result& result) {
 }
 
 /// Of a path with several solutions, each.
-void print_steps(const mechanics::Result& result) {
+void print_steps(const simulation::SurfaceResult& result) {
     for (std::size_t i = 0; i < result.load_steps.size(); ++i) {
         const mechanics::Solution& step = result.load_steps[i];
         std::printf("  %zu: %s at %.3g, largest displacement %.4g mm\n", i + 1,
@@ -157,9 +153,9 @@ void print_steps(const mechanics::Result& result) {
     }
 }
 
-void print(const mechanics::Result& result, const WantedModes& wanted) {
+void print(const simulation::SurfaceResult& result, const WantedModes& wanted) {
     const auto& solution = result.solution;
-    const mechanics::ResultSubject& subject = result.subject.value();
+    const simulation::ResultSubject& subject = result.subject.value();
     std::printf("%s model, load case '%s', %s: %s%s\n", base::printable(subject.model).c_str(),
                 base::printable(subject.load_case).c_str(), result.solver.c_str(),
                 std::string(mechanics::termination_name(solution.termination)).c_str(),
@@ -185,8 +181,8 @@ void print(const mechanics::Result& result, const WantedModes& wanted) {
 }
 
 /// The result drawn or for ParaView, as `export` would write it.
-void add_drawings(const SimulateOptions& options, const Surface& surface, const mechanics::Result& result,
-                  base::FileBatch& files) {
+void add_drawings(const SimulateOptions& options, const Surface& surface,
+                  const simulation::SurfaceResult& result, base::FileBatch& files) {
     if (options.drawings.empty()) return;
     exports::Scene scene{surface};
     scene.results.push_back({options.simulation.model, result});
@@ -195,8 +191,8 @@ void add_drawings(const SimulateOptions& options, const Surface& surface, const 
 }
 
 /// The load steps or stages for ParaView. The files beside the named one are ours, or are not there.
-void add_series(const SimulateOptions& options, const Surface& surface, const mechanics::Result& result,
-                base::FileBatch& files) {
+void add_series(const SimulateOptions& options, const Surface& surface,
+                const simulation::SurfaceResult& result, base::FileBatch& files) {
     if (options.series.empty()) return;
     const std::filesystem::path path(options.series);
     for (const exports::NamedFile& file :
@@ -216,43 +212,15 @@ mechanics::Frame full_frame(Surface surface, const LoadCase& load_case) {
     return simulation::surface_frame(surface, {}, simulation::resolve(load_case, surface));
 }
 
-/// Of the surface with all of its beams, at rest; shapes have a row for each node of the result.
-void add_modes(const SimulateOptions& options, const Surface& surface, const LoadCase& load_case,
-               mechanics::Result& result, const base::Control& control) {
-    const auto modes = [&](simulation::ModeKind kind, int count) {
-        if (count == 0) return std::vector<mechanics::Mode>{};
-        auto found = simulation::surface_modes(surface, load_case, kind, count, {.control = control});
-        for (mechanics::Mode& mode : found) {
-            // Other models have other inner nodes, which rest in the drawing.
-            const auto all = std::ssize(result.nodes);
-            const auto own =
-                mode.shape.rows() == all ? all : std::ssize(surface.tessellation.interface_nodes);
-            mechanics::NodeValues shape = mechanics::NodeValues::Zero(all, mechanics::kDofsPerNode);
-            shape.topRows(own) = mode.shape.topRows(own);
-            mode.shape = std::move(shape);
-        }
-        return found;
-    };
-    result.vibration_modes = modes(simulation::ModeKind::Vibration, options.vibration_modes);
-    result.buckling_modes = modes(simulation::ModeKind::Buckling, options.buckling_modes);
-}
-
 /// What is impossible numerically names the project.
-mechanics::Result simulate(const SimulateOptions& options, const Surface& surface, const LoadCase& load_case,
-                           const std::vector<LoadCase>& cases, const base::Control& control) {
+simulation::SurfaceResult simulate(const SimulateOptions& options, const Surface& surface,
+                                   const LoadCase& load_case, const std::vector<LoadCase>& cases,
+                                   const base::Control& control) {
     try {
-        if (!options.stages.empty()) {
-            const auto snaps =
-                options.branch == "snapping" ? mechanics::Snaps::Cross : mechanics::Snaps::Stop;
-            const std::vector<simulation::Stage> stages = simulation::read_stages(options.stages);
-            return simulation::simulate_stages(surface, {load_case, cases, stages, snaps}, options.simulation,
-                                               control);
-        }
-        if (options.branch == "primary")
+        if (options.stages.empty())
             return simulation::simulate(surface, load_case, options.simulation, control);
-        const auto path =
-            options.branch == "stable" ? simulation::StablePath::Branches : simulation::StablePath::Snaps;
-        return simulation::simulate_stable_path(surface, load_case, options.simulation, path, control);
+        const std::vector<simulation::Stage> stages = simulation::read_stages(options.stages);
+        return simulation::simulate_stages(surface, {load_case, cases, stages}, options.simulation, control);
     } catch (const base::NumericalError& error) {
         throw base::NumericalError(options.project + ": " + error.what());
     }
@@ -261,6 +229,8 @@ mechanics::Result simulate(const SimulateOptions& options, const Surface& surfac
 ExitCode run(SimulateOptions options) {
     LongWork work;
     if (options.linear) options.simulation.analysis = simulation::Analysis::Linear;
+    options.simulation.branch = mechanics::find_branch(options.branch);
+    options.simulation.estimate_linear_range = true;
     const Project project = simulation::read_checked_project(options.project);
     const simulation::ModelChoice choice = simulation::model_choice(options.simulation);
     std::optional<library::Library> library;
@@ -281,16 +251,14 @@ ExitCode run(SimulateOptions options) {
                           return mechanics::calculix_text(frame, mechanics::DeckReader::Calculix);
                       }));
     }
-    mechanics::Result result = simulate(options, surface, load_case, project.load_cases, work.control());
-    add_modes(options, surface, load_case, result, work.control());
-    if (result.solver == "linear" && result.solution.converged())
-        result.linear_range =
-            simulation::surface_linear_range(surface, load_case, options.simulation.threads, work.control());
-    files.add(options.out, mechanics::result_text(result));
+    const simulation::SurfaceResult result =
+        simulate(options, surface, load_case, project.load_cases, work.control());
+    files.add(options.out, simulation::surface_result_text(result));
     add_drawings(options, surface, result, files);
     add_series(options, surface, result, files);
     files.commit();
-    options.json ? print_json(result) : print(result, {options.vibration_modes, options.buckling_modes});
+    options.json ? print_json(result)
+                 : print(result, {options.simulation.vibration_modes, options.simulation.buckling_modes});
     if (!options.json && !options.stages.empty()) print_steps(result);
     if (result.linear_range && simulation::is_exceeded(*result.linear_range))
         std::fprintf(stderr, "fretwork: %s; --model full, without --linear, or corotational tell\n",
@@ -324,19 +292,20 @@ void add_simulate(CLI::App& app, ExitCode& exit_code) {
             "Where the path becomes unstable: primary goes on along it, stable is pushed off it along "
             "the critical mode, snapping also goes on beyond limit loads, to the stable equilibrium "
             "downhill")
-        ->check(CLI::IsMember({"primary", "stable", "snapping"}))
+        ->check(CLI::IsMember(mechanics::branch_names()))
         ->capture_default_str();
     verb->add_option(
         "--stages", options->stages,
         "File of stages: loads, displacements, what is kept and let go, one after the other; supports "
         "are those of --case");
-    verb->add_option("--modes", options->vibration_modes,
-                     "So many natural frequencies of the surface at rest, with all of its beams")
+    verb->add_option("--modes", options->simulation.vibration_modes,
+                     "Number of natural frequencies of the surface at rest, with all of its beams")
         ->check(CLI::Range(0, 1000));
-    verb->add_option("--buckling", options->buckling_modes,
-                     "So many critical load factors by linearized buckling, with all of its beams")
+    verb->add_option("--buckling", options->simulation.buckling_modes,
+                     "Number of critical load factors by linearized buckling, with all of its beams")
         ->check(CLI::Range(0, 1000));
-    verb->add_option("--steps", options->simulation.load_steps, "Results at so many equal shares of the load")
+    verb->add_option("--steps", options->simulation.load_steps,
+                     "Results at this number of equal shares of the load")
         ->capture_default_str();
     verb->add_flag("--estimate-error", options->simulation.estimate_error,
                    "Tell how far the full model is from endlessly fine divisions of its beams");

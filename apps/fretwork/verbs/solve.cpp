@@ -9,7 +9,6 @@
 #include <fretwork/base/files/file.hpp>
 #include <fretwork/exports/tables/line_files.hpp>
 #include <fretwork/mechanics/decks/calculix_file.hpp>
-#include <fretwork/mechanics/paths/snapping.hpp>
 #include <fretwork/mechanics/solve.hpp>
 
 #include <algorithm>
@@ -30,8 +29,6 @@ Examples:
   fretwork solve frame.json --solver linear --buckling 3 --out result.json
   fretwork solve frame.json --solver linear --modes 6 --out result.json --vtu result.vtu)";
 
-constexpr const char* kSnapping = "snapping";
-
 struct SolveOptions {
     std::string frame;
     std::string solver = "newton";
@@ -48,8 +45,7 @@ struct SolveOptions {
 mechanics::SolveOptions solve_options(const SolveOptions& options) {
     mechanics::SolveOptions solve = options.solve;
     solve.solver = mechanics::find_solver(options.solver);
-    if (options.branch && *options.branch != kSnapping)
-        solve.branch = *options.branch == "stable" ? mechanics::Branch::Stable : mechanics::Branch::Primary;
+    if (options.branch) solve.branch = mechanics::find_branch(*options.branch);
     if (options.masses)
         solve.rotational_mass = *options.masses == "published" ? mechanics::RotationalMass::Published
                                                                : mechanics::RotationalMass::Natural;
@@ -80,9 +76,7 @@ ExitCode run(const SolveOptions& options) {
     solve.control = work.control();
     solve.validate();
     const mechanics::LabelledFrame input = mechanics::read_structure(options.frame);
-    const mechanics::Result result = options.branch && *options.branch == kSnapping
-                                         ? mechanics::solve_snapping(input, solve)
-                                         : mechanics::solve(input, solve);
+    const mechanics::Result result = mechanics::solve(input, solve);
     base::FileBatch files;
     files.add(options.out, mechanics::result_text(result));
     if (!options.deck.empty()) files.add(options.deck, deck_text(input.frame, options));
@@ -112,7 +106,7 @@ void add_method(CLI::App& verb, SolveOptions& options) {
             "--branch", options.branch,
             "where the path becomes unstable: primary goes on along it, stable is pushed off it along the "
             "critical mode, snapping also goes on beyond limit loads (newton only; primary if not given)")
-        ->check(CLI::IsMember({"primary", "stable", kSnapping}));
+        ->check(CLI::IsMember(mechanics::branch_names()));
     verb.add_option(
             "--masses", options.masses,
             "rotational masses of dynamic-relaxation: natural, or those of published programs, which are "

@@ -24,11 +24,11 @@ constexpr std::chrono::milliseconds kRest{150};
 
 }  // namespace
 
-bool is_unchecked(const mechanics::Result& result) {
+bool is_unchecked(const simulation::SurfaceResult& result) {
     return result.solver != "linear" && result.solution.stability == mechanics::StabilityTest::None;
 }
 
-std::vector<std::string> warnings_of(const mechanics::Result& result) {
+std::vector<std::string> warnings_of(const simulation::SurfaceResult& result) {
     const mechanics::Solution& solution = result.solution;
     std::vector<std::string> warnings;
     if (!solution.converged())
@@ -153,7 +153,7 @@ std::span<const mechanics::BeamSection> LiveSolver::wanted_sections(const Solver
 }
 
 /// What was solved already is not solved again, where only further fields are asked for.
-mechanics::Result LiveSolver::result_of(const Attempt& attempt) {
+simulation::SurfaceResult LiveSolver::result_of(const Attempt& attempt) {
     const SolverInput& input = attempt.input;
     const bool is_known = last_solved_ && last_situation_ == input.situation;
     const bool is_enough =
@@ -164,7 +164,7 @@ mechanics::Result LiveSolver::result_of(const Attempt& attempt) {
     simulation::Session& session = session_.follow(input.situation);
     // While loads are dragged, people see where they lead before the answer is there.
     const mechanics::FirstIterate tell_first = [&](const mechanics::Solution& solution) {
-        mechanics::Result first;
+        simulation::SurfaceResult first;
         first.solver = "newton";
         first.solution = solution;
         auto ahead = shown_as(input, std::move(first));
@@ -177,7 +177,8 @@ mechanics::Result LiveSolver::result_of(const Attempt& attempt) {
         attempt.check == mechanics::StabilityCheck::Left ? tell_first : mechanics::FirstIterate());
 }
 
-std::shared_ptr<SolvedSurface> LiveSolver::shown_as(const SolverInput& input, mechanics::Result result) {
+std::shared_ptr<SolvedSurface> LiveSolver::shown_as(const SolverInput& input,
+                                                    simulation::SurfaceResult result) {
     auto shown = std::make_shared<SolvedSurface>();
     shown->model = *input.situation.state->model;
     shown->situation = input.situation;
@@ -193,7 +194,7 @@ void LiveSolver::solve(const Attempt& attempt) {
     const SolverInput& input = attempt.input;
     update_beams(input);
     auto solved = shown_as(input, result_of(attempt));
-    const mechanics::Result& result = solved->result;
+    const simulation::SurfaceResult& result = solved->result;
     if (is_unchecked(result) && result.solution.converged() &&
         attempt.check == mechanics::StabilityCheck::Left)
         unchecked_ = input;

@@ -35,7 +35,7 @@ struct SolvedSurface {
     std::int64_t revision = 0;  ///< of the document when it was asked for
     std::int64_t beams_revision = 0;
     std::shared_ptr<const simulation::SurfaceBeams> beams;
-    mechanics::Result result;
+    simulation::SurfaceResult result;
     simulation::BeamState state;  ///< of the beams; with forces if any field was wanted
     std::vector<std::string> warnings{};
 };
@@ -86,8 +86,9 @@ class LiveSolver {
     [[nodiscard]] bool is_to_be_stopped(Clock::time_point now) const;
     void answer(const Attempt& attempt);
     void solve(const Attempt& attempt);
-    [[nodiscard]] mechanics::Result result_of(const Attempt& attempt);
-    [[nodiscard]] std::shared_ptr<SolvedSurface> shown_as(const SolverInput& input, mechanics::Result result);
+    [[nodiscard]] simulation::SurfaceResult result_of(const Attempt& attempt);
+    [[nodiscard]] std::shared_ptr<SolvedSurface> shown_as(const SolverInput& input,
+                                                          simulation::SurfaceResult result);
     [[nodiscard]] std::span<const mechanics::BeamSection> wanted_sections(const SolverInput& input);
     void update_beams(const SolverInput& input);
 
@@ -116,9 +117,9 @@ class LiveSolver {
 };
 
 /// Whether the stability of a solution was left open, to answer sooner.
-bool is_unchecked(const mechanics::Result& result);
+bool is_unchecked(const simulation::SurfaceResult& result);
 
 /// What to warn of in a result, for people: it did not converge, it is unstable, it is linear and turns far.
-std::vector<std::string> warnings_of(const mechanics::Result& result);
+std::vector<std::string> warnings_of(const simulation::SurfaceResult& result);
 
 }  // namespace fretwork::studio

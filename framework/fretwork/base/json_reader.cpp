@@ -85,6 +85,10 @@ void JsonReader::expect_format(std::string_view kind, int newest) const {
 }
 
 void JsonReader::allow_only(std::initializer_list<std::string_view> keys) const {
+    allow_only(std::span(keys.begin(), keys.size()));
+}
+
+void JsonReader::allow_only(std::span<const std::string_view> keys) const {
     for (const auto& [key, member] : Access::object(*this)) {
         if (std::ranges::find(keys, key) != keys.end()) continue;
         const std::vector<std::string> known(keys.begin(), keys.end());

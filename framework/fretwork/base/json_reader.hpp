@@ -5,6 +5,7 @@
 #include <initializer_list>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -31,6 +32,7 @@ class JsonReader {
     void expect_format(std::string_view kind, int newest = 1) const;
     /// This must be an object with no other keys than these.
     void allow_only(std::initializer_list<std::string_view> keys) const;
+    void allow_only(std::span<const std::string_view> keys) const;
 
     /// A member that must be there.
     [[nodiscard]] JsonReader at(std::string_view key) const;

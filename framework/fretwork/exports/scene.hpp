@@ -4,8 +4,8 @@
 #include <fretwork/exports/drawings/surface_drawing.hpp>
 #include <fretwork/fabrication/facts.hpp>
 #include <fretwork/fabrication/sheets.hpp>
-#include <fretwork/mechanics/results/result_file.hpp>
 #include <fretwork/simulation/load_cases/conditions.hpp>
+#include <fretwork/simulation/results/surface_result.hpp>
 #include <fretwork/simulation/surface.hpp>
 
 #include <optional>
@@ -37,7 +37,7 @@ struct Making {
 struct Scene {
     struct LabelledResult {
         std::string label;
-        mechanics::Result result;
+        simulation::SurfaceResult result;
     };
     simulation::Surface surface;
     std::optional<simulation::Conditions> conditions{};

@@ -52,10 +52,10 @@ LoadCase own_weight(const LoadCase& load_case) {
     return weight;
 }
 
-mechanics::Result estimate(const Surface& surface, const LoadCase& load_case, const std::string& model,
-                           const base::Control& control) {
+simulation::SurfaceResult estimate(const Surface& surface, const LoadCase& load_case,
+                                   const std::string& model, const base::Control& control) {
     const simulation::SimulationOptions options{.model = model};
-    mechanics::Result result = simulation::simulate(surface, load_case, options, control.silent());
+    simulation::SurfaceResult result = simulation::simulate(surface, load_case, options, control.silent());
     result.subject = simulation::result_subject(surface, load_case, options);
     return result;
 }
@@ -168,14 +168,15 @@ class FactFinder {
     }
 
     /// Gravity as it pulls on the outline: beams count the material of joints more than once.
-    [[nodiscard]] mechanics::Result estimate_outline(LoadCase load_case, const std::string& model) const {
+    [[nodiscard]] simulation::SurfaceResult estimate_outline(LoadCase load_case,
+                                                             const std::string& model) const {
         if (facts_.beam_mass > 0.0) load_case.gravity *= facts_.mass / facts_.beam_mass;
         return estimate(surface_, load_case, model, options_.control);
     }
 
     void estimate_sag(const LoadCase& load_case) {
         if (load_case.supports.empty() || surface_.setting.material.density <= 0.0) return;
-        const mechanics::Result result = estimate_outline(own_weight(load_case), kSagModel);
+        const simulation::SurfaceResult result = estimate_outline(own_weight(load_case), kSagModel);
         if (!result.solution.converged())
             return warn("the sag under its own weight is not known: its path ends at " +
                             short_number(100.0 * result.solution.load_factor) + " % of the weight",
@@ -206,7 +207,7 @@ class FactFinder {
              place);
     }
 
-    void take_stress(const mechanics::Result& result, const std::string& source) {
+    void take_stress(const simulation::SurfaceResult& result, const std::string& source) {
         const simulation::SurfaceBeams beams = simulation::surface_beams(surface_);
         const auto sections = simulation::beam_sections(beams, surface_.setting);
         const simulation::BeamState state = simulation::beam_state(surface_, result, beams, sections);

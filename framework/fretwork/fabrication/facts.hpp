@@ -4,8 +4,8 @@
 #include <fretwork/base/control.hpp>
 #include <fretwork/fabrication/narrow_places.hpp>
 #include <fretwork/fabrication/shape.hpp>
-#include <fretwork/mechanics/results/result_file.hpp>
 #include <fretwork/simulation/load_cases/load_case.hpp>
+#include <fretwork/simulation/results/surface_result.hpp>
 
 #include <optional>
 #include <string>
@@ -76,7 +76,7 @@ struct FactsLoads {
     const simulation::LoadCase* load_case = nullptr;
     /// Of the surface, taken as it is, with the weight of the beams; else the load case is solved for small
     /// displacements of condensed tiles.
-    const mechanics::Result* result = nullptr;
+    const simulation::SurfaceResult* result = nullptr;
 };
 
 /// Throws as make_shape(), and as simulation::simulate().

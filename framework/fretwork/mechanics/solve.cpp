@@ -4,7 +4,6 @@
 #include <fretwork/mechanics/decks/calculix_file.hpp>
 #include <fretwork/mechanics/frame/frame_file.hpp>
 #include <fretwork/mechanics/linear_solver.hpp>
-#include <fretwork/mechanics/paths/snapping.hpp>
 #include <fretwork/mechanics/solve.hpp>
 
 #include <chrono>
@@ -110,27 +109,6 @@ Result solve_frame(const LabelledFrame& input, const SolveOptions& options) {
     return result;
 }
 
-Result snap_frame(const LabelledFrame& input, const SolveOptions& options) {
-    const Clock::time_point start = Clock::now();
-    const Assembly assembly = assembled(input, options);
-    Result result =
-        result_of(assembly, options.solver,
-                  follow_snapping_path(assembly, load_factors(options), path_options(options)), start);
-    finish(assembly, options, result);
-    return result;
-}
-
-/// Complaints about a structure name its file.
-Result solved_by(Result (*solve)(const LabelledFrame&, const SolveOptions&), const LabelledFrame& frame,
-                 const SolveOptions& options) {
-    try {
-        return solve(frame, options);
-    } catch (const base::NumericalError& error) {
-        if (frame.source.empty()) throw;
-        throw base::NumericalError(frame.source + ": " + error.what());
-    }
-}
-
 void require(bool good, const std::string& message) {
     if (!good) throw base::InputError(message);
 }
@@ -171,6 +149,8 @@ void SolveOptions::validate() const {
     only_with(rotational_mass.has_value(), "masses", Solver::DynamicRelaxation);
     require(!threads || solver != Solver::DynamicRelaxation,
             "threads: dynamic-relaxation works on one thread");
+    require(!estimate_error || branch != Branch::Snapping,
+            "estimate-error works along the primary and the stable branch, not beyond limit loads");
     require(!estimate_error || !lumped_gravity,
             "estimate-error works with consistent gravity, not with lumped-gravity");
     require(steps.value_or(1) >= 1,
@@ -200,14 +180,12 @@ Result solve(const Assembly& assembly, const SolveOptions& options) {
 
 Result solve(const LabelledFrame& frame, const SolveOptions& options) {
     options.validate();
-    return solved_by(solve_frame, frame, options);
-}
-
-Result solve_snapping(const LabelledFrame& frame, const SolveOptions& options) {
-    require(options.solver == Solver::Newton && !options.branch && !options.estimate_error,
-            "a path that snaps works with the solver newton, without a branch and an estimate of its error");
-    options.validate();
-    return solved_by(snap_frame, frame, options);
+    try {
+        return solve_frame(frame, options);
+    } catch (const base::NumericalError& error) {  // names the frame's file
+        if (frame.source.empty()) throw;
+        throw base::NumericalError(frame.source + ": " + error.what());
+    }
 }
 
 }  // namespace fretwork::mechanics

@@ -59,7 +59,7 @@ const SimulationOptions& Session::options() const {
 std::vector<TileIndex> Session::full_tiles() const {
     return mixture_ ? mixture_->full_tiles() : std::vector<TileIndex>{};
 }
-const mechanics::Result* Session::corotational_result() const {
+const SurfaceResult* Session::corotational_result() const {
     return mixture_ ? &mixture_->corotational() : nullptr;
 }
 std::optional<reduction::BeamMotion> Session::beam_motion(tiling::TileIndex tile,
@@ -123,8 +123,8 @@ std::vector<TileDeformation> Session::tile_deformations(const mechanics::Solutio
 Eigen::MatrixXd Session::solve_adjoint(const Eigen::MatrixXd& rows, const base::Control& control) {
     return answering().solve_adjoint(rows, control);
 }
-mechanics::Result Session::solve(const base::Control& control, mechanics::StabilityCheck check,
-                                 const mechanics::FirstIterate& first_iterate) {
+SurfaceResult Session::solve(const base::Control& control, mechanics::StabilityCheck check,
+                             const mechanics::FirstIterate& first_iterate) {
     return mixture_ ? mixture_->solve(*impl_, control, check) : impl_->solve(control, check, first_iterate);
 }
 

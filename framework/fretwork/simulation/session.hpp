@@ -4,8 +4,8 @@
 #include <fretwork/base/control.hpp>
 #include <fretwork/mechanics/linear_solver.hpp>
 #include <fretwork/mechanics/paths/equilibrium_solver.hpp>
-#include <fretwork/mechanics/results/result_file.hpp>
 #include <fretwork/simulation/load_cases/load_case.hpp>
+#include <fretwork/simulation/results/surface_result.hpp>
 #include <fretwork/simulation/simulation_options.hpp>
 #include <fretwork/simulation/surface.hpp>
 
@@ -85,7 +85,7 @@ class Session {
     [[nodiscard]] std::vector<tiling::TileIndex> full_tiles() const;
     /// Of a mixed model, after solve(): the solution with corotational tiles, by which those were chosen.
     /// Null for other models.
-    [[nodiscard]] const mechanics::Result* corotational_result() const;
+    [[nodiscard]] const SurfaceResult* corotational_result() const;
 
     /// The equilibrium of the surface as it is now. A linear one is answered by the kept factors. A nonlinear
     /// one is looked for from the last equilibrium, if the nodes are the same and one load step is asked for;
@@ -97,9 +97,9 @@ class Session {
     ///
     /// @param first_iterate  is told, within the call, where a nonlinear solution from the last equilibrium
     ///     goes first; mixed models and linear solutions do not call it. May be empty.
-    mechanics::Result solve(const base::Control& control = {},
-                            mechanics::StabilityCheck check = mechanics::StabilityCheck::Made,
-                            const mechanics::FirstIterate& first_iterate = {});
+    SurfaceResult solve(const base::Control& control = {},
+                        mechanics::StabilityCheck check = mechanics::StabilityCheck::Made,
+                        const mechanics::FirstIterate& first_iterate = {});
 
     /// The linear displacements under nodal loads g, one column each (6n rows: node by node of the result's n
     /// nodes), with the supports of the load case and nothing prescribed: K^-1 g, for instance the adjoint of

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/text.hpp>
+#include <fretwork/simulation/detail/wanted.hpp>
 #include <fretwork/simulation/results/model_error.hpp>
 #include <fretwork/simulation/results/result_subject.hpp>
 #include <fretwork/simulation/results/tile_stability.hpp>
@@ -28,33 +29,34 @@ class Simulation {
                const base::Control& control)
         : surface_(surface), load_case_(load_case), options_(options), control_(control) {}
 
-    mechanics::Result run() {
-        mechanics::Result result = options_.estimate_model_error ? solve_with_estimate() : solve();
-        mechanics::ResultSubject subject = result_subject(surface_, load_case_, options_);
+    SurfaceResult run() {
+        SurfaceResult result = options_.estimate_model_error ? solve_with_estimate() : solve();
+        ResultSubject subject = result_subject(surface_, load_case_, options_);
         subject.full_tiles = std::move(full_tiles_);
         result.subject = std::move(subject);
+        detail::add_wanted(surface_, load_case_, options_, control_, result);
         return result;
     }
 
   private:
-    mechanics::Result solve() {
+    SurfaceResult solve() {
         Session session(surface_, load_case_, options_);
-        mechanics::Result result = session.solve(control_);
+        SurfaceResult result = session.solve(control_);
         full_tiles_ = numbers(session.full_tiles());
         return result;
     }
 
-    mechanics::Result solve_with_estimate() {
+    SurfaceResult solve_with_estimate() {
         SimulationOptions plain = options_;
         plain.estimate_model_error = false;
-        mechanics::Result result;
+        SurfaceResult result;
         if (!is_corotational(surface_, options_))
             result = Session(surface_, load_case_, plain).solve(control_);
         SimulationOptions better = plain;
         better.analysis = Analysis::OfTheModel;
         better.model = "mixed:" + base::format_number(kEstimatingShare);
         Session session(surface_, load_case_, better);
-        const mechanics::Result mixed = session.solve(control_);
+        const SurfaceResult mixed = session.solve(control_);
         if (is_corotational(surface_, options_)) result = *session.corotational_result();
         result.model_error = model_error(result, mixed);
         if (result.solution.converged())
@@ -71,8 +73,8 @@ class Simulation {
 
 }  // namespace
 
-mechanics::Result simulate(const Surface& surface, const LoadCase& load_case,
-                           const SimulationOptions& options, const base::Control& control) {
+SurfaceResult simulate(const Surface& surface, const LoadCase& load_case, const SimulationOptions& options,
+                       const base::Control& control) {
     options.validate(surface);
     return Simulation(surface, load_case, options, control).run();
 }

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <fretwork/base/control.hpp>
-#include <fretwork/mechanics/results/result_file.hpp>
 #include <fretwork/simulation/load_cases/load_case.hpp>
+#include <fretwork/simulation/results/surface_result.hpp>
 #include <fretwork/simulation/simulation_options.hpp>
 #include <fretwork/simulation/surface.hpp>
 
@@ -12,7 +12,7 @@ namespace fretwork::simulation {
 /// Simulate a surface under a load case: a session that is used once. Interface nodes come first in the
 /// result, with the same ids in every model. Paper, Section 6. Throws InputError (load case, model,
 /// calibrations), NumericalError (structure not held), base::Stopped.
-mechanics::Result simulate(const Surface& surface, const LoadCase& load_case,
-                           const SimulationOptions& options = {}, const base::Control& control = {});
+SurfaceResult simulate(const Surface& surface, const LoadCase& load_case,
+                       const SimulationOptions& options = {}, const base::Control& control = {});
 
 }  // namespace fretwork::simulation

@@ -26,6 +26,17 @@ void check_mixed(const SimulationOptions& options) {
                                " cannot be estimated; that of any other reduced model can");
 }
 
+void check_branch(const Surface& surface, const SimulationOptions& options) {
+    if (options.branch == mechanics::Branch::Primary) return;
+    const std::string name(mechanics::branch_name(options.branch));
+    if (!is_nonlinear(surface, options) || mixed_share(options.model))
+        throw base::InputError("model " + options.model + ": the " + name +
+                               " branch is followed by full and corotational tiles, not by linear solutions, "
+                               "nor by mixed models");
+    if (options.estimate_error || options.estimate_model_error)
+        throw base::InputError("along the " + name + " branch no error is estimated");
+}
+
 void check_model_error(const Surface& surface, const SimulationOptions& options) {
     if (!options.estimate_model_error) return;
     if (options.analysis == Analysis::OfTheModel && is_reference(surface, options))
@@ -86,10 +97,13 @@ void SimulationOptions::validate(const Surface& surface) const {
     const bool nonlinear = is_nonlinear(surface, *this);
     check_mixed(*this);
     check_model_error(surface, *this);
+    check_branch(surface, *this);
     if (threads < 0) throw base::InputError("threads: " + std::to_string(threads) + " must not be negative");
     if (estimate_error && !nonlinear)
         throw base::InputError(
             "the discretization error is estimated for nonlinear models made of beams only");
+    if (vibration_modes < 0 || buckling_modes < 0)
+        throw base::InputError("the number of modes must not be negative");
     if (load_steps > 1 && !nonlinear)
         throw base::InputError("the number of steps is " + std::to_string(load_steps) +
                                ", where a linear solution has no path to divide");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <fretwork/mechanics/paths/equilibrium.hpp>
 #include <fretwork/simulation/model_choice.hpp>
 
 #include <optional>
@@ -18,9 +19,17 @@ struct SimulationOptions {
     std::span<const reduction::TileModel> models = reduction::tile_models();
     Analysis analysis = Analysis::OfTheModel;  ///< of the model: what its row says
     bool estimate_error = false;  ///< Result::discretization_error; of nonlinear models made of beams only
-    bool estimate_model_error = false;  ///< Result::model_error, of reduced models (model_error.hpp)
-    int load_steps = 1;                 ///< results at so many equal shares of the load; nonlinear only
-    int threads = 0;                    ///< 0: all there are. They change no bit of the result.
+    bool estimate_model_error = false;  ///< SurfaceResult::model_error, of reduced models (model_error.hpp)
+    int load_steps = 1;                 ///< results at this many equal shares of the load; nonlinear only
+    /// The path that is followed where it becomes unstable. Other branches than the primary one are for
+    /// nonlinear models other than mixed ones, and without estimates of errors.
+    mechanics::Branch branch = mechanics::Branch::Primary;
+    /// What simulate() computes besides; a session does not.
+    int vibration_modes = 0;  ///< this many natural frequencies of the surface at rest, with all of its beams
+    int buckling_modes =
+        0;  ///< this many critical load factors by linearized buckling, with all of its beams
+    bool estimate_linear_range = false;  ///< SurfaceResult::linear_range, of linear solutions
+    int threads = 0;                     ///< 0: all there are. They change no bit of the result.
     /// Throws InputError if a value makes no sense, or does not go with the others on this surface.
     void validate(const Surface& surface) const;
 };

@@ -3,7 +3,9 @@
 #include <fretwork/base/files/file.hpp>
 #include <fretwork/base/internal/json_text.hpp>
 #include <fretwork/base/json_reader.hpp>
+#include <fretwork/mechanics/paths/staged_path.hpp>
 #include <fretwork/simulation/detail/joined_tiles.hpp>
+#include <fretwork/simulation/detail/wanted.hpp>
 #include <fretwork/simulation/load_cases/combination.hpp>
 #include <fretwork/simulation/load_cases/conditions.hpp>
 #include <fretwork/simulation/load_cases/load_case_file.hpp>
@@ -186,8 +188,8 @@ std::vector<Stage> read_stages(const std::filesystem::path& path) {
     return parse_stages(base::read_text_file(path), path.string());
 }
 
-mechanics::Result simulate_stages(const Surface& surface, const StagePlan& plan,
-                                  const SimulationOptions& options, const base::Control& control) {
+SurfaceResult simulate_stages(const Surface& surface, const StagePlan& plan, const SimulationOptions& options,
+                              const base::Control& control) {
     options.validate(surface);
     if (plan.stages.empty()) throw base::InputError("there is no stage to simulate");
     if (!is_nonlinear(surface, options) || mixed_share(options.model) || options.load_steps > 1 ||
@@ -197,11 +199,12 @@ mechanics::Result simulate_stages(const Surface& surface, const StagePlan& plan,
     const auto started = std::chrono::steady_clock::now();
     const mechanics::Assembly assembly = assembly_of(surface, options, control);
     const auto interface_count = static_cast<int>(surface.tessellation.interface_nodes.size());
-    mechanics::Result result;
+    SurfaceResult result;
     for (int i = 0; i < assembly.reported_nodes; ++i)
         result.nodes.push_back({i, assembly.nodes[static_cast<std::size_t>(i)], i < interface_count});
     Stages state(surface, plan.supports, plan.cases, assembly.nodes.size());
-    mechanics::StagedPath path(assembly, plan.snaps, {.threads = options.threads, .control = control});
+    mechanics::StagedPath path(assembly,
+                               {.branch = options.branch, .threads = options.threads, .control = control});
     mechanics::NodeValues displacements =
         mechanics::NodeValues::Zero(assembly.reported_nodes, mechanics::kDofsPerNode);
     for (const Stage& stage : plan.stages) {
@@ -215,6 +218,7 @@ mechanics::Result simulate_stages(const Surface& surface, const StagePlan& plan,
     result.subject->stages_text = stages_text(plan.stages);
     result.subject->stage_load_cases = named_cases(plan.stages, plan.cases, plan.supports);
     result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+    detail::add_wanted(surface, plan.supports, options, control, result);
     return result;
 }
 

@@ -2,9 +2,8 @@
 #pragma once
 
 #include <fretwork/base/control.hpp>
-#include <fretwork/mechanics/paths/staged_path.hpp>
-#include <fretwork/mechanics/results/result_file.hpp>
 #include <fretwork/simulation/load_cases/load_case.hpp>
+#include <fretwork/simulation/results/surface_result.hpp>
 #include <fretwork/simulation/simulation_options.hpp>
 #include <fretwork/simulation/surface.hpp>
 
@@ -46,15 +45,14 @@ struct StagePlan {
     const LoadCase& supports;         ///< its supports hold the surface; its loads act where a stage names it
     std::span<const LoadCase> cases;  ///< those that stages may name
     std::span<const Stage> stages;
-    mechanics::Snaps snaps = mechanics::Snaps::Stop;
 };
 
 /// Simulate stage after stage, each from the equilibrium that the one before has led to
-/// (mechanics::StagedPath), with a model for large displacements. Result::load_steps has one solution for
-/// each stage that was begun; its subject names the stages and the load cases that they name. Throws
-/// InputError for other models, for no stage, for a place that no node lies at, and for a load case that is
-/// not there.
-mechanics::Result simulate_stages(const Surface& surface, const StagePlan& plan,
-                                  const SimulationOptions& options, const base::Control& control = {});
+/// (mechanics::StagedPath), with a model for large displacements. With Branch::Snapping a stage goes on
+/// beyond limit loads; with the others it ends there. Result::load_steps has one solution for each stage that
+/// was begun; its subject names the stages and the load cases that they name. Throws InputError for other
+/// models, for no stage, for a place that no node lies at, and for a load case that is not there.
+SurfaceResult simulate_stages(const Surface& surface, const StagePlan& plan, const SimulationOptions& options,
+                              const base::Control& control = {});
 
 }  // namespace fretwork::simulation

@@ -83,8 +83,8 @@ void add_modes(const mechanics::Result& result, LineSet& set) {
 }
 
 /// Puts all beams with what they bear in place of the lines, if all are known.
-void add_beam_fields(const Surface& surface, const mechanics::Result& result, std::optional<double> strength,
-                     LineSet& set) {
+void add_beam_fields(const Surface& surface, const simulation::SurfaceResult& result,
+                     std::optional<double> strength, LineSet& set) {
     const simulation::SurfaceBeams beams = simulation::surface_beams(surface);
     const auto sections = simulation::beam_sections(beams, surface.setting);
     const simulation::BeamState state = simulation::beam_state(surface, result, beams, sections);
@@ -103,7 +103,7 @@ void add_beam_fields(const Surface& surface, const mechanics::Result& result, st
 
 }  // namespace
 
-void require_same_surface(const Surface& surface, const mechanics::Result& result) {
+void require_same_surface(const Surface& surface, const simulation::SurfaceResult& result) {
     constexpr double kTolerance = 1e-9;  // metres
     const auto& places = surface.tessellation.interface_nodes;
     const auto fail = [](const std::string& what) {
@@ -131,7 +131,7 @@ LineSet surface_lines(const Surface& surface) {
     return set;
 }
 
-LineSet result_lines(const Surface& surface, const mechanics::Result& result) {
+LineSet result_lines(const Surface& surface, const simulation::SurfaceResult& result) {
     require_same_surface(surface, result);
     LineSet set = surface_lines(surface);
     const bool has_every_beam = result.nodes.size() == set.nodes.size();
@@ -140,7 +140,8 @@ LineSet result_lines(const Surface& surface, const mechanics::Result& result) {
     return set;
 }
 
-LineSet beam_lines(const Surface& surface, const mechanics::Result* result, std::optional<double> strength) {
+LineSet beam_lines(const Surface& surface, const simulation::SurfaceResult* result,
+                   std::optional<double> strength) {
     LineSet set = result == nullptr ? surface_lines(surface) : result_lines(surface, *result);
     if (result != nullptr) add_beam_fields(surface, *result, strength, set);
     set.pattern_names = surface.tessellation.patterns;

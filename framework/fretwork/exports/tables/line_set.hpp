@@ -2,7 +2,7 @@
 #pragma once
 
 #include <fretwork/mechanics/assembly.hpp>
-#include <fretwork/mechanics/results/result_file.hpp>
+#include <fretwork/simulation/results/surface_result.hpp>
 #include <fretwork/simulation/surface.hpp>
 
 #include <Eigen/Core>
@@ -42,18 +42,18 @@ struct LineSet {
 LineSet surface_lines(const simulation::Surface& surface);
 
 /// Throws InputError unless the first nodes of the result are the surface's interface nodes.
-void require_same_surface(const simulation::Surface& surface, const mechanics::Result& result);
+void require_same_surface(const simulation::Surface& surface, const simulation::SurfaceResult& result);
 
 /// A result as lines: all beams, if the result has a row for each of the surface's nodes (the full model);
 /// else, for each tile, the closed line through its interface nodes (any reduced model). Throws InputError if
 /// the result is not one of the surface.
-LineSet result_lines(const simulation::Surface& surface, const mechanics::Result& result);
+LineSet result_lines(const simulation::Surface& surface, const simulation::SurfaceResult& result);
 
 /// The same for programs that show fields: the beams also of condensed tiles, with radius (of a round bar of
 /// the section's area), section forces (at the end where each is larger), stress and, with a strength,
 /// (Pa) utilization; and modes. Where a tile's model does not tell how its beams move, the
 /// lines of result_lines, without forces. Throws as result_lines.
-LineSet beam_lines(const simulation::Surface& surface, const mechanics::Result* result,
+LineSet beam_lines(const simulation::Surface& surface, const simulation::SurfaceResult* result,
                    std::optional<double> strength = {});
 
 /// The beams of any frame, straight and undeformed.

@@ -28,8 +28,9 @@ void check_stem(const std::string& stem) {
 
 }  // namespace
 
-std::vector<NamedFile> series_files(const simulation::Surface& surface, const mechanics::Result& result,
-                                    const std::string& stem, std::optional<double> strength) {
+std::vector<NamedFile> series_files(const simulation::Surface& surface,
+                                    const simulation::SurfaceResult& result, const std::string& stem,
+                                    std::optional<double> strength) {
     check_stem(stem);
     const std::vector<mechanics::Solution> steps =
         result.load_steps.empty() ? std::vector{result.solution} : result.load_steps;
@@ -38,7 +39,7 @@ std::vector<NamedFile> series_files(const simulation::Surface& surface, const me
                              " -->\n<VTKFile type=\"Collection\" version=\"0.1\" "
                              "byte_order=\"LittleEndian\">\n<Collection>\n";
     std::vector<NamedFile> files;
-    mechanics::Result there = result;
+    simulation::SurfaceResult there = result;
     there.vibration_modes.clear();  // of the surface at rest: they do not change on the way
     there.buckling_modes.clear();
     there.load_steps.clear();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <fretwork/mechanics/results/result_file.hpp>
+#include <fretwork/simulation/results/surface_result.hpp>
 #include <fretwork/simulation/surface.hpp>
 
 #include <optional>
@@ -21,7 +21,8 @@ struct NamedFile {
 /// load factor; or, where these do not ascend (stages), the step's number. A result without steps is a series
 /// of one. Steps are files of their own because VTK's reader of .vtu files repeats all cells at every change
 /// of a time within one file. Throws as beam_lines.
-std::vector<NamedFile> series_files(const simulation::Surface& surface, const mechanics::Result& result,
-                                    const std::string& stem, std::optional<double> strength = {});
+std::vector<NamedFile> series_files(const simulation::Surface& surface,
+                                    const simulation::SurfaceResult& result, const std::string& stem,
+                                    std::optional<double> strength = {});
 
 }  // namespace fretwork::exports

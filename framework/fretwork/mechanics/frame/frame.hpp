@@ -90,8 +90,7 @@ struct NodalLoad {
     Eigen::Vector3d moment = Eigen::Vector3d::Zero();  ///< N m
 };
 
-/// Any beam structure: what `fretwork solve` takes, and what every full model of a pattern or a tessellation
-/// is.
+/// A structure of beams.
 struct Frame {
     std::vector<Eigen::Vector3d> nodes;  ///< rest positions, metres
     std::vector<Beam> beams;

@@ -7,7 +7,6 @@
 #include <fretwork/mechanics/nonlinear/path_predictor.hpp>
 #include <fretwork/mechanics/nonlinear/stride.hpp>
 #include <fretwork/mechanics/paths/equilibrium.hpp>
-#include <fretwork/mechanics/paths/snapping.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -61,13 +60,10 @@ constexpr int kCriticalSteps = 30;
 
 constexpr std::size_t kThousand = 1000;  // steps of the task that is told
 
-enum class LimitLoads { Kept, Crossed };
-
 class LoadPath {
   public:
-    LoadPath(const Assembly& assembly, const EquilibriumOptions& options, LimitLoads limit_loads)
+    LoadPath(const Assembly& assembly, const EquilibriumOptions& options)
         : options_(options),
-          limit_loads_(limit_loads),
           system_(assembly, options.threads, options.control),
           newton_(system_, options),
           mixed_(system_, newton_, options),
@@ -101,7 +97,7 @@ class LoadPath {
             if (termination != Termination::Converged && step > 1.5 * shortest_step_) {
                 step *= 0.5;
                 termination = Termination::Converged;
-            } else if (limit_loads_ == LimitLoads::Crossed && is_limit(termination)) {
+            } else if (options_.branch == Branch::Snapping && is_limit(termination)) {
                 step = std::max(step, kBeyondLimit * target);
                 termination = snap_to(std::min(point_.load_factor + step, target));
                 step = target - point_.load_factor;
@@ -117,7 +113,7 @@ class LoadPath {
 
     /// Where only the equilibria at the loads count, not where stability is lost on the way to them.
     [[nodiscard]] bool may_stride(double target) const {
-        if (options_.branch == Branch::Stable || options_.locate_critical_loads) return false;
+        if (options_.branch != Branch::Primary || options_.locate_critical_loads) return false;
         if (!point_.outcome.positive_definite()) return false;
         return is_at_rest_ || unknowns_.largest_rotation(predictor_.step_to(target)) > kStride;
     }
@@ -196,10 +192,10 @@ class LoadPath {
                                                       : Eigen::VectorXd(move / (factor - point_.load_factor));
         if (is_jump(factor - point_.load_factor, move, rate)) return Termination::LimitLoad;
         const bool loses_stability = point_.outcome.positive_definite() && !outcome.positive_definite();
-        if (loses_stability && (options_.locate_critical_loads || options_.branch == Branch::Stable)) {
+        if (loses_stability && (options_.locate_critical_loads || options_.branch != Branch::Primary)) {
             const Termination left = leave(factor, move, trial);
             if (left != Termination::Converged) return left;
-            if (options_.branch == Branch::Stable) return Termination::Converged;
+            if (options_.branch != Branch::Primary) return Termination::Converged;
         }
         point_ = {std::move(trial), factor, std::move(rate), outcome, turn_bound};
         mixed_is_here_ = is_at_rest_ = false;
@@ -251,7 +247,7 @@ class LoadPath {
         nonlinear::LowestMode mode = nonlinear::lowest_mode(system_, newton_);
         StabilityLoss loss = nonlinear::describe_loss(system_, mode);
         loss.load_factor = critical_factor({factor, mode.eigenvalue}, move);
-        if (options_.branch == Branch::Stable) {
+        if (options_.branch != Branch::Primary) {
             Configuration pushed = unstable;
             unknowns_.move(kPush * mode.shape / unknowns_.largest_component(mode.shape), pushed);
             const Termination found = nonlinear::descend(factor, system_, newton_, pushed);
@@ -336,7 +332,6 @@ class LoadPath {
     }
 
     const EquilibriumOptions& options_;
-    LimitLoads limit_loads_;
     nonlinear::NonlinearSystem system_;
     const nonlinear::Unknowns& unknowns_ = system_.unknowns();
     nonlinear::Newton newton_;
@@ -362,13 +357,15 @@ void check_factors(std::span<const double> factors) {
     }
 }
 
-std::vector<Solution> follow(const Assembly& assembly, std::span<const double> load_factors,
-                             const EquilibriumOptions& options, LimitLoads limit_loads) {
+}  // namespace
+
+std::vector<Solution> follow_load_path(const Assembly& assembly, std::span<const double> load_factors,
+                                       const EquilibriumOptions& options) {
     options.validate();
     check_factors(load_factors);
     std::vector<Solution> solutions;
     if (load_factors.empty()) return solutions;
-    LoadPath path(assembly, options, limit_loads);
+    LoadPath path(assembly, options);
     const base::Task task(options.control, "load path (thousandths of the load)", kThousand);
     for (const double factor : load_factors) {
         if (solutions.empty() || solutions.back().converged()) {
@@ -380,20 +377,6 @@ std::vector<Solution> follow(const Assembly& assembly, std::span<const double> l
         }
     }
     return solutions;
-}
-
-}  // namespace
-
-std::vector<Solution> follow_load_path(const Assembly& assembly, std::span<const double> load_factors,
-                                       const EquilibriumOptions& options) {
-    return follow(assembly, load_factors, options, LimitLoads::Kept);
-}
-
-std::vector<Solution> follow_snapping_path(const Assembly& assembly, std::span<const double> load_factors,
-                                           const EquilibriumOptions& options) {
-    EquilibriumOptions stable = options;
-    stable.branch = Branch::Stable;
-    return follow(assembly, load_factors, stable, LimitLoads::Crossed);
 }
 
 }  // namespace fretwork::mechanics

@@ -3,18 +3,13 @@
 
 #include <fretwork/base/control.hpp>
 #include <fretwork/mechanics/assembly.hpp>
+#include <fretwork/mechanics/paths/branch.hpp>
 #include <fretwork/mechanics/results/solution.hpp>
 
 #include <span>
 #include <vector>
 
 namespace fretwork::mechanics {
-
-/// Which equilibria to follow where a path becomes unstable.
-enum class Branch {
-    Primary,  ///< the path itself: a flat structure stays flat
-    Stable    ///< the branch on which the structure stays: after a push along the critical mode
-};
 
 /// Options of the geometrically nonlinear solve.
 struct EquilibriumOptions {
@@ -28,7 +23,8 @@ struct EquilibriumOptions {
     int largest_cut_back = 10;  ///< a load step is halved at most so often
     bool classify_stability = true;
     Branch branch = Branch::Primary;
-    bool locate_critical_loads = false;  ///< fill Solution::stability_losses; Branch::Stable always does
+    bool locate_critical_loads =
+        false;        ///< fill Solution::stability_losses; branches but the primary always do
     int threads = 1;  ///< 0: all there are. They change no bit of a result, and small structures use one.
     base::Control control{};  ///< told how much of the load is reached
     /// Throws InputError if a value makes no sense.
@@ -46,7 +42,13 @@ std::vector<double> even_load_factors(int steps);
 /// last equilibrium that was found and its factor.
 ///
 /// With Branch::Stable, an equilibrium that has lost its stability is pushed along its lowest mode and let
-/// down to a stable one, and the path goes on from there; each such place is told.
+/// down to a stable one, and the path goes on from there; each such place is one of
+/// Solution::stability_losses.
+///
+/// With Branch::Snapping, the path also goes on beyond limit loads: a thousandth of the load farther, the
+/// structure goes downhill from its last equilibrium to a stable one. Such a place is a stability loss at the
+/// limit load, with the node and the component that move farthest, `pushed`. A motion with inertia may come
+/// to rest elsewhere where there are several stable equilibria.
 ///
 /// An element knows the turn of its ends against each other up to whole turns: a path on which this comes
 /// to pi ends there as diverged; it needs more divisions.

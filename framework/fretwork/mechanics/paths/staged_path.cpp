@@ -48,8 +48,8 @@ double component(const Configuration& configuration, const std::pair<int, int>& 
 
 class StagedPath::Impl {
   public:
-    Impl(Assembly assembly, Snaps snaps, const EquilibriumOptions& options)
-        : assembly_(std::move(assembly)), snaps_(snaps), options_(options) {
+    Impl(Assembly assembly, const EquilibriumOptions& options)
+        : assembly_(std::move(assembly)), options_(options) {
         options_.validate();
         state_.states.resize(assembly_.nodes.size());
         state_.rotation_vectors.assign(assembly_.nodes.size(), Eigen::Vector3d::Zero());
@@ -75,7 +75,7 @@ class StagedPath::Impl {
                 step = std::min(2.0 * step, kFirstStep);
             } else if (step > kShortestStep) {
                 step *= 0.5;
-            } else if (snaps_ == Snaps::Cross && snap_to(next, system, newton)) {
+            } else if (options_.branch == Branch::Snapping && snap_to(next, system, newton)) {
                 reached = next;
                 step = kProbingStep;
                 speed_ = 0.0;
@@ -187,7 +187,6 @@ class StagedPath::Impl {
     }
 
     Assembly assembly_;
-    Snaps snaps_;
     EquilibriumOptions options_;
     Configuration state_;  ///< the last equilibrium
     bool is_at_rest_ = true;
@@ -201,8 +200,8 @@ class StagedPath::Impl {
     std::vector<StabilityLoss> losses_;
 };
 
-StagedPath::StagedPath(Assembly assembly, Snaps snaps, const EquilibriumOptions& options)
-    : impl_(std::make_unique<Impl>(std::move(assembly), snaps, options)) {}
+StagedPath::StagedPath(Assembly assembly, const EquilibriumOptions& options)
+    : impl_(std::make_unique<Impl>(std::move(assembly), options)) {}
 StagedPath::StagedPath(StagedPath&&) noexcept = default;
 StagedPath& StagedPath::operator=(StagedPath&&) noexcept = default;
 StagedPath::~StagedPath() = default;

@@ -14,22 +14,19 @@ struct StageTarget {
     NodeValues loads;  ///< one row for each node of the assembly
 };
 
-/// Whether a stage goes on beyond a limit load, or ends there.
-enum class Snaps { Stop, Cross };
-
 /// Stages of loading, one after the other: each begins in the equilibrium that the stage before has led to.
 /// On the way loads and prescribed values go evenly from what they are to those of the target; a component
 /// that is newly prescribed goes from where it is, and one that is freed is let go by what held it.
 ///
 /// Steps are followed by Newton's method, and halved where that fails. An equilibrium that is not stable is
-/// left downhill. Where no step is short enough, the structure goes downhill from its last equilibrium if
-/// snaps are to be crossed. Such places are Solution::stability_losses, with the share of the stage as the
-/// load factor and the node that moves farthest.
+/// left downhill. Where no step is short enough, the structure goes downhill from its last equilibrium with
+/// Branch::Snapping; else the stage ends at that limit load. Such places are Solution::stability_losses, with
+/// the share of the stage as the load factor and the node that moves farthest.
 class StagedPath {
   public:
     /// The supports, prescribed values and loads of the assembly are left aside. Throws InputError as
-    /// EquilibriumOptions::validate, whose branch and location of critical loads do not count here.
-    StagedPath(Assembly assembly, Snaps snaps, const EquilibriumOptions& options = {});
+    /// EquilibriumOptions::validate, whose location of critical loads does not count here.
+    explicit StagedPath(Assembly assembly, const EquilibriumOptions& options = {});
     StagedPath(StagedPath&&) noexcept;
     StagedPath& operator=(StagedPath&&) noexcept;
     ~StagedPath();

@@ -5,12 +5,11 @@
 #include <fretwork/base/json_reader.hpp>
 #include <fretwork/base/limits.hpp>
 #include <fretwork/base/text.hpp>
+#include <fretwork/mechanics/internal/result_json.hpp>
 #include <fretwork/mechanics/results/result_file.hpp>
 #include <fretwork/mechanics/solve.hpp>
 
 #include <algorithm>
-#include <functional>
-#include <initializer_list>
 #include <limits>
 #include <unordered_set>
 
@@ -19,6 +18,13 @@ namespace {
 
 using base::Json;
 using base::JsonReader;
+
+constexpr int kNewestFormat = 4;
+constexpr std::string_view kResultKeys[] = {
+    "format",     "program",          "solver",          "load_factor",    "converged",
+    "stable",     "stability",        "termination",     "energy",         "residual",
+    "iterations", "displacements",    "reactions",       "seconds",        "nodes",
+    "load_steps", "stability_losses", "vibration_modes", "buckling_modes", "discretization_error"};
 
 constexpr Termination kTerminations[] = {Termination::Converged, Termination::LimitLoad,
                                          Termination::Diverged, Termination::IterationsSpent};
@@ -78,7 +84,7 @@ Termination read_termination(const JsonReader& reader) {
     for (const Termination termination : kTerminations) {
         if (termination_name(termination) == name) return termination;
     }
-    reader.fail("is " + reader.text() + ", which is no way to end");
+    reader.fail("is " + reader.text() + ", an unknown termination");
 }
 
 StabilityTest read_stability(const JsonReader& reader) {
@@ -86,7 +92,7 @@ StabilityTest read_stability(const JsonReader& reader) {
     for (const StabilityTest test : kStabilityTests) {
         if (stability_test_name(test) == name) return test;
     }
-    reader.fail("is " + reader.text() + ", which is no test of stability");
+    reader.fail("is " + reader.text() + ", an unknown test of stability");
 }
 
 StabilityLoss read_loss(const JsonReader& reader, const std::vector<Result::Node>& nodes) {
@@ -114,12 +120,6 @@ std::vector<Mode> read_modes(const JsonReader& reader, std::string_view value, s
             {mode.at(value).positive_number(), read_rows(mode.at("shape"), nodes, kMotionLimits)});
     }
     return modes;
-}
-
-double read_not_negative(const JsonReader& reader) {
-    const double value = reader.number();
-    if (value < 0) reader.fail("is " + reader.text() + ", where a number not below zero is needed");
-    return value;
 }
 
 Solution read_solution(const JsonReader& reader, const std::vector<Result::Node>& nodes) {
@@ -156,81 +156,6 @@ DiscretizationError read_error(const JsonReader& reader) {
             read_not_negative(reader.at("share")), reader.at("known").boolean()};
 }
 
-Json error_json(const ModelError& error) {
-    return {{"mean", error.mean}, {"largest", error.largest}, {"relative_l2", error.relative_l2}};
-}
-
-ModelError read_model_error(const JsonReader& reader) {
-    reader.allow_only({"mean", "largest", "relative_l2"});
-    return {read_not_negative(reader.at("mean")), read_not_negative(reader.at("largest")),
-            read_not_negative(reader.at("relative_l2"))};
-}
-
-Json range_json(const LinearRange& range) {
-    return {{"error_estimate", range.error}, {"loses_stability", range.loses_stability}};
-}
-
-LinearRange read_range(const JsonReader& reader) {
-    reader.allow_only({"error_estimate", "loses_stability"});
-    return {read_not_negative(reader.at("error_estimate")), reader.at("loses_stability").boolean()};
-}
-
-std::vector<int> read_tiles(const JsonReader& reader) {
-    std::vector<int> tiles;
-    for (const JsonReader& tile : reader.elements())
-        tiles.push_back(static_cast<int>(tile.integer(0, std::numeric_limits<int>::max())));
-    if (std::ranges::adjacent_find(tiles, std::greater_equal()) != tiles.end())
-        reader.fail("is not in ascending order, each tile once");
-    return tiles;
-}
-
-Json subject_json(const ResultSubject& subject) {
-    Json json = {{"model", subject.model},
-                 {"is_reference", subject.is_reference},
-                 {"load_case", Json::parse(subject.load_case_text)},
-                 {"tessellation", subject.tessellation_hash},
-                 {"painting", subject.painting_hash},
-                 {"setting", subject.setting_hash}};
-    if (!subject.full_tiles.empty()) json["full_tiles"] = subject.full_tiles;
-    if (subject.stages_text.empty()) return json;
-    json["stages"] = Json::parse(subject.stages_text);
-    json["stage_load_cases"] = Json::array();
-    for (const std::string& text : subject.stage_load_cases)
-        json["stage_load_cases"].push_back(Json::parse(text));
-    return json;
-}
-
-/// A SHA-256.
-std::string read_hash(const JsonReader& reader) {
-    constexpr std::size_t kDigits = 64;
-    std::string hash = reader.string();
-    if (hash.size() != kDigits || hash.find_first_not_of("0123456789abcdef") != std::string::npos)
-        reader.fail("is " + reader.text() + ", where a hash of 64 hexadecimal digits is needed");
-    return hash;
-}
-
-ResultSubject read_subject(const JsonReader& reader) {
-    reader.allow_only({"model", "is_reference", "load_case", "tessellation", "painting", "setting",
-                       "full_tiles", "stages", "stage_load_cases"});
-    const auto full_tiles = reader.find("full_tiles");
-    const auto stages = reader.find("stages");
-    std::vector<std::string> cases;
-    if (stages) {
-        for (const JsonReader& load_case : reader.at("stage_load_cases").elements())
-            cases.push_back(load_case.text());
-    }
-    return {.model = reader.at("model").string(),
-            .is_reference = reader.at("is_reference").boolean(),
-            .load_case = reader.at("load_case").at("name").string(),
-            .load_case_text = reader.at("load_case").text(),
-            .tessellation_hash = read_hash(reader.at("tessellation")),
-            .painting_hash = read_hash(reader.at("painting")),
-            .setting_hash = read_hash(reader.at("setting")),
-            .full_tiles = full_tiles ? read_tiles(*full_tiles) : std::vector<int>{},
-            .stages_text = stages ? stages->text() : "",
-            .stage_load_cases = std::move(cases)};
-}
-
 Result::Node read_node(const JsonReader& reader) {
     reader.allow_only({"id", "rest_position", "interface"});
     const std::vector<double> position = reader.at("rest_position").numbers(3);
@@ -248,36 +173,6 @@ std::string read_solver(const JsonReader& reader) {
     return name;
 }
 
-void check_keys(const JsonReader& document) {
-    document.allow_only({"format",          "program",        "subject",
-                         "solver",          "load_factor",    "converged",
-                         "stable",          "stability",      "termination",
-                         "energy",          "residual",       "iterations",
-                         "displacements",   "reactions",      "seconds",
-                         "nodes",           "load_steps",     "stability_losses",
-                         "vibration_modes", "buckling_modes", "discretization_error",
-                         "buckled_tiles",   "linear_range",   "model_error_estimate"});
-}
-
-void refuse_keys(const JsonReader& json, const std::string& format, std::initializer_list<const char*> keys) {
-    for (const char* key : keys) {
-        if (const auto member = json.find(key)) member->fail("is no key of " + format);
-    }
-}
-
-/// Keys that came with a later format than the file's.
-void refuse_later_keys(const JsonReader& document) {
-    const std::string format = document.at("format").string();
-    if (format == "fretwork/result/4") return;
-    if (format == "fretwork/result/1") refuse_keys(document, format, {"program", "subject"});
-    refuse_keys(document, format, {"linear_range"});
-    if (const auto subject = document.find("subject"))
-        refuse_keys(*subject, format, {"stages", "stage_load_cases"});
-    if (format == "fretwork/result/3") return;
-    refuse_keys(document, format, {"model_error_estimate", "buckled_tiles"});
-    if (const auto subject = document.find("subject")) refuse_keys(*subject, format, {"full_tiles"});
-}
-
 std::vector<Result::Node> read_nodes(const JsonReader& reader) {
     std::vector<Result::Node> nodes;
     std::unordered_set<int> ids;
@@ -287,31 +182,6 @@ std::vector<Result::Node> read_nodes(const JsonReader& reader) {
             node.at("id").fail("is " + std::to_string(nodes.back().id) + ", the id of a node before it");
     }
     return nodes;
-}
-
-/// A surface is solved from rest to its whole load, and no further.
-void check_load_factor(const JsonReader& document, const Result& result) {
-    const double factor = result.solution.load_factor;
-    if (!result.subject || (factor >= 0.0 && factor <= 1.0)) return;
-    document.at("load_factor")
-        .fail("is " + base::format_number(factor) + ", where a share of the load from 0 to 1 is needed");
-}
-
-/// What files of the first format did not have yet, and later ones always do.
-void read_origin(const JsonReader& document, Result& result) {
-    refuse_later_keys(document);
-    if (document.at("format").string() == "fretwork/result/1") return;
-    result.program = document.at("program").string();
-    if (const auto subject = document.find("subject")) result.subject = read_subject(*subject);
-}
-
-void read_errors(const JsonReader& document, Result& result) {
-    if (const auto error = document.find("discretization_error"))
-        result.discretization_error = read_error(*error);
-    if (const auto error = document.find("model_error_estimate"))
-        result.model_error = read_model_error(*error);
-    if (const auto range = document.find("linear_range")) result.linear_range = read_range(*range);
-    if (const auto tiles = document.find("buckled_tiles")) result.buckled_tiles = read_tiles(*tiles);
 }
 
 /// The result is the end of its load steps.
@@ -340,11 +210,9 @@ std::vector<Solution> read_steps(const JsonReader& reader, const std::vector<Res
 
 }  // namespace
 
-std::string result_text(const Result& result) {
-    Json json = {{"format", "fretwork/result/4"}, {"program", base::version()}, {"solver", result.solver}};
-    if (result.subject) json["subject"] = subject_json(*result.subject);
+void append_result(const Result& result, Json& json) {
+    json["solver"] = result.solver;
     append_solution(json, result.solution, result.nodes);
-    if (result.linear_range) json["linear_range"] = range_json(*result.linear_range);
     json["seconds"] = result.seconds;
     json["nodes"] = Json::array();
     for (const Result::Node& node : result.nodes) {
@@ -360,10 +228,48 @@ std::string result_text(const Result& result) {
     for (const Mode& mode : result.vibration_modes)
         json["vibration_modes"].push_back({{"frequency", mode.value}, {"shape", rows_json(mode.shape)}});
     if (result.discretization_error) json["discretization_error"] = error_json(*result.discretization_error);
-    if (result.model_error) json["model_error_estimate"] = error_json(*result.model_error);
-    if (result.buckled_tiles) json["buckled_tiles"] = *result.buckled_tiles;
     for (const Mode& mode : result.buckling_modes)
         json["buckling_modes"].push_back({{"load_factor", mode.value}, {"shape", rows_json(mode.shape)}});
+}
+
+void check_result_format(const JsonReader& document, std::span<const std::string_view> more_keys) {
+    document.expect_format("result", kNewestFormat);
+    const std::string format = document.at("format").string();
+    if (format != kResultFormat)
+        document.at("format").fail(
+            "is \"" + format + "\", of an unreleased version: make the result again (" + kResultFormat + ")");
+    std::vector<std::string_view> keys(std::begin(kResultKeys), std::end(kResultKeys));
+    keys.insert(keys.end(), more_keys.begin(), more_keys.end());
+    document.allow_only(keys);
+}
+
+double read_not_negative(const JsonReader& reader) {
+    const double value = reader.number();
+    if (value < 0) reader.fail("is " + reader.text() + ", where a number not below zero is needed");
+    return value;
+}
+
+Result read_result(const JsonReader& document) {
+    Result result;
+    result.solver = read_solver(document.at("solver"));
+    result.program = document.at("program").string();
+    result.nodes = read_nodes(document.at("nodes"));
+    result.solution = read_solution(document, result.nodes);
+    result.seconds = read_not_negative(document.at("seconds"));
+    if (const auto steps = document.find("load_steps")) result.load_steps = read_steps(*steps, result.nodes);
+    check_end(document, result);
+    if (const auto error = document.find("discretization_error"))
+        result.discretization_error = read_error(*error);
+    if (const auto modes = document.find("vibration_modes"))
+        result.vibration_modes = read_modes(*modes, "frequency", result.nodes.size());
+    if (const auto modes = document.find("buckling_modes"))
+        result.buckling_modes = read_modes(*modes, "load_factor", result.nodes.size());
+    return result;
+}
+
+std::string result_text(const Result& result) {
+    Json json = {{"format", kResultFormat}, {"program", base::version()}};
+    append_result(result, json);
     return base::json_text(json);
 }
 
@@ -377,23 +283,8 @@ Result read_result(const std::filesystem::path& path) {
 
 Result parse_result(std::string_view text, const std::string& source) {
     const JsonReader document = JsonReader::from_text(text, source);
-    document.expect_format("result", 4);
-    check_keys(document);
-    Result result;
-    result.solver = read_solver(document.at("solver"));
-    read_origin(document, result);
-    result.nodes = read_nodes(document.at("nodes"));
-    result.solution = read_solution(document, result.nodes);
-    check_load_factor(document, result);
-    result.seconds = read_not_negative(document.at("seconds"));
-    if (const auto steps = document.find("load_steps")) result.load_steps = read_steps(*steps, result.nodes);
-    check_end(document, result);
-    read_errors(document, result);
-    if (const auto modes = document.find("vibration_modes"))
-        result.vibration_modes = read_modes(*modes, "frequency", result.nodes.size());
-    if (const auto modes = document.find("buckling_modes"))
-        result.buckling_modes = read_modes(*modes, "load_factor", result.nodes.size());
-    return result;
+    check_result_format(document);
+    return read_result(document);
 }
 
 }  // namespace fretwork::mechanics

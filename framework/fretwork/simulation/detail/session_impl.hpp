@@ -42,8 +42,8 @@ class Session::Impl {
     void set_calibrations(std::vector<std::vector<reduction::Calibration>> calibrations);
     void set_load_case(const LoadCase& load_case);
 
-    mechanics::Result solve(const base::Control& control, mechanics::StabilityCheck check,
-                            const mechanics::FirstIterate& first_iterate = {});
+    SurfaceResult solve(const base::Control& control, mechanics::StabilityCheck check,
+                        const mechanics::FirstIterate& first_iterate = {});
     [[nodiscard]] std::vector<TileDeformation> tile_deformations(const mechanics::Solution& solution) const;
     Eigen::MatrixXd solve_adjoint(const Eigen::MatrixXd& rows, const base::Control& control);
     [[nodiscard]] std::optional<reduction::BeamMotion> beam_motion(tiling::TileIndex tile,
@@ -65,9 +65,9 @@ class Session::Impl {
     void update(const base::Control& control);
     const mechanics::LinearSolver& updated_solver(const base::Control& control);
     [[nodiscard]] bool is_nonlinear() const;
-    [[nodiscard]] mechanics::Result make_result() const;
-    void solve_path(mechanics::Result& result, const base::Control& control) const;
-    void solve_equilibrium(mechanics::Result& result, const base::Control& control,
+    [[nodiscard]] SurfaceResult make_result() const;
+    void solve_path(SurfaceResult& result, const base::Control& control) const;
+    void solve_equilibrium(SurfaceResult& result, const base::Control& control,
                            mechanics::StabilityCheck check, const mechanics::FirstIterate& first_iterate);
 
     Surface surface_;

@@ -36,15 +36,15 @@ void Session::Mixture::choose(const Impl& plain) {
     for (const auto& [model, tiles] : changed) impl_.set_tile_model(tiles, model);
 }
 
-mechanics::Result Session::Mixture::solve(Impl& plain, const base::Control& control,
-                                          mechanics::StabilityCheck check) {
+SurfaceResult Session::Mixture::solve(Impl& plain, const base::Control& control,
+                                      mechanics::StabilityCheck check) {
     full_tiles_.clear();
     corotational_ = plain.solve(control, check);
     work_ = plain.last_work();
     if (!corotational_.solution.converged()) return corotational_;
     choose(plain);
     if (full_tiles_.empty()) return corotational_;
-    mechanics::Result mixed = impl_.solve(control, check);
+    SurfaceResult mixed = impl_.solve(control, check);
     mixed.seconds += corotational_.seconds;
     work_.tiles_built += impl_.last_work().tiles_built;
     if (impl_.last_work().starting_point == mechanics::StartingPoint::Rest)

@@ -17,12 +17,12 @@ class Session::Mixture {
     [[nodiscard]] const SimulationOptions& options() const { return options_; }
     [[nodiscard]] Impl& impl() { return impl_; }
     [[nodiscard]] const std::vector<tiling::TileIndex>& full_tiles() const { return full_tiles_; }
-    [[nodiscard]] const mechanics::Result& corotational() const { return corotational_; }
+    [[nodiscard]] const SurfaceResult& corotational() const { return corotational_; }
     [[nodiscard]] const Work& last_work() const { return work_; }
 
     /// Its `seconds` are those of both solutions. That of the corotational tiles if it has not converged, or
     /// if none is put in full.
-    mechanics::Result solve(Impl& plain, const base::Control& control, mechanics::StabilityCheck check);
+    SurfaceResult solve(Impl& plain, const base::Control& control, mechanics::StabilityCheck check);
 
   private:
     void choose(const Impl& plain);
@@ -30,7 +30,7 @@ class Session::Mixture {
     SimulationOptions options_;
     double share_;
     Impl impl_;
-    mechanics::Result corotational_;
+    SurfaceResult corotational_;
     std::vector<tiling::TileIndex> full_tiles_;
     Work work_;
 };

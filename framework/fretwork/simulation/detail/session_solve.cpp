@@ -97,43 +97,45 @@ bool Session::Impl::is_nonlinear() const {
     return simulation::is_nonlinear(surface_, options_);
 }
 
-mechanics::Result Session::Impl::make_result() const {
-    mechanics::Result result;
+SurfaceResult Session::Impl::make_result() const {
+    SurfaceResult result;
     const auto interface_count = static_cast<int>(surface_.tessellation.interface_nodes.size());
     for (int i = 0; i < assembly_.reported_nodes; ++i)
         result.nodes.push_back({i, assembly_.nodes[static_cast<std::size_t>(i)], i < interface_count});
     return result;
 }
 
-void Session::Impl::solve_path(mechanics::Result& result, const base::Control& control) const {
+void Session::Impl::solve_path(SurfaceResult& result, const base::Control& control) const {
     mechanics::Result path = mechanics::solve(assembly_, {.solver = mechanics::Solver::Newton,
-                                                          .steps = options_.load_steps,
-                                                          .threads = options_.threads,
-                                                          .locate_critical_loads = false,
-                                                          .control = control});
+                                                      .steps = options_.load_steps,
+                                                      .branch = options_.branch,
+                                                      .threads = options_.threads,
+                                                      .locate_critical_loads = false,
+                                                      .control = control});
     result.load_steps = std::move(path.load_steps);
     result.solution = std::move(path.solution);
 }
 
-void Session::Impl::solve_equilibrium(mechanics::Result& result, const base::Control& control,
+void Session::Impl::solve_equilibrium(SurfaceResult& result, const base::Control& control,
                                       mechanics::StabilityCheck check,
                                       const mechanics::FirstIterate& first_iterate) {
     if (!equilibrium_solver_)
-        equilibrium_solver_.emplace(mechanics::EquilibriumOptions{.threads = options_.threads});
+        equilibrium_solver_.emplace(
+            mechanics::EquilibriumOptions{.branch = options_.branch, .threads = options_.threads});
     result.solution = equilibrium_solver_->solve(assembly_, control, check, first_iterate);
     result.load_steps = {result.solution};
     work_.starting_point = equilibrium_solver_->starting_point();
 }
 
-mechanics::Result Session::Impl::solve(const base::Control& control, mechanics::StabilityCheck check,
-                                       const mechanics::FirstIterate& first_iterate) {
+SurfaceResult Session::Impl::solve(const base::Control& control, mechanics::StabilityCheck check,
+                                   const mechanics::FirstIterate& first_iterate) {
     options_.validate(surface_);
     // A surface that is no frame is refused before the work.
     std::optional<mechanics::Frame> frame;
     if (options_.estimate_error) frame = surface_frame(surface_, choice(), conditions_, control);
     const auto started = Clock::now();
     update(control);
-    mechanics::Result result = make_result();
+    SurfaceResult result = make_result();
     const bool is_large = is_nonlinear();
     solved_in_ = is_large ? reduction::Displacements::Large : reduction::Displacements::Small;
     result.solver = is_large ? "newton" : "linear";

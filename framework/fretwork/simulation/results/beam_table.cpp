@@ -44,7 +44,7 @@ std::optional<double> BeamTable::utilization(const BeamRow& row) const {
     return row.largest_stress() / *strength;
 }
 
-BeamTable beam_table(const Surface& surface, const mechanics::Result& result) {
+BeamTable beam_table(const Surface& surface, const SurfaceResult& result) {
     const SurfaceBeams beams = surface_beams(surface);
     const BeamState state = beam_state(surface, result, beams, beam_sections(beams, surface.setting));
     BeamTable table;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <fretwork/mechanics/results/result_file.hpp>
 #include <fretwork/mechanics/results/section_forces.hpp>
+#include <fretwork/simulation/results/surface_result.hpp>
 #include <fretwork/simulation/surface.hpp>
 
 #include <array>
@@ -35,7 +35,7 @@ struct BeamTable {
 
 /// With the strength of the setting's material, if it has one. Throws InputError if the result is not one of
 /// the surface.
-BeamTable beam_table(const Surface& surface, const mechanics::Result& result);
+BeamTable beam_table(const Surface& surface, const SurfaceResult& result);
 
 /// The rows with the largest stress first; `count` of them at most.
 std::vector<BeamRow> most_stressed(const BeamTable& table, std::size_t count);

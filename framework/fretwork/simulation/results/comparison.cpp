@@ -18,10 +18,9 @@
 namespace fretwork::simulation {
 namespace {
 
-using mechanics::Result;
 
 /// The row of an interface node in the result.
-std::map<int, Eigen::Index> interface_rows(const Result& result) {
+std::map<int, Eigen::Index> interface_rows(const SurfaceResult& result) {
     std::map<int, Eigen::Index> rows;
     for (std::size_t i = 0; i < result.nodes.size(); ++i) {
         if (result.nodes[i].is_interface) rows.emplace(result.nodes[i].id, static_cast<Eigen::Index>(i));
@@ -29,7 +28,7 @@ std::map<int, Eigen::Index> interface_rows(const Result& result) {
     return rows;
 }
 
-void require_converged(const Result& result, const std::string& which) {
+void require_converged(const SurfaceResult& result, const std::string& which) {
     if (!result.solution.converged()) {
         throw base::InputError("the " + which + " result did not converge (" +
                                std::string(mechanics::termination_name(result.solution.termination)) +
@@ -37,8 +36,8 @@ void require_converged(const Result& result, const std::string& which) {
     }
 }
 
-/// Results without a subject (files of the first format) cannot be checked.
-void require_same_subject(const Result& full, const Result& reduced) {
+/// Results of a session have no subject, and cannot be checked.
+void require_same_subject(const SurfaceResult& full, const SurfaceResult& reduced) {
     if (!full.subject || !reduced.subject) return;
     const std::string difference = subject_difference(*full.subject, *reduced.subject);
     if (!difference.empty())
@@ -52,7 +51,7 @@ void require_same_subject(const Result& full, const Result& reduced) {
                                " and the same solver: there is nothing to compare");
 }
 
-void require_same_place(const Result::Node& full, const Result::Node& reduced) {
+void require_same_place(const mechanics::Result::Node& full, const mechanics::Result::Node& reduced) {
     constexpr double kTolerance = 1e-9;  // m; our files keep every digit, those of other programs may not
     if ((full.rest_position - reduced.rest_position).norm() > kTolerance) {
         throw base::InputError("interface node " + std::to_string(full.id) +
@@ -71,7 +70,7 @@ double standard_deviation(const std::vector<double>& values) {
     return std::sqrt(sum / static_cast<double>(values.size()));
 }
 
-double largest_of_interface(const Result& result, const Eigen::MatrixX3d& rows) {
+double largest_of_interface(const SurfaceResult& result, const Eigen::MatrixX3d& rows) {
     double largest = 0.0;
     for (const auto& [id, row] : interface_rows(result)) largest = std::max(largest, rows.row(row).norm());
     return largest;
@@ -101,7 +100,7 @@ struct Errors {
     }
 };
 
-Errors collect(const Result& full, const Result& reduced) {
+Errors collect(const SurfaceResult& full, const SurfaceResult& reduced) {
     const auto full_rows = interface_rows(full);
     const auto reduced_rows = interface_rows(reduced);
     if (full_rows.empty()) throw base::InputError("the results have no interface nodes to compare");
@@ -128,15 +127,15 @@ Errors collect(const Result& full, const Result& reduced) {
 
 }  // namespace
 
-double largest_displacement(const Result& result, const mechanics::Solution& solution) {
+double largest_displacement(const SurfaceResult& result, const mechanics::Solution& solution) {
     return largest_of_interface(result, solution.displacements.leftCols<3>());
 }
 
-double largest_rotation(const Result& result, const mechanics::Solution& solution) {
+double largest_rotation(const SurfaceResult& result, const mechanics::Solution& solution) {
     return largest_of_interface(result, solution.displacements.rightCols<3>());
 }
 
-Comparison compare(const Result& full, const Result& reduced) {
+Comparison compare(const SurfaceResult& full, const SurfaceResult& reduced) {
     require_same_subject(full, reduced);
     require_converged(full, "full");
     require_converged(reduced, "reduced");

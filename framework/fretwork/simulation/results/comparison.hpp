@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <fretwork/mechanics/results/result_file.hpp>
+#include <fretwork/simulation/results/surface_result.hpp>
 
 #include <string>
 
@@ -33,14 +33,14 @@ struct Comparison {
 /// The largest displacement (m) and rotation (rad, of the rotation vector) of the interface nodes, which
 /// every model of a surface has: what all of the program calls the largest, whatever nodes a model has
 /// inside.
-double largest_displacement(const mechanics::Result& result, const mechanics::Solution& solution);
-double largest_rotation(const mechanics::Result& result, const mechanics::Solution& solution);
+double largest_displacement(const SurfaceResult& result, const mechanics::Solution& solution);
+double largest_rotation(const SurfaceResult& result, const mechanics::Solution& solution);
 
 /// Compare two results of one surface; nodes are matched by id. Throws InputError if the results say that
 /// they are of different tessellations, paintings, settings or load cases, of one model, or that the second
 /// is the full one; if an interface node of one is missing in the other or lies elsewhere; or if a result did
 /// not converge. Results without a subject (files of the first format) are not checked for that.
-Comparison compare(const mechanics::Result& full, const mechanics::Result& reduced);
+Comparison compare(const SurfaceResult& full, const SurfaceResult& reduced);
 
 /// The comparison in a few lines for people.
 std::string comparison_text(const Comparison& comparison);

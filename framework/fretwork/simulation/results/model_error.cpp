@@ -4,14 +4,13 @@
 
 namespace fretwork::simulation {
 
-std::optional<mechanics::ModelError> model_error(const mechanics::Result& result,
-                                                 const mechanics::Result& better) {
+std::optional<ModelError> model_error(const SurfaceResult& result, const SurfaceResult& better) {
     if (!result.solution.converged() || !better.solution.converged()) return std::nullopt;
     const Comparison comparison = compare(better, result);
-    if (comparison.max_displacement == 0.0) return mechanics::ModelError{};
-    return mechanics::ModelError{.mean = comparison.mean_translation_error / comparison.max_displacement,
-                                 .largest = comparison.max_translation_error / comparison.max_displacement,
-                                 .relative_l2 = comparison.relative_l2_error};
+    if (comparison.max_displacement == 0.0) return ModelError{};
+    return ModelError{.mean = comparison.mean_translation_error / comparison.max_displacement,
+                      .largest = comparison.max_translation_error / comparison.max_displacement,
+                      .relative_l2 = comparison.relative_l2_error};
 }
 
 }  // namespace fretwork::simulation

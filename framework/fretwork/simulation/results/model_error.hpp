@@ -14,7 +14,6 @@ inline constexpr double kEstimatingShare = 0.3;
 
 /// How far a solution of reduced tiles is from the full model's, estimated as its difference from a better
 /// one: corotational tiles with the worst kEstimatingShare in full. None if the better one has not converged.
-std::optional<mechanics::ModelError> model_error(const mechanics::Result& result,
-                                                 const mechanics::Result& better);
+std::optional<ModelError> model_error(const SurfaceResult& result, const SurfaceResult& better);
 
 }  // namespace fretwork::simulation

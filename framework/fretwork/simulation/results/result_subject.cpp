@@ -84,7 +84,7 @@ std::string content_of(const std::string& load_case_text) {
     return simulation::load_case_text(load_case);
 }
 
-bool has_same_stages(const mechanics::ResultSubject& left, const mechanics::ResultSubject& right) {
+bool has_same_stages(const ResultSubject& left, const ResultSubject& right) {
     if (left.stages_text.empty() || right.stages_text.empty()) return left.stages_text == right.stages_text;
     const auto content = [](const std::string& text) {
         return stages_text(parse_stages(text, "the stages of a result"));
@@ -95,8 +95,8 @@ bool has_same_stages(const mechanics::ResultSubject& left, const mechanics::Resu
 
 }  // namespace
 
-mechanics::ResultSubject result_subject(const Surface& surface, const LoadCase& load_case,
-                                        const SimulationOptions& options) {
+ResultSubject result_subject(const Surface& surface, const LoadCase& load_case,
+                             const SimulationOptions& options) {
     SurfaceIdentity identity = surface_identity(surface);
     return {.model = model_text(surface, options),
             .is_reference = is_reference(surface, options),
@@ -107,11 +107,11 @@ mechanics::ResultSubject result_subject(const Surface& surface, const LoadCase& 
             .setting_hash = std::move(identity.setting_hash)};
 }
 
-std::string main_model(const mechanics::ResultSubject& subject) {
+std::string main_model(const ResultSubject& subject) {
     return named_models(subject.model).front();
 }
 
-void check_subject(const mechanics::ResultSubject& subject, const std::string& source,
+void check_subject(const ResultSubject& subject, const std::string& source,
                    std::span<const reduction::TileModel> models) {
     bool may_be_reference = false;
     bool must_be_reference = true;
@@ -137,7 +137,7 @@ void check_subject(const mechanics::ResultSubject& subject, const std::string& s
         (void)parse_load_case(text, source + ": /subject/stage_load_cases");
 }
 
-std::string subject_difference(const mechanics::ResultSubject& left, const mechanics::ResultSubject& right) {
+std::string subject_difference(const ResultSubject& left, const ResultSubject& right) {
     std::vector<std::string> differences;
     if (left.tessellation_hash != right.tessellation_hash) differences.emplace_back("the tessellation");
     if (left.painting_hash != right.painting_hash) differences.emplace_back("the painting");
@@ -159,8 +159,8 @@ SurfaceIdentity surface_identity(const Surface& surface) {
         .tiles = surface.tessellation.tiles.size()};
 }
 
-std::string subject_difference(const mechanics::ResultSubject& result, const SurfaceIdentity& surface) {
-    mechanics::ResultSubject own = result;
+std::string subject_difference(const ResultSubject& result, const SurfaceIdentity& surface) {
+    ResultSubject own = result;
     own.tessellation_hash = surface.tessellation_hash;
     own.painting_hash = surface.painting_hash;
     own.setting_hash = surface.setting_hash;

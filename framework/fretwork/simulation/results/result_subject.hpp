@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <fretwork/mechanics/results/result_file.hpp>
 #include <fretwork/reduction/models/tile_model.hpp>
 #include <fretwork/simulation/load_cases/load_case.hpp>
+#include <fretwork/simulation/results/surface_result.hpp>
 #include <fretwork/simulation/simulation_options.hpp>
 #include <fretwork/simulation/surface.hpp>
 
@@ -16,20 +16,20 @@ namespace fretwork::simulation {
 ///
 /// The tessellation's hash is that of its polygons and nodes, wherever a tile's first vertex is; the
 /// painting's that of each tile's pattern and first vertex.
-mechanics::ResultSubject result_subject(const Surface& surface, const LoadCase& load_case,
-                                        const SimulationOptions& options);
+ResultSubject result_subject(const Surface& surface, const LoadCase& load_case,
+                             const SimulationOptions& options);
 
 /// The model of the tiles that have none of their own, as `simulate --model` takes it.
-std::string main_model(const mechanics::ResultSubject& subject);
+std::string main_model(const ResultSubject& subject);
 
 /// Check a subject that was read from a file: its models are in the catalogue, it is a reference only if they
 /// are, and its load case is one. Throws InputError that names `source` and the place.
-void check_subject(const mechanics::ResultSubject& subject, const std::string& source,
+void check_subject(const ResultSubject& subject, const std::string& source,
                    std::span<const reduction::TileModel> models = reduction::tile_models());
 
 /// What two subjects differ in besides their models, in words ("the painting"); empty: nothing.
 /// Descriptions of load cases do not count.
-std::string subject_difference(const mechanics::ResultSubject& left, const mechanics::ResultSubject& right);
+std::string subject_difference(const ResultSubject& left, const ResultSubject& right);
 
 /// What results of a surface have in common. To make it takes some time, so it is made once.
 struct SurfaceIdentity {
@@ -41,6 +41,6 @@ struct SurfaceIdentity {
 SurfaceIdentity surface_identity(const Surface& surface);
 
 /// What a result and a surface, whose load case may be any, differ in; empty: nothing.
-std::string subject_difference(const mechanics::ResultSubject& result, const SurfaceIdentity& surface);
+std::string subject_difference(const ResultSubject& result, const SurfaceIdentity& surface);
 
 }  // namespace fretwork::simulation

@@ -163,7 +163,7 @@ BeamState state_of(const StateRequest& request, const mechanics::Solution& solut
 /// The tiles of a result that was read, built anew.
 class ReadTiles {
   public:
-    ReadTiles(const Surface& surface, const mechanics::Result& result, const SurfaceBeams& beams)
+    ReadTiles(const Surface& surface, const SurfaceResult& result, const SurfaceBeams& beams)
         : surface_(surface), result_(result) {
         const auto rows = static_cast<std::size_t>(result.solution.displacements.rows());
         if (rows < beams.interface_nodes)
@@ -213,7 +213,7 @@ class ReadTiles {
     }
 
     const Surface& surface_;
-    const mechanics::Result& result_;
+    const SurfaceResult& result_;
     std::vector<detail::BuiltTile> tiles_;
     std::vector<std::size_t> starts_;  ///< of each tile the first of its own nodes, and their number
 };
@@ -259,7 +259,7 @@ BeamState beam_state(const Session& session, const mechanics::Solution& solution
                     [&](TileIndex tile) { return session.beam_motion(tile, solution); });
 }
 
-BeamState beam_state(const Surface& surface, const mechanics::Result& result, const SurfaceBeams& beams,
+BeamState beam_state(const Surface& surface, const SurfaceResult& result, const SurfaceBeams& beams,
                      std::span<const mechanics::BeamSection> sections) {
     const ReadTiles tiles(surface, result, beams);
     return state_of({surface, beams, sections, 0}, result.solution,

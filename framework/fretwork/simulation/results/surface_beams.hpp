@@ -51,7 +51,7 @@ BeamState beam_state(const Session& session, const mechanics::Solution& solution
 /// The same in a result that was read from a file, with the tile models that its subject names; without a
 /// subject, with all beams if it has a row for each of their nodes. The tiles are built for it. Throws
 /// InputError if the result is not one of the surface with these models.
-BeamState beam_state(const Surface& surface, const mechanics::Result& result, const SurfaceBeams& beams,
+BeamState beam_state(const Surface& surface, const SurfaceResult& result, const SurfaceBeams& beams,
                      std::span<const mechanics::BeamSection> sections);
 
 }  // namespace fretwork::simulation

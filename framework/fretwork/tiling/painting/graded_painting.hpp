@@ -9,7 +9,7 @@
 
 namespace fretwork::tiling {
 
-/// A pattern and a value of it, such as its bending stiffness.
+/// A pattern and a number that belongs to it, such as its mass.
 struct GradedPattern {
     std::string pattern;  ///< id
     double value = 0.0;

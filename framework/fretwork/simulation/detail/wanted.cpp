@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/simulation/detail/wanted.hpp>
+#include <fretwork/simulation/results/surface_linear_range.hpp>
+#include <fretwork/simulation/results/surface_modes.hpp>
+
+namespace fretwork::simulation::detail {
+namespace {
+
+/// The shape of a mode of the full model, with a row for each node of the result. Other models have other
+/// inner nodes, which rest in the drawing.
+mechanics::NodeValues shape_of_result(const mechanics::NodeValues& shape, const Surface& surface,
+                                      const SurfaceResult& result) {
+    const auto all = std::ssize(result.nodes);
+    const auto own = shape.rows() == all ? all : std::ssize(surface.tessellation.interface_nodes);
+    mechanics::NodeValues rows = mechanics::NodeValues::Zero(all, mechanics::kDofsPerNode);
+    rows.topRows(own) = shape.topRows(own);
+    return rows;
+}
+
+}  // namespace
+
+void add_wanted(const Surface& surface, const LoadCase& load_case, const SimulationOptions& options,
+                const base::Control& control, SurfaceResult& result) {
+    const auto modes = [&](ModeKind kind, int count) {
+        if (count == 0) return std::vector<mechanics::Mode>{};
+        auto found = surface_modes(surface, load_case, kind, count, {.control = control});
+        for (mechanics::Mode& mode : found) mode.shape = shape_of_result(mode.shape, surface, result);
+        return found;
+    };
+    result.vibration_modes = modes(ModeKind::Vibration, options.vibration_modes);
+    result.buckling_modes = modes(ModeKind::Buckling, options.buckling_modes);
+    const bool is_linear = !is_nonlinear(surface, options);
+    if (options.estimate_linear_range && is_linear && result.solution.converged())
+        result.linear_range = surface_linear_range(surface, load_case, options.threads, control);
+}
+
+}  // namespace fretwork::simulation::detail

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/mechanics/paths/linear_range.hpp>
+#include <fretwork/mechanics/results/result_file.hpp>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fretwork::simulation {
+
+/// The surface, load case and model that a result belongs to. Two results belong together if the hashes
+/// agree.
+struct ResultSubject {
+    std::string model;              ///< the tile model; with the others of a mixed surface
+    bool is_reference = false;      ///< others are compared with it: every tile has all of its beams
+    std::string load_case;          ///< its name
+    std::string load_case_text;     ///< the load case file
+    std::string tessellation_hash;  ///< SHA-256, as the others
+    std::string painting_hash;
+    std::string setting_hash;
+    std::vector<int> full_tiles{};  ///< of a mixed model: those with all of their beams, ascending
+    std::string stages_text{};      ///< the stages that were followed, as a file; empty: none
+    std::vector<std::string> stage_load_cases{};  ///< the load case files that stages name, by name
+    friend bool operator==(const ResultSubject&, const ResultSubject&) = default;
+};
+
+/// Estimated distance of a surface's solution from the full model's: translations of the interface nodes.
+struct ModelError {
+    double mean = 0.0;         ///< the mean error, as a share of the largest displacement
+    double largest = 0.0;      ///< the largest error, as a share of the largest displacement
+    double relative_l2 = 0.0;  ///< of all translations
+    friend bool operator==(const ModelError&, const ModelError&) = default;
+};
+
+/// The solution of a surface, and what else was asked for. Rows are the interface nodes first.
+struct SurfaceResult : mechanics::Result {
+    std::optional<ResultSubject>
+        subject{};  ///< simulate() and files have one; Session::solve() leaves it out
+    std::optional<mechanics::LinearRange> linear_range{};  ///< of linear solutions; only where asked for
+    std::optional<ModelError> model_error{};  ///< of reduced models; only where asked for, and known
+    /// Tiles whose beams buckle between their interface nodes, ascending; only where the model error was
+    /// asked for.
+    std::optional<std::vector<int>> buckled_tiles{};
+};
+
+/// Read the text of a surface's result file. Throws InputError that names `source`, and the place in it: also
+/// where values contradict each other, and where the file has no subject, as that of a frame.
+SurfaceResult parse_surface_result(std::string_view text, const std::string& source);
+/// The text of a surface's result file. Throws NumericalError if a value is not finite, InputError without a
+/// subject.
+std::string surface_result_text(const SurfaceResult& result);
+
+/// Throws as parse_surface_result.
+SurfaceResult read_surface_result(const std::filesystem::path& path);
+/// Throws IoError, or as surface_result_text; then nothing is written.
+void write_surface_result(const SurfaceResult& result, const std::filesystem::path& path);
+
+}  // namespace fretwork::simulation

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "support.hpp"
+
+#include <fretwork/base/error.hpp>
+#include <fretwork/mechanics/results/result_file.hpp>
+#include <fretwork/simulation/results/surface_result.hpp>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace fretwork::simulation {
+namespace {
+
+using testing::HasSubstr;
+
+SurfaceResult some_result() {
+    SurfaceResult result;
+    result.solver = "newton";
+    result.nodes = {{0, {0.1, 0.2, 0.0}, true}, {1, {0.0, -0.2, 0.0}, false}};
+    result.solution.displacements = mechanics::NodeValues::Constant(2, mechanics::kDofsPerNode, 1.0 / 3.0);
+    result.solution.reactions = mechanics::NodeValues::Zero(2, mechanics::kDofsPerNode);
+    result.subject = ResultSubject{.model = "mixed:0.1",
+                                   .load_case = "a",
+                                   .load_case_text = R"({"name":"a"})",
+                                   .tessellation_hash = std::string(64, 'a'),
+                                   .painting_hash = std::string(64, 'b'),
+                                   .setting_hash = std::string(64, 'c'),
+                                   .full_tiles = {3, 14},
+                                   .stages_text = R"({"stages":[{"name":"press"}]})",
+                                   .stage_load_cases = {R"({"name":"a"})", R"({"name":"b"})"}};
+    result.linear_range = mechanics::LinearRange{0.125, true};
+    result.model_error = ModelError{0.001, 1.0 / 3.0, 0.02};
+    result.buckled_tiles = {5};
+    result.seconds = 0.25;
+    return result;
+}
+
+std::string complaint(const std::string& piece, const std::string& by) {
+    std::string text = surface_result_text(some_result());
+    const auto place = text.find(piece);
+    EXPECT_NE(place, std::string::npos) << piece;
+    try {
+        parse_surface_result(text.replace(place, piece.size(), by), "result.json");
+    } catch (const base::InputError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+TEST(SurfaceResult, AWrittenFileIsReadBackExactly) {
+    const test::TemporaryFolder folder;
+    const auto path = folder.path() / "result.json";
+    const SurfaceResult written = some_result();
+    write_surface_result(written, path);
+    const SurfaceResult read = read_surface_result(path);
+    EXPECT_EQ(read.subject, written.subject);
+    EXPECT_EQ(read.linear_range, written.linear_range);
+    EXPECT_EQ(read.model_error, written.model_error);
+    EXPECT_EQ(read.buckled_tiles, written.buckled_tiles);
+    EXPECT_EQ(read.solver, written.solver);
+    EXPECT_EQ(read.solution.displacements, written.solution.displacements);
+    EXPECT_TRUE(read.nodes[0].is_interface);
+    EXPECT_EQ(surface_result_text(read), surface_result_text(written));
+}
+
+TEST(SurfaceResult, BadValuesAreRefusedWithTheirPlace) {
+    EXPECT_THAT(complaint(std::string(64, 'b'), "b"), HasSubstr("/subject/painting"));
+    EXPECT_THAT(complaint("[3, 14]", "[14, 3]"), HasSubstr("/subject/full_tiles"));
+    EXPECT_THAT(complaint("\"load_factor\": 1.0", "\"load_factor\": 1.5"), HasSubstr("/load_factor: is 1.5"));
+    EXPECT_THAT(complaint("\"mean\": 0.001", "\"mean\": -0.001"), HasSubstr("/model_error_estimate/mean"));
+    EXPECT_THAT(complaint("\"buckled_tiles\"", "\"broken_tiles\""), HasSubstr("unknown key 'broken_tiles'"));
+}
+
+TEST(SurfaceResult, AFrameIsNotTakenForASurface) {
+    const std::string text = mechanics::result_text(some_result());
+    try {
+        parse_surface_result(text, "frame.json");
+        FAIL();
+    } catch (const base::InputError& error) {
+        EXPECT_THAT(error.what(), HasSubstr("frame.json: /: is the result of a frame"));
+    }
+}
+
+TEST(SurfaceResult, WithoutASubjectNothingIsWritten) {
+    SurfaceResult result = some_result();
+    result.subject.reset();
+    EXPECT_THROW(surface_result_text(result), base::InputError);
+}
+
+}  // namespace
+}  // namespace fretwork::simulation
