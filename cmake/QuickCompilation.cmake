@@ -22,8 +22,7 @@ if(FRETWORK_QUICK_COMPILATION)
   target_precompile_headers(fretwork_precompiled PRIVATE ${FRETWORK_COMMON_HEADERS})
 endif()
 
-# The precompiled header of all test programs. Their sources stay apart: their helpers have the same names. They are
-# compiled with little optimization, since what they test is not.
+# The precompiled header of all test programs. They are compiled with little optimization, since what they test is not.
 if(FRETWORK_QUICK_COMPILATION AND FRETWORK_BUILD_TESTS)
   add_library(fretwork_precompiled_tests OBJECT "${PROJECT_BINARY_DIR}/precompiled.cpp")
   target_link_libraries(fretwork_precompiled_tests PRIVATE fretwork_flags Eigen3::Eigen GTest::gmock GTest::gtest)
@@ -47,12 +46,16 @@ function(fretwork_compile_quickly target)
   target_precompile_headers(${target} REUSE_FROM fretwork_precompiled)
 endfunction()
 
-# fretwork_compile_tests_quickly(<target>): a program of tests.
+# fretwork_compile_tests_quickly(<target>): a program of tests. Helpers in different sources have the same names: the
+# namespace THIS_TEST keeps them apart where sources are compiled as one, and has no name elsewhere.
 function(fretwork_compile_tests_quickly target)
   if(NOT FRETWORK_QUICK_COMPILATION)
+    target_compile_definitions(${target} PRIVATE THIS_TEST=)
     return()
   endif()
-  target_compile_options(${target} PRIVATE -O1)
-  set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE OFF)
+  target_compile_options(${target} PRIVATE -O1 $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${FRETWORK_SOURCES_AT_ONCE}
+                                             UNITY_BUILD_UNIQUE_ID THIS_TEST
+                                             CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE OFF)
   target_precompile_headers(${target} REUSE_FROM fretwork_precompiled_tests)
 endfunction()

@@ -15,7 +15,7 @@
 #include <vector>
 
 namespace fretwork {
-namespace {
+namespace THIS_TEST {
 
 namespace fs = std::filesystem;
 
@@ -342,5 +342,5 @@ TEST(Architecture, FilesStaySmall) {
     }
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork

@@ -11,7 +11,7 @@
 #include <string>
 
 namespace fretwork {
-namespace {
+namespace THIS_TEST {
 
 namespace fs = std::filesystem;
 
@@ -61,5 +61,5 @@ TEST(Citations, AreInTheListOfReferences) {
     }
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork

@@ -12,7 +12,7 @@
 #include <vector>
 
 namespace fretwork {
-namespace {
+namespace THIS_TEST {
 
 namespace fs = std::filesystem;
 
@@ -110,5 +110,5 @@ TEST(Pages, LayoutsHaveTheNumberOfPatternsOfTheirCensus) {
     EXPECT_EQ(layouts, 8);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork

@@ -9,7 +9,7 @@
 #include <vector>
 
 namespace fretwork::base {
-namespace {
+namespace THIS_TEST {
 
 std::vector<std::size_t> firsts(DisjointSets& sets, std::size_t count) {
     std::vector<std::size_t> all;
@@ -48,5 +48,5 @@ TEST(DisjointSets, TheOrderOfWhatIsUnitedDoesNotMatter) {
     }
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::base

@@ -8,7 +8,7 @@
 #include <vector>
 
 namespace fretwork::base {
-namespace {
+namespace THIS_TEST {
 
 using test::TemporaryFolder;
 
@@ -96,5 +96,5 @@ TEST(FileLock, EndsWithAKilledHolder) {
     ::close(ready[1]);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::base

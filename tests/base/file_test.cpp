@@ -11,7 +11,7 @@
 #include <sys/wait.h>
 
 namespace fretwork::base {
-namespace {
+namespace THIS_TEST {
 
 using test::complaint_of;
 using test::TemporaryFolder;
@@ -203,5 +203,5 @@ TEST(File, ThatIsAPipeWaitsForASlowWriter) {
     EXPECT_EQ(content.get(), "late");
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::base

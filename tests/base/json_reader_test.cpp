@@ -7,7 +7,7 @@
 #include <vector>
 
 namespace fretwork::base {
-namespace {
+namespace THIS_TEST {
 
 using test::complaint_of;
 using testing::HasSubstr;
@@ -147,5 +147,5 @@ TEST(JsonReader, LongValuesAreShortenedInMessages) {
     EXPECT_LT(complaint_of([&] { parsed("{\"a\": 1" + std::string(5000, '0') + "}"); }).size(), 300U);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::base

@@ -7,7 +7,7 @@
 #include <vector>
 
 namespace fretwork::base {
-namespace {
+namespace THIS_TEST {
 
 TEST(JsonText, ReadsBackAsTheSameDocument) {
     Json document;
@@ -63,5 +63,5 @@ TEST(JsonText, RefusesNumbersThatAreNotFinite) {
     EXPECT_THAT(test::complaint_of([&] { json_text(document); }), testing::HasSubstr("'bad'"));
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::base

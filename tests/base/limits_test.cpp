@@ -7,7 +7,7 @@
 #include <limits>
 
 namespace fretwork::base {
-namespace {
+namespace THIS_TEST {
 
 constexpr Limits kAllLimits[] = {kLengthLimits,  kAreaLimits,         kSecondMomentLimits,
                                  kModulusLimits, kDensityLimits,      kForceLimits,
@@ -42,5 +42,5 @@ TEST(Limits, AreToldWithTheirUnit) {
     EXPECT_EQ(range_text(kForceLimits), "a number from -1e+18 to 1e+18 (N)");
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::base

@@ -8,7 +8,7 @@
 #include <vector>
 
 namespace fretwork::base {
-namespace {
+namespace THIS_TEST {
 
 TEST(ParallelFor, CallsEveryIndexOnce) {
     for (const int threads : {1, 2, 7}) {
@@ -78,5 +78,5 @@ TEST(ParallelFor, TakesAllThreadsForZero) {
     EXPECT_GE(resolved_thread_count(0), 1);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::base

@@ -6,7 +6,7 @@
 #include <numbers>
 
 namespace fretwork::base {
-namespace {
+namespace THIS_TEST {
 
 TEST(Quantity, LengthsComeOutInMetres) {
     EXPECT_DOUBLE_EQ(parse_length("26mm"), 0.026);
@@ -39,5 +39,5 @@ TEST(Quantity, AReadNumberIsTheWholeText) {
     EXPECT_EQ(read_number<unsigned>("-1"), std::nullopt);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::base

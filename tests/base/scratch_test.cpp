@@ -7,7 +7,7 @@
 #include <sys/wait.h>
 
 namespace fretwork::base {
-namespace {
+namespace THIS_TEST {
 
 using test::TemporaryFolder;
 
@@ -69,5 +69,5 @@ TEST(Scratch, LeavesFilesOfOthersAlone) {
     EXPECT_EQ(entries(folder.path()), 3U);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::base

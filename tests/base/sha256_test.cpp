@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace fretwork::base {
-namespace {
+namespace THIS_TEST {
 
 /// The examples that FIPS 180-4 gives (and, for the empty text, RFC 6234).
 TEST(Sha256, GivesTheStandardsExamples) {
@@ -27,5 +27,5 @@ TEST(Sha256, DoesNotDependOnHowTheBytesAreCut) {
     }
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::base

@@ -6,7 +6,7 @@
 #include <cstdlib>
 
 namespace fretwork::base {
-namespace {
+namespace THIS_TEST {
 
 TEST(FormatNumber, ReadsBackAsTheSameDouble) {
     for (const double value : {0.1, 1.0 / 3.0, 6.02214076e23, 5e-324, -0.0, 123456789.0}) {
@@ -44,5 +44,5 @@ TEST(Text, ShortenedKeepsStartAndEnd) {
     EXPECT_EQ(shortened(umlauts, 10), umlauts.substr(0, 8) + "..." + umlauts.substr(0, 6));
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::base

@@ -4,7 +4,7 @@
 #include "cli/refusal.hpp"
 
 namespace fretwork::app {
-namespace {
+namespace THIS_TEST {
 
 using test::expect_refused;
 using test::Outcome;
@@ -91,5 +91,5 @@ TEST(CommandLine, RefusesToWriteWhereItCannot) {
     expect_refused("fretwork enumerate --census /dev/full", folder.path(), "/dev/full");
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::app

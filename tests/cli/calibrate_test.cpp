@@ -6,7 +6,7 @@
 #include <algorithm>
 
 namespace fretwork::app {
-namespace {
+namespace THIS_TEST {
 
 using test::run_command;
 using test::TemporaryFolder;
@@ -149,5 +149,5 @@ TEST_F(Calibrate, ThePapersNumbersStandBesideThoseOfItsSettingAlone) {
                 testing::Not(HasSubstr("(paper:")));
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::app

@@ -6,7 +6,7 @@
 #include <fretwork/reduction/models/tile_model.hpp>
 
 namespace fretwork::app {
-namespace {
+namespace THIS_TEST {
 
 using test::Outcome;
 using test::run_command;
@@ -138,5 +138,5 @@ TEST_F(CalibratedModels, AloneNeedTheLibraryOfAProject) {
     }
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::app

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 namespace fretwork::app {
-namespace {
+namespace THIS_TEST {
 
 using test::Outcome;
 using test::run_command;
@@ -65,5 +65,5 @@ TEST_F(CaseCommand, RemovesAndRenames) {
     EXPECT_THAT(none.err, HasSubstr("load case"));
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::app

@@ -11,7 +11,7 @@
 #include <set>
 
 namespace fretwork::app {
-namespace {
+namespace THIS_TEST {
 
 namespace fs = std::filesystem;
 using test::complaint_of;
@@ -351,5 +351,5 @@ TEST_F(DataLoss, OldOutputsAndEmptyFilesAreReplacedAsPeopleExpect) {
     EXPECT_EQ(run(library_export + " && " + library_export).exit_code, 0);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::app

@@ -5,7 +5,7 @@
 #include "support.hpp"
 
 namespace fretwork::app {
-namespace {
+namespace THIS_TEST {
 
 using test::expect_refused;
 using test::run_command;
@@ -79,5 +79,5 @@ TEST_F(FileLimit, MessagesNameTheFile) {
                    "divided.json: /beams/0 has divisions");
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::app

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 namespace fretwork::app {
-namespace {
+namespace THIS_TEST {
 
 using test::run_command;
 using test::TemporaryFolder;
@@ -64,5 +64,5 @@ TEST(Help, MissingArgumentsAreToldWithTheUsage) {
     EXPECT_THAT(complaint("fretwork case"), HasSubstr("usage: fretwork case VERB"));
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::app

@@ -16,7 +16,7 @@
 #include <vector>
 
 namespace fretwork::app {
-namespace {
+namespace THIS_TEST {
 
 using test::TemporaryFolder;
 
@@ -228,5 +228,5 @@ TEST(Interrupt, StoresTheRunsOfAStudyThatAreDone) {
     EXPECT_EQ(files_in(folder.path() / "runs").size(), 1U) << "nothing but the table";
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::app

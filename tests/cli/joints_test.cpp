@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 namespace fretwork::app {
-namespace {
+namespace THIS_TEST {
 
 using test::Outcome;
 using test::run_command;
@@ -61,5 +61,5 @@ TEST_F(JointsOfASetting, KeepLibrariesAndResultsApart) {
     EXPECT_THAT(compared.err, HasSubstr("setting"));
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::app

@@ -3,7 +3,7 @@
 #include "cli/making.hpp"
 
 namespace fretwork::app {
-namespace {
+namespace THIS_TEST {
 
 class RefusedMaking : public test::Making {};
 
@@ -55,5 +55,5 @@ TEST_F(RefusedMaking, ContentsThatAFileCannotHoldAndWriteNoneOfTheOthers) {
     refuse("--to good.dxf --to nowhere/x.stl", "nowhere/x.stl");
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::app

@@ -3,7 +3,7 @@
 #include "cli/making.hpp"
 
 namespace fretwork::app {
-namespace {
+namespace THIS_TEST {
 
 using geometry::Box;
 
@@ -188,5 +188,5 @@ TEST_F(MakingOptions, FactsFollowTheOptionsThatTheyAreFor) {
     EXPECT_NEAR(held.at("sag").at("weight").get<double>(), 9.80665 * held.at("mass").get<double>(), 1e-7);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::app

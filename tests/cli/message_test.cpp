@@ -8,7 +8,7 @@
 #include <algorithm>
 
 namespace fretwork::app {
-namespace {
+namespace THIS_TEST {
 
 using test::run_command;
 using test::TemporaryFolder;
@@ -98,5 +98,5 @@ TEST_F(Messages, ALinkStaysALinkWhereItsFileIsWritten) {
     EXPECT_TRUE(std::filesystem::is_regular_file(folder_.path() / "other/L.db"));
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::app

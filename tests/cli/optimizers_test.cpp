@@ -8,7 +8,7 @@
 #include <set>
 
 namespace fretwork::app {
-namespace {
+namespace THIS_TEST {
 
 using test::run_command;
 using test::TemporaryFolder;
@@ -117,5 +117,5 @@ TEST(Optimizers, ListTheWholeCatalogue) {
     }
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::app

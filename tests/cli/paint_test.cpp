@@ -9,7 +9,7 @@
 #include <map>
 
 namespace fretwork::app {
-namespace {
+namespace THIS_TEST {
 
 using test::Outcome;
 using test::run_command;
@@ -204,5 +204,5 @@ TEST_F(PaintCommand, DrawingsShowNumbersOfTilesAndNodesWhereAskedFor) {
                 AllOf(HasSubstr("2-4+4-6"), HasSubstr("0-1+1-6")));
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::app

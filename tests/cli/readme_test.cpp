@@ -8,7 +8,7 @@
 #include <vector>
 
 namespace fretwork::app {
-namespace {
+namespace THIS_TEST {
 
 using test::run_command;
 using test::TemporaryFolder;
@@ -52,5 +52,5 @@ TEST(Readme, ItsProgramIsTheOneThatTheInstallTestCompiles) {
               base::read_text_file(FRETWORK_SOURCE_DIR "/tests/install/main.cpp"));
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::app

@@ -11,7 +11,7 @@
 #include <algorithm>
 
 namespace fretwork::app {
-namespace {
+namespace THIS_TEST {
 
 using nlohmann::json;
 using test::Outcome;
@@ -173,5 +173,5 @@ TEST_F(ResultTools, SlipsOfUnitsAndNamesAreRefusedWithWhatIsMeant) {
                 HasSubstr("--strength"));
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::app

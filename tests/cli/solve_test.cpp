@@ -6,7 +6,7 @@
 #include <regex>
 
 namespace fretwork::app {
-namespace {
+namespace THIS_TEST {
 
 using test::run_command;
 using test::TemporaryFolder;
@@ -95,5 +95,5 @@ TEST_F(Solve, WritesModesForParaView) {
     EXPECT_THAT(file, HasSubstr("Name=\"vibration 2, "));
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::app

@@ -4,7 +4,7 @@
 #include "support.hpp"
 
 namespace fretwork::app {
-namespace {
+namespace THIS_TEST {
 
 using test::Outcome;
 using test::run_command;
@@ -145,5 +145,5 @@ TEST_F(SurfaceResults, OfTileModelsThatThereAreNotAreRefusedWithFileAndPlace) {
     EXPECT_THAT(outcome.err, AllOf(HasSubstr("p.json: /tile_models/0/model: "), HasSubstr("'condensed'")));
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::app

@@ -4,7 +4,7 @@
 #include "support.hpp"
 
 namespace fretwork::app {
-namespace {
+namespace THIS_TEST {
 
 using test::Outcome;
 using test::run_command;
@@ -196,5 +196,5 @@ TEST(TileCommand, AllPartsAreOneSurfaceFromTheTilingToTheDrawing) {
     EXPECT_EQ(run_command("fretwork export p.json --result r.json --to p.svg", folder.path()).exit_code, 0);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::app

@@ -17,7 +17,7 @@
 #include <unistd.h>
 
 namespace fretwork::app {
-namespace {
+namespace THIS_TEST {
 
 using test::run_command;
 using test::TemporaryFolder;
@@ -284,5 +284,5 @@ TEST_F(TwoAtOnce, ADamagedInputOfAMergeIsNamedAndNothingIsLeft) {
     EXPECT_TRUE(scratch_in(folder_.path()).empty());
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::app

@@ -6,7 +6,7 @@
 #include <cmath>
 
 namespace fretwork::mechanics {
-namespace {
+namespace THIS_TEST {
 
 /// Stiff along its axis: an axial strain would not matter, but its rounding would.
 Frame cantilever(int divisions, const Section& section) {
@@ -65,5 +65,5 @@ TEST(BeamConvergence, IsSecondOrderInSpaceForUnequalBendingStiffnesses) {
     }
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::mechanics

@@ -16,7 +16,7 @@
 #include <png.h>
 
 namespace fretwork::exports {
-namespace {
+namespace THIS_TEST {
 
 using namespace test;
 using base::Json;
@@ -212,5 +212,5 @@ TEST(Picture, OfAFieldThatThereIsNotIsRefusedAndNamesThoseThatThereAre) {
     EXPECT_THAT(complaint_of([&] { (void)picture_png(scene); }), HasSubstr("stress"));
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::exports

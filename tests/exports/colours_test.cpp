@@ -8,7 +8,7 @@
 #include <vector>
 
 namespace fretwork::exports {
-namespace {
+namespace THIS_TEST {
 
 int channel(const std::string& colour, std::size_t i) {
     return std::stoi(colour.substr(1 + 2 * i, 2), nullptr, 16);
@@ -55,5 +55,5 @@ TEST(ValueColour, OfValuesBeyondTheRangeIsInNeitherScale) {
     EXPECT_EQ(largest_beyond(std::vector<double>{1.0, 2.0}, {0.0, 2.0}), std::nullopt);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::exports

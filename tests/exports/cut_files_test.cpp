@@ -9,7 +9,7 @@
 #include <set>
 
 namespace fretwork::exports {
-namespace {
+namespace THIS_TEST {
 
 using namespace test;
 using fabrication::Contour;
@@ -103,5 +103,5 @@ TEST(CutFiles, ABedGivesSheetsBesideEachOther) {
     EXPECT_NEAR(largest, 150.0 * 120.0, 1e-3);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::exports

@@ -5,7 +5,7 @@
 #include <fretwork/exports/making/facts_report.hpp>
 
 namespace fretwork::exports {
-namespace {
+namespace THIS_TEST {
 
 using namespace test;
 using testing::AllOf;
@@ -61,5 +61,5 @@ TEST(FactsReport, ThePageHasACircleForEveryWarningWithAPlace) {
     EXPECT_EQ(circles, placed);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::exports

@@ -13,7 +13,7 @@
 #include <sstream>
 
 namespace fretwork::exports {
-namespace {
+namespace THIS_TEST {
 
 using namespace test;
 using testing::HasSubstr;
@@ -143,5 +143,5 @@ TEST(ForeignPrograms, PrusaSlicerTakesStlAndThreeMfForTheSameClosedSolidInMillim
     }
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::exports

@@ -7,7 +7,7 @@
 #include <cmath>
 
 namespace fretwork::exports {
-namespace {
+namespace THIS_TEST {
 
 using fretwork::test::TemporaryFolder;
 
@@ -69,5 +69,5 @@ TEST(LibraryMeshes, AFolderThatCannotBeMadeIsReported) {
         base::IoError);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::exports

@@ -13,7 +13,7 @@
 #include <sstream>
 
 namespace fretwork::exports {
-namespace {
+namespace THIS_TEST {
 
 using namespace test;
 
@@ -219,5 +219,5 @@ TEST(LineFiles, WithoutDisplacementsGiveTheStateAtRest) {
     EXPECT_THAT(ply_text(empty), testing::HasSubstr("element vertex 0\n"));
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::exports

@@ -4,7 +4,7 @@
 #include <fretwork/exports/drawings/surface_drawing.hpp>
 
 namespace fretwork::exports {
-namespace {
+namespace THIS_TEST {
 
 using namespace test;
 using testing::HasSubstr;
@@ -54,5 +54,5 @@ TEST(RimLines, AreTheSidesOfOneTileOnly) {
     EXPECT_EQ(rim_lines(surface).lines.size(), 18U);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::exports

@@ -5,7 +5,7 @@
 #include <fretwork/exports/drawings/pattern_drawing.hpp>
 
 namespace fretwork::exports {
-namespace {
+namespace THIS_TEST {
 
 using namespace test;
 using testing::HasSubstr;
@@ -37,5 +37,5 @@ TEST(PatternSheet, WithoutPatternsShowsTheNumberedNodesOfTheLayoutOnly) {
     EXPECT_THAT(svg.words(), HasSubstr("0\n1\n2\n3\n4\n5\n6\n"));
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::exports

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 namespace fretwork::exports::detail {
-namespace {
+namespace THIS_TEST {
 
 const BarScene::Field kField{"displacement", "Displacement", "mm", 1e3, {0.0, 0.25, 1.0}};
 
@@ -34,5 +34,5 @@ TEST(PictureLegend, IsLeftOutOfSmallPictures) {
     EXPECT_EQ(with_legend(picture, {200, 100}, kField), picture);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::exports::detail

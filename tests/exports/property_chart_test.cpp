@@ -7,7 +7,7 @@
 #include <pugixml.hpp>
 
 namespace fretwork::exports {
-namespace {
+namespace THIS_TEST {
 
 using test::complaint_of;
 using testing::ElementsAre;
@@ -95,5 +95,5 @@ TEST(LogAxis, HasTicksAtRoundValuesAndContainsAllValues) {
     EXPECT_THAT((detail::LogAxis{"x", 0.5, 2e3}.ticks()), ElementsAre(1.0, 10.0, 100.0, 1000.0));
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::exports

@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 
 namespace fretwork::exports {
-namespace {
+namespace THIS_TEST {
 
 using testing::HasSubstr;
 
@@ -27,5 +27,5 @@ TEST(ReducedSheet, HasEachPatternAndItsReducedModelWithItsFacts) {
     EXPECT_THAT(svg.words(), HasSubstr("not calibrated\n"));
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::exports

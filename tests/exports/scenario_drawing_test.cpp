@@ -9,7 +9,7 @@
 #include <gmock/gmock.h>
 
 namespace fretwork::exports {
-namespace {
+namespace THIS_TEST {
 
 using testing::HasSubstr;
 using testing::Not;
@@ -54,5 +54,5 @@ TEST(ScenarioSheet, DrawsAPatternWithoutACalibrationAlone) {
     EXPECT_THAT(svg.words(), Not(HasSubstr("reduced")));
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::exports

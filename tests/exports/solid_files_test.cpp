@@ -9,7 +9,7 @@
 #include <zip.h>
 
 namespace fretwork::exports {
-namespace {
+namespace THIS_TEST {
 
 using namespace test;
 using fabrication::Solid;
@@ -131,5 +131,5 @@ TEST(SolidMeshes, ObjAndPlySayMillimetresAndHaveEveryTriangle) {
     EXPECT_THAT(ply, HasSubstr("element face " + std::to_string(faces) + "\n"));
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::exports

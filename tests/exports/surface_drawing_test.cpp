@@ -14,7 +14,7 @@
 #include <set>
 
 namespace fretwork::exports {
-namespace {
+namespace THIS_TEST {
 
 using namespace test;
 using testing::HasSubstr;
@@ -233,5 +233,5 @@ TEST_F(SurfaceDrawing, EveryIdOfTheFigureIsThereOnce) {
     EXPECT_EQ(ids.count("setup-tile0"), 1U);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::exports

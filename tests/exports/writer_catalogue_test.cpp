@@ -4,7 +4,7 @@
 #include <set>
 
 namespace fretwork::exports {
-namespace {
+namespace THIS_TEST {
 
 using namespace test;
 using testing::AllOf;
@@ -89,5 +89,5 @@ TEST(WriterCatalogue, AResultOfAnotherSurfaceIsRefused) {
     for (const WriterRow& writer : writer_catalogue()) EXPECT_THROW(writer.write(scene), base::InputError);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::exports

@@ -2,7 +2,7 @@
 #include "sample.hpp"
 
 namespace fretwork::fabrication {
-namespace {
+namespace THIS_TEST {
 
 using geometry::Point2;
 
@@ -58,5 +58,5 @@ TEST(BarPlan, BeamsThatCrossAreRefusedWithTileAndPlace) {
     EXPECT_THAT(complaint, AllOf(HasSubstr("tile 0"), HasSubstr("cross"), HasSubstr("mm")));
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::fabrication

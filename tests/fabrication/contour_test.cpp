@@ -7,7 +7,7 @@
 #include <numbers>
 
 namespace fretwork::fabrication {
-namespace {
+namespace THIS_TEST {
 
 using geometry::Box;
 
@@ -67,5 +67,5 @@ TEST(Contour, ItsBoxHoldsTheArcs) {
     EXPECT_NEAR(box.ymax, 1.0, 1e-15);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::fabrication

@@ -8,7 +8,7 @@
 #include <CGAL/Polygon_set_2.h>
 
 namespace fretwork::fabrication {
-namespace {
+namespace THIS_TEST {
 
 using geometry::Point2;
 
@@ -68,5 +68,5 @@ TEST(Shape, IsTheExactUnionOfItsBars) {
     }
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::fabrication

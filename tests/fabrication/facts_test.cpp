@@ -6,7 +6,7 @@
 #include <fretwork/simulation/simulate.hpp>
 
 namespace fretwork::fabrication {
-namespace {
+namespace THIS_TEST {
 
 using namespace test;
 using testing::AllOf;
@@ -150,5 +150,5 @@ TEST(Facts, OptionsThatMakeNoSenseAreRefused) {
         EXPECT_THROW((void)facts(sample(), {}, {}, wrong), base::InputError);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::fabrication

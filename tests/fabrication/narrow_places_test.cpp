@@ -4,7 +4,7 @@
 #include <fretwork/fabrication/narrow_places.hpp>
 
 namespace fretwork::fabrication {
-namespace {
+namespace THIS_TEST {
 
 using namespace test;
 
@@ -52,5 +52,5 @@ TEST(NarrowPlaces, CornersAreNoGaps) {
     EXPECT_TRUE(narrow_places(make_shape(plan, {}), plan, 3e-3).empty());
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::fabrication

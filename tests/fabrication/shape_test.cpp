@@ -4,7 +4,7 @@
 #include <set>
 
 namespace fretwork::fabrication {
-namespace {
+namespace THIS_TEST {
 
 using geometry::Point2;
 
@@ -190,5 +190,5 @@ TEST(Shape, DoesNotDependOnWhereTheSurfaceLies) {
     EXPECT_EQ(opening_count(here), opening_count(there));
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::fabrication

@@ -4,7 +4,7 @@
 #include <fretwork/fabrication/sheets.hpp>
 
 namespace fretwork::fabrication {
-namespace {
+namespace THIS_TEST {
 
 using geometry::Box;
 
@@ -113,5 +113,5 @@ TEST(Sheets, SideBySideHasAllSheetsAndTheAssembly) {
     EXPECT_EQ(all.guides.size(), set.assembly.guides.size() + set.sheets.size());
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::fabrication

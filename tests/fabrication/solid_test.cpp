@@ -4,7 +4,7 @@
 #include <fretwork/fabrication/solid.hpp>
 
 namespace fretwork::fabrication {
-namespace {
+namespace THIS_TEST {
 
 using namespace test;
 using testing::HasSubstr;
@@ -64,5 +64,5 @@ TEST(Solid, AnOutlineThatTouchesItselfIsRefusedWithThePlace) {
     EXPECT_THAT(complaint_of([&] { (void)make_solid(shape); }), HasSubstr("(10, 10) mm"));
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::fabrication

@@ -9,7 +9,7 @@
 #include <numbers>
 
 namespace fretwork::geometry {
-namespace {
+namespace THIS_TEST {
 
 // The conventions: interface node i of the reference hexagon lies at angle 270 + 60 i degrees.
 TEST(RegularPolygon, SideTHasItsMiddleAt270Plus360TOverSidesDegrees) {
@@ -84,5 +84,5 @@ TEST(IsConvex, RefusesClockwiseReentrantDegenerateAndStarShaped) {
     EXPECT_FALSE(is_convex(pentagram));
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::geometry

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace fretwork::geometry {
-namespace {
+namespace THIS_TEST {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
@@ -70,5 +70,5 @@ TEST(Rotation, DerivativeOfTheSpinMapAgreesWithFiniteDifferences) {
     }
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::geometry

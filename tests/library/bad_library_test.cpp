@@ -6,7 +6,7 @@
 #include <functional>
 
 namespace fretwork::library {
-namespace {
+namespace THIS_TEST {
 
 using namespace test;
 using testing::AllOf;
@@ -153,5 +153,5 @@ TEST_F(BadLibrary, AMissingFolderIsNotCreated) {
     EXPECT_THROW(make_library(folder_.path() / "none" / "lib.db"), base::IoError);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::library

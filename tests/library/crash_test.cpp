@@ -6,7 +6,7 @@
 #include <sqlite3.h>
 
 namespace fretwork::library {
-namespace {
+namespace THIS_TEST {
 
 using namespace test;
 
@@ -137,5 +137,5 @@ TEST(LibraryCrash, ALibraryCanBeCreatedAfterAKillDuringCreation) {
     EXPECT_EQ(Library::open_or_create(path, paper_layout(), reduction::paper_setting()).pattern_count(), 0U);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::library

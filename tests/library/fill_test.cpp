@@ -12,7 +12,7 @@
 #include <thread>
 
 namespace fretwork::library {
-namespace {
+namespace THIS_TEST {
 
 using namespace test;
 using testing::HasSubstr;
@@ -286,5 +286,5 @@ TEST_F(Fill, StatisticsAreThoseOfTheStoredCalibrations) {
     EXPECT_EQ(statistics.unstable, 10U);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::library

@@ -11,7 +11,7 @@
 #include <limits>
 
 namespace fretwork::library {
-namespace {
+namespace THIS_TEST {
 
 using namespace test;
 using testing::HasSubstr;
@@ -379,5 +379,5 @@ TEST_F(LibraryTest, TextWithCommasAndQuotesIsQuotedInTables) {
               "pattern_id,stage,reason\n0-1+1-6,responses,\"a \"\"quoted\"\", long reason\"\n");
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::library

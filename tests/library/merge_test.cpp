@@ -9,7 +9,7 @@
 #include <sqlite3.h>
 
 namespace fretwork::library {
-namespace {
+namespace THIS_TEST {
 
 using namespace test;
 using testing::HasSubstr;
@@ -150,5 +150,5 @@ TEST_F(Merge, AnExistingOutputIsNotOverwritten) {
     EXPECT_THAT(complaint_of([&] { merge(path("no/new.db"), Paths{a}); }), HasSubstr("new.db"));
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::library

@@ -11,7 +11,7 @@
 #include <map>
 
 namespace fretwork::library {
-namespace {
+namespace THIS_TEST {
 
 using namespace test;
 
@@ -166,5 +166,5 @@ TEST_F(LibraryReadme, SampleStatesAreCountedForEachScenario) {
     }
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::library

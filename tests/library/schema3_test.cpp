@@ -14,7 +14,7 @@
 #include <algorithm>
 
 namespace fretwork::library {
-namespace {
+namespace THIS_TEST {
 
 using fretwork::test::TemporaryFolder;
 using reduction::NamedValue;
@@ -87,5 +87,5 @@ TEST_F(Schema3, ExportsTheTablesOfThisSchema) {
     EXPECT_EQ(std::ranges::count(text, '\n'), 13) << "a header, and two calibrations of six parameters";
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::library

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 namespace fretwork::mechanics {
-namespace {
+namespace THIS_TEST {
 
 using Eigen::MatrixXd;
 using Eigen::Quaterniond;
@@ -214,5 +214,5 @@ TEST(BeamElement, TranslationHasTheMassOfTheBeam) {
     }
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::mechanics

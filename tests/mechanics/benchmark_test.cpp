@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 namespace fretwork::mechanics {
-namespace {
+namespace THIS_TEST {
 
 using Eigen::Vector3d;
 
@@ -67,5 +67,5 @@ TEST(Benchmark, MomentAndForceWindCantileverIntoHelix) {
     EXPECT_LT((full - Vector3d(-9.99520, 0.00007, -0.07644)).norm(), 6e-4) << full.transpose();
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::mechanics

@@ -10,7 +10,7 @@
 #include <cmath>
 
 namespace fretwork::mechanics {
-namespace {
+namespace THIS_TEST {
 
 constexpr double kPi = std::numbers::pi;
 
@@ -137,5 +137,5 @@ TEST(Branch, FlatWheelBucklesOutOfPlane) {
     EXPECT_LE(buckled.back().residual, 1e-9);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::mechanics

@@ -17,7 +17,7 @@
 #include <sstream>
 
 namespace fretwork::mechanics {
-namespace {
+namespace THIS_TEST {
 
 constexpr double kSide = 0.0005;
 constexpr int kElements = 2;  // a beam
@@ -137,5 +137,5 @@ TEST(CalculixComparison, RunsTheDeckThatIsWrittenForIt) {
               2 * frame.beams.size());
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::mechanics

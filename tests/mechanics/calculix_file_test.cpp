@@ -12,7 +12,7 @@
 #include <fstream>
 
 namespace fretwork::mechanics {
-namespace {
+namespace THIS_TEST {
 
 class CalculixFile : public testing::Test {
   protected:
@@ -294,5 +294,5 @@ TEST_F(CalculixFile, RefusesBadDecksWithLineNumber) {
     EXPECT_THAT(complaint("*ELASTIC\n1.E9, .25", "*ELASTIC\n1.E9"), HasSubstr("1 numbers, where 2"));
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::mechanics

@@ -13,7 +13,7 @@
 #include <gtest/gtest.h>
 
 namespace fretwork::mechanics {
-namespace {
+namespace THIS_TEST {
 
 std::vector<NodeIndex> tips() {
     std::vector<NodeIndex> nodes;
@@ -235,5 +235,5 @@ TEST(Condensation, DenseAndSparseEliminationRefuseTheSameMechanism) {
     }
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::mechanics

@@ -16,7 +16,7 @@
 #include <thread>
 
 namespace fretwork::mechanics {
-namespace {
+namespace THIS_TEST {
 
 /// At the first step that it is told of, another thread asks to stop; the work goes on when that has
 /// happened.
@@ -130,5 +130,5 @@ TEST(Control, TellsProgressOfEverySolver) {
     EXPECT_GT(count.updates, 10);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::mechanics

@@ -14,7 +14,7 @@
 #include <numeric>
 
 namespace fretwork::mechanics {
-namespace {
+namespace THIS_TEST {
 
 using Eigen::MatrixXd;
 using Eigen::Quaterniond;
@@ -413,5 +413,5 @@ TEST(CorotationalElement, RefusesWhatIsNoStiffnessOfItsNodes) {
         HasSubstr("6 nodes cannot be placed on 2"));
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::mechanics

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 namespace fretwork::mechanics {
-namespace {
+namespace THIS_TEST {
 
 TEST(Discretization, EstimateIsCloseToTrueError) {
     const double factors[] = {0.5, 1.0};
@@ -62,5 +62,5 @@ TEST(Discretization, BadNumbersAreRefused) {
     EXPECT_THROW(estimate_discretization_error(sample::star(), factors, {}), base::InputError);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::mechanics

@@ -13,7 +13,7 @@
 #include <utility>
 
 namespace fretwork::mechanics {
-namespace {
+namespace THIS_TEST {
 
 /// The nodes lie in a plane or in space.
 enum class Extent { Flat, Spatial };
@@ -343,5 +343,5 @@ TEST(LinearSolverEdits, ColumnsOfRightSidesAreSolvedAsLoadsAre) {
     }
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::mechanics

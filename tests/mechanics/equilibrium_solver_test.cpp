@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 namespace fretwork::mechanics {
-namespace {
+namespace THIS_TEST {
 
 /// Bent to some share of its length, a partly held rotation and a prescribed displacement included.
 Assembly bent_honeycomb() {
@@ -238,5 +238,5 @@ TEST(EquilibriumSolver, StabilityThatIsLostWhileDraggingIsToldOnceItIsAskedFor) 
     EXPECT_FALSE(checked.stable);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::mechanics

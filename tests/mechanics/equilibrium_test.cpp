@@ -15,7 +15,7 @@
 #include <cmath>
 
 namespace fretwork::mechanics {
-namespace {
+namespace THIS_TEST {
 
 using Eigen::Vector3d;
 
@@ -481,5 +481,5 @@ TEST(Equilibrium, ShortBeamBesideLongOnesDoesNotEndThePath) {
     EXPECT_NEAR(tip_of({0.0, 1.999, 2.0}), whole, 1e-3 * std::abs(whole));
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::mechanics

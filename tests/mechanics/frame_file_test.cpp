@@ -13,7 +13,7 @@
 #include <fstream>
 
 namespace fretwork::mechanics {
-namespace {
+namespace THIS_TEST {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -186,5 +186,5 @@ TEST_F(FrameFile, UnsupportedStructuresAreRefusedWithFileAndNode) {
                 AllOf(HasSubstr(path_.string()), HasSubstr("/nodes/0")));
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::mechanics

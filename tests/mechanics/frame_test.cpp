@@ -11,7 +11,7 @@
 #include <limits>
 
 namespace fretwork::mechanics {
-namespace {
+namespace THIS_TEST {
 
 using testing::HasSubstr;
 
@@ -125,5 +125,5 @@ TEST(Frame, NodeWithoutBeamMustBeHeld) {
     EXPECT_EQ(complaint(frame), "");
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::mechanics

@@ -30,7 +30,7 @@ FRETWORK_KERNELS(v3)
 FRETWORK_KERNELS(v4)
 constexpr Kernels k_chosen = {eliminate, substitute_forward, substitute_back};
 
-namespace {
+namespace THIS_TEST {
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
@@ -114,5 +114,5 @@ TEST(InstructionSets, WithAndWithoutFusedMultiplyAddDifferByRoundingAlone) {
     EXPECT_TRUE(differ) << "or the sets are not what they are called";
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::mechanics::sparse

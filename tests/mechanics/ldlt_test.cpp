@@ -11,7 +11,7 @@
 #include <limits>
 
 namespace fretwork::mechanics::sparse {
-namespace {
+namespace THIS_TEST {
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
@@ -203,5 +203,5 @@ TEST(Ldlt, RefactorizationIsIndependentOfTheLast) {
     EXPECT_EQ((found - expected).norm(), 0.0);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::mechanics::sparse

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 namespace fretwork::mechanics {
-namespace {
+namespace THIS_TEST {
 
 /// A slender strip of 0.4 m with 20 elements, clamped at its left end.
 Frame strip(double force) {
@@ -70,5 +70,5 @@ TEST(LinearRange, AColumnBeyondItsBucklingLoadHasLostItsStability) {
     }
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::mechanics

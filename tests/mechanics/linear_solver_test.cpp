@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 
 namespace fretwork::mechanics {
-namespace {
+namespace THIS_TEST {
 
 using Eigen::Vector3d;
 using sample::CantileverShape;
@@ -401,5 +401,5 @@ TEST(LinearSolver, IsAsItWasAfterAStoppedUpdate) {
     EXPECT_EQ(solver.solve().displacements, solve_linear(assemble(frame)).displacements);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::mechanics

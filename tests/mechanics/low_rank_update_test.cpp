@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 namespace fretwork::mechanics::sparse {
-namespace {
+namespace THIS_TEST {
 
 /// A chain of coupled nodes, six unknowns each.
 class Chain {
@@ -106,5 +106,5 @@ TEST(Ldlt, InverseFormIsThatOfTheDenseInverse) {
     EXPECT_LT((chain.factors().inverse_form(columns, equations) - expected).norm(), 1e-12 * expected.norm());
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::mechanics::sparse

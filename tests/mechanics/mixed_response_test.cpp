@@ -8,7 +8,7 @@
 #include <functional>
 
 namespace fretwork::mechanics {
-namespace {
+namespace THIS_TEST {
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
@@ -165,5 +165,5 @@ TEST(MixedResponse, TangentHasTheGivenStressesInItsGeometricTerms) {
     }
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::mechanics

@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 namespace fretwork::mechanics {
-namespace {
+namespace THIS_TEST {
 
 constexpr double kPi = std::numbers::pi;
 
@@ -242,5 +242,5 @@ TEST(Modes, LinearElementWithoutAMassIsRefused) {
                  base::InputError);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::mechanics

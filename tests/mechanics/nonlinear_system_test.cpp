@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 namespace fretwork::mechanics::nonlinear {
-namespace {
+namespace THIS_TEST {
 
 constexpr double kLength = 0.02;
 
@@ -139,5 +139,5 @@ TEST(NonlinearSystem, RatesOfStepsAgreeWithFiniteDifferences) {
               1e-8);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::mechanics::nonlinear

@@ -10,7 +10,7 @@
 #include <algorithm>
 
 namespace fretwork::mechanics {
-namespace {
+namespace THIS_TEST {
 
 /// The load factor of the first maximum along a path, by the parabola through the three points around it.
 double first_limit(const std::vector<Solution>& path) {
@@ -64,5 +64,5 @@ TEST(PathTracing, BadOptionsAreRefused) {
     EXPECT_THROW(trace_path(assembly, {.steps = 0}), base::InputError);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::mechanics

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 namespace fretwork::mechanics {
-namespace {
+namespace THIS_TEST {
 
 TEST(Relaxation, FindsNewtonsEquilibrium) {
     Frame bend =
@@ -112,5 +112,5 @@ TEST(Relaxation, RotationsBeyondHalfATurnAreRefusedByNode) {
     EXPECT_THAT(complaint(frame), AllOf(HasSubstr("4 rad against node"), HasSubstr("newton")));
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::mechanics

@@ -12,7 +12,7 @@
 #include <limits>
 
 namespace fretwork::mechanics {
-namespace {
+namespace THIS_TEST {
 
 using testing::HasSubstr;
 
@@ -167,5 +167,5 @@ TEST_F(ResultFile, MissingFileIsNamed) {
     EXPECT_THROW(read_result("/nowhere/result.json"), base::InputError);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::mechanics

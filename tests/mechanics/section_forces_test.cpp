@@ -11,7 +11,7 @@
 #include <cmath>
 
 namespace fretwork::mechanics {
-namespace {
+namespace THIS_TEST {
 
 constexpr double kLength = 0.3;
 
@@ -108,5 +108,5 @@ TEST(SectionForces, ABeamOfNoLengthIsRefused) {
     EXPECT_THROW((void)section_of(frame), base::GeometryError);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::mechanics

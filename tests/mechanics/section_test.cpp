@@ -9,7 +9,7 @@
 #include <numbers>
 
 namespace fretwork::mechanics {
-namespace {
+namespace THIS_TEST {
 
 TEST(Section, RectangleBendsOutOfPlaneByItsHeight) {
     const Section section = rectangle_section(0.002, 0.003);
@@ -46,5 +46,5 @@ TEST(Section, ImpossibleSizesAreRefused) {
     EXPECT_THROW(tube_section(1.0, 1.0), base::InputError);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::mechanics

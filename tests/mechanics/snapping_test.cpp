@@ -10,7 +10,7 @@
 #include <cmath>
 
 namespace fretwork::mechanics {
-namespace {
+namespace THIS_TEST {
 
 /// A strip, 20 mm wide and 2 mm thick, that bends out of the plane of its supports.
 Beam strip_between(int from, int to) {
@@ -87,5 +87,5 @@ TEST_P(Snapping, EquilibriaBeforeTheLimitAreThoseOfThePrimaryPath) {
 
 INSTANTIATE_TEST_SUITE_P(Shallow, Snapping, testing::Values(shallow_arch, shallow_star));
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::mechanics

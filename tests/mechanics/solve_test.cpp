@@ -12,7 +12,7 @@
 #include <gtest/gtest.h>
 
 namespace fretwork::mechanics {
-namespace {
+namespace THIS_TEST {
 
 using testing::HasSubstr;
 
@@ -103,5 +103,5 @@ TEST(Solve, MechanismIsRefusedWithTheNameOfItsFile) {
     }
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::mechanics

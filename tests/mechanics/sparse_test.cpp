@@ -13,7 +13,7 @@
 #include <set>
 
 namespace fretwork::mechanics::sparse {
-namespace {
+namespace THIS_TEST {
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
@@ -176,5 +176,5 @@ TEST(Sparse, LaplacianSpreadsTheValueOfTheHeldNode) {
     EXPECT_LT((right_side - VectorXd::Ones(kNodes - 1)).cwiseAbs().maxCoeff(), 1e-12);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::mechanics::sparse

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 namespace fretwork::mechanics {
-namespace {
+namespace THIS_TEST {
 
 constexpr double kRise = 0.02;
 
@@ -117,5 +117,5 @@ TEST(StagedPath, SnapsAreCrossedOnRequestAndTold) {
     EXPECT_NEAR(snapped.stability_losses[0].load_factor, stopped.load_factor, 5e-3);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::mechanics

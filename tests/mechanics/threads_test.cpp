@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 namespace fretwork::mechanics {
-namespace {
+namespace THIS_TEST {
 
 /// Some 4,500 beams: enough for threads to start, in all of their places.
 const Frame& large_frame() {
@@ -104,5 +104,5 @@ TEST(Threads, FindTheSameVanishingPivot) {
     }
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::mechanics

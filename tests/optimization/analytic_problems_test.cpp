@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace fretwork::optimization {
-namespace {
+namespace THIS_TEST {
 
 Eigen::VectorXd random_point(const Bounds& bounds, RandomStream& random) {
     Eigen::VectorXd shares(bounds.dimension());
@@ -53,5 +53,5 @@ TEST(AnalyticProblems, HaveTheDerivativesOfTheirValues) {
     }
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::optimization

@@ -11,7 +11,7 @@
 #include <vector>
 
 namespace fretwork::optimization {
-namespace {
+namespace THIS_TEST {
 
 /// The quadratic of annealing_trace.py; it remembers every point.
 class Quadratic final : public Problem {
@@ -78,5 +78,5 @@ TEST(AnnealingTrace, FreezesWhereThePublishedDefaultsFreeze) {
     EXPECT_EQ(static_cast<std::size_t>(report.evaluations), trace.back().move + 1);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::optimization

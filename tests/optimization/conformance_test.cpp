@@ -22,7 +22,7 @@ void PrintTo(const OptimizerRow& row, std::ostream* stream) {
     *stream << row.name;
 }
 
-namespace {
+namespace THIS_TEST {
 
 std::vector<OptimizerRow> all_rows() {
     const auto catalogue = optimizer_catalogue();
@@ -292,5 +292,5 @@ TEST(OptimizerCatalogue, NamesTheNearestMethod) {
     }
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::optimization

@@ -17,7 +17,7 @@
 #include <limits>
 
 namespace fretwork::optimization {
-namespace {
+namespace THIS_TEST {
 
 TEST(BoxQuadratic, SatisfiesTheOptimalityConditionsForRandomProblems) {
     RandomStream random(1, 0);
@@ -266,5 +266,5 @@ TEST(SimulatedAnnealing, EndsOnItsLastAcceptedPoint) {
     EXPECT_GT(problem.value(report.final_point), report.value);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::optimization

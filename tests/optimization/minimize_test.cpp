@@ -8,7 +8,7 @@
 #include <stop_token>
 
 namespace fretwork::optimization {
-namespace {
+namespace THIS_TEST {
 
 /// Asks to stop once a method has spent so much.
 class StopAtCost final : public base::Progress {
@@ -48,5 +48,5 @@ TEST(Minimize, TellsWhatItSpends) {
     EXPECT_TRUE(progress.is_finished);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::optimization

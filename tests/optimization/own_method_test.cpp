@@ -12,7 +12,7 @@
 #include <gtest/gtest.h>
 
 namespace fretwork::optimization {
-namespace {
+namespace THIS_TEST {
 
 TEST(OwnMethod, MinimizesWithoutBeingInTheCatalogue) {
     const auto problem = sphere(4);
@@ -38,5 +38,5 @@ TEST(OwnMethod, IsWhatThePageShows) {
     EXPECT_EQ(blocks, 2);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::optimization

@@ -6,7 +6,7 @@
 #include <cmath>
 
 namespace fretwork::optimization {
-namespace {
+namespace THIS_TEST {
 
 // Known answers of Philox4x32-10, from the kat_vectors of Random123 [Salmon2011].
 TEST(Philox, GivesTheKnownAnswersOfItsAuthors) {
@@ -59,5 +59,5 @@ TEST(RandomStream, LaplaceHasMeanZeroAndTheGivenMeanSize) {
     EXPECT_NEAR(sizes / kDraws, 0.7, 5.0 * 0.7 * std::sqrt(1.0 / kDraws));
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::optimization

@@ -12,7 +12,7 @@
 #include <set>
 
 namespace fretwork::optimization::study {
-namespace {
+namespace THIS_TEST {
 
 using optimization::find_optimizer;
 using optimization::optimizer_catalogue;
@@ -156,5 +156,5 @@ TEST(RunTable, RefusesRowsOfOtherConditionsAndBrokenOnes) {
     expect_refused(with("," + cells[16] + ",", ",-1,"), conditions, "CPU time '-1'");
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::optimization::study

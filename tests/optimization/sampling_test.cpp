@@ -7,7 +7,7 @@
 #include <vector>
 
 namespace fretwork::optimization {
-namespace {
+namespace THIS_TEST {
 
 TEST(LowDiscrepancySequence, SpreadsEveryProjectionMoreEvenlyThanChance) {
     constexpr int kPoints = 256;
@@ -38,5 +38,5 @@ TEST(LowDiscrepancySequence, InOneDimensionStepsByTheGoldenRatio) {
     EXPECT_NEAR(step - std::floor(step), 0.6180339887498949, 1e-12);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::optimization

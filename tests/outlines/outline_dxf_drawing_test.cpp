@@ -7,7 +7,7 @@
 #include <numbers>
 
 namespace fretwork::outlines {
-namespace {
+namespace THIS_TEST {
 
 using test::complaint_of;
 using test::TemporaryFolder;
@@ -223,5 +223,5 @@ TEST(DxfDrawing, HundredsOfEqualCurvesAreOneAndToldOf) {
     EXPECT_THAT(file.remarks, testing::Contains(HasSubstr("599 doubled lines taken once")));
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::outlines

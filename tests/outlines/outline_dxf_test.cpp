@@ -6,7 +6,7 @@
 #include <numbers>
 
 namespace fretwork::outlines {
-namespace {
+namespace THIS_TEST {
 
 using test::complaint_of;
 using test::TemporaryFolder;
@@ -85,5 +85,5 @@ TEST(OutlineDxf, ComplaintsNameTheLine) {
     EXPECT_THAT(refuse(dxf("0 POINT 10 0 20 0")), HasSubstr("no closed curve"));
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::outlines

@@ -4,7 +4,7 @@
 #include <fretwork/outlines/outline.hpp>
 
 namespace fretwork::outlines {
-namespace {
+namespace THIS_TEST {
 
 using test::complaint_of;
 using test::TemporaryFolder;
@@ -132,5 +132,5 @@ TEST(OutlineMesh, OneOfFarTooManyFacesIsRefusedBeforeItIsReadWhole) {
                 AllOf(HasSubstr("line 250004"), HasSubstr("more than 250000 faces")));
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::outlines

@@ -4,7 +4,7 @@
 #include <fretwork/outlines/outline.hpp>
 
 namespace fretwork::outlines {
-namespace {
+namespace THIS_TEST {
 
 using test::complaint_of;
 using testing::AllOf;
@@ -56,5 +56,5 @@ TEST(SizeText, IsWidthAndHeightInMillimetres) {
     EXPECT_EQ(size_text(three_squares().parts), "3000 x 23000 mm");
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::outlines

@@ -7,7 +7,7 @@
 #include <numbers>
 
 namespace fretwork::outlines {
-namespace {
+namespace THIS_TEST {
 
 using test::complaint_of;
 using test::TemporaryFolder;
@@ -314,5 +314,5 @@ TEST(SvgFill, EqualShapesMayBeginElsewhereAndRunBackwards) {
                 Not(Contains(HasSubstr("counted once"))));
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::outlines

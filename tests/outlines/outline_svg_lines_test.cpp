@@ -6,7 +6,7 @@
 #include <fretwork/outlines/outline.hpp>
 
 namespace fretwork::outlines {
-namespace {
+namespace THIS_TEST {
 
 using test::complaint_of;
 using test::TemporaryFolder;
@@ -131,5 +131,5 @@ TEST(SvgLines, APainterNeedsFillsWhetherLinesAreClosedOrNot) {
                 AllOf(HasSubstr("nothing in it is filled"), HasSubstr("colours"), Not(HasSubstr("closed"))));
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::outlines

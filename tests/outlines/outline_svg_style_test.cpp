@@ -5,7 +5,7 @@
 #include <fretwork/outlines/outline.hpp>
 
 namespace fretwork::outlines {
-namespace {
+namespace THIS_TEST {
 
 using test::complaint_of;
 using test::TemporaryFolder;
@@ -127,5 +127,5 @@ TEST(SvgStyle, SheetsThatWouldTakeForeverAreRefused) {
                 HasSubstr("too intricate"));
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::outlines

@@ -6,7 +6,7 @@
 #include <numbers>
 
 namespace fretwork::outlines {
-namespace {
+namespace THIS_TEST {
 
 using geometry::Point2;
 using test::complaint_of;
@@ -222,5 +222,5 @@ TEST(OutlineSvg, ComplaintsNameLineElementAndValue) {
     EXPECT_THAT(refuse(drawing("<g transform='scale(1 2 3)'><rect/></g>")), HasSubstr("3 numbers"));
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::outlines

@@ -6,7 +6,7 @@
 #include <limits>
 
 namespace fretwork::outlines {
-namespace {
+namespace THIS_TEST {
 
 using geometry::Polygon;
 using test::complaint_of;
@@ -159,5 +159,5 @@ TEST(ReadOutline, TheExamplesHaveTheSizesOfThePaper) {
     }
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::outlines

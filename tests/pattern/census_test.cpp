@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 namespace fretwork::pattern {
-namespace {
+namespace THIS_TEST {
 
 EnumerationOptions options_of(const NodeLayout& layout) {
     EnumerationOptions options;
@@ -97,5 +97,5 @@ TEST(CountText, WritesNumbersBeyond64Bits) {
     EXPECT_EQ(count_text(detail::binomial(128, 64)), "23951146041928082866135587776380551750");
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::pattern

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 namespace fretwork::pattern {
-namespace {
+namespace THIS_TEST {
 
 using detail::Connectivity;
 using detail::Outside;
@@ -66,5 +66,5 @@ TEST(FanGraph, CountsComponentsOfUsedNodesOnly) {
     EXPECT_EQ(components("1-4+2-6"), 6);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::pattern

@@ -12,7 +12,7 @@
 #include <numbers>
 
 namespace fretwork::pattern {
-namespace {
+namespace THIS_TEST {
 
 constexpr double kDegree = std::numbers::pi / 180;
 
@@ -183,5 +183,5 @@ TEST(Enumerate, RefusesOptionsThatMakeNoSense) {
     refuses([](auto& options) { options.most_kept = 0; });
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::pattern

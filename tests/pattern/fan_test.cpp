@@ -9,7 +9,7 @@
 #include <set>
 
 namespace fretwork::pattern {
-namespace {
+namespace THIS_TEST {
 
 const NodeLayout& paper7() {
     static const NodeLayout layout = find_node_layout("paper7");
@@ -138,5 +138,5 @@ TEST(PlaceFan, RefusesPolygonsThatDoNotFit) {
     EXPECT_THROW(place_fan(paper7(), fan, {{0, 0}, {0, 1}, {1, 1}, {1, 0}}), base::GeometryError);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::pattern

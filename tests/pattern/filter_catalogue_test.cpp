@@ -10,7 +10,7 @@
 #include <numbers>
 
 namespace fretwork::pattern {
-namespace {
+namespace THIS_TEST {
 
 using ::testing::HasSubstr;
 
@@ -247,5 +247,5 @@ TEST(FilterCatalogue, RefusesWrongChoices) {
     }
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::pattern

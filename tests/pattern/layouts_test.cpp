@@ -7,7 +7,7 @@
 #include <filesystem>
 
 namespace fretwork::pattern {
-namespace {
+namespace THIS_TEST {
 
 const std::filesystem::path kFolder = FRETWORK_SOURCE_DIR "/experiments/layouts";
 
@@ -45,5 +45,5 @@ TEST(Layouts, QuartersHave312906Patterns) {
     EXPECT_EQ(count_patterns(find_node_layout("quarters10")).total(), 312906u);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::pattern

@@ -9,7 +9,7 @@
 #include <functional>
 
 namespace fretwork::pattern {
-namespace {
+namespace THIS_TEST {
 
 using ::testing::AllOf;
 using ::testing::HasSubstr;
@@ -217,5 +217,5 @@ TEST(BadLayoutFile, AnUnknownNameListsTheKnownOnes) {
     }
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::pattern

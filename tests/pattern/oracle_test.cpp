@@ -19,7 +19,7 @@
 #include <string>
 
 namespace fretwork::pattern {
-namespace {
+namespace THIS_TEST {
 
 using Point = std::complex<double>;
 
@@ -219,5 +219,5 @@ TEST(Oracle, AnswerSetProgramCountsTheSamePatternsOfRandomLayouts) {
     for (std::uint64_t seed = 1; seed <= 20; ++seed) expect_equal_counts(random_layout(seed));
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::pattern

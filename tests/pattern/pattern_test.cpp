@@ -8,7 +8,7 @@
 #include <functional>
 
 namespace fretwork::pattern {
-namespace {
+namespace THIS_TEST {
 
 const NodeLayout& paper7() {
     static const NodeLayout layout = find_node_layout("paper7");
@@ -60,5 +60,5 @@ TEST(Pattern, KnowsItsEdges) {
     EXPECT_FALSE(pattern.has(find_edge(paper7(), "0-6")));
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::pattern

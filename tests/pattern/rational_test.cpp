@@ -7,7 +7,7 @@
 #include <limits>
 
 namespace fretwork::pattern {
-namespace {
+namespace THIS_TEST {
 
 constexpr std::int64_t kLargest = std::numeric_limits<std::int64_t>::max();
 
@@ -63,5 +63,5 @@ TEST(ParseRational, RefusesEverythingElse) {
     }
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::pattern

@@ -7,7 +7,7 @@
 #include <set>
 
 namespace fretwork::pattern {
-namespace {
+namespace THIS_TEST {
 
 TEST(Rejections, BreakOneRuleEachAndSayWhich) {
     const NodeLayout layout = find_node_layout("paper7");
@@ -34,5 +34,5 @@ TEST(Rejections, AreAsManyAsWantedAndDifferent) {
     EXPECT_EQ(ids.size(), 30u);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::pattern

@@ -13,7 +13,7 @@
 #include <cmath>
 
 namespace fretwork::pattern {
-namespace {
+namespace THIS_TEST {
 
 const NodeLayout& paper7() {
     static const NodeLayout layout = find_node_layout("paper7");
@@ -140,5 +140,5 @@ TEST(SamenessCsv, HasARowForEachPattern) {
     EXPECT_EQ(csv, "id,edges,symmetry,mirror,class\n1-2+1-4+4-6,3,none,,0\n0-6,1,mirror,,1\n");
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::pattern

@@ -14,7 +14,7 @@
 #include <string>
 
 namespace fretwork::pattern {
-namespace {
+namespace THIS_TEST {
 
 const NodeLayout& paper7() {
     static const NodeLayout layout = find_node_layout("paper7");
@@ -128,5 +128,5 @@ TEST(IndependentSets, GiveUpBeyondTheirMemory) {
     EXPECT_TRUE(detail::IndependentSets<detail::Word64>(cycle, (1u << 30) - 1, 1000).is_counted());
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::pattern

@@ -13,7 +13,7 @@
 #include <gtest/gtest.h>
 
 namespace fretwork::reduction {
-namespace {
+namespace THIS_TEST {
 
 using Eigen::Matrix3d;
 using Eigen::MatrixXd;
@@ -268,5 +268,5 @@ TEST(AnyLayout, MembraneStiffnessIsThatOfThePeriodicTile) {
     }
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::reduction

@@ -10,7 +10,7 @@
 #include <numeric>
 
 namespace fretwork::reduction {
-namespace {
+namespace THIS_TEST {
 
 /// Targets that the model itself made: its parameters must be found again.
 TEST(Calibration, RecoversTheParametersOfASyntheticTarget) {
@@ -129,5 +129,5 @@ TEST(Calibration, RefusesBadOptionsAndResponsesWithoutAUsableSample) {
     EXPECT_THROW((void)calibrate_paper6(responses, setting), base::NumericalError);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::reduction

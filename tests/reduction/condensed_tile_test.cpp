@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 
 namespace fretwork::reduction {
-namespace {
+namespace THIS_TEST {
 
 /// The stiffness of a pattern of the paper's layout and bars in a polygon.
 Eigen::MatrixXd condensed_pattern(const pattern::Pattern& pattern, const geometry::Polygon& polygon) {
@@ -86,5 +86,5 @@ TEST(UnitDisplacements, RefuseATileThatCanMoveFreely) {
     EXPECT_THROW((void)unit_displacements(K, setting), base::NumericalError);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::reduction

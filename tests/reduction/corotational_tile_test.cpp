@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 namespace fretwork::reduction {
-namespace {
+namespace THIS_TEST {
 
 constexpr const char* kPatterns[] = {"0-1+1-6", "1-6+3-6"};
 
@@ -78,5 +78,5 @@ TEST(CorotationalTile, VibratesAsItsFullModelDoesAtLowFrequencies) {
     }
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::reduction

@@ -10,7 +10,7 @@
 #include <map>
 
 namespace fretwork::reduction {
-namespace {
+namespace THIS_TEST {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
@@ -87,5 +87,5 @@ TEST(EffectiveProperties, NeedAPolygonThatTilesByTranslations) {
     EXPECT_THROW((void)effective_properties(paper_layout(), paper_pattern("0-6"), setting), base::InputError);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::reduction

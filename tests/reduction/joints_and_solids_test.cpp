@@ -13,7 +13,7 @@
 #include <sstream>
 
 namespace fretwork::reduction {
-namespace {
+namespace THIS_TEST {
 
 using Row = std::map<std::string, std::string>;
 
@@ -76,5 +76,5 @@ TEST(StiffJoints, ComeNearerToSolidsOutOfThePlane) {
     EXPECT_LT(mean_error(setting, {"D11", "D66"}), 0.8 * centreline);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::reduction

@@ -13,7 +13,7 @@
 #include <numbers>
 
 namespace fretwork::reduction {
-namespace {
+namespace THIS_TEST {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 
@@ -174,5 +174,5 @@ TEST(StiffJoints, AreInTheResponses) {
     }
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::reduction

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 namespace fretwork::reduction {
-namespace {
+namespace THIS_TEST {
 
 /// A pattern's responses, its model and its problem at some point.
 struct Example {
@@ -230,5 +230,5 @@ TEST(Objective, RefusesResponsesThatDoNotFit) {
     EXPECT_THROW(Objective(responses, example().setting), base::InputError);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::reduction

@@ -12,7 +12,7 @@
 #include <algorithm>
 
 namespace fretwork::reduction {
-namespace {
+namespace THIS_TEST {
 
 constexpr const char* kPattern = "0-1+1-6";
 
@@ -171,5 +171,5 @@ TEST(Responses, RefuseAPatternThatLeavesInterfaceNodesFree) {
                  base::InputError);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::reduction

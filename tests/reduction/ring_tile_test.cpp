@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 namespace fretwork::reduction {
-namespace {
+namespace THIS_TEST {
 
 /// The tile in the setting's own polygon.
 mechanics::Frame regular_tile(const RingParts& parts, const Setting& setting) {
@@ -222,5 +222,5 @@ TEST(RingTile, RefusesAPolygonThatIsNotConvex) {
                  base::GeometryError);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::reduction

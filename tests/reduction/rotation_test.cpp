@@ -9,7 +9,7 @@
 #include <vector>
 
 namespace fretwork::reduction::detail {
-namespace {
+namespace THIS_TEST {
 
 constexpr double kQuarter = std::numbers::pi / 2.0;
 /// A few roundings.
@@ -123,5 +123,5 @@ TEST(GrowingRotation, JacobianAgreesWithFiniteDifferences) {
     }
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::reduction::detail

@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 namespace fretwork::reduction {
-namespace {
+namespace THIS_TEST {
 
 using testing::HasSubstr;
 
@@ -117,5 +117,5 @@ TEST(ScenarioFile, BadInputIsRefusedByItsPlace) {
     EXPECT_THAT(complaint(with("\"pull\"", "\"\"")), HasSubstr("/name"));
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::reduction

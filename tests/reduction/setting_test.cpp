@@ -11,7 +11,7 @@
 #include <string>
 
 namespace fretwork::reduction {
-namespace {
+namespace THIS_TEST {
 
 using testing::HasSubstr;
 
@@ -155,5 +155,5 @@ TEST(SettingFile, WritingWhatWasReadGivesAnEqualSetting) {
     EXPECT_EQ(read_scenario(folder.path() / "scenario.json"), setting.scenarios[2]);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::reduction

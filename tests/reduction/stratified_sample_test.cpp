@@ -6,7 +6,7 @@
 #include <map>
 
 namespace fretwork::reduction {
-namespace {
+namespace THIS_TEST {
 
 TEST(StratifiedSample, TakesEquallyManyOfEachStratumUntilItIsUsedUp) {
     std::vector<int> strata;
@@ -30,5 +30,5 @@ TEST(StratifiedSample, IsSpreadWithinAStratum) {
     EXPECT_EQ(stratified_sample(std::vector<int>(9, 4), 3), (std::vector<std::size_t>{1, 4, 7}));
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::reduction

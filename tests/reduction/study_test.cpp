@@ -12,7 +12,7 @@
 #include <unistd.h>
 
 namespace fretwork::optimization::study {
-namespace {
+namespace THIS_TEST {
 
 using optimization::find_optimizer;
 using test::TemporaryFolder;
@@ -137,5 +137,5 @@ TEST(StudyProblems, OfLayoutsWithSeveralInterfaceNodesASideAreRefused) {
     EXPECT_NO_THROW((void)make_study_problem("calibration/spider4:0-1+1-3", reduction::study_families()));
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::optimization::study

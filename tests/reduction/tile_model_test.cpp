@@ -16,7 +16,7 @@
 #include <numeric>
 
 namespace fretwork::reduction {
-namespace {
+namespace THIS_TEST {
 
 using testing::HasSubstr;
 
@@ -176,5 +176,5 @@ TEST(DifferenceProblem, AgreesWithTheAnalyticProblemOfARingWithLinks) {
     }
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::reduction

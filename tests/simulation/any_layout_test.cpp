@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 
 namespace fretwork::simulation {
-namespace {
+namespace THIS_TEST {
 
 class EveryLayout : public testing::TestWithParam<std::string> {};
 
@@ -72,5 +72,5 @@ TEST_P(EveryLayout, IsCalibratedTiledSolvedAndCompared) {
 INSTANTIATE_TEST_SUITE_P(Layouts, EveryLayout, testing::ValuesIn(pattern::layout_names()),
                          [](const auto& layout) { return layout.param; });
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::simulation

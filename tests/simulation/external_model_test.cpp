@@ -14,7 +14,7 @@
 #include <gtest/gtest.h>
 
 namespace fretwork::simulation {
-namespace {
+namespace THIS_TEST {
 
 using reduction::TileInput;
 using reduction::TileModel;
@@ -135,5 +135,5 @@ TEST_F(ExternalTileModel, IsListedWhereItsCatalogueIsPassed) {
     EXPECT_THROW((void)reduction::find_tile_model("scaled"), base::InputError) << "it is registered nowhere";
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::simulation

@@ -8,7 +8,7 @@
 #include <fretwork/simulation/load_cases/load_case_text.hpp>
 
 namespace fretwork::simulation {
-namespace {
+namespace THIS_TEST {
 
 using test::complaint_of;
 using test::honeycomb;
@@ -414,5 +414,5 @@ TEST(LoadCaseFile, KeepsAreaLoadsAndCombinations) {
     EXPECT_THAT(complaint_of([&] { (void)parse_load_case(first, "all.json"); }), HasSubstr("per_area"));
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::simulation

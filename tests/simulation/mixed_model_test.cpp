@@ -10,7 +10,7 @@
 #include <fretwork/simulation/simulate.hpp>
 
 namespace fretwork::simulation {
-namespace {
+namespace THIS_TEST {
 
 using test::cantilever;
 using test::complaint_of;
@@ -185,5 +185,5 @@ TEST(BuckledTiles, ATurnOfTheWholeBucklesNothing) {
     EXPECT_THAT(buckled_tiles(two, solution, {}), IsEmpty());
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::simulation

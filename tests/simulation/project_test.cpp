@@ -9,7 +9,7 @@
 #include <regex>
 
 namespace fretwork::simulation {
-namespace {
+namespace THIS_TEST {
 
 using test::complaint_of;
 using test::honeycomb;
@@ -128,5 +128,5 @@ TEST(FindLoadCase, TakesTheOnlyOneAndRefusesToChooseAmongSeveral) {
     EXPECT_THAT(complaint_of([&] { find_load_case(project, ""); }), HasSubstr("fretwork case add"));
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::simulation

@@ -6,7 +6,7 @@
 #include <fretwork/simulation/simulate.hpp>
 
 namespace fretwork::simulation {
-namespace {
+namespace THIS_TEST {
 
 using test::cantilever;
 using test::honeycomb;
@@ -80,5 +80,5 @@ TEST(SessionStops, AdjointSolutionsStopAtAnyLook) {
         [&] { EXPECT_LT((session.solve_adjoint(ones) - expected).norm(), 1e-10 * expected.norm()); });
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::simulation

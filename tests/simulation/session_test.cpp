@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 namespace fretwork::simulation {
-namespace {
+namespace THIS_TEST {
 
 using mechanics::NodeValues;
 using test::cantilever;
@@ -283,5 +283,5 @@ TEST(Session, SolvesAdjointSystems) {
     EXPECT_NEAR(answers(6 * 40 + 4, 0), loaded(40, 4), 1e-9 * loaded.cwiseAbs().maxCoeff());
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::simulation

@@ -10,7 +10,7 @@
 #include <fretwork/simulation/surface_frame.hpp>
 
 namespace fretwork::simulation {
-namespace {
+namespace THIS_TEST {
 
 using mechanics::NodeValues;
 using test::cantilever;
@@ -268,5 +268,5 @@ TEST(Comparison, TheRowHasAsManyColumnsAsTheHeader) {
               base::read_text_file(FRETWORK_SOURCE_DIR "/tests/simulation/data/table3_header.csv"));
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::simulation

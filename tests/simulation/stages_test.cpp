@@ -7,7 +7,7 @@
 #include <fretwork/simulation/stages.hpp>
 
 namespace fretwork::simulation {
-namespace {
+namespace THIS_TEST {
 
 using test::cantilever;
 using test::complaint_of;
@@ -103,5 +103,5 @@ TEST(Stages, NoneIsRefused) {
                 HasSubstr("no stage"));
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::simulation

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 namespace fretwork::simulation {
-namespace {
+namespace THIS_TEST {
 
 const std::vector<std::string> kPatterns = {"0-1+1-6", "0-6", "0-1+1-5+1-6+5-6"};
 
@@ -181,5 +181,5 @@ TEST(BeamState, IsUnknownWhereATileModelHasOtherBeams) {
     EXPECT_TRUE(state.forces.array().isNaN().all());
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::simulation

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 namespace fretwork::simulation {
-namespace {
+namespace THIS_TEST {
 
 using testing::HasSubstr;
 
@@ -87,5 +87,5 @@ TEST(SurfaceResult, WithoutASubjectNothingIsWritten) {
     EXPECT_THROW(surface_result_text(result), base::InputError);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::simulation

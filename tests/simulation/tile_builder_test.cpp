@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 namespace fretwork::simulation::detail {
-namespace {
+namespace THIS_TEST {
 
 /// A surface of one hexagon, larger than the paper's.
 Surface one_tile(double scale) {
@@ -32,5 +32,5 @@ TEST(TileBuilder, KeepsFewOfTheTilesThatNobodyUses) {
     EXPECT_EQ(again[0].structure, used[0].structure) << "what is used is kept";
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::simulation::detail

@@ -9,7 +9,7 @@
 #include <sys/resource.h>
 
 namespace fretwork::studio {
-namespace {
+namespace THIS_TEST {
 
 using test::get_request;
 using test::http;
@@ -179,5 +179,5 @@ TEST(StudioToken, IsLongAndAnotherOneEachTime) {
     EXPECT_FALSE(is_token("", token));
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::studio

@@ -12,7 +12,7 @@
 #include <sys/wait.h>
 
 namespace fretwork::studio {
-namespace {
+namespace THIS_TEST {
 
 /// `fretwork studio` in a process of its own.
 class Program {
@@ -153,5 +153,5 @@ TEST(StudioProgram, LosesNothingOfWhatWasKeptWhenItIsKilled) {
     EXPECT_EQ(client.ask("download")["text"], text);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::studio

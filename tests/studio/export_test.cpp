@@ -13,7 +13,7 @@
 #include <cmath>
 
 namespace fretwork::studio {
-namespace {
+namespace THIS_TEST {
 
 using base::Json;
 using exports::Content;
@@ -173,5 +173,5 @@ TEST(StudioExport, RefusalsAreOneLineAndUnknownKeysAreRefused) {
     refusal("to=" + std::string(5000, 'n') + ".xyz");
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::studio

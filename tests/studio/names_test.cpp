@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 
 namespace fretwork::studio {
-namespace {
+namespace THIS_TEST {
 
 using base::Json;
 using test::Client;
@@ -73,5 +73,5 @@ TEST_F(StudioNames, ASentFileHasANameThatAFileCanHave) {
     EXPECT_TRUE(client_.ask("measure", outline(std::string(250, 'A') + ".json"))["ok"].get<bool>());
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::studio

@@ -10,7 +10,7 @@
 #include <set>
 
 namespace fretwork::studio {
-namespace {
+namespace THIS_TEST {
 
 using base::Json;
 using simulation::Project;
@@ -160,5 +160,5 @@ TEST(StudioPainting, WhatCannotBePaintedIsToldInTheWordsOfTheRequest) {
     EXPECT_EQ(patterns_of(shown(client)), before);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::studio

@@ -16,7 +16,7 @@
 #include <random>
 
 namespace fretwork::studio {
-namespace {
+namespace THIS_TEST {
 
 Outgoing message(std::size_t size, const std::string& stream) {
     return {{text_part("head"), binary_part(std::string(size, 'x'))}, stream};
@@ -164,5 +164,5 @@ TEST(Base64, IsDecodedOrRefused) {
         EXPECT_THROW((void)base::decode_base64(text, "x"), base::InputError) << text;
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::studio

@@ -8,7 +8,7 @@
 #include <gmock/gmock.h>
 
 namespace fretwork::studio {
-namespace {
+namespace THIS_TEST {
 
 using base::Json;
 using test::Client;
@@ -171,5 +171,5 @@ TEST_F(StudioRecovery, ErrorsAreWordsAndNotPlacesInMessages) {
     EXPECT_THAT(client.event({"failed"})["error"].get<std::string>(), HasSubstr("Choose another model"));
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::studio

@@ -8,7 +8,7 @@
 #include <gmock/gmock.h>
 
 namespace fretwork::studio {
-namespace {
+namespace THIS_TEST {
 
 using base::Json;
 using simulation::Project;
@@ -125,5 +125,5 @@ TEST(StudioSave, WaitsForNobodyWhoHoldsTheFile) {
     EXPECT_TRUE(client.ask("save")["ok"].get<bool>());
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::studio

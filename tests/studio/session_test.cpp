@@ -14,7 +14,7 @@
 #include <set>
 
 namespace fretwork::studio {
-namespace {
+namespace THIS_TEST {
 
 using base::Json;
 using simulation::Project;
@@ -850,5 +850,5 @@ TEST(StudioJobs, AnUnknownModelIsRefusedAndTheModelsAreNamed) {
     }
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::studio

@@ -9,7 +9,7 @@
 #include <random>
 
 namespace fretwork::studio {
-namespace {
+namespace THIS_TEST {
 
 using base::Json;
 using test::Client;
@@ -89,5 +89,5 @@ TEST(StudioMemory, DoesNotGrowWithTheNumberOfEdits) {
     EXPECT_LT(end, middle + (std::size_t{16} << 20U));
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::studio

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace fretwork::tiling::detail {
-namespace {
+namespace THIS_TEST {
 
 /// Three unit squares in a row from x = 0 to 3, all their vertices on loop 0.
 Dual row_of_squares() {
@@ -59,5 +59,5 @@ TEST(DefectiveCells, AnEndOnTwoLoopsIsNotLeftOut) {
     EXPECT_EQ(without_cell(dual, 2, 1.5, {}).size(), 1U);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::tiling::detail

@@ -10,7 +10,7 @@
 #include <random>
 
 namespace fretwork::tiling {
-namespace {
+namespace THIS_TEST {
 
 using geometry::Point2;
 using geometry::Polygon;
@@ -197,5 +197,5 @@ TEST(TessellateLimits, ThousandsOfSmallHolesAreRefusedWithWhatTheyWouldTake) {
                                testing::HasSubstr("GB of memory"), testing::HasSubstr("leave out")));
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::tiling

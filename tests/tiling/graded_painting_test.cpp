@@ -13,7 +13,7 @@
 #include <png.h>
 
 namespace fretwork::tiling {
-namespace {
+namespace THIS_TEST {
 
 using test::complaint_of;
 using test::TemporaryFolder;
@@ -221,5 +221,5 @@ TEST(ColouredDrawing, ColoursAreThoseOfCss) {
     EXPECT_NE(complaint_of([] { (void)outlines::parse_colour("reddish"); }), "");
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::tiling

@@ -7,7 +7,7 @@
 #include <random>
 
 namespace fretwork::tiling::detail {
-namespace {
+namespace THIS_TEST {
 
 using geometry::Point2;
 
@@ -42,5 +42,5 @@ TEST(InsideTest, SaysWhatALookAtEverySideSays) {
     }
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::tiling::detail

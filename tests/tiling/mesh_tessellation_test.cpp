@@ -5,7 +5,7 @@
 #include <fretwork/tiling/tessellation_check.hpp>
 
 namespace fretwork::tiling {
-namespace {
+namespace THIS_TEST {
 
 using test::complaint_of;
 using test::TemporaryFolder;
@@ -60,5 +60,5 @@ TEST(MeshTessellation, FacesThatOverlapAreRefused) {
                 HasSubstr("overlap"));
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::tiling

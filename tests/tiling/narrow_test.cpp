@@ -11,7 +11,7 @@
 #include <numbers>
 
 namespace fretwork::tiling {
-namespace {
+namespace THIS_TEST {
 
 using geometry::Point2;
 using geometry::Polygon;
@@ -222,5 +222,5 @@ TEST(SizeField, GrowsFromItsLimitsByABoundedRate) {
     }
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::tiling

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 namespace fretwork::tiling {
-namespace {
+namespace THIS_TEST {
 
 using test::complaint_of;
 using test::TemporaryFolder;
@@ -137,5 +137,5 @@ TEST(PaintingFile, ComplaintsNameFileAndPlace) {
     EXPECT_THAT(refuse(R"("layout":"paper7","patterns":[1])"), HasSubstr("/patterns/0"));
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::tiling

@@ -10,7 +10,7 @@
 #include <random>
 
 namespace fretwork::tiling::detail {
-namespace {
+namespace THIS_TEST {
 
 using geometry::Point2;
 using geometry::Polygon;
@@ -76,11 +76,11 @@ TEST(ConvexPlace, KeepsAConvexCellConvexInWhateverDirectionTheSideRuns) {
     }
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::tiling::detail
 
 namespace fretwork::tiling {
-namespace {
+namespace THIS_TEST {
 
 /// The relative spread of the sides of the tiles that have a side on the rim.
 double spread_at_rim(const Tessellation& tessellation) {
@@ -131,5 +131,5 @@ INSTANTIATE_TEST_SUITE_P(
                     std::pair{"rectangle", outlines::Outline{{{0, 0}, {0.5, 0}, {0.5, 0.4}, {0, 0.4}}, {}}}),
     [](const auto& named) { return named.param.first; });
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::tiling

@@ -5,7 +5,7 @@
 #include <fretwork/tiling/remeshing/sites.hpp>
 
 namespace fretwork::tiling::detail {
-namespace {
+namespace THIS_TEST {
 
 TEST(RemeshedSites, FillABandWhoseEndsAreLongerThanRemeshingTakes) {
     constexpr double kEdge = 0.1;
@@ -22,5 +22,5 @@ TEST(RemeshedSites, FillABandWhoseEndsAreLongerThanRemeshingTakes) {
     }
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::tiling::detail

@@ -4,7 +4,7 @@
 #include <fretwork/tiling/tessellate.hpp>
 
 namespace fretwork::tiling {
-namespace {
+namespace THIS_TEST {
 
 /// Counts what it is told, and asks to stop after so many updates.
 class Listener final : public base::Progress {
@@ -63,5 +63,5 @@ TEST(TessellateControl, AStopBeforeTheBeginIsSeen) {
                  base::Stopped);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::tiling

@@ -5,7 +5,7 @@
 #include <fretwork/tiling/tessellation_check.hpp>
 
 namespace fretwork::tiling {
-namespace {
+namespace THIS_TEST {
 
 using test::complaint_of;
 using testing::HasSubstr;
@@ -57,5 +57,5 @@ TEST(TessellateParts, APartThatIsTooSmallIsNamed) {
                 HasSubstr("part 2 of 2: "));
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::tiling

@@ -9,7 +9,7 @@
 #include <set>
 
 namespace fretwork::tiling {
-namespace {
+namespace THIS_TEST {
 
 using geometry::Point2;
 using geometry::Polygon;
@@ -303,5 +303,5 @@ TEST(Tessellate, ADiskThatIsHardlyLargerThanATileIsCovered) {
     }
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::tiling

@@ -7,7 +7,7 @@
 #include <limits>
 
 namespace fretwork::tiling {
-namespace {
+namespace THIS_TEST {
 
 using test::complaint_of;
 using testing::HasSubstr;
@@ -96,5 +96,5 @@ TEST(TessellationCheck, AnInterfaceNodeIsOnOneSideOnly) {
     EXPECT_THAT(message, HasSubstr("which is on another side"));
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::tiling

@@ -5,7 +5,7 @@
 #include <fretwork/tiling/tessellation_fan.hpp>
 
 namespace fretwork::tiling {
-namespace {
+namespace THIS_TEST {
 
 using geometry::Point2;
 using test::complaint_of;
@@ -89,5 +89,5 @@ TEST(TessellationFan, WhatDoesNotFitIsRefusedByName) {
     EXPECT_THAT(complaint_of([&] { assemble_fans(paper_layout(), tessellation); }), HasSubstr("'other'"));
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::tiling

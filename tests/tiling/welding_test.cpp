@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 namespace fretwork::tiling {
-namespace {
+namespace THIS_TEST {
 
 using geometry::Polygon;
 using ::testing::Contains;
@@ -98,5 +98,5 @@ TEST(ScaledToWidth, LeavesNoSideWithoutLength) {
     EXPECT_NO_THROW(outlines::make_outline(scaled.parts.front().boundary, {}));
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace fretwork::tiling
