@@ -12,11 +12,11 @@ studio:     ## install what is missing, build the program and its page, and open
 
 test:       ## install what is missing, build, and pass the tests
 	@scripts/install-dependencies.sh test
-	@scripts/test.sh release light-sanitizers format
+	@scripts/test.sh release format
 
 check:      ## the slow rest: everything with assertions and under the sanitizers, and clang-tidy
 	@scripts/install-dependencies.sh check
-	@scripts/test.sh check sanitizers threads tidy
+	@scripts/test.sh check headers sanitizers threads tidy
 
 reproduce:  ## regenerate what the paper prints: paper | ours | verdict
 	@scripts/install-dependencies.sh demo

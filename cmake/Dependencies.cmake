@@ -28,40 +28,38 @@ if(NOT TARGET pagmo::archive)
 endif()
 
 find_package(CGAL 5.5 REQUIRED)                                # geometry, pattern: exact predicates; outlines: arrangements; tiling: remeshing
-if(NOT FRETWORK_ONLY_LIGHT_STAGES)
-  find_package(pugixml 1.12 REQUIRED)                          # outlines: SVG
-  find_package(SQLite3 3.40 REQUIRED)                          # library
-  find_package(PNG 1.6 REQUIRED)                               # tiling: images to paint by; exports: pictures
-  find_library(MUPARSER_LIBRARY muparser REQUIRED)             # tiling: expressions to paint by
-  find_path(MUPARSER_INCLUDE_DIR muParser.h REQUIRED)
-  if(NOT TARGET muparser::library)
-    add_library(muparser::library UNKNOWN IMPORTED)
-    set_target_properties(muparser::library PROPERTIES IMPORTED_LOCATION "${MUPARSER_LIBRARY}"
-                                                       INTERFACE_INCLUDE_DIRECTORIES "${MUPARSER_INCLUDE_DIR}")
-  endif()
-  # exports: 3MF. Debian's CMake package of it asks for its programs, too.
-  find_library(ZIP_LIBRARY zip REQUIRED)
-  find_path(ZIP_INCLUDE_DIR zip.h REQUIRED)
-  add_library(libzip::zip UNKNOWN IMPORTED)
-  set_target_properties(libzip::zip PROPERTIES IMPORTED_LOCATION "${ZIP_LIBRARY}"
-                                               INTERFACE_INCLUDE_DIRECTORIES "${ZIP_INCLUDE_DIR}")
-  find_package(CLI11 2.1 REQUIRED)                             # apps: the command line
-  find_library(CLIPPER_LIBRARY polyclipping REQUIRED)          # fabrication: Booleans (Debian ships no CMake package)
-  find_path(CLIPPER_INCLUDE_DIR polyclipping/clipper.hpp REQUIRED)
-  add_library(Clipper::Clipper UNKNOWN IMPORTED)
-  set_target_properties(Clipper::Clipper PROPERTIES IMPORTED_LOCATION "${CLIPPER_LIBRARY}"
-                                                    INTERFACE_INCLUDE_DIRECTORIES "${CLIPPER_INCLUDE_DIR}")
-  find_library(OPENMESH_CORE_LIBRARY OpenMeshCore REQUIRED)    # outlines: rims of meshes (Debian ships no CMake package)
-  find_path(OPENMESH_INCLUDE_DIR OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh REQUIRED)
-  add_library(OpenMesh::Core UNKNOWN IMPORTED)
-  set_target_properties(OpenMesh::Core PROPERTIES IMPORTED_LOCATION "${OPENMESH_CORE_LIBRARY}"
-                                                  INTERFACE_INCLUDE_DIRECTORIES "${OPENMESH_INCLUDE_DIR}")
-  find_library(NAUTY_LIBRARY nauty REQUIRED)                   # pattern: isomorphism classes (no CMake package either)
-  find_path(NAUTY_INCLUDE_DIR nauty/nauty.h REQUIRED)
-  add_library(nauty::nauty UNKNOWN IMPORTED)
-  set_target_properties(nauty::nauty PROPERTIES IMPORTED_LOCATION "${NAUTY_LIBRARY}"
-                                                INTERFACE_INCLUDE_DIRECTORIES "${NAUTY_INCLUDE_DIR}")
+find_package(pugixml 1.12 REQUIRED)                          # outlines: SVG
+find_package(SQLite3 3.40 REQUIRED)                          # library
+find_package(PNG 1.6 REQUIRED)                               # tiling: images to paint by; exports: pictures
+find_library(MUPARSER_LIBRARY muparser REQUIRED)             # tiling: expressions to paint by
+find_path(MUPARSER_INCLUDE_DIR muParser.h REQUIRED)
+if(NOT TARGET muparser::library)
+  add_library(muparser::library UNKNOWN IMPORTED)
+  set_target_properties(muparser::library PROPERTIES IMPORTED_LOCATION "${MUPARSER_LIBRARY}"
+                                                     INTERFACE_INCLUDE_DIRECTORIES "${MUPARSER_INCLUDE_DIR}")
 endif()
+# exports: 3MF. Debian's CMake package of it asks for its programs, too.
+find_library(ZIP_LIBRARY zip REQUIRED)
+find_path(ZIP_INCLUDE_DIR zip.h REQUIRED)
+add_library(libzip::zip UNKNOWN IMPORTED)
+set_target_properties(libzip::zip PROPERTIES IMPORTED_LOCATION "${ZIP_LIBRARY}"
+                                             INTERFACE_INCLUDE_DIRECTORIES "${ZIP_INCLUDE_DIR}")
+find_package(CLI11 2.1 REQUIRED)                             # apps: the command line
+find_library(CLIPPER_LIBRARY polyclipping REQUIRED)          # fabrication: Booleans (Debian ships no CMake package)
+find_path(CLIPPER_INCLUDE_DIR polyclipping/clipper.hpp REQUIRED)
+add_library(Clipper::Clipper UNKNOWN IMPORTED)
+set_target_properties(Clipper::Clipper PROPERTIES IMPORTED_LOCATION "${CLIPPER_LIBRARY}"
+                                                  INTERFACE_INCLUDE_DIRECTORIES "${CLIPPER_INCLUDE_DIR}")
+find_library(OPENMESH_CORE_LIBRARY OpenMeshCore REQUIRED)    # outlines: rims of meshes (Debian ships no CMake package)
+find_path(OPENMESH_INCLUDE_DIR OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh REQUIRED)
+add_library(OpenMesh::Core UNKNOWN IMPORTED)
+set_target_properties(OpenMesh::Core PROPERTIES IMPORTED_LOCATION "${OPENMESH_CORE_LIBRARY}"
+                                                INTERFACE_INCLUDE_DIRECTORIES "${OPENMESH_INCLUDE_DIR}")
+find_library(NAUTY_LIBRARY nauty REQUIRED)                   # pattern: isomorphism classes (no CMake package either)
+find_path(NAUTY_INCLUDE_DIR nauty/nauty.h REQUIRED)
+add_library(nauty::nauty UNKNOWN IMPORTED)
+set_target_properties(nauty::nauty PROPERTIES IMPORTED_LOCATION "${NAUTY_LIBRARY}"
+                                              INTERFACE_INCLUDE_DIRECTORIES "${NAUTY_INCLUDE_DIR}")
 
 if(FRETWORK_BUILD_TESTS OR FRETWORK_BUILD_BENCH)
   find_package(GTest 1.12 REQUIRED)

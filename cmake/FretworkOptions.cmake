@@ -7,7 +7,6 @@ option(FRETWORK_BUILD_EXPERIMENTS "Build the programs of experiments/" ${PROJECT
 option(FRETWORK_BUILD_TESTS "Build the tests" ${PROJECT_IS_TOP_LEVEL})
 option(FRETWORK_LONG_TESTS "Add tests that start services or take long: those of make check" OFF)
 option(FRETWORK_BUILD_BENCH "Build the benchmarks" OFF)
-option(FRETWORK_ONLY_LIGHT_STAGES "Build only the stages that need neither CGAL nor OpenMesh" OFF)
 option(FRETWORK_WARNINGS_AS_ERRORS "Treat warnings as errors" OFF)
 option(FRETWORK_SANITIZE "Build with the address and undefined-behaviour sanitizers" OFF)
 option(FRETWORK_SANITIZE_THREADS "Build with the thread sanitizer, which goes with no other" OFF)
