@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "typed/file_options.hpp"
+#include "options/file_options.hpp"
 #include "verbs.hpp"
 
 #include <vector>

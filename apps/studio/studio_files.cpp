@@ -7,8 +7,6 @@
 #include <fretwork/base/files/sha256.hpp>
 #include <fretwork/base/quantity.hpp>
 #include <fretwork/base/text.hpp>
-#include <fretwork/exports/making/making_choice.hpp>
-#include <fretwork/exports/space/picture_options.hpp>
 #include <fretwork/exports/writer_catalogue.hpp>
 #include <fretwork/simulation/project/new_project.hpp>
 #include <fretwork/simulation/project/project_file.hpp>
@@ -27,6 +25,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <typed/making_choice.hpp>
+#include <typed/picture_options.hpp>
 
 namespace fretwork::studio {
 
@@ -134,25 +134,25 @@ NewRequest read_new(const base::JsonReader& json) {
 void read_drawing(const Target& target, exports::Scene& scene) {
     if (const std::string scale = target.value("scale"); !scale.empty())
         scene.displacement_scale = base::parse_number(scale);
-    if (const std::string view = target.value("view"); !view.empty()) scene.view = exports::parse_view(view);
+    if (const std::string view = target.value("view"); !view.empty()) scene.view = typed::parse_view(view);
     if (const std::string size = target.value("size"); !size.empty())
-        scene.picture.size = exports::parse_size(size);
+        scene.picture.size = typed::parse_size(size);
     if (const std::string colour = target.value("colour"); !colour.empty()) scene.picture.colour = colour;
 }
 
 /// What of an address says how a surface is made.
 exports::Making read_making(const Target& target, const std::optional<simulation::Conditions>& conditions) {
-    const exports::MakingChoice choice{.fillet = target.value("fillet"),
-                                       .kerf = target.value("kerf"),
-                                       .frame = target.value("frame"),
-                                       .bolts = target.value("bolts"),
-                                       .eye = target.value("eye"),
-                                       .bed = target.value("bed"),
-                                       .fit = target.value("fit"),
-                                       .clearance = target.value("clearance"),
-                                       .layer = target.value("layer"),
-                                       .prefix = ""};
-    return exports::read_making(choice, conditions ? &*conditions : nullptr);
+    const typed::MakingChoice choice{.fillet = target.value("fillet"),
+                                     .kerf = target.value("kerf"),
+                                     .frame = target.value("frame"),
+                                     .bolts = target.value("bolts"),
+                                     .eye = target.value("eye"),
+                                     .bed = target.value("bed"),
+                                     .fit = target.value("fit"),
+                                     .clearance = target.value("clearance"),
+                                     .layer = target.value("layer"),
+                                     .prefix = ""};
+    return typed::read_making(choice, conditions ? &*conditions : nullptr);
 }
 
 constexpr std::string_view kExportKeys[] = {"token",  "to",     "content",   "scale", "view",  "size",

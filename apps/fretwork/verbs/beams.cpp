@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fretwork beams: what the beams of a surface bear in a result.
 #include "bar_checks.hpp"
+#include "options/file_options.hpp"
 #include "surface_result.hpp"
-#include "typed/file_options.hpp"
 #include "verbs/beams.hpp"
 
 #include <fretwork/base/error.hpp>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "interrupt.hpp"
-#include "typed/file_options.hpp"
-#include "typed/ignored_options.hpp"
-#include "typed/pattern_choice.hpp"
+#include "options/file_options.hpp"
+#include "options/ignored_options.hpp"
+#include "options/pattern_choice.hpp"
 #include "verbs.hpp"
 
 #include <fretwork/base/error.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fretwork compare: how far a reduced result is from the full one.
+#include "options/file_options.hpp"
 #include "surface_result.hpp"
-#include "typed/file_options.hpp"
 #include "verbs.hpp"
 
 #include <fretwork/base/error.hpp>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fretwork draw: chosen patterns on one sheet.
-#include "typed/file_options.hpp"
+#include "options/file_options.hpp"
 #include "verbs/draw.hpp"
 
 #include <fretwork/base/error.hpp>

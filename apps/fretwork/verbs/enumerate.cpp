@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "interrupt.hpp"
-#include "typed/file_options.hpp"
+#include "options/file_options.hpp"
 #include "verbs.hpp"
 #include "verbs/enumerate_files.hpp"
 #include "verbs/enumerate_output.hpp"

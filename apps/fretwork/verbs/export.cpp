@@ -2,10 +2,10 @@
 // fretwork export: a project, and what was computed of it, as a drawing or a file for other programs.
 #include "bar_checks.hpp"
 #include "interrupt.hpp"
+#include "options/file_options.hpp"
+#include "options/ignored_options.hpp"
+#include "options/making_options.hpp"
 #include "surface_result.hpp"
-#include "typed/file_options.hpp"
-#include "typed/ignored_options.hpp"
-#include "typed/making_options.hpp"
 #include "verbs.hpp"
 
 #include <fretwork/base/error.hpp>
@@ -14,7 +14,6 @@
 #include <fretwork/base/quantity.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/exports/space/bar_scene.hpp>
-#include <fretwork/exports/space/picture_options.hpp>
 #include <fretwork/exports/tables/line_set.hpp>
 #include <fretwork/exports/writer_catalogue.hpp>
 #include <fretwork/simulation/project/project_library.hpp>
@@ -25,6 +24,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <typed/picture_options.hpp>
 
 namespace fretwork::app {
 namespace {
@@ -42,7 +42,7 @@ struct ExportOptions {
     std::string strength;
     std::vector<std::string> labels;
     std::string content;
-    exports::MakingChoice making;
+    typed::MakingChoice making;
     bool json = false;
 };
 
@@ -199,14 +199,14 @@ exports::Scene make_scene(const ExportOptions& options, const base::Control& con
         scene.load_case = load_case;
     }
     scene.displacement_scale = read_scale(options.scale);
-    if (!options.view.empty()) scene.view = read_option("--view", options.view, exports::parse_view);
-    if (!options.size.empty()) scene.picture.size = read_option("--size", options.size, exports::parse_size);
+    if (!options.view.empty()) scene.view = read_option("--view", options.view, typed::parse_view);
+    if (!options.size.empty()) scene.picture.size = read_option("--size", options.size, typed::parse_size);
     if (!options.colour.empty()) scene.picture.colour = options.colour;
     if (!options.strength.empty()) scene.strength = parse_strength(options.strength);
     for (const std::string& what : options.labels)
         (what == "tiles" ? scene.labels.tiles : scene.labels.interface_nodes) =
             exports::DrawnLabels::Shown::Yes;
-    scene.making = exports::read_making(options.making, scene.conditions ? &*scene.conditions : nullptr);
+    scene.making = typed::read_making(options.making, scene.conditions ? &*scene.conditions : nullptr);
     scene.making.facts.strength = scene.strength;
     scene.control = control;
     return scene;

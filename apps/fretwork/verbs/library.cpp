@@ -2,8 +2,8 @@
 // fretwork library: look into a pattern library, merge shards, write its tables and meshes.
 #include "interrupt.hpp"
 #include "json_output.hpp"
-#include "typed/file_options.hpp"
-#include "typed/pattern_choice.hpp"
+#include "options/file_options.hpp"
+#include "options/pattern_choice.hpp"
 #include "verbs.hpp"
 #include "verbs/library_show.hpp"
 

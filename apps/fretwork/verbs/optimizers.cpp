@@ -2,7 +2,7 @@
 // fretwork optimizers: the methods there are, and how they compare.
 #include "interrupt.hpp"
 #include "json_output.hpp"
-#include "typed/file_options.hpp"
+#include "options/file_options.hpp"
 #include "verbs.hpp"
 
 #include <fretwork/base/error.hpp>

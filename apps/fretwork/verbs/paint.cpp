@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fretwork paint: patterns into the tiles of a project.
 #include "bar_checks.hpp"
-#include "typed/file_options.hpp"
-#include "typed/painting_options.hpp"
+#include "options/file_options.hpp"
+#include "options/painting_options.hpp"
 #include "verbs.hpp"
 
 #include <fretwork/base/error.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fretwork simulate: a project under one of its load cases, with the full or a reduced model.
 #include "interrupt.hpp"
-#include "typed/file_options.hpp"
+#include "options/file_options.hpp"
 #include "verbs.hpp"
 #include "verbs/solve_output.hpp"
 

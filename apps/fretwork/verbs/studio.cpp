@@ -2,7 +2,7 @@
 // fretwork studio: a server of one document, for a page in the browser.
 #include "file_identity.hpp"
 #include "interrupt.hpp"
-#include "typed/file_options.hpp"
+#include "options/file_options.hpp"
 #include "verbs.hpp"
 
 #include <fretwork/base/error.hpp>

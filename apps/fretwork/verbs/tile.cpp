@@ -2,8 +2,8 @@
 // fretwork tile: an outline becomes a project, tiled and painted.
 #include "bar_checks.hpp"
 #include "interrupt.hpp"
-#include "typed/file_options.hpp"
-#include "typed/painting_options.hpp"
+#include "options/file_options.hpp"
+#include "options/painting_options.hpp"
 #include "verbs.hpp"
 
 #include <fretwork/base/error.hpp>

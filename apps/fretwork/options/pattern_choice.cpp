@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "typed/pattern_choice.hpp"
+#include "options/pattern_choice.hpp"
 
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/quantity.hpp>

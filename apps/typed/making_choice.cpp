@@ -2,11 +2,11 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/quantity.hpp>
 #include <fretwork/base/text.hpp>
-#include <fretwork/exports/making/making_choice.hpp>
 
 #include <algorithm>
+#include <typed/making_choice.hpp>
 
-namespace fretwork::exports {
+namespace fretwork::typed {
 namespace {
 
 /// A bare number is in metres, and people mean millimetres where nothing made is so large.
@@ -50,9 +50,9 @@ std::vector<fabrication::TessellationNodeIndex> supported_nodes(const simulation
 
 }  // namespace
 
-Making read_making(const MakingChoice& choice, const simulation::Conditions* conditions) {
+exports::Making read_making(const MakingChoice& choice, const simulation::Conditions* conditions) {
     const auto name = [&](const char* entry) { return choice.prefix + entry; };
-    Making making;
+    exports::Making making;
     set_length(making.shape.fillet, name("fillet"), choice.fillet);
     set_length(making.shape.kerf, name("kerf"), choice.kerf);
     set_length(making.shape.frame_width, name("frame"), choice.frame);
@@ -80,4 +80,4 @@ Making read_making(const MakingChoice& choice, const simulation::Conditions* con
     return making;
 }
 
-}  // namespace fretwork::exports
+}  // namespace fretwork::typed

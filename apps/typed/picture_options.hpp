@@ -6,13 +6,13 @@
 
 #include <string>
 
-namespace fretwork::exports {
+namespace fretwork::typed {
 
 /// From where somebody looks, as people write it: iso, front, right, back, left, top, or "AZIMUTH,ELEVATION"
 /// in degrees. Throws InputError.
-ViewOptions parse_view(const std::string& text);
+exports::ViewOptions parse_view(const std::string& text);
 
 /// A picture's size as people write it: "1600x1000", each from 16 to 8000. Throws InputError.
-PixelSize parse_size(const std::string& text);
+exports::PixelSize parse_size(const std::string& text);
 
-}  // namespace fretwork::exports
+}  // namespace fretwork::typed

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "typed/painting_options.hpp"
+#include "options/painting_options.hpp"
 
 namespace fretwork::app {
 

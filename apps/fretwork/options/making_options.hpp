@@ -2,15 +2,14 @@
 // The options of `fretwork export` that say how a surface is cut or printed.
 #pragma once
 
-#include <fretwork/exports/making/making_choice.hpp>
-
 #include <CLI/CLI.hpp>
 
 #include <span>
+#include <typed/making_choice.hpp>
 
 namespace fretwork::app {
 
-void add_making_options(CLI::App& verb, exports::MakingChoice& texts);
+void add_making_options(CLI::App& verb, typed::MakingChoice& texts);
 
 /// Refuse options that none of the files which are written looks at.
 void refuse_ignored_making(const CLI::App& verb, std::span<const exports::WriterRow* const> writers);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "typed/ignored_options.hpp"
-#include "typed/making_options.hpp"
+#include "options/ignored_options.hpp"
+#include "options/making_options.hpp"
 
 #include <algorithm>
 
 namespace fretwork::app {
 
-void add_making_options(CLI::App& verb, exports::MakingChoice& texts) {
+void add_making_options(CLI::App& verb, typed::MakingChoice& texts) {
     const std::string group = "Cutting and printing";
     const auto add = [&](const char* name, std::string& text, const char* words) {
         return verb.add_option(name, text, words)->type_name("LENGTH")->group(group);

@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace fretwork::exports {
+namespace fretwork::typed {
 
 /// How a surface is to be cut or printed, as a person writes it: lengths such as "2mm"; empty: not given.
 struct MakingChoice {
@@ -23,6 +23,6 @@ struct MakingChoice {
 };
 
 /// `conditions` are those of the load case, or null: there is none. Throws InputError that names the entry.
-Making read_making(const MakingChoice& choice, const simulation::Conditions* conditions);
+exports::Making read_making(const MakingChoice& choice, const simulation::Conditions* conditions);
 
-}  // namespace fretwork::exports
+}  // namespace fretwork::typed

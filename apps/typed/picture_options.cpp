@@ -2,14 +2,14 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/quantity.hpp>
 #include <fretwork/base/text.hpp>
-#include <fretwork/exports/space/picture_options.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <typed/picture_options.hpp>
 
-namespace fretwork::exports {
+namespace fretwork::typed {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
@@ -28,7 +28,7 @@ constexpr std::array<NamedView, 6> kViews = {{{"iso", 45.0, 35.264389682754654},
 
 }  // namespace
 
-ViewOptions parse_view(const std::string& text) {
+exports::ViewOptions parse_view(const std::string& text) {
     const auto named = std::ranges::find(kViews, text, &NamedView::name);
     if (named != kViews.end()) return {named->azimuth * kDegree, named->elevation * kDegree};
     const auto parts = base::split(text, ',');
@@ -42,7 +42,7 @@ ViewOptions parse_view(const std::string& text) {
     return {*angle(0) * kDegree, *angle(1) * kDegree};
 }
 
-PixelSize parse_size(const std::string& text) {
+exports::PixelSize parse_size(const std::string& text) {
     constexpr int kMost = 8000;
     const auto parts = base::split(text, 'x');
     const auto side = [&](std::size_t part) { return base::read_number<int>(parts[part]).value_or(0); };
@@ -53,4 +53,4 @@ PixelSize parse_size(const std::string& text) {
     return {side(0), side(1)};
 }
 
-}  // namespace fretwork::exports
+}  // namespace fretwork::typed
