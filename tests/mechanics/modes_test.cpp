@@ -117,6 +117,19 @@ TEST(Modes, StructureAtRestHasNoBucklingLoad) {
     EXPECT_TRUE(buckling_modes(assemble(frame), 1000).empty());
 }
 
+// Supports that move a structure as a rigid body load it with nothing; forces of rounding have buckling
+// loads.
+TEST(Modes, StructureThatSupportsMoveAsARigidBodyHasNoBucklingLoad) {
+    Frame frame = sample::cantilever({.divisions = 8});
+    frame.nodes[1] = {0.4, 0.3, -0.8};
+    frame.supports = {{NodeIndex(0), {{false, true, true, true, true, true}}}};
+    frame.prescribed.push_back({NodeIndex(0), Dof::ux, 0.02});
+    EXPECT_TRUE(buckling_modes(assemble(frame), 2).empty());
+    // Held at its other end, the beam is compressed and bent.
+    sample::clamp(frame, 1);
+    EXPECT_FALSE(buckling_modes(assemble(frame), 2).empty());
+}
+
 // Both ends of a beam in one piece.
 TEST(Modes, StructureWithAllNodesHeldHasNoModes) {
     Frame frame = sample::cantilever({.divisions = 1});

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -71,22 +72,43 @@ std::vector<double> mass_values(const nonlinear::NonlinearSystem& system, const 
     return values;
 }
 
-/// Minus the geometric stiffness of the linear solution.
-std::vector<double> softening(const nonlinear::NonlinearSystem& system, const VectorXd& linear_rate,
+/// The displacements of an element's nodes, one below the other.
+VectorXd element_displacements(const Element& element, const NodeValues& displacements) {
+    const auto nodes = element.nodes();
+    VectorXd own(static_cast<Eigen::Index>(nodes.size()) * kDofsPerNode);
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+        own.segment<kDofsPerNode>(static_cast<Eigen::Index>(i) * kDofsPerNode) =
+            displacements.row(nodes[i].value).transpose();
+    return own;
+}
+
+/// Whether supports move the structure as a rigid body: all forces are what rounding leaves of terms that
+/// cancel. Displacements by a factorization leave some ten units of it.
+bool is_moved_rigidly(const Assembly& assembly, const NodeValues& displacements) {
+    constexpr double kRounding = 1e3 * std::numeric_limits<double>::epsilon();
+    if (!assembly.loads.isZero(0.0)) return false;
+    double forces = 0.0;
+    double terms = 0.0;
+    MatrixXd stiffness;
+    for (const auto& element : assembly.elements) {
+        const VectorXd own = element_displacements(*element, displacements);
+        element->rest_stiffness(stiffness);
+        forces += (stiffness * own).squaredNorm();
+        terms += (stiffness.cwiseAbs() * own.cwiseAbs()).squaredNorm();
+    }
+    return std::sqrt(forces) <= kRounding * std::sqrt(terms);
+}
+
+/// Minus the geometric stiffness of linear displacements.
+std::vector<double> softening(const nonlinear::NonlinearSystem& system, const NodeValues& displacements,
                               const base::Control& control) {
     const Assembly& assembly = system.unknowns().assembly();
-    NodeValues table = structure::constraints_of(assembly).values;
-    system.unknowns().layout().scatter(linear_rate, table);
     std::vector<double> values(system.unknowns().layout().row().size(), 0.0);
     MatrixXd stiffness;
     for (std::size_t e = 0; e < assembly.elements.size(); ++e) {
         control.check();
-        const auto nodes = assembly.elements[e]->nodes();
-        VectorXd displacements(static_cast<Eigen::Index>(nodes.size()) * kDofsPerNode);
-        for (std::size_t i = 0; i < nodes.size(); ++i)
-            displacements.segment<kDofsPerNode>(static_cast<Eigen::Index>(i) * kDofsPerNode) =
-                table.row(nodes[i].value).transpose();
-        assembly.elements[e]->geometric_stiffness(displacements, stiffness);
+        const Element& element = *assembly.elements[e];
+        element.geometric_stiffness(element_displacements(element, displacements), stiffness);
         stiffness = -stiffness;
         system.unknowns().layout().add(e, stiffness, values);
     }
@@ -120,9 +142,12 @@ std::vector<Mode> buckling_modes(const Assembly& assembly, int count, const Mode
     sparse::Ldlt factors = factorize_at_rest(system, options.control);
     VectorXd rate = system.load_rate();
     factors.solve(rate, options.control);
+    NodeValues displacements = structure::constraints_of(assembly).values;
+    system.unknowns().layout().scatter(rate, displacements);
+    if (is_moved_rigidly(assembly, displacements)) return {};
     const auto pairs =
         structure::SubspaceIteration(system.unknowns().layout(),
-                                     {system.tangent(), softening(system, rate, options.control)},
+                                     {system.tangent(), softening(system, displacements, options.control)},
                                      std::move(factors), options.control)
             .largest_positive(count);
     std::vector<Mode> modes;
