@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sample.hpp"
+#include "stops.hpp"
 
 #include <fretwork/fabrication/narrow_places.hpp>
+#include <fretwork/simulation/results/bar_clearance.hpp>
 
 namespace fretwork::fabrication {
 namespace THIS_TEST {
@@ -45,6 +47,18 @@ TEST(NarrowPlaces, AGapBetweenAFreeEndAndABarIsFoundWhereItIs) {
     EXPECT_NEAR(places[0].place.x, 0.01, 5e-4);
     EXPECT_NEAR(places[0].place.y, 0.5 * kWidth + 1.5e-4, 2e-5);
     EXPECT_EQ(places[0].node, TessellationNodeIndex(2));
+}
+
+TEST(NarrowPlaces, TheSearchStopsAtAnyLook) {
+    const simulation::Surface surface = honeycomb(3, 2, sample_patterns(2));
+    const BarPlan plan = bar_plan(surface);
+    const Shape shape = make_shape(plan, {});
+    fretwork::test::expect_stops_at_any_look(
+        [&](const base::Control& control) {
+            (void)narrow_places(shape, plan, 5e-3, control);
+            (void)simulation::close_bars(surface, 5e-3, control);
+        },
+        [] {});
 }
 
 TEST(NarrowPlaces, CornersAreNoGaps) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "outlines/outlines.hpp"
+#include "stops.hpp"
 
 #include <fretwork/tiling/tessellate.hpp>
 
@@ -54,6 +55,20 @@ TEST(TessellateControl, StopsAtWhateverStepItIsAsked) {
         EXPECT_THROW(tile(outline, listener.control()), base::Stopped) << share;
         EXPECT_EQ(listener.finished_, 1) << "the progress line is ended";
     }
+}
+
+TEST(TessellateControl, StopsAtAnyLook) {
+    geometry::Polygon hole;
+    for (const double angle : {0.0, 1.0, 2.0, 3.0, 4.0, 5.0})
+        hole.push_back({0.06 + 0.01 * std::cos(angle), 0.05 + 0.01 * std::sin(angle)});
+    const outlines::Outline outline =
+        outlines::make_outline({{0, 0}, {0.12, 0}, {0.12, 0.1}, {0, 0.1}}, {hole});
+    test::expect_stops_at_any_look(
+        [&](const base::Control& control) {
+            tessellate(outline, pattern::find_node_layout("paper7"),
+                       {.edge_length = 0.02, .threads = 1, .control = control});
+        },
+        [] {});
 }
 
 TEST(TessellateControl, AStopBeforeTheBeginIsSeen) {

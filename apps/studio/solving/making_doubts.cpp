@@ -14,8 +14,8 @@ namespace {
 using base::Json;
 using Place = MakingDoubts::Place;
 
-void add_overlaps(const simulation::Surface& surface, MakingDoubts& doubts) {
-    auto close = simulation::close_bars(surface, 0.0);
+void add_overlaps(const simulation::Surface& surface, const base::Control& control, MakingDoubts& doubts) {
+    auto close = simulation::close_bars(surface, 0.0, control);
     if (close.empty()) return;
     doubts.words.push_back(simulation::close_bars_text(close));
     std::ranges::stable_sort(close, {}, &simulation::CloseBars::gap);
@@ -42,7 +42,7 @@ void add_narrow_places(const simulation::Surface& surface, const fabrication::Sh
     const fabrication::BarPlan plan = fabrication::bar_plan(surface, options.frame_width);
     const fabrication::Shape shape = fabrication::make_shape(plan, options.without_kerf());
     options.control.check();
-    const auto narrow = fabrication::narrow_places(shape, plan, clearance);
+    const auto narrow = fabrication::narrow_places(shape, plan, clearance, options.control);
     if (narrow.empty()) return;
     doubts.words.push_back(narrow_text(narrow, clearance));
     for (const fabrication::NarrowPlace& one : narrow) {
@@ -57,7 +57,7 @@ void add_narrow_places(const simulation::Surface& surface, const fabrication::Sh
 MakingDoubts making_doubts(const simulation::Surface& surface, const fabrication::ShapeOptions& shape,
                            double clearance) {
     MakingDoubts doubts;
-    add_overlaps(surface, doubts);
+    add_overlaps(surface, shape.control, doubts);
     shape.control.check();
     add_narrow_places(surface, shape, clearance, doubts);
     return doubts;

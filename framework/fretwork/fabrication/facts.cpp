@@ -28,9 +28,8 @@ using simulation::Surface;
 
 /// So many warnings of one kind are told one by one.
 constexpr std::size_t kMostOfOneKind = 30;
-/// Stresses are those of small displacements, of which every beam's are known; a sheet that hangs moves far.
-const std::string kStressModel = "condensed";
-const std::string kSagModel = "corotational";
+/// Thin sheets move far under their load cases, and hang far under their own weight.
+const std::string kModel = "corotational";
 
 void require_positive(double value, const char* what) {
     if (std::isfinite(value) && value > 0.0) return;
@@ -53,8 +52,8 @@ LoadCase own_weight(const LoadCase& load_case) {
 }
 
 simulation::SurfaceResult estimate(const Surface& surface, const LoadCase& load_case,
-                                   const std::string& model, const base::Control& control) {
-    const simulation::SimulationOptions options{.model = model};
+                                   const base::Control& control) {
+    const simulation::SimulationOptions options{.model = kModel};
     simulation::SurfaceResult result = simulation::simulate(surface, load_case, options, control.silent());
     result.subject = simulation::result_subject(surface, load_case, options);
     return result;
@@ -112,7 +111,8 @@ class FactFinder {
     }
 
     void judge_places() {
-        const auto places = narrow_places(shape_, plan_, std::max(options_.clearance, 2.0 * plan_.width));
+        const auto places =
+            narrow_places(shape_, plan_, std::max(options_.clearance, 2.0 * plan_.width), options_.control);
         if (!places.empty()) facts_.narrowest = places.front();
         std::size_t count = 0;
         for (const NarrowPlace& narrow : places) {
@@ -144,7 +144,7 @@ class FactFinder {
 
     /// They are one piece in what is made, and two bars in the model: a slit may be closed so.
     void judge_overlaps() {
-        const auto close = simulation::close_bars(surface_, 0.0);
+        const auto close = simulation::close_bars(surface_, 0.0, options_.control);
         if (!close.empty()) warn(simulation::close_bars_text(close), {});
     }
 
@@ -168,15 +168,14 @@ class FactFinder {
     }
 
     /// Gravity as it pulls on the outline: beams count the material of joints more than once.
-    [[nodiscard]] simulation::SurfaceResult estimate_outline(LoadCase load_case,
-                                                             const std::string& model) const {
+    [[nodiscard]] simulation::SurfaceResult estimate_outline(LoadCase load_case) const {
         if (facts_.beam_mass > 0.0) load_case.gravity *= facts_.mass / facts_.beam_mass;
-        return estimate(surface_, load_case, model, options_.control);
+        return estimate(surface_, load_case, options_.control);
     }
 
     void estimate_sag(const LoadCase& load_case) {
         if (load_case.supports.empty() || surface_.setting.material.density <= 0.0) return;
-        const simulation::SurfaceResult result = estimate_outline(own_weight(load_case), kSagModel);
+        const simulation::SurfaceResult result = estimate_outline(own_weight(load_case));
         if (!result.solution.converged())
             return warn("the sag under its own weight is not known: its path ends at " +
                             short_number(100.0 * result.solution.load_factor) + " % of the weight",
@@ -197,14 +196,23 @@ class FactFinder {
         if (loads.result != nullptr)
             take_stress(*loads.result, "the result");
         else if (loads.load_case != nullptr)
-            take_stress(estimate_outline(*loads.load_case, kStressModel),
-                        "load case " + loads.load_case->name);
+            estimate_stress(*loads.load_case);
         if (!facts_.stress || !facts_.strength || facts_.stress->value <= *facts_.strength) return;
         const Point2& place = plan_.nodes[static_cast<std::size_t>(facts_.stress->node)];
         warn(where(facts_.stress->tile, facts_.stress->node, place) + "a stress of " +
                  short_number(facts_.stress->value * 1e-6) + " MPa, above the strength of " +
                  short_number(*facts_.strength * 1e-6) + " MPa",
              place);
+    }
+
+    void estimate_stress(const LoadCase& load_case) {
+        const simulation::SurfaceResult result = estimate_outline(load_case);
+        if (!result.solution.converged())
+            return warn("the stress under the load case " + load_case.name +
+                            " is not known: its path ends at " +
+                            short_number(100.0 * result.solution.load_factor) + " % of the load",
+                        {});
+        take_stress(result, "load case " + load_case.name);
     }
 
     void take_stress(const simulation::SurfaceResult& result, const std::string& source) {

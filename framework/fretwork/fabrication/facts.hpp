@@ -74,8 +74,8 @@ struct Facts {
 /// A load case, or a result, to judge stresses by.
 struct FactsLoads {
     const simulation::LoadCase* load_case = nullptr;
-    /// Of the surface, taken as it is, with the weight of the beams; else the load case is solved for small
-    /// displacements of condensed tiles.
+    /// Of the surface, taken as it is, with the weight of the beams; else the load case is solved with
+    /// corotational tiles.
     const simulation::SurfaceResult* result = nullptr;
 };
 

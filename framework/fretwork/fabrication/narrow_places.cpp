@@ -58,12 +58,13 @@ class ThroatFinder {
         }
     }
 
-    [[nodiscard]] std::vector<NarrowPlace> run() const {
+    [[nodiscard]] std::vector<NarrowPlace> run(const base::Control& control) const {
         std::vector<Box> boxes;
         for (const Edge& edge : edges_) boxes.push_back(box_of(std::array{edge.from, edge.to}));
         const geometry::BoxGrid grid(boxes);
         std::vector<std::optional<NarrowPlace>> found(tips_.size());
         base::parallel_for(tips_.size(), 0, [&](std::size_t t) {
+            control.check();
             const Point2& place = tips_[t].place;
             const Box around = geometry::grown({place.x, place.y, place.x, place.y}, reach_);
             for (const std::size_t e : grid.meeting(around)) consider(tips_[t], edges_[e], found[t]);
@@ -116,12 +117,13 @@ class ThroatFinder {
 };
 
 /// Openings whose largest circle is smaller than `clearance`.
-std::vector<NarrowPlace> narrow_openings(const Shape& shape, double clearance) {
+std::vector<NarrowPlace> narrow_openings(const Shape& shape, double clearance, const base::Control& control) {
     std::vector<const Contour*> openings;
     for (const Piece& piece : shape.pieces)
         for (const Contour& opening : piece.openings) openings.push_back(&opening);
     std::vector<std::optional<NarrowPlace>> found(openings.size());
     base::parallel_for(openings.size(), 0, [&](std::size_t i) {
+        control.check();
         const InnerCircle circle = inner_circle(flattened(*openings[i], kChordTolerance));
         if (2.0 * circle.radius < clearance)
             found[i] = NarrowPlace{NarrowPlace::Kind::Opening, circle.center, 2.0 * circle.radius, {}, {}};
@@ -133,7 +135,7 @@ std::vector<NarrowPlace> narrow_openings(const Shape& shape, double clearance) {
 }
 
 /// Say which bar and node are nearest.
-void name_places(std::vector<NarrowPlace>& places, const BarPlan& plan) {
+void name_places(std::vector<NarrowPlace>& places, const BarPlan& plan, const base::Control& control) {
     if (places.empty()) return;
     std::vector<Box> boxes;
     const auto end = [&](const Bar& bar, std::size_t i) {
@@ -142,6 +144,7 @@ void name_places(std::vector<NarrowPlace>& places, const BarPlan& plan) {
     for (const Bar& bar : plan.bars) boxes.push_back(box_of(std::array{end(bar, 0), end(bar, 1)}));
     const geometry::BoxGrid grid(boxes);
     for (NarrowPlace& narrow : places) {
+        control.check();
         const Point2& p = narrow.place;
         const Box around = geometry::grown({p.x, p.y, p.x, p.y}, narrow.width + 2.0 * plan.width);
         double nearest = std::numeric_limits<double>::max();
@@ -190,14 +193,15 @@ InnerCircle inner_circle(const Polygon& polygon) {
     return {best.center, std::max(0.0, best.depth)};
 }
 
-std::vector<NarrowPlace> narrow_places(const Shape& shape, const BarPlan& plan, double clearance) {
-    std::vector<NarrowPlace> places = narrow_openings(shape, clearance);
-    for (NarrowPlace& throat : ThroatFinder(shape, clearance).run())
+std::vector<NarrowPlace> narrow_places(const Shape& shape, const BarPlan& plan, double clearance,
+                                       const base::Control& control) {
+    std::vector<NarrowPlace> places = narrow_openings(shape, clearance, control);
+    for (NarrowPlace& throat : ThroatFinder(shape, clearance).run(control))
         if (throat.width < clearance) places.push_back(throat);
     std::ranges::sort(places, {}, [](const NarrowPlace& place) {
         return std::tuple(place.width, place.place.x, place.place.y);
     });
-    name_places(places, plan);
+    name_places(places, plan, control);
     return places;
 }
 

@@ -22,7 +22,9 @@ struct NarrowPlace {
 
 /// All places narrower than `clearance` (m), the narrowest first. Openings between bars end in corners; those
 /// are no gaps, fillets round them.
-std::vector<NarrowPlace> narrow_places(const Shape& shape, const BarPlan& plan, double clearance);
+/// Throws Stopped.
+std::vector<NarrowPlace> narrow_places(const Shape& shape, const BarPlan& plan, double clearance,
+                                       const base::Control& control = {});
 
 /// The largest circle inside of an opening; off by at most a hundredth of it.
 struct InnerCircle {

@@ -50,9 +50,10 @@ class BarGrid {
         for (std::size_t b = 0; b < segments_.size(); ++b) cells_[cell_of(b)].push_back(b);
     }
 
-    std::vector<CloseBars> close(double width) const {
+    std::vector<CloseBars> close(double width, const base::Control& control) const {
         std::vector<CloseBars> found;
         for (std::size_t b = 0; b < segments_.size(); ++b) {
+            control.check();
             const auto [column, row] = cell_of(b);
             for (long dx = -1; dx <= 1; ++dx)
                 for (long dy = -1; dy <= 1; ++dy) add_close(b, {column + dx, row + dy}, width, found);
@@ -107,12 +108,12 @@ class BarGrid {
 
 }  // namespace
 
-std::vector<CloseBars> close_bars(const Surface& surface, double clearance) {
+std::vector<CloseBars> close_bars(const Surface& surface, double clearance, const base::Control& control) {
     const double width = mechanics::rectangle_width(surface.setting.section);
     // Bars exactly as far apart as they may be are not told, whatever rounding does to them.
     constexpr double kRounding = 1e-9;
     const SurfaceBeams beams = surface_beams(surface);
-    return BarGrid(beams, (width + clearance) * (1.0 - kRounding)).close(width);
+    return BarGrid(beams, (width + clearance) * (1.0 - kRounding)).close(width, control);
 }
 
 std::string close_bars_text(const std::vector<CloseBars>& close) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <fretwork/base/control.hpp>
 #include <fretwork/simulation/surface.hpp>
 
 #include <array>
@@ -19,8 +20,9 @@ struct CloseBars {
 
 /// The bars of a surface whose rims are nearer than `clearance` (m, 0: those that overlap), with the width
 /// that they have in the plane. Bars that meet at a node overlap there by their nature: of these the gap is
-/// that between the far end of one and the other. Tiles that are not painted have no bars.
-std::vector<CloseBars> close_bars(const Surface& surface, double clearance);
+/// that between the far end of one and the other. Tiles that are not painted have no bars. Throws Stopped.
+std::vector<CloseBars> close_bars(const Surface& surface, double clearance,
+                                  const base::Control& control = {});
 
 /// One line that says how many they are and where; empty if there are none.
 std::string close_bars_text(const std::vector<CloseBars>& close);
