@@ -107,11 +107,11 @@ SurfaceResult Session::Impl::make_result() const {
 
 void Session::Impl::solve_path(SurfaceResult& result, const base::Control& control) const {
     mechanics::Result path = mechanics::solve(assembly_, {.solver = mechanics::Solver::Newton,
-                                                      .steps = options_.load_steps,
-                                                      .branch = options_.branch,
-                                                      .threads = options_.threads,
-                                                      .locate_critical_loads = false,
-                                                      .control = control});
+                                                          .steps = options_.load_steps,
+                                                          .branch = options_.branch,
+                                                          .threads = options_.threads,
+                                                          .locate_critical_loads = false,
+                                                          .control = control});
     result.load_steps = std::move(path.load_steps);
     result.solution = std::move(path.solution);
 }

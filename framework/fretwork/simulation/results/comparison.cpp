@@ -18,7 +18,6 @@
 namespace fretwork::simulation {
 namespace {
 
-
 /// The row of an interface node in the result.
 std::map<int, Eigen::Index> interface_rows(const SurfaceResult& result) {
     std::map<int, Eigen::Index> rows;
