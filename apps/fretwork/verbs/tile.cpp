@@ -248,11 +248,13 @@ void run(const TileOptions& options) {
     const Library* library = opened ? &*opened : nullptr;
     const outlines::OutlineFile file = read_outline(options, width);
     tell(file, options);
-    LongWork work;  // until here nothing is held or written: Ctrl-C simply ends the program
-    wanted.control = work.control();
+    // Ctrl-C asks to stop only while files may be half-written: before and behind it ends the program.
+    std::optional<LongWork> work(std::in_place);
+    wanted.control = work->control();
     simulation::NewProject made = simulation::make_project(file.parts, wanted, library);
     warn(made);
     const Project project = write(std::move(made.project), options, library);
+    work.reset();
     warn_of_close_bars(project, library, options.clearance);
     if (options.json) return print_json(made.report, project, file);
     std::printf("outline of %s%s\n", outlines::size_text(file.parts).c_str(),

@@ -8,7 +8,9 @@
 #include <studio/solving/making_doubts.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
+#include <optional>
 #include <tuple>
 
 namespace fretwork::studio {
@@ -44,12 +46,42 @@ void paint(Project& project, const std::string& pattern) {
     for (tiling::Tile& tile : project.tessellation.tiles) tile.pattern = 0;
 }
 
-bool can_be_made(const Project& project, double clearance, const base::Control& control) {
-    const simulation::Surface surface = simulation::make_surface(project, nullptr);
-    // Bars that are too near are found in a hundredth of the time that gaps take.
-    if (!simulation::close_bars(surface, 0.0).empty()) return false;
-    return making_doubts(surface, {.control = control}, clearance).words.empty();
+/// The bars of some tiles alone.
+simulation::Surface only_tiles(simulation::Surface surface, const std::array<tiling::TileIndex, 2>& kept) {
+    std::vector<tiling::Tile>& tiles = surface.tessellation.tiles;
+    for (std::size_t t = 0; t < tiles.size(); ++t) {
+        if (std::ranges::find(kept, tiling::TileIndex(t)) == kept.end()) tiles[t].pattern = -1;
+    }
+    return surface;
 }
+
+/// Tries patterns on the tiles of a project.
+class Trials {
+  public:
+    explicit Trials(const base::Control& control) : control_(control) {}
+
+    bool can_be_made(const Project& project, double clearance) {
+        const simulation::Surface surface = simulation::make_surface(project, nullptr);
+        // Bars that are too near are found in a hundredth of the time that gaps take.
+        if (do_bars_overlap(surface)) return false;
+        return making_doubts(surface, {.control = control_}, clearance).words.empty();
+    }
+
+  private:
+    /// Where bars of the last pattern overlapped, those of the next one often do, too. They do so whatever
+    /// lies around them, so these tiles are looked at first, and alone.
+    bool do_bars_overlap(const simulation::Surface& surface) {
+        if (worst_ && !simulation::close_bars(only_tiles(surface, *worst_), 0.0, control_).empty())
+            return true;
+        const auto close = simulation::close_bars(surface, 0.0, control_);
+        if (close.empty()) return false;
+        worst_ = std::ranges::min_element(close, {}, &simulation::CloseBars::gap)->tiles;
+        return true;
+    }
+
+    const base::Control& control_;
+    std::optional<std::array<tiling::TileIndex, 2>> worst_;
+};
 
 std::string none_text(const Project& project) {
     const simulation::Surface surface = simulation::make_surface(project, nullptr);
@@ -68,10 +100,11 @@ std::string none_text(const Project& project) {
 std::string paint_to_be_made(Project& project, const base::Control& control) {
     const double clearance = fabrication::FactsOptions().clearance;
     Project trial = project;
+    Trials trials(control);
     for (const Candidate& candidate : candidates(project.layout, control)) {
         control.check();
         paint(trial, candidate.id);
-        if (!can_be_made(trial, clearance, control)) continue;
+        if (!trials.can_be_made(trial, clearance)) continue;
         project = std::move(trial);
         return "";
     }

@@ -157,6 +157,7 @@ WantedSides wanted_sides(const outlines::Outline& outline, const TessellationOpt
     const detail::NarrowLimits limits = narrow_limits(outline, options);
     const double least = smallest_wanted(options);
     for (const detail::NarrowPlace& narrow : detail::narrow_places(outline, limits, options.control)) {
+        options.control.check();
         if (narrow.width < least && narrow.cut_off > kLimbArea * outlines::area_of(outline))
             return {field, narrow};
         field.limit(narrow.place, std::max(least, kSideInBand * narrow.width));
@@ -164,7 +165,10 @@ WantedSides wanted_sides(const outlines::Outline& outline, const TessellationOpt
     for (const geometry::Polygon& hole : outline.holes) {
         const double wanted = std::max(least, kSideAtHole * geometry::perimeter(hole));
         if (wanted < side) {
-            for (const geometry::Point2& point : hole) field.limit(point, wanted);
+            for (const geometry::Point2& point : hole) {
+                options.control.check();
+                field.limit(point, wanted);
+            }
         }
     }
     return {field, std::nullopt};
@@ -361,7 +365,8 @@ TessellationResult tessellate(const outlines::Outline& outline, const pattern::N
     options.validate();
     check_size(outline, options);
     check_origin(outline, options);
-    const detail::CleanOutline clean = detail::without_negligible_points(outline, options.edge_length);
+    const detail::CleanOutline clean =
+        detail::without_negligible_points(outline, options.edge_length, options.control);
     detail::check_small_parts(clean.outline, options.edge_length, options.control);
     if (options.narrow == Narrow::Refuse) refuse_narrow(clean.outline, options);
     Work work(options.control, "tiling");

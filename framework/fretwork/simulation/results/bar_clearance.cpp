@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/text.hpp>
+#include <fretwork/geometry/box_grid.hpp>
 #include <fretwork/simulation/results/bar_clearance.hpp>
 #include <fretwork/simulation/results/surface_beams.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <map>
 #include <set>
-#include <utility>
 
 namespace fretwork::simulation {
 namespace {
@@ -40,51 +39,44 @@ double distance(const Segment& a, const Segment& b) {
     return std::min({distance(a[0], b), distance(a[1], b), distance(b[0], a), distance(b[1], a)});
 }
 
-/// Bars sorted into squares, so that only those near each other are compared.
-class BarGrid {
+/// The bars as they lie in the plane, and which of them lie near each other.
+class PlaneBars {
   public:
-    BarGrid(const SurfaceBeams& beams, double reach) : beams_(beams), reach_(reach) {
+    explicit PlaneBars(const SurfaceBeams& beams) : beams_(beams) {
         for (std::size_t b = 0; b < beams.ends.size(); ++b) segments_.push_back(segment_of(b));
-        for (const Segment& segment : segments_) side_ = std::max(side_, (segment[1] - segment[0]).norm());
-        side_ += reach;
-        for (std::size_t b = 0; b < segments_.size(); ++b) cells_[cell_of(b)].push_back(b);
     }
 
-    std::vector<CloseBars> close(double width, const base::Control& control) const {
+    /// Those whose axes are nearer than `reach`, with what is then left between bars of this width.
+    [[nodiscard]] std::vector<CloseBars> close(double reach, double width,
+                                               const base::Control& control) const {
+        std::vector<geometry::Box> boxes;
+        for (const Segment& segment : segments_) boxes.push_back(box_of(segment));
+        const geometry::BoxGrid grid(boxes);
         std::vector<CloseBars> found;
-        for (std::size_t b = 0; b < segments_.size(); ++b) {
+        for (std::size_t bar = 0; bar < segments_.size(); ++bar) {
             control.check();
-            const auto [column, row] = cell_of(b);
-            for (long dx = -1; dx <= 1; ++dx)
-                for (long dy = -1; dy <= 1; ++dy) add_close(b, {column + dx, row + dy}, width, found);
+            for (const std::size_t other : grid.meeting(geometry::grown(boxes[bar], reach))) {
+                if (other <= bar) continue;
+                const double apart = distance_of(bar, other);
+                if (apart < reach)
+                    found.push_back({{bar, other}, {beams_.tiles[bar], beams_.tiles[other]}, apart - width});
+            }
         }
         return found;
     }
 
   private:
-    using Cell = std::pair<long, long>;
-
     [[nodiscard]] Segment segment_of(std::size_t bar) const {
         const auto place = [&](mechanics::NodeIndex node) -> Place {
             return beams_.nodes[static_cast<std::size_t>(node)].head<2>();
         };
         return {place(beams_.ends[bar][0]), place(beams_.ends[bar][1])};
     }
-    /// Two bars nearer than the reach have their middles at most one cell apart.
-    [[nodiscard]] Cell cell_of(std::size_t bar) const {
-        const Place middle = 0.5 * (segments_[bar][0] + segments_[bar][1]);
-        return {std::lround(std::floor(middle.x() / side_)), std::lround(std::floor(middle.y() / side_))};
-    }
 
-    void add_close(std::size_t bar, const Cell& cell, double width, std::vector<CloseBars>& found) const {
-        const auto bars = cells_.find(cell);
-        if (bars == cells_.end()) return;
-        for (const std::size_t other : bars->second) {
-            if (other <= bar) continue;
-            const double apart = distance_of(bar, other);
-            if (apart < reach_)
-                found.push_back({{bar, other}, {beams_.tiles[bar], beams_.tiles[other]}, apart - width});
-        }
+    static geometry::Box box_of(const Segment& segment) {
+        const auto [from, to] = segment;
+        return {std::min(from.x(), to.x()), std::min(from.y(), to.y()), std::max(from.x(), to.x()),
+                std::max(from.y(), to.y())};
     }
 
     /// Between the axes; of bars that meet, between the far end of one and the other.
@@ -100,10 +92,7 @@ class BarGrid {
     }
 
     const SurfaceBeams& beams_;
-    double reach_;
-    double side_ = 0.0;
     std::vector<Segment> segments_;
-    std::map<Cell, std::vector<std::size_t>> cells_;
 };
 
 }  // namespace
@@ -113,7 +102,8 @@ std::vector<CloseBars> close_bars(const Surface& surface, double clearance, cons
     // Bars exactly as far apart as they may be are not told, whatever rounding does to them.
     constexpr double kRounding = 1e-9;
     const SurfaceBeams beams = surface_beams(surface);
-    return BarGrid(beams, (width + clearance) * (1.0 - kRounding)).close(width, control);
+    control.check();
+    return PlaneBars(beams).close((width + clearance) * (1.0 - kRounding), width, control);
 }
 
 std::string close_bars_text(const std::vector<CloseBars>& close) {

@@ -159,9 +159,11 @@ struct TipCut {
 };
 
 /// The cuts that make tips blunt, the largest first.
-std::vector<TipCut> tip_cuts(const Triangulation& triangulation, const Cuts& cuts, double most) {
+std::vector<TipCut> tip_cuts(const Triangulation& triangulation, const Cuts& cuts, double most,
+                             const Work& work) {
     std::vector<TipCut> result;
     for (std::size_t i = 0; i < triangulation.triangles.size(); ++i) {
+        work.check();
         for (std::size_t side = 0; side < 3; ++side) {
             const double area = cuts.cut_off(i, side);
             if (area > most || !cuts.is_end(i, side)) continue;
@@ -196,7 +198,7 @@ BluntOutline blunt(const outlines::Outline& outline, double narrow_width, const 
     const Cuts cuts(triangulation, work);
     std::vector<bool> is_gone(rim.points.size(), false);
     BluntOutline result{outline, 0.0};
-    for (const TipCut& cut : tip_cuts(triangulation, cuts, limits.tip)) {
+    for (const TipCut& cut : tip_cuts(triangulation, cuts, limits.tip, work)) {
         const auto from = static_cast<std::size_t>(cut.from);
         const auto to = static_cast<std::size_t>(cut.to);
         if (is_gone[from] || is_gone[to] || result.lost_area + cut.area > limits.all) continue;

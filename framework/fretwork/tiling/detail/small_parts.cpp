@@ -130,7 +130,8 @@ int remove_negligible_points(Polygon& points, double tolerance) {
 
 }  // namespace
 
-CleanOutline without_negligible_points(const outlines::Outline& outline, double edge) {
+CleanOutline without_negligible_points(const outlines::Outline& outline, double edge,
+                                       const base::Control& control) {
     CleanOutline clean{outline, 0};
     clean.left_out = remove_negligible_points(clean.outline.boundary, kNegligibleShare * edge);
     std::vector<Polygon> loops{clean.outline.boundary};
@@ -139,7 +140,7 @@ CleanOutline without_negligible_points(const outlines::Outline& outline, double 
         loops.push_back(hole);
     }
     if (clean.left_out == 0) return clean;
-    if (const auto flaw = outlines::outline_flaw(loops, {}))
+    if (const auto flaw = outlines::outline_flaw(loops, control))
         throw base::GeometryError(
             "points of the outline less than " + geometry::metres(kNegligibleShare * edge) +
             " apart are one for tiles with sides of " + geometry::metres(edge) + ", and then " + *flaw);

@@ -19,7 +19,8 @@ struct CleanOutline {
 
 /// Leave out the points that are negligible beside the tiles' side `edge` (metres): kNegligibleShare. Throws
 /// GeometryError if a loop has less than three others.
-CleanOutline without_negligible_points(const outlines::Outline& outline, double edge);
+CleanOutline without_negligible_points(const outlines::Outline& outline, double edge,
+                                       const base::Control& control);
 
 /// Refuse an outline of which two parts are nearer to each other than kNarrowest allows: a needle, a slit, a
 /// hole that almost touches, a hole that is almost a point. No tile fits there, and triangles between such

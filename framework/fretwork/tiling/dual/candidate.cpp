@@ -140,7 +140,7 @@ class Tiler {
     [[nodiscard]] Dual tiles_around(const Rim& rim, const std::vector<Point2>& sites) const {
         if (sites.empty()) return {};
         Triangulation triangulation = triangulate(rim, sites, work_);
-        flip_ears(triangulation);
+        flip_ears(triangulation, work_);
         Dual dual = dual_of(rim, triangulation, work_);
         std::erase_if(dual.cells, [](const std::vector<int>& cell) { return cell.size() < 3; });
         divide_long_rim_sides(dual, rim, {task_.field, task_.limits.smallest_side}, work_.control());

@@ -37,9 +37,12 @@ Point2 weighted_centroid(const Polygon& polygon, std::span<const double> sides) 
 /// Where the sites of a dual's tiles move to.
 class Centroids {
   public:
-    Centroids(const Dual& dual, const SizeField& field) : dual_(dual) {
+    Centroids(const Dual& dual, const SizeField& field, const Work& work) : dual_(dual) {
         if (field.is_uniform()) return;
-        for (const DualVertex& vertex : dual.vertices) wanted_.push_back(field.at(vertex.place));
+        for (const DualVertex& vertex : dual.vertices) {
+            work.check();
+            wanted_.push_back(field.at(vertex.place));
+        }
     }
 
     /// Nothing for a tile that is turned over.
@@ -62,14 +65,14 @@ class Centroids {
 
 std::vector<Point2> relax(const Rim& rim, const SizeField& field, std::vector<Point2> sites, int iterations,
                           Work& work) {
-    const InsideTest is_inside(rim, 0.0);
+    const InsideTest is_inside(rim, 0.0, work.control());
     for (int i = 0; i < iterations; ++i) {
         work.advance();
         if (sites.empty()) continue;
         Triangulation triangulation = triangulate(rim, sites, work);
-        flip_ears(triangulation);
+        flip_ears(triangulation, work);
         const Dual dual = dual_of(rim, triangulation, work);
-        Centroids centroids(dual, field);
+        Centroids centroids(dual, field, work);
         for (std::size_t site = 0; site < sites.size(); ++site) {
             work.check();
             const auto target = centroids.of(site);

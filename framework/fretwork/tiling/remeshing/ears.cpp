@@ -9,7 +9,7 @@ using geometry::Point2;
 
 class EarFlipper {
   public:
-    explicit EarFlipper(Triangulation& triangulation) : t_(triangulation) {}
+    EarFlipper(Triangulation& triangulation, const Work& work) : t_(triangulation), work_(work) {}
 
     /// A flip may make the next ear.
     void run() {
@@ -42,6 +42,7 @@ class EarFlipper {
     }
 
     bool flip_if_ear(int ear) {
+        work_.check();
         const int tip = tip_of(ear);
         if (tip < 0) return false;
         const auto at = [](int i) { return static_cast<std::size_t>(i % 3); };
@@ -71,12 +72,13 @@ class EarFlipper {
     }
 
     Triangulation& t_;
+    const Work& work_;
 };
 
 }  // namespace
 
-void flip_ears(Triangulation& triangulation) {
-    EarFlipper(triangulation).run();
+void flip_ears(Triangulation& triangulation, const Work& work) {
+    EarFlipper(triangulation, work).run();
 }
 
 std::vector<Chord> chords_of(const Triangulation& triangulation) {

@@ -6,8 +6,8 @@
 namespace fretwork::tiling::detail {
 
 /// Give the corners of the outline that triangles of three rim points cut off to the tiles behind them: the
-/// edge between is flipped where the two triangles make a convex quadrilateral.
-void flip_ears(Triangulation& triangulation);
+/// edge between is flipped where the two triangles make a convex quadrilateral. Throws base::Stopped.
+void flip_ears(Triangulation& triangulation, const Work& work);
 
 /// The ends of an edge inside that joins two points of the rim.
 struct Chord {

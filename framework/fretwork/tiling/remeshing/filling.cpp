@@ -61,15 +61,24 @@ std::vector<EmptyCircle> large_empty_circles(const Triangulation& triangulation,
     return circles;
 }
 
+SiteGrid grid_of(const std::vector<Point2>& sites, const Spacing& spacing, const Work& work) {
+    SiteGrid grid(spacing.largest());
+    for (const Point2& site : sites) {
+        work.check();
+        grid.add(site);
+    }
+    return grid;
+}
+
 }  // namespace
 
 void fill_empty_parts(const Rim& rim, const Spacing& spacing, std::vector<Point2>& sites, const Work& work) {
-    const InsideTest is_inside(rim, kRimDistance * spacing.largest());
-    SiteGrid grid(spacing.largest());
-    for (const Point2& site : sites) grid.add(site);
+    const InsideTest is_inside(rim, kRimDistance * spacing.largest(), work.control());
+    SiteGrid grid = grid_of(sites, spacing, work);
     for (int round = 0; round < kRounds; ++round) {
         const std::size_t before = sites.size();
         for (const EmptyCircle& circle : large_empty_circles(triangulate(rim, sites, work), spacing, work)) {
+            work.check();
             const double wanted = spacing.at(circle.middle);
             if (!is_inside(circle.middle, kRimDistance * wanted)) continue;
             if (grid.has_near(circle.middle, kLeastFilling * wanted)) continue;
@@ -82,11 +91,11 @@ void fill_empty_parts(const Rim& rim, const Spacing& spacing, std::vector<Point2
 
 bool bridge_chords(const Rim& rim, const Spacing& spacing, std::vector<Point2>& sites, const Work& work) {
     Triangulation triangulation = triangulate(rim, sites, work);
-    flip_ears(triangulation);
-    SiteGrid grid(spacing.largest());
-    for (const Point2& site : sites) grid.add(site);
+    flip_ears(triangulation, work);
+    SiteGrid grid = grid_of(sites, spacing, work);
     const std::size_t before = sites.size();
     for (const Chord& chord : chords_of(triangulation)) {
+        work.check();
         const auto place = [&](int point) { return triangulation.points[static_cast<std::size_t>(point)]; };
         const Point2 middle = between(place(chord.from), place(chord.to), 0.5);
         if (grid.has_near(middle, kBridgeDistance * spacing.at(middle))) continue;

@@ -8,7 +8,7 @@ namespace fretwork::tiling::detail {
 
 using geometry::Point2;
 
-InsideTest::InsideTest(const Rim& rim, double largest_margin) : rim_(rim) {
+InsideTest::InsideTest(const Rim& rim, double largest_margin, const base::Control& control) : rim_(rim) {
     Point2 low = rim.points.front().place;
     Point2 high = low;
     for (const RimPoint& point : rim.points) {
@@ -20,6 +20,7 @@ InsideTest::InsideTest(const Rim& rim, double largest_margin) : rim_(rim) {
     sides_.resize(rim.points.size());
     band_ = (along(high) - low_) / static_cast<double>(sides_.size());
     for (std::size_t i = 0; i < rim.points.size(); ++i) {
+        control.check();
         const double from = along(rim.points[i].place);
         const double to = along(rim.points[static_cast<std::size_t>(rim.next[i])].place);
         const std::size_t last = band_of(std::max(from, to) + largest_margin);

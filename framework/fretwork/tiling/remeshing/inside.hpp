@@ -13,8 +13,8 @@ namespace fretwork::tiling::detail {
 /// rim's box.
 class InsideTest {
   public:
-    /// Refers to the rim. No margin that is asked for later may be larger.
-    InsideTest(const Rim& rim, double largest_margin);
+    /// Refers to the rim. No margin that is asked for later may be larger. Throws base::Stopped.
+    InsideTest(const Rim& rim, double largest_margin, const base::Control& control = {});
     [[nodiscard]] bool operator()(geometry::Point2 point, double margin) const;
 
   private:

@@ -67,7 +67,10 @@ void for_each_lattice_point(const LatticeBox& box, const Work& work, const Body&
 void add_finer_lattices(const InsideTest& is_inside, const Spacing& spacing, double angle, const Work& work,
                         std::vector<Point2>& sites) {
     SiteGrid grid(spacing.largest());
-    for (const Point2& site : sites) grid.add(site);
+    for (const Point2& site : sites) {
+        work.check();
+        grid.add(site);
+    }
     const double finest = spacing.factor * spacing.field.smallest();
     const double half_step = std::sqrt(kFinerBy);
     for (double edge = spacing.largest() * kFinerBy; edge > half_step * finest; edge *= kFinerBy) {
@@ -99,7 +102,7 @@ std::vector<Point2> lattice_sites(const Rim& rim, const Spacing& spacing, double
         high = {std::max(high.x, point.place.x), std::max(high.y, point.place.y)};
     }
     const double edge = spacing.largest();
-    const InsideTest is_inside(rim, kLatticeMargin * edge);
+    const InsideTest is_inside(rim, kLatticeMargin * edge, work.control());
     std::vector<Point2> sites;
     const double coarsest = std::sqrt(kFinerBy) * edge;
     for_each_lattice_point({between(low, high, 0.5), 0.5 * (high - low), edge, angle}, work,

@@ -61,21 +61,24 @@ struct OnePatch {
     friend void put(const OnePatch&, key_type, std::size_t) {}
 };
 
-Mesh surface_mesh(const Triangulation& triangulation) {
+Mesh surface_mesh(const Triangulation& triangulation, const Work& work) {
     Mesh mesh;
     std::vector<Mesh::Vertex_index> vertices;
     for (const Point2& point : triangulation.points) {
         vertices.push_back(mesh.add_vertex(Kernel::Point_3(point.x, point.y, 0)));
     }
     const auto vertex = [&](int point) { return vertices[static_cast<std::size_t>(point)]; };
-    for (const auto& [a, b, c] : triangulation.triangles) mesh.add_face(vertex(a), vertex(b), vertex(c));
+    for (const auto& [a, b, c] : triangulation.triangles) {
+        work.check();
+        mesh.add_face(vertex(a), vertex(b), vertex(c));
+    }
     return mesh;
 }
 
 }  // namespace
 
 std::vector<Point2> remeshed_sites(const Rim& rim, double edge, int iterations, const Work& work) {
-    Mesh mesh = surface_mesh(triangulate(rim, {}, work));
+    Mesh mesh = surface_mesh(triangulate(rim, {}, work), work);
     std::vector<Mesh::Edge_index> border;
     std::ranges::copy_if(mesh.edges(), std::back_inserter(border),
                          [&](Mesh::Edge_index e) { return mesh.is_border(e); });
@@ -89,7 +92,7 @@ std::vector<Point2> remeshed_sites(const Rim& rim, double edge, int iterations, 
                                  .face_patch_map(OnePatch{&work})
                                  .edge_is_constrained_map(is_protected)
                                  .protect_constraints(true));
-    const InsideTest is_inside(rim, kMargin * edge);
+    const InsideTest is_inside(rim, kMargin * edge, work.control());
     std::vector<Point2> sites;
     for (const Mesh::Vertex_index v : mesh.vertices()) {
         work.check();

@@ -59,6 +59,7 @@ void add_triangles(Delaunay& delaunay, const Work& work, Triangulation& result) 
     }
     result.neighbors.reserve(result.triangles.size());
     for (const Delaunay::Face_handle face : delaunay.finite_face_handles()) {
+        work.check();
         if (!is_inside(face)) continue;
         const auto behind = [&](int i) {
             return face->is_constrained(i) ? -1 : face->neighbor(i)->info().triangle;
