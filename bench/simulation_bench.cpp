@@ -2,7 +2,7 @@
 // What edits of a surface cost beside solving it from nothing. The surfaces are lattices of hexagons of the
 // paper's size, painted with 24 patterns by chance: `equal` ones, whose tiles are congruent, and `irregular`
 // ones, whose vertices are shifted by chance, so that no two tiles are. The argument is the number of tiles.
-#include <fretwork/optimization/random.hpp>
+#include <fretwork/base/random.hpp>
 #include <fretwork/pattern/enumerate.hpp>
 #include <fretwork/simulation/session.hpp>
 #include <fretwork/simulation/simulate.hpp>
@@ -50,7 +50,7 @@ tiling::Tessellation hexagons(int count, double side) {
     tiling::Tessellation tessellation;
     tessellation.layout = "paper7";
     tessellation.patterns = patterns();
-    optimization::RandomStream random(1, 0);
+    base::RandomStream random(1, 0);
     Points vertices;
     for (int i = 0; i < count; ++i) {
         const int column = i / rows;
@@ -85,7 +85,7 @@ const Surface& surface_of(Lattice lattice, int tiles) {
     const double side = reduction::paper_setting().tile_side;
     Project project;
     project.tessellation = hexagons(tiles, side);
-    optimization::RandomStream random(2, 0);
+    base::RandomStream random(2, 0);
     for (geometry::Point2& vertex : project.tessellation.vertices) {
         const double reach = lattice == Lattice::Equal ? 0.0 : 0.1 * side;
         vertex.x += reach * (random.uniform() - 0.5);

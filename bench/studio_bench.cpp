@@ -4,7 +4,7 @@
 // The arguments are the number of tiles, and whether section forces are asked for.
 #include "studio/running_studio.hpp"
 
-#include <fretwork/optimization/random.hpp>
+#include <fretwork/base/random.hpp>
 #include <fretwork/simulation/load_cases/load_case_file.hpp>
 #include <fretwork/simulation/simulate.hpp>
 
@@ -33,7 +33,7 @@ simulation::Project irregular(int tiles) {
     const int rows = static_cast<int>(std::lround(std::sqrt(tiles)));
     simulation::Project project = test::honeycomb((tiles + rows - 1) / rows, rows, kPatterns);
     tiling::Tessellation& tessellation = project.tessellation;
-    optimization::RandomStream random(2, 0);
+    base::RandomStream random(2, 0);
     const double reach = 0.1 * reduction::paper_setting().tile_side;
     for (geometry::Point2& vertex : tessellation.vertices) {
         vertex.x += reach * (random.uniform() - 0.5);

@@ -77,11 +77,11 @@ void Studio::Impl::disconnected(ClientId client) {
 void Studio::Impl::received(ClientId client, std::string_view message) {
     Json id;
     try {
-        const JsonReader json = JsonReader::from_text(message, "message");
+        const JsonReader json = JsonReader::from_text(message, kMessageSource);
         if (const auto number = json.find("id")) id = number->integer(0, 1LL << 53);
         dispatch({client, id, json});
     } catch (const base::Error& error) {
-        refuse(client, id.is_null() ? number_of(message) : id, error.what());
+        refuse(client, id.is_null() ? number_of(message) : id, in_words(error));
     } catch (const std::filesystem::filesystem_error& error) {
         refuse(client, id, in_words(error));
     } catch (const std::bad_alloc&) {
@@ -111,7 +111,7 @@ void Studio::Impl::answer(const Request& request, Json members) {
 }
 
 void Studio::Impl::refuse(ClientId client, const Json& id, const std::string& error) {
-    const Json json = {{"id", id}, {"ok", false}, {"error", one_line(in_words(error))}};
+    const Json json = {{"id", id}, {"ok", false}, {"error", one_line(error)}};
     server_.send(client, {{text_part(compact(json))}});
 }
 
@@ -132,7 +132,7 @@ void Studio::Impl::in_background(Background& thread, const Request& request,
         try {
             rest();
         } catch (const base::Error& error) {
-            refuse(request.client, request.id, error.what());
+            refuse(request.client, request.id, in_words(error));
         } catch (const std::filesystem::filesystem_error& error) {
             refuse(request.client, request.id, in_words(error));
         }

@@ -282,10 +282,10 @@ void Studio::Impl::tell_failed(const SolverInput& input, const std::string& erro
     const Json event = {{"event", "failed"},
                         {"revision", input.revision},
                         {"model", *input.situation.state->model},
-                        {"error", in_words(error)}};
+                        {"error", error}};
     failed_ = {{text_part(event.dump())}, "solution"};
     broadcast(failed_);
-    last_failure_ = {input.situation, in_words(error)};
+    last_failure_ = {input.situation, error};
     resume_exports();
     check_making();
 }

@@ -122,7 +122,7 @@ NewRequest read_new(const base::JsonReader& json) {
     if (wanted.is_to_be_made)
         json.allow_only({"id", "do", "outline", "tile_size", "tiles", "patterns", "layout", "discard"});
     else
-        wanted.options.painting = read_painting_choice(json);
+        wanted.options.painting = typed::read_painting(read_painting_text(json));
     const auto tiles = json.find("tiles");
     if (tiles && tiles->choice({"new", "faces"}) == "faces")
         wanted.options.tiles = simulation::TilesFrom::Mesh;
@@ -387,7 +387,7 @@ void Studio::Impl::export_file(ExportRequest request) {
                           .download_name = target.value("to")};
     };
     files_.add({.work = [tell, write](const base::Control&) { tell(write()); },
-                .failed = [tell](const std::string& error) { tell(refused(422, in_words(error))); }});
+                .failed = [tell](const std::string& error) { tell(refused(422, error)); }});
 }
 
 HttpAnswer Studio::Impl::page() const {
@@ -407,7 +407,7 @@ void Studio::Impl::get(const Target& target, std::function<void(HttpAnswer)> ans
         if (target.path == "/export") return export_file({target, answer});
         answer({.status = 404, .body = "there is nothing at this address\n"});
     } catch (const base::InputError& error) {
-        answer(refused(422, in_words(error.what())));
+        answer(refused(422, in_words(error)));
     } catch (const base::Error& error) {
         answer(refused(503, error.what()));
     } catch (const std::filesystem::filesystem_error& error) {

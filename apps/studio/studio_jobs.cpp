@@ -80,7 +80,7 @@ void Studio::Impl::start(const Request& request, Job job,
                            {"revision", job.input.revision},
                            {"model", job.model},
                            {"background", true},
-                           {"error", in_words(error)}});
+                           {"error", error}});
         });
     };
     jobs_.add({.work =

@@ -26,7 +26,7 @@ struct Pair {
 };
 
 std::vector<double> ring_values(const RingParameters& parameters) {
-    optimization::RandomStream random(7, 0);
+    base::RandomStream random(7, 0);
     const Eigen::VectorXd values =
         parameters.select(random_parameters(paper_setting(), random, 0.4, 0.6).parts());
     return {values.begin(), values.end()};

@@ -3,8 +3,8 @@
 
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/progress.hpp>
+#include <fretwork/base/random.hpp>
 #include <fretwork/base/text.hpp>
-#include <fretwork/optimization/random.hpp>
 #include <fretwork/simulation/project/new_project.hpp>
 #include <fretwork/simulation/results/comparison.hpp>
 #include <fretwork/simulation/simulate.hpp>
@@ -102,7 +102,7 @@ std::optional<LoadCase> find_load(const Surface& surface, const Kind& kind, doub
 /// Eight patterns, painted at random.
 Surface make_surface(const reduction::Setting& setting, const std::vector<CalibratedPattern>& patterns,
                      const Shape& shape, std::uint64_t seed) {
-    optimization::RandomStream random(seed, 0);
+    base::RandomStream random(seed, 0);
     std::vector<std::string> ids;
     constexpr std::size_t kPalette = 8;
     while (ids.size() < std::min(kPalette, patterns.size())) {
@@ -112,9 +112,7 @@ Surface make_surface(const reduction::Setting& setting, const std::vector<Calibr
     const auto outline = outlines::make_outline(
         {{0.0, 0.0}, {shape.width, 0.0}, {shape.width, shape.height}, {0.0, shape.height}}, {});
     auto made = simulation::make_project(
-        outline,
-        {.painting = {.patterns = "random:" + std::to_string(seed), .palette = base::join(ids, ",")}},
-        nullptr);
+        outline, {.painting = simulation::PaintAtRandom{.seed = seed, .palette = {.ids = ids}}}, nullptr);
     made.project.setting = setting;
     Surface surface = simulation::make_surface(made.project, nullptr);
     for (std::size_t i = 0; i < surface.tessellation.patterns.size(); ++i) {
@@ -162,7 +160,7 @@ std::vector<SurfaceRow> study_surfaces(const reduction::Setting& setting,
     for (const Kind& kind : kinds()) {
         for (int repeat = 0; repeat < repeats; ++repeat) {
             const auto seed = static_cast<std::uint64_t>(1000 * (&kind - kinds().data()) + repeat + 1);
-            optimization::RandomStream random(seed, 1);
+            base::RandomStream random(seed, 1);
             const double width = 0.35 + 0.2 * random.uniform();
             const Shape shape{width, width * (0.4 + 0.3 * random.uniform())};
             const Surface surface = make_surface(setting, patterns, shape, seed);

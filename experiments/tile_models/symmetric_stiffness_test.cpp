@@ -27,7 +27,7 @@ const geometry::Polygon kIrregular = {
 
 /// Pivots of 10 to 1000 N/m, couplings within 1.
 std::vector<double> random_values(std::uint64_t seed) {
-    optimization::RandomStream random(seed, 0);
+    base::RandomStream random(seed, 0);
     std::vector<double> values;
     for (const auto& parameter : SymmetricStiffness::parameters()) {
         const double u = random.uniform();
@@ -119,7 +119,7 @@ TEST(SymmetricStiffness, IsFittedToTheAnswersOfAKnownOne) {
     const auto start = condensed_values(paper_layout(), pattern, setting);
     const auto& table = SymmetricStiffness::parameters();
     std::vector<double> truth = start;
-    optimization::RandomStream random(5, 0);
+    base::RandomStream random(5, 0);
     for (std::size_t k = 0; k < truth.size(); ++k) {
         const double share = 2.0 * random.uniform() - 1.0;
         const auto& pivots = table[k].pivots;

@@ -91,8 +91,8 @@ TEST_F(CalibratedModels, AProjectTellsWhichLibraryItLacks) {
     const Outcome outcome = run_command(command, folder_.path());
     EXPECT_EQ(outcome.exit_code, 2);
     EXPECT_EQ(outcome.err,
-              "fretwork: p.json: /library/path: the library all.db is not there; bring it back, or name "
-              "it with --library\n");
+              "fretwork: p.json: /library/path: the library all.db is not there; bring it back, or give "
+              "another library\n");
     succeed(command + " --library other.db");
 }
 

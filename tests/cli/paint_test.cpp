@@ -67,7 +67,7 @@ TEST_F(PaintCommand, RegionsOfADrawingTakeThePatternOfTheirColour) {
     const Outcome refused = run("fretwork paint p.json --patterns colours:r.svg --palette red=0-5+5-6");
     EXPECT_EQ(refused.exit_code, 2);
     EXPECT_THAT(refused.err,
-                AllOf(HasSubstr("nothing in r.svg is filled with #ff0000"), HasSubstr("#0000ff")));
+                AllOf(HasSubstr("r.svg: nothing in it is filled with #ff0000"), HasSubstr("#0000ff")));
 }
 
 TEST_F(PaintCommand, AFieldGoesFromTheSoftestToTheStiffestPattern) {

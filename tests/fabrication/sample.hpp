@@ -4,8 +4,8 @@
 
 #include "support.hpp"
 
+#include <fretwork/base/random.hpp>
 #include <fretwork/fabrication/shape.hpp>
-#include <fretwork/optimization/random.hpp>
 #include <fretwork/pattern/enumerate.hpp>
 #include <fretwork/simulation/project/project.hpp>
 
@@ -58,7 +58,7 @@ inline simulation::Surface honeycomb(int columns, int rows, const std::vector<st
     simulation::Project project;
     PointSet vertices;
     PointSet interfaces;
-    optimization::RandomStream random(seed, 0);
+    base::RandomStream random(seed, 0);
     tiling::Tessellation& tessellation = project.tessellation;
     for (int column = 0; column < columns; ++column) {
         for (int row = 0; row < rows; ++row) {

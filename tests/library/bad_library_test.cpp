@@ -57,8 +57,8 @@ TEST_F(BadLibrary, ANewerVersionIsRefusedWithBothNumbers) {
 TEST_F(BadLibrary, VersionsBefore3AreRefusedWithAdvice) {
     make_library(path());
     sql("PRAGMA user_version = 2");
-    EXPECT_THAT(complaint(),
-                AllOf(HasSubstr("version 2"), HasSubstr("from 3 on"), HasSubstr("make it anew")));
+    EXPECT_THAT(complaint(), AllOf(HasSubstr("version 2"), HasSubstr("from 3 on"),
+                                   HasSubstr("enumerate its patterns into a new library")));
 }
 
 TEST_F(BadLibrary, CreateRefusesAnExistingLibrary) {

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/random.hpp>
 #include <fretwork/optimization/problems/analytic_problems.hpp>
-#include <fretwork/optimization/random.hpp>
 
 #include <gtest/gtest.h>
 
 namespace fretwork::optimization {
 namespace THIS_TEST {
 
-Eigen::VectorXd random_point(const Bounds& bounds, RandomStream& random) {
+Eigen::VectorXd random_point(const Bounds& bounds, base::RandomStream& random) {
     Eigen::VectorXd shares(bounds.dimension());
     for (double& share : shares) share = random.uniform();
     return bounds.at_shares(shares);
 }
 
 TEST(AnalyticProblems, HaveTheirKnownOptimumInsideAndNothingBelowIt) {
-    RandomStream random(1, 0);
+    base::RandomStream random(1, 0);
     for (const auto& [problem, best_value, best_point] : analytic_problems()) {
         EXPECT_TRUE(problem->bounds().contain(best_point)) << problem->name();
         EXPECT_NEAR(problem->value(best_point), best_value, 1e-12) << problem->name();
@@ -28,7 +28,7 @@ TEST(AnalyticProblems, HaveTheirKnownOptimumInsideAndNothingBelowIt) {
 
 /// Central differences of everything that a problem differentiates.
 TEST(AnalyticProblems, HaveTheDerivativesOfTheirValues) {
-    RandomStream random(2, 0);
+    base::RandomStream random(2, 0);
     for (const auto& [problem, best_value, best_point] : analytic_problems()) {
         const double smoothing = problem->has_kinks() ? 0.1 : 0.0;
         const Eigen::VectorXd x = random_point(problem->bounds(), random);

@@ -2,8 +2,8 @@
 // A method from outside the library: the example of framework/fretwork/optimization/README.md.
 #pragma once
 
+#include <fretwork/base/random.hpp>
 #include <fretwork/optimization/optimizer_catalogue.hpp>
-#include <fretwork/optimization/random.hpp>
 
 namespace own {
 
@@ -18,7 +18,7 @@ class EvolutionStrategy final : public Optimizer {
     RunOutcome run(Evaluator& evaluator) const override {
         RunOutcome outcome;
         for (int i = 0; i < options_.starts; ++i) {
-            RandomStream random(options_.seed, static_cast<std::uint64_t>(i));
+            base::RandomStream random(options_.seed, static_cast<std::uint64_t>(i));
             outcome = evolve(evaluator, random);
             if (outcome.ending == Ending::BudgetSpent) break;
         }
@@ -26,7 +26,7 @@ class EvolutionStrategy final : public Optimizer {
     }
 
   private:
-    static RunOutcome evolve(Evaluator& evaluator, RandomStream& random) {
+    static RunOutcome evolve(Evaluator& evaluator, base::RandomStream& random) {
         const Bounds& bounds = evaluator.bounds();
         Eigen::VectorXd point(bounds.dimension());
         for (double& share : point) share = random.uniform();

@@ -2,13 +2,13 @@
 #include "analytic_problems.hpp"
 
 #include <fretwork/base/error.hpp>
+#include <fretwork/base/random.hpp>
 #include <fretwork/optimization/methods/ceres_multistart.hpp>
 #include <fretwork/optimization/methods/detail/box_quadratic.hpp>
 #include <fretwork/optimization/methods/gauss_newton_multistart.hpp>
 #include <fretwork/optimization/methods/simulated_annealing.hpp>
 #include <fretwork/optimization/minimize.hpp>
 #include <fretwork/optimization/problems/distance_sum_problem.hpp>
-#include <fretwork/optimization/random.hpp>
 
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@ namespace fretwork::optimization {
 namespace THIS_TEST {
 
 TEST(BoxQuadratic, SatisfiesTheOptimalityConditionsForRandomProblems) {
-    RandomStream random(1, 0);
+    base::RandomStream random(1, 0);
     for (int trial = 0; trial < 300; ++trial) {
         const int n = 1 + trial % 7;
         Eigen::MatrixXd M(n, n);

@@ -5,7 +5,7 @@
 #include "support.hpp"
 
 #include <fretwork/pattern/enumerate.hpp>
-#include <fretwork/pattern/search/random.hpp>
+#include <fretwork/pattern/search/wide_random.hpp>
 
 #include <gtest/gtest.h>
 
@@ -155,13 +155,13 @@ std::vector<std::uint64_t> count_by_clingo(const NodeLayout& layout) {
 }
 
 /// Shares of a grid of 24, each once.
-std::set<int> some_shares(detail::RandomStream& random, int count) {
+std::set<int> some_shares(detail::WideRandom& random, int count) {
     std::set<int> shares;
     for (int i = 0; i < count; ++i) shares.insert(1 + static_cast<int>(random.below(kGrid - 1)));
     return shares;
 }
 
-std::vector<std::array<Rational, 3>> some_face_nodes(detail::RandomStream& random, int count) {
+std::vector<std::array<Rational, 3>> some_face_nodes(detail::WideRandom& random, int count) {
     std::set<std::pair<int, int>> places;
     for (int i = 0; i < count; ++i) {
         const int first = 1 + static_cast<int>(random.below(kGrid - 2));
@@ -174,7 +174,7 @@ std::vector<std::array<Rational, 3>> some_face_nodes(detail::RandomStream& rando
 }
 
 /// One to three nodes, symmetric about the middle.
-std::vector<Rational> some_interface(detail::RandomStream& random) {
+std::vector<Rational> some_interface(detail::WideRandom& random) {
     const auto count = 1 + random.below(3);
     const int share = 1 + static_cast<int>(random.below(kGrid / 2 - 1));
     if (count == 1) return {Rational(1, 2)};
@@ -185,7 +185,7 @@ std::vector<Rational> some_interface(detail::RandomStream& random) {
 /// A layout of 5 to 18 candidate edges with nodes at random places.
 NodeLayout random_layout(std::uint64_t seed) {
     for (std::uint64_t attempt = 0;; ++attempt) {
-        detail::RandomStream random(seed, attempt);
+        detail::WideRandom random(seed, attempt);
         NodeLayoutDescription description;
         description.name = "random" + std::to_string(seed);
         description.center = random.below(2) == 0;

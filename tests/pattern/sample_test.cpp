@@ -112,7 +112,7 @@ TEST(IndependentSets, OfAPathAreKnown) {
     EXPECT_EQ(count_text(sets.counts()[2]), "3");
     std::map<std::string, int> drawn;
     for (std::uint64_t i = 0; i < 3000; ++i) {
-        detail::RandomStream random(1, i);
+        detail::WideRandom random(1, i);
         ++drawn[std::to_string(sets.draw(2, random))];
     }
     EXPECT_EQ(drawn.size(), 3u);

@@ -150,7 +150,7 @@ TEST(AnyLayout, ADifferenceProblemIsTheRingProblemOfOneNodeASide) {
     ASSERT_NE(fast, nullptr);
     const ModelTile tile(model, paper_layout(), pattern, setting);
     const DifferenceProblem built(model, tile, objective, setting);
-    optimization::RandomStream random(3, 0);
+    base::RandomStream random(3, 0);
     for (int trial = 0; trial < 5; ++trial) {
         const Paper6Parameters parameters = random_parameters(setting, random);
         const auto values = parameters.values();
@@ -175,7 +175,7 @@ TEST(AnyLayout, CalibrationFindsTheRingThatMadeTheResponses) {
     const TileModel& model = find_tile_model("paper6");
     const pattern::Pattern pattern = some_patterns(two_node_layout(), 1).front();
     const ModelTile tile(model, two_node_layout(), pattern, setting);
-    optimization::RandomStream random(5, 0);
+    base::RandomStream random(5, 0);
     const Paper6Parameters truth = random_parameters(setting, random, 0.4, 0.6);
     const auto responses = linear_responses(tile.displacements(truth.values()), setting);
     EXPECT_EQ(model.problem(Objective(responses, setting), two_node_layout(), setting), nullptr);

@@ -16,7 +16,7 @@ namespace THIS_TEST {
 TEST(Calibration, RecoversTheParametersOfASyntheticTarget) {
     const Setting setting = paper_setting();
     const RingHexagon model(setting);
-    optimization::RandomStream random(1, 0);
+    base::RandomStream random(1, 0);
     for (int trial = 0; trial < 6; ++trial) {
         const Paper6Parameters truth = random_parameters(setting, random, 0.42, 0.58);
         const auto responses = linear_responses(model.displacements(truth), setting);
@@ -33,7 +33,7 @@ TEST(Calibration, RecoversTheAnswersOfARingWithSectionsOfItsOwn) {
     const Setting setting = paper_setting();
     const RingHexagon model(setting);
     const pattern::Pattern any = paper_pattern("0-1+1-6");
-    optimization::RandomStream random(2, 0);
+    base::RandomStream random(2, 0);
     for (int trial = 0; trial < 4; ++trial) {
         RingParts truth = random_parameters(setting, random, 0.42, 0.58);
         truth.segment<4>(4) = random_parameters(setting, random, 0.42, 0.58).parts().head<4>();

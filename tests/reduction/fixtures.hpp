@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <fretwork/optimization/random.hpp>
+#include <fretwork/base/random.hpp>
 #include <fretwork/pattern/node_layout.hpp>
 #include <fretwork/pattern/pattern.hpp>
 #include <fretwork/reduction/calibration/calibration.hpp>
@@ -45,7 +45,7 @@ struct Paper6Parameters {
 };
 
 /// Parameters anywhere between the given shares of the bounds; sections on a logarithmic scale.
-inline Paper6Parameters random_parameters(const Setting& setting, optimization::RandomStream& random,
+inline Paper6Parameters random_parameters(const Setting& setting, base::RandomStream& random,
                                           double lowest = 0.2, double highest = 0.8) {
     const RingBounds bounds = ring_bounds(setting);
     const auto low = Paper6Parameters::of(bounds.lower);
@@ -58,7 +58,7 @@ inline Paper6Parameters random_parameters(const Setting& setting, optimization::
 }
 
 /// The same for links and a ring with sections of their own.
-inline RingParts random_parts(const Setting& setting, optimization::RandomStream& random) {
+inline RingParts random_parts(const Setting& setting, base::RandomStream& random) {
     RingParts parts = random_parameters(setting, random);
     parts.segment<4>(4) = random_parameters(setting, random).parts().head<4>();
     return parts;

@@ -18,7 +18,7 @@ struct Example {
     Objective objective{responses, setting};
     RingProblem problem{model, paper6_parameters(), objective, setting};
 
-    Eigen::VectorXd random_point(optimization::RandomStream& random) const {
+    Eigen::VectorXd random_point(base::RandomStream& random) const {
         return problem.point(random_parameters(setting, random, 0.4, 0.6).values());
     }
 };
@@ -62,7 +62,7 @@ double written_objective(const std::vector<Response>& responses, const UnitDispl
 }
 
 TEST(Objective, IsThatOfThePaperExactlyAsWritten) {
-    optimization::RandomStream random(1, 0);
+    base::RandomStream random(1, 0);
     for (int trial = 0; trial < 5; ++trial) {
         const auto model =
             example().model.displacements(random_parameters(example().setting, random, 0.4, 0.6));
@@ -76,7 +76,7 @@ TEST(Objective, DividesByTheThresholdsWhereDisplacementsAreBelowThem) {
     Setting setting = example().setting;
     for (Scenario& scenario : setting.scenarios) scenario.max_magnitude *= 1e-3;
     const auto responses = compute_responses(paper_layout(), paper_pattern("0-1+1-6"), setting);
-    optimization::RandomStream random(2, 0);
+    base::RandomStream random(2, 0);
     const auto model = example().model.displacements(random_parameters(setting, random, 0.4, 0.6));
     const double expected = written_objective(responses, model);
     EXPECT_NEAR(Objective(responses, setting).value(model), expected, 1e-6 * expected);
@@ -84,13 +84,13 @@ TEST(Objective, DividesByTheThresholdsWhereDisplacementsAreBelowThem) {
 
 TEST(Objective, IsZeroWhereModelAndPatternAgree) {
     const Setting& setting = example().setting;
-    optimization::RandomStream random(3, 0);
+    base::RandomStream random(3, 0);
     const auto model = example().model.displacements(random_parameters(setting, random, 0.4, 0.6));
     EXPECT_NEAR(Objective(linear_responses(model, setting), setting).value(model), 0.0, 1e-10);
 }
 
 TEST(Objective, IsTheSumOfItsScenarios) {
-    optimization::RandomStream random(4, 0);
+    base::RandomStream random(4, 0);
     const auto model = example().model.displacements(random_parameters(example().setting, random, 0.4, 0.6));
     double sum = 0.0;
     for (const double part : example().objective.scenario_errors(model)) sum += part;
@@ -98,7 +98,7 @@ TEST(Objective, IsTheSumOfItsScenarios) {
 }
 
 TEST(Objective, GradientAgreesWithFiniteDifferences) {
-    optimization::RandomStream random(5, 0);
+    base::RandomStream random(5, 0);
     for (const double smoothing : {0.1, 1e-3, 0.0}) {
         for (int trial = 0; trial < 4; ++trial) {
             const Eigen::VectorXd x = example().random_point(random);
@@ -117,7 +117,7 @@ TEST(Objective, GradientAgreesWithFiniteDifferences) {
 }
 
 TEST(Objective, GradientAloneIsThatOfTheCurvature) {
-    optimization::RandomStream random(9, 0);
+    base::RandomStream random(9, 0);
     for (const double smoothing : {0.1, 1e-3, 0.0}) {
         const Eigen::VectorXd x = example().random_point(random);
         const auto gradient = example().problem.gradient(x, smoothing);
@@ -130,7 +130,7 @@ TEST(Objective, GradientAloneIsThatOfTheCurvature) {
 }
 
 TEST(Objective, SquaredResidualsSumToItsValue) {
-    optimization::RandomStream random(6, 0);
+    base::RandomStream random(6, 0);
     const Eigen::VectorXd x = example().random_point(random);
     const auto r = example().problem.residuals(x, 0.0);
     ASSERT_EQ(r.residuals.size(), 50);
@@ -140,7 +140,7 @@ TEST(Objective, SquaredResidualsSumToItsValue) {
 }
 
 TEST(Objective, CurvatureIsAtLeastThatOfTheResiduals) {
-    optimization::RandomStream random(7, 0);
+    base::RandomStream random(7, 0);
     for (const double smoothing : {0.1, 1e-4}) {
         const Eigen::VectorXd x = example().random_point(random);
         const auto model = example().problem.curvature(x, smoothing);
@@ -155,7 +155,7 @@ TEST(Objective, CurvatureIsAtLeastThatOfTheResiduals) {
 /// the Hessian: a translation error that grows with one parameter.
 TEST(Objective, CurvatureIsTheHessianForALinearModel) {
     const Setting& setting = example().setting;
-    optimization::RandomStream random(8, 0);
+    base::RandomStream random(8, 0);
     UnitDisplacements base = example().model.displacements(random_parameters(setting, random, 0.45, 0.55));
     const auto other = example().model.displacements(random_parameters(setting, random, 0.45, 0.55));
     for (auto& scenario : base) scenario.rightCols<3>().setZero();
@@ -193,7 +193,7 @@ TEST(Objective, CountsSamplesAfterOneThatDidNotConverge) {
     auto responses = example().responses;
     responses[2].samples[4].converged = false;
     const Objective with_gap(responses, example().setting);
-    optimization::RandomStream random(6, 0);
+    base::RandomStream random(6, 0);
     const UnitDisplacements model = example().problem.displacements(example().random_point(random));
     const double expected = written_objective(responses, model);
     EXPECT_NEAR(with_gap.value(model), expected, 1e-7 * expected);
@@ -215,7 +215,7 @@ TEST(Objective, StablePolicyLeavesOutEverySampleFromTheFirstUnstableOneOn) {
     // What is left out does not count.
     const Objective before(responses, stable);
     for (std::size_t k = 6; k < 10; ++k) responses[0].samples[k].displacements.setConstant(1.0);
-    optimization::RandomStream random(5, 0);
+    base::RandomStream random(5, 0);
     const UnitDisplacements model = example().problem.displacements(example().random_point(random));
     EXPECT_EQ(before.value(model), Objective(responses, stable).value(model));
     EXPECT_NE(before.value(model), Objective(responses, example().setting).value(model));

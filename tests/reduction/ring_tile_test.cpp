@@ -29,7 +29,7 @@ mechanics::NodeValues solved_tile(const RingParts& parts, const Setting& setting
 TEST(RingHexagon, EqualsTheTileUnderTheGeneralSolver) {
     const Setting setting = paper_setting();
     const RingHexagon hexagon(setting);
-    optimization::RandomStream random(1, 0);
+    base::RandomStream random(1, 0);
     for (int trial = 0; trial < 40; ++trial) {
         const RingParts parts = random_parts(setting, random);
         const UnitDisplacements fast = hexagon.displacements(parts);
@@ -73,7 +73,7 @@ TEST(RingHexagon, StaysAccurateAtTheBounds) {
 TEST(RingHexagon, DerivativesAgreeWithFiniteDifferences) {
     const Setting setting = paper_setting();
     const RingHexagon hexagon(setting);
-    optimization::RandomStream random(2, 0);
+    base::RandomStream random(2, 0);
     for (int trial = 0; trial < 5; ++trial) {
         const RingParts center = random_parts(setting, random);
         RingParts rates = center;
@@ -101,7 +101,7 @@ TEST(RingHexagon, DerivativesAgreeWithFiniteDifferences) {
 TEST(RingHexagon, DerivativesComeWithTheSameDisplacements) {
     const Setting setting = paper_setting();
     const RingHexagon hexagon(setting);
-    optimization::RandomStream random(3, 0);
+    base::RandomStream random(3, 0);
     const RingParts parts = random_parts(setting, random);
     const auto plain = hexagon.displacements(parts);
     const auto both = hexagon.derivatives(parts, paper6_parameters().ties);
@@ -111,7 +111,7 @@ TEST(RingHexagon, DerivativesComeWithTheSameDisplacements) {
 TEST(RingHexagon, AdjointGradientIsTheSumOverAllDerivatives) {
     const Setting setting = paper_setting();
     const RingHexagon hexagon(setting);
-    optimization::RandomStream random(4, 0);
+    base::RandomStream random(4, 0);
     const RingParts parts = random_parts(setting, random);
     UnitDisplacements slopes(5, mechanics::NodeValues(6, 6));
     for (auto& of_scenario : slopes) {
@@ -154,7 +154,7 @@ TEST(RingHexagon, RefusesMechanismsAndPolygonsOtherThanHexagons) {
 TEST(RingHexagon, DerivativesOfSharedSectionsAreSums) {
     const Setting setting = paper_setting();
     const RingHexagon hexagon(setting);
-    optimization::RandomStream random(5, 0);
+    base::RandomStream random(5, 0);
     const RingParts parts = random_parameters(setting, random);
     const auto apart = hexagon.derivatives(parts, ring10_parameters().ties);
     const auto shared = hexagon.derivatives(parts, paper6_parameters().ties);
@@ -170,7 +170,7 @@ TEST(RingHexagon, DerivativesOfSharedSectionsAreSums) {
 
 TEST(RingTile, StiffnessIsInvariantUnderATurnBy60Degrees) {
     const Setting setting = paper_setting();
-    optimization::RandomStream random(4, 0);
+    base::RandomStream random(4, 0);
     const Eigen::MatrixXd K = condensed_frame(regular_tile(random_parts(setting, random), setting), 6);
     const Eigen::Matrix3d turn = Eigen::AngleAxisd(std::numbers::pi / 3.0, Eigen::Vector3d::UnitZ()).matrix();
     // Node i goes to node i + 1, and its components turn.

@@ -159,7 +159,7 @@ TEST(DifferenceProblem, AgreesWithTheAnalyticProblemOfARingWithLinks) {
         const DifferenceProblem numeric(model, tile, objective, setting);
         const RingProblem analytic(hexagon, parameters, objective, setting);
         const auto count = static_cast<Eigen::Index>(model.parameters.size());
-        optimization::RandomStream random(3, 0);
+        base::RandomStream random(3, 0);
         for (int trial = 0; trial < 3; ++trial) {
             Eigen::VectorXd shares(count);
             for (double& share : shares) share = 0.3 + 0.4 * random.uniform();

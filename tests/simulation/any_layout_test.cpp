@@ -24,11 +24,10 @@ Surface sheet(const pattern::NodeLayout& layout) {
     NewProjectOptions options;
     options.edge_length = 0.026;
     options.layout = layout.name();
-    options.painting.patterns = "random:1";
-    for (const pattern::Pattern& pattern : some_patterns(layout)) {
-        if (!options.painting.palette.empty()) options.painting.palette += ",";
-        options.painting.palette += pattern_id(layout, pattern);
-    }
+    PaintAtRandom painting;
+    for (const pattern::Pattern& pattern : some_patterns(layout))
+        painting.palette.ids.push_back(pattern_id(layout, pattern));
+    options.painting = painting;
     const auto outline = outlines::make_outline({{0, 0}, {0.3, 0}, {0.3, 0.18}, {0, 0.18}}, {});
     Surface surface = make_surface(make_project(outline, options, nullptr).project, nullptr);
     surface.setting.divisions = 1;

@@ -2,7 +2,7 @@
 #include "honeycomb.hpp"
 #include "support.hpp"
 
-#include <fretwork/optimization/random.hpp>
+#include <fretwork/base/random.hpp>
 #include <fretwork/simulation/session.hpp>
 #include <fretwork/simulation/simulate.hpp>
 
@@ -115,7 +115,7 @@ TEST(Session, DoesNotDependOnTheOrderInWhichCongruentTilesCame) {
 }
 
 /// One random edit of any kind. An edit that is refused changes nothing.
-void edit(Session& session, optimization::RandomStream& random) {
+void edit(Session& session, base::RandomStream& random) {
     const auto below = [&](int count) { return static_cast<int>(random.uniform() * count); };
     const auto force = [&] { return Eigen::Vector3d(random.uniform(), random.uniform(), random.uniform()); };
     const auto some_tile = [&] { return tiles({below(20)}); };
@@ -144,7 +144,7 @@ void edit(Session& session, optimization::RandomStream& random) {
 
 /// Whatever the edits, the answer is that of the final project.
 TEST(Session, GivesTheAnswerOfTheFinalProjectAfterAnyEdits) {
-    optimization::RandomStream random(11, 0);
+    base::RandomStream random(11, 0);
     for (int run = 0; run < 6; ++run) {
         Session session(sample_surface(), cantilever({0.1, 0.05, -0.2}), condensed());
         for (int i = 0; i < 25; ++i) {

@@ -3,9 +3,9 @@
 
 namespace fretwork::app {
 
-void add_painting_options(CLI::App& verb, simulation::PaintingChoice& choice) {
+void add_painting_options(CLI::App& verb, typed::PaintingText& text) {
     verb.add_option(
-            "--patterns", choice.patterns,
+            "--patterns", text.patterns,
             "What to paint with:\n"
             "  ID: one pattern\n"
             "  FILE.json: a painting file\n"
@@ -16,20 +16,25 @@ void add_painting_options(CLI::App& verb, simulation::PaintingChoice& choice) {
             "  colours:FILE.svg: by the colour that a drawing has there, in the outline's coordinates")
         ->type_name("CHOICE");
     verb.add_option(
-        "--palette", choice.palette,
+        "--palette", text.palette,
         "Patterns to choose from: ids with commas between, or a painting file (default: those that "
         "the library has calibrated); by chance with weights, ID=3,ID=1; by colours red=ID,#00f=ID");
-    verb.add_option("--property", choice.property,
+    verb.add_option("--property", text.property,
                     "By field and image: the property whose values go with the field, such as "
                     "bending_stiffness, membrane_stiffness or mass_per_area (default: the palette's order)")
         ->type_name("NAME");
-    verb.add_option("--range", choice.range,
+    verb.add_option("--range", text.range,
                     "The property's values (SI) where the field is 0 and 1, such as 0.02,0.1 (default: the "
                     "palette's least and largest)")
         ->type_name("LOW,HIGH");
-    verb.add_flag_callback(
-        "--dither", [&choice] { choice.dithering = tiling::Dithering::ErrorDiffusion; },
-        "By field and image: mix patterns so that their mean goes with the field");
+    verb.add_flag("--dither", text.dither,
+                  "By field and image: mix patterns so that their mean goes with the field");
+}
+
+base::InputError with_option_name(base::InputError error) {
+    for (const char* entry : {"patterns", "palette", "property", "range", "library"})
+        error = base::renamed(error, entry, std::string("--") + entry);
+    return error;
 }
 
 std::size_t unpainted_count(const tiling::Tessellation& tessellation) {

@@ -1,15 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <fretwork/simulation/project/painting_choice.hpp>
+#include <fretwork/base/error.hpp>
 #include <fretwork/tiling/tessellation.hpp>
 
 #include <CLI/CLI.hpp>
 
+#include <typed/painting_text.hpp>
+
 namespace fretwork::app {
 
-/// The options that say how tiles are painted: of `tile` and `paint`. `choice` must outlive the verb.
-void add_painting_options(CLI::App& verb, simulation::PaintingChoice& choice);
+/// The options that say how tiles are painted: of `tile` and `paint`. `text` must outlive the verb.
+void add_painting_options(CLI::App& verb, typed::PaintingText& text);
+
+/// An error of simulation::paint() that names the option instead of the entry of the choice.
+base::InputError with_option_name(base::InputError error);
 
 /// How many tiles are not painted yet.
 std::size_t unpainted_count(const tiling::Tessellation& tessellation);

@@ -52,7 +52,7 @@ simulation::Comparison compare(const CompareOptions& options, const simulation::
     try {
         return simulation::compare(full, reduced);
     } catch (const base::InputError& error) {
-        throw base::InputError(options.full + " and " + options.reduced, "", error.what());
+        throw base::within(options.full + " and " + options.reduced, "", error);
     }
 }
 

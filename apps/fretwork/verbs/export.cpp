@@ -62,7 +62,7 @@ Value read_option(const std::string& option, const std::string& text, Value (*pa
     try {
         return parse(text);
     } catch (const base::InputError& error) {
-        throw base::InputError(option, "", error.what());
+        throw base::within(option, "", error);
     }
 }
 
@@ -81,13 +81,15 @@ void check_own_result(const simulation::SurfaceResult& result, const std::string
     try {
         exports::require_same_surface(own.surface, result);
     } catch (const base::InputError& error) {
-        throw base::InputError(file, "", error.what());
+        throw base::within(file, "", error);
     }
 }
 
 const exports::WriterRow& writer_of(const ExportOptions& options, const std::string& path) {
     const auto content =
-        options.content.empty() ? std::nullopt : std::optional(exports::parse_content(options.content));
+        options.content.empty()
+            ? std::nullopt
+            : std::optional(read_option("--content", options.content, &exports::parse_content));
     return exports::find_writer(path, content);
 }
 
@@ -170,7 +172,7 @@ simulation::LoadCase load_case_of(const simulation::Project& project, const Expo
     try {
         return simulation::find_load_case(project, options.load_case);
     } catch (const base::InputError& error) {
-        throw base::InputError(options.project, "", error.what());
+        throw base::within(options.project, "", error);
     }
 }
 

@@ -10,7 +10,6 @@
 #include <fretwork/base/internal/json_text.hpp>
 #include <fretwork/base/quantity.hpp>
 #include <fretwork/base/text.hpp>
-#include <fretwork/simulation/project/painting_choice.hpp>
 #include <fretwork/simulation/project/project_file.hpp>
 #include <fretwork/simulation/project/project_library.hpp>
 #include <fretwork/tiling/painting/tile_choice.hpp>
@@ -35,7 +34,7 @@ struct PaintOptions {
     std::vector<std::string> tiles;
     std::vector<std::string> boxes;
     std::vector<std::string> polygons;
-    simulation::PaintingChoice painting;
+    typed::PaintingText painting;
     int turn = 0;
     std::string clearance;
     bool mirror = false;
@@ -83,7 +82,7 @@ void add_tiles(std::set<TileIndex>& chosen, const char* option, const std::vecto
         try {
             for (const TileIndex tile : pick(value)) chosen.insert(tile);
         } catch (const base::InputError& error) {
-            throw base::InputError(option, "", error.what());
+            throw base::within(option, "", error);
         }
     }
 }
@@ -113,11 +112,16 @@ std::optional<library::Library> open_library(const Project& project, const Paint
 
 /// The colours of a drawing choose among the tiles.
 std::vector<TileIndex> paint_project(Project& project, std::vector<TileIndex> tiles,
-                                     const PaintOptions& options, const library::Library* library) {
+                                     const simulation::PaintingChoice& choice, const PaintOptions& options,
+                                     const library::Library* library) {
     tiling::Tessellation& tessellation = project.tessellation;
     if (!options.painting.patterns.empty()) {
         const reduction::Setting setting = simulation::setting_of(project, library);
-        tiles = simulation::paint(tessellation, tiles, options.painting, {project.layout, setting, library});
+        try {
+            tiles = simulation::paint(tessellation, tiles, choice, {project.layout, setting, library});
+        } catch (const base::InputError& error) {
+            throw with_option_name(error);
+        }
     }
     if (options.mirror) simulation::mirror(tessellation, tiles, project.layout);
     for (const TileIndex tile : tiles)
@@ -155,7 +159,7 @@ void print(const Project& project, const std::vector<TileIndex>& tiles, const Pa
 }
 
 ExitCode run(const PaintOptions& options) {
-    simulation::check(options.painting);
+    const simulation::PaintingChoice choice = typed::read_painting(options.painting);
     const std::string& target = options.out.empty() ? options.project : options.out;
     std::optional<base::FileLock> lock;
     if (std::filesystem::exists(target)) lock.emplace(target);
@@ -163,7 +167,7 @@ ExitCode run(const PaintOptions& options) {
     const auto library = open_library(project, options);
     const library::Library* given = library ? &*library : nullptr;
     const auto chosen = chosen_tiles(options, project.tessellation);
-    const auto tiles = paint_project(project, chosen, options, given);
+    const auto tiles = paint_project(project, chosen, choice, options, given);
     if (tiles.empty()) {
         std::fprintf(
             stderr, "fretwork: %s; nothing is painted\n",

@@ -57,7 +57,7 @@ auto of_project(const SimulateOptions& options, const Work& work) {
     try {
         return work();
     } catch (const base::InputError& error) {
-        throw base::InputError(options.project, "", error.what());
+        throw base::within(options.project, "", error);
     }
 }
 
@@ -222,7 +222,7 @@ simulation::SurfaceResult simulate(const SimulateOptions& options, const Surface
         const std::vector<simulation::Stage> stages = simulation::read_stages(options.stages);
         return simulation::simulate_stages(surface, {load_case, cases, stages}, options.simulation, control);
     } catch (const base::NumericalError& error) {
-        throw base::NumericalError(options.project + ": " + error.what());
+        throw base::within(options.project, "", error);
     }
 }
 

@@ -66,7 +66,7 @@ std::string deck_text(const mechanics::Frame& frame, const SolveOptions& options
                                                    ? mechanics::DeckReader::Calculix
                                                    : mechanics::DeckReader::Abaqus);
     } catch (const base::InputError& error) {
-        throw base::InputError(options.frame, "", error.what());
+        throw base::within(options.frame, "", error);
     }
 }
 

@@ -36,7 +36,7 @@ struct TileOptions {
     std::string part = "largest";
     std::optional<std::string> width;
     std::optional<std::string> edge_length;
-    simulation::PaintingChoice painting;
+    typed::PaintingText painting;
     std::string library;
     std::string layout;
     std::string out;
@@ -64,7 +64,7 @@ double parse_length(const LengthOption& option, const std::string& text) {
     try {
         return base::parse_length(text);
     } catch (const base::InputError& error) {
-        throw base::InputError(option.name, "", error.what());
+        throw base::within(option.name, "", error);
     }
 }
 
@@ -232,13 +232,24 @@ void print(const tiling::TessellationReport& report, const Project& project, con
 
 /// What is typed is looked at before anything is read.
 simulation::NewProjectOptions wanted_project(const TileOptions& options) {
-    simulation::check(options.painting);
-    simulation::NewProjectOptions wanted{
-        .outline_name = options.outline, .layout = options.layout, .painting = options.painting};
+    simulation::NewProjectOptions wanted{.outline_name = options.outline,
+                                         .layout = options.layout,
+                                         .painting = typed::read_painting(options.painting)};
     if (options.edge_length) wanted.edge_length = parse_length(kEdgeLength, *options.edge_length);
     wanted.narrow = kNarrow.at(options.narrow);
     if (options.keep_mesh) wanted.tiles = simulation::TilesFrom::Mesh;
     return wanted;
+}
+
+simulation::NewProject make(const outlines::OutlineFile& file, const simulation::NewProjectOptions& wanted,
+                            const Library* library) {
+    try {
+        return simulation::make_project(file.parts, wanted, library);
+    } catch (const base::GeometryError&) {
+        throw;  // of the outline
+    } catch (const base::InputError& error) {
+        throw with_option_name(error);
+    }
 }
 
 void run(const TileOptions& options) {
@@ -251,7 +262,7 @@ void run(const TileOptions& options) {
     // Ctrl-C asks to stop only while files may be half-written: before and behind it ends the program.
     std::optional<LongWork> work(std::in_place);
     wanted.control = work->control();
-    simulation::NewProject made = simulation::make_project(file.parts, wanted, library);
+    simulation::NewProject made = make(file, wanted, library);
     warn(made);
     const Project project = write(std::move(made.project), options, library);
     work.reset();

@@ -30,7 +30,7 @@ std::string stem_of(const std::optional<fs::path>& document) {
 void make_folder(const fs::path& folder) {
     std::error_code error;
     fs::create_directories(folder, error);
-    if (error) throw base::IoError(folder.string() + ": the folder cannot be made: " + error.message());
+    if (error) throw base::IoError(folder.string(), "", "the folder cannot be made: " + error.message());
 }
 
 /// Nothing if another studio holds it.
@@ -81,8 +81,9 @@ AutosavePlace::AutosavePlace(const fs::path& folder, const std::optional<fs::pat
         if (!fs::exists(file_)) lock_ = try_lock(file_);
     }
     if (!lock_)
-        throw base::IoError(folder.string() + ": " + std::to_string(kMostPlaces) +
-                            " unsaved states of this document lie here already: recover or drop some");
+        throw base::IoError(folder.string(), "",
+                            std::to_string(kMostPlaces) +
+                                " unsaved states of this document lie here already: recover or drop some");
 }
 
 std::optional<AutosavePlace> AutosavePlace::take_over(const fs::path& file) {

@@ -21,7 +21,7 @@ std::string read_model(const JsonReader& json, Mixed mixed) {
         if (mixed == Mixed::Taken && simulation::mixed_share(json.string())) return json.string();
         return reduction::find_tile_model(json.string()).name;
     } catch (const base::InputError& error) {
-        json.fail(error.what());
+        json.fail(error);
     }
 }
 

@@ -9,6 +9,7 @@
 #include <studio/document/examples.hpp>
 
 #include <algorithm>
+#include <typed/painting_text.hpp>
 
 namespace fretwork::studio {
 namespace {
@@ -49,7 +50,8 @@ simulation::Project make_example(std::string_view name, const base::Control& con
     const outlines::Outline outline = outlines::parse_outline(json.at("outline").text(), json.source());
     const simulation::NewProjectOptions options{
         .edge_length = json.at("tile_size").positive_number(),
-        .painting = {json.at("patterns").string(), json.at("palette").string()},
+        .painting = typed::read_painting(
+            {.patterns = json.at("patterns").string(), .palette = json.at("palette").string()}),
         .control = control};
     simulation::Project project = simulation::make_project(outline, options, nullptr).project;
     project.load_cases.push_back(simulation::parse_load_case(json.at("load_case").text(), json.source()));

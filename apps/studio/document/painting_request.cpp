@@ -15,8 +15,8 @@ namespace fretwork::studio {
 namespace {
 
 using base::JsonReader;
-using simulation::PaintingChoice;
 using tiling::TileIndex;
+using typed::PaintingText;
 
 /// The places of patterns in a palette, which grows by those that are new.
 class PaletteWriter {
@@ -43,7 +43,7 @@ class PaletteWriter {
         try {
             return tiling::make_palette(layout_, std::vector{text}).front();
         } catch (const base::InputError& error) {
-            json.fail(error.what());
+            json.fail(error);
         }
     }
 
@@ -87,16 +87,16 @@ std::vector<TileIndex> chosen_tiles(const State& state, const JsonReader& reques
 }
 
 /// Only where something is looked up in it: to see whether it has changed takes as long as it is large.
-std::optional<library::Library> library_for(const PaintingChoice& choice, const State& state) {
-    if (!choice.palette.empty() && choice.property.empty()) return std::nullopt;
+std::optional<library::Library> library_for(const PaintingText& text, const State& state) {
+    if (!text.palette.empty() && text.property.empty()) return std::nullopt;
     auto library = open_library(state);
     if (library) library->check_layout(state.ground->layout);
     return library;
 }
 
-Painted by_choice(const State& state, const std::vector<TileIndex>& tiles, const PaintingChoice& choice) {
-    simulation::check(choice);
-    const auto library = library_for(choice, state);
+Painted by_choice(const State& state, const std::vector<TileIndex>& tiles, const PaintingText& text) {
+    const simulation::PaintingChoice choice = typed::read_painting(text);
+    const auto library = library_for(text, state);
     tiling::Tessellation tessellation = make_project(state, "/").tessellation;
     const auto done = simulation::paint(
         tessellation, tiles, choice, {state.ground->layout, *state.setting, library ? &*library : nullptr});
@@ -114,17 +114,17 @@ Painted by_choice(const State& state, const std::vector<TileIndex>& tiles, const
 Painted chosen(const State& state, const JsonReader& request) {
     request.allow_only(
         {"id", "do", "merge", "tiles", "patterns", "palette", "property", "range", "dither", "file"});
-    PaintingChoice choice = read_painting_choice(request);
+    PaintingText text = read_painting_text(request);
     const auto tiles = chosen_tiles(state, request);
     const auto file = request.find("file");
-    if (!file) return by_choice(state, tiles, choice);
+    if (!file) return by_choice(state, tiles, text);
     file->allow_only({"name", "text_base64"});
-    if (choice.patterns != "image:" && choice.patterns != "colours:")
-        file->fail("is what the patterns 'image:' and 'colours:' read, and these are '" + choice.patterns +
+    if (text.patterns != "image:" && text.patterns != "colours:")
+        file->fail("is what the patterns 'image:' and 'colours:' read, and these are '" + text.patterns +
                    "'");
     return read_sent(parse_sent_file(*file), [&](const std::filesystem::path& path) {
-        choice.patterns += path.string();
-        return by_choice(state, tiles, choice);
+        text.patterns += path.string();
+        return by_choice(state, tiles, text);
     });
 }
 
@@ -139,7 +139,7 @@ std::vector<std::size_t> read_tiles(const JsonReader& json, const State& state) 
     return tiles;
 }
 
-PaintingChoice read_painting_choice(const JsonReader& request) {
+PaintingText read_painting_text(const JsonReader& request) {
     const auto text_of = [&](const char* key) {
         const auto value = request.find(key);
         return value ? read_plain_text(*value) : std::string();
@@ -150,13 +150,8 @@ PaintingChoice read_painting_choice(const JsonReader& request) {
             .palette = text_of("palette"),
             .property = text_of("property"),
             .range = text_of("range"),
-            .dithering = is_dithered ? tiling::Dithering::ErrorDiffusion : tiling::Dithering::None,
-            .names = {.patterns = "patterns",
-                      .palette = "palette",
-                      .library = "a library",
-                      .property = "property",
-                      .range = "range",
-                      .dithering = "dither"}};
+            .dither = is_dithered,
+            .prefix = ""};
 }
 
 Painted painted(const State& state, const JsonReader& request) {

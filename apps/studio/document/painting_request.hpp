@@ -2,9 +2,9 @@
 #pragma once
 
 #include <fretwork/base/json_reader.hpp>
-#include <fretwork/simulation/project/painting_choice.hpp>
 #include <studio/document/state.hpp>
 
+#include <typed/painting_text.hpp>
 #include <vector>
 
 namespace fretwork::studio {
@@ -14,7 +14,7 @@ std::vector<std::size_t> read_tiles(const base::JsonReader& json, const State& s
 
 /// The keys `patterns`, `palette`, `property`, `range` and `dither` of a request, as the options of
 /// `fretwork paint`; each may be left out.
-simulation::PaintingChoice read_painting_choice(const base::JsonReader& request);
+typed::PaintingText read_painting_text(const base::JsonReader& request);
 
 /// A painting that a request makes of another one.
 struct Painted {

@@ -16,7 +16,8 @@ namespace fretwork::studio {
 /// A thread that does one piece of work after the other.
 class Background {
   public:
-    /// A piece of work. It may throw base::Error and std::bad_alloc: `failed` is then told, on the thread.
+    /// A piece of work. It may throw base::Error and std::bad_alloc: `failed` is then told, on the thread, in
+    /// words for people.
     struct Job {
         std::function<void(const base::Control&)> work;
         std::function<void(const std::string& error)> failed;

@@ -4,8 +4,6 @@
 #include <studio/server/sent_file.hpp>
 #include <studio/server/sent_name.hpp>
 
-#include <boost/algorithm/string/replace.hpp>
-
 #include <cstdlib>
 #include <system_error>
 
@@ -42,10 +40,6 @@ FileOnDisk::FileOnDisk(const SentFile& sent)
 
 std::filesystem::path FileOnDisk::path() const {
     return folder_.path() / ("file" + ending_);
-}
-
-std::string FileOnDisk::renamed(const std::string& message) const {
-    return boost::replace_all_copy(message, path().string(), shown_);
 }
 
 }  // namespace fretwork::studio

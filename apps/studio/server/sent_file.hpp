@@ -24,8 +24,8 @@ class FileOnDisk {
   public:
     explicit FileOnDisk(const SentFile& sent);
     [[nodiscard]] std::filesystem::path path() const;
-    /// What is said of the path, said of the file that was sent.
-    [[nodiscard]] std::string renamed(const std::string& message) const;
+    /// As the file was called where it was sent, fit to be shown.
+    [[nodiscard]] const std::string& name() const { return shown_; }
 
   private:
     std::string shown_;
@@ -40,9 +40,9 @@ auto read_sent(const SentFile& sent, const Read& read) {
     try {
         return read(file.path());
     } catch (const base::GeometryError& error) {
-        throw base::GeometryError(file.renamed(error.what()));
+        throw base::renamed(error, file.path().string(), file.name());
     } catch (const base::InputError& error) {
-        throw base::InputError(file.renamed(error.what()));
+        throw base::renamed(error, file.path().string(), file.name());
     }
 }
 

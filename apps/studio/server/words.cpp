@@ -85,49 +85,40 @@ std::optional<std::string> place_in_words(std::string_view pointer) {
     return words;
 }
 
-/// Errors are "SOURCE: PLACE: what is wrong".
-std::string without_pointers(std::string_view error) {
-    constexpr std::string_view kMessage = "message: ";
-    if (error.starts_with(kMessage)) error.remove_prefix(kMessage.size());
-    std::string words;
-    while (!error.empty()) {
-        const std::size_t end = error.find(": ");
-        const std::string_view part = error.substr(0, end);
-        if (part != "/") words += place_in_words(part).value_or(std::string(part)) + ": ";
-        if (end == std::string_view::npos) break;
-        error.remove_prefix(end + 2);
+/// The whole error; its places in files and messages become words.
+std::string with_plain_places(const base::ErrorData& data) {
+    std::string text;
+    const auto add = [&](const std::string& part) {
+        if (!part.empty() && part != "/") text += place_in_words(part).value_or(part) + ": ";
+    };
+    for (const auto& [source, place] : data.where) {
+        if (source != std::string_view(kMessageSource)) add(source);
+        add(place);
     }
-    return words.substr(0, words.size() - std::min<std::size_t>(words.size(), 2));
-}
-
-/// What stands between two pieces of a text; nothing if it has not both.
-std::optional<std::string> between(const std::string& text, std::string_view before, std::string_view after) {
-    const std::size_t begin = text.find(before);
-    if (begin == std::string::npos) return std::nullopt;
-    const std::size_t from = begin + before.size();
-    const std::size_t to = text.find(after, from);
-    if (to == std::string::npos) return std::nullopt;
-    return text.substr(from, to - from);
+    return text + data.problem;
 }
 
 }  // namespace
 
-std::string in_words(const std::string& error) {
-    if (error.find("nothing holds the structure") != std::string::npos)
-        return "Nothing holds the surface. Select nodes and hold them.";
-    if (const auto where = between(error, "nothing holds the part of the structure with ", ":"))
-        return "Nothing holds the part of the surface near " + *where + ". Select nodes of it and hold them.";
-    if (const auto where = between(error, "the structure, as held, can move without strain at ", ":"))
-        return "The surface is not held firmly: near " + *where +
-               " it still moves or turns freely. Hold more nodes, or hold them in more directions.";
-    const auto model = between(error, "has no calibration of the tile model ", ":");
-    const auto pattern = between(error, "pattern ", " has no calibration");
-    if (model && pattern)
-        return "The model " + *model + " needs measured patterns, and " + *pattern +
-               " is none of them. Choose another model, or a project that was made with a library of "
-               "measured "
-               "patterns.";
-    return without_pointers(error);
+std::string in_words(const base::Error& error) {
+    const auto& about = error.data().about;
+    switch (error.data().kind) {
+        case base::ErrorKind::NothingHeld:
+            return "Nothing holds the surface. Select nodes and hold them.";
+        case base::ErrorKind::PartNotHeld:
+            return "Nothing holds the part of the surface near " + about.at(0) +
+                   ". Select nodes of it and hold them.";
+        case base::ErrorKind::MovesFreely:
+            return "The surface is not held firmly: near " + about.at(0) +
+                   " it still moves or turns freely. Hold more nodes, or hold them in more directions.";
+        case base::ErrorKind::NotCalibrated:
+            return "The model " + about.at(1) + " needs measured patterns, and " + about.at(0) +
+                   " is none of them. Choose another model, or a project that was made with a library of "
+                   "measured patterns.";
+        case base::ErrorKind::Other:
+            break;
+    }
+    return with_plain_places(error.data());
 }
 
 std::string in_words(const std::filesystem::filesystem_error& error) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <fretwork/base/error.hpp>
+
 #include <filesystem>
 #include <string>
 
@@ -8,7 +10,10 @@ namespace fretwork::studio {
 
 /// An error for people who see a surface and no files: places in messages and files become words ("load
 /// case 1, support 2"), and what the solvers say becomes what can be done.
-std::string in_words(const std::string& error);
+std::string in_words(const base::Error& error);
+
+/// What messages of pages are called as the source of an error; their senders need not be told.
+inline constexpr const char* kMessageSource = "message";
 
 /// What the system refused, and of which file.
 std::string in_words(const std::filesystem::filesystem_error& error);

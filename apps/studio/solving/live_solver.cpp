@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
 #include <studio/server/progress.hpp>
+#include <studio/server/words.hpp>
 #include <studio/solving/live_solver.hpp>
 
 #include <algorithm>
@@ -122,7 +123,7 @@ void LiveSolver::answer(const Attempt& attempt) {
     } catch (const base::Stopped&) {
         return;  // newer input is there
     } catch (const base::Error& error) {
-        listener_.failed(attempt.input, error.what());
+        listener_.failed(attempt.input, in_words(error));
     } catch (const std::bad_alloc&) {
         listener_.failed(attempt.input, "out of memory");
     }

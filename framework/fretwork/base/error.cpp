@@ -1,9 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
 
+#include <algorithm>
+
 namespace fretwork::base {
 
-InputError::InputError(const std::string& source, const std::string& place, const std::string& message)
-    : Error(source + ": " + (place.empty() ? "" : place + ": ") + message) {}
+std::string text_of(const ErrorData& data) {
+    std::string text;
+    for (const auto& [source, place] : data.where) {
+        if (!source.empty()) text += source + ": ";
+        if (!place.empty()) text += place + ": ";
+    }
+    return text + data.problem;
+}
+
+bool names_source(const Error& error, const std::string& source) {
+    return std::ranges::find(error.data().where, source, &ErrorPlace::source) != error.data().where.end();
+}
 
 }  // namespace fretwork::base

@@ -68,9 +68,13 @@ JsonReader JsonReader::from_text(std::string_view text, std::string source) {
 }
 
 void JsonReader::fail(const std::string& message) const {
+    fail(InputError(message));
+}
+
+void JsonReader::fail(const InputError& error) const {
     constexpr std::size_t kMostShown = 80;
     const std::string place = shortened(pointer(), kMostShown);
-    throw InputError(source(), place.empty() ? "/" : place, message);
+    throw within(source(), place.empty() ? "/" : place, error);
 }
 
 void JsonReader::expect_format(std::string_view kind, int newest) const {

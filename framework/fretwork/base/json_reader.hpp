@@ -68,6 +68,8 @@ class JsonReader {
     [[nodiscard]] std::string pointer() const;
     /// Complain about this value.
     [[noreturn]] void fail(const std::string& message) const;
+    /// The same with what a value turned out to be, which keeps its kind.
+    [[noreturn]] void fail(const InputError& error) const;
 
   private:
     struct Document;

@@ -45,7 +45,7 @@ double parse_length_above_zero(const std::string& name, std::string_view text) {
         const double length = parse_length(text);
         if (length > 0.0) return length;
     } catch (const InputError& error) {
-        throw InputError(name, "", error.what());
+        throw within(name, "", error);
     }
     throw InputError(name, "", "'" + std::string(text) + "' is not a length above zero, such as 0.5mm");
 }

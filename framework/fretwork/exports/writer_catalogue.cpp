@@ -188,7 +188,7 @@ Content parse_content(const std::string& name) {
         if (row.name == name) return row.content;
         names.emplace_back(row.name);
     }
-    throw base::InputError("--content", "", base::unknown_name_message("content", name, names));
+    throw base::InputError(base::unknown_name_message("content", name, names));
 }
 
 const WriterRow& find_writer(const std::filesystem::path& path, std::optional<Content> content) {

@@ -109,7 +109,7 @@ Library Library::create(const std::filesystem::path& path, const pattern::NodeLa
         return Library(std::make_unique<Impl>(std::move(database)));
     }
     if (!make_file(path, [&](const auto& draft) { make_tables(draft, layout, setting); }))
-        throw base::IoError(path.string() + ": another process has made it meanwhile");
+        throw base::IoError(path.string(), "", "another process has made it meanwhile");
     return open(path, Access::ReadWrite);
 }
 

@@ -101,10 +101,7 @@ void add_input(Database& output, const std::filesystem::path& input) {
     try {
         attach_and_copy(output, input);
     } catch (const base::InputError& error) {
-        std::string message = error.what();
-        const std::string blamed = output.path().string();
-        if (message.starts_with(blamed)) message.replace(0, blamed.size(), input.string());
-        throw base::InputError(message);
+        throw base::renamed(error, output.path().string(), input.string());
     }
 }
 
@@ -132,7 +129,7 @@ void adopt_strength(reduction::Setting& setting, const Library& other) {
         throw base::InputError(other.path().string(), "",
                                "has a strength of " + text(*strength) + ", where an earlier input has " +
                                    text(*setting.strength) +
-                                   "; 'fretwork calibrate --setting' gives a library another one");
+                                   "; calibrate one of them with the other's setting");
     setting.strength = strength;
 }
 
@@ -166,7 +163,7 @@ void merge(const std::filesystem::path& output, std::span<const std::filesystem:
         merge_into(draft.path(), inputs, control);
     });
     if (!draft.move_into_place())
-        throw base::IoError(output.string() + ": another process has made it meanwhile");
+        throw base::IoError(output.string(), "", "another process has made it meanwhile");
 }
 
 }  // namespace fretwork::library

@@ -184,7 +184,7 @@ Result solve(const LabelledFrame& frame, const SolveOptions& options) {
         return solve_frame(frame, options);
     } catch (const base::NumericalError& error) {  // names the frame's file
         if (frame.source.empty()) throw;
-        throw base::NumericalError(frame.source + ": " + error.what());
+        throw base::within(frame.source, "", error);
     }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fretwork/optimization/random.hpp>
+#include <fretwork/base/random.hpp>
 #include <fretwork/optimization/sampling.hpp>
 
 #include <cmath>
@@ -22,7 +22,7 @@ constexpr std::uint64_t kShiftStream = 0x5A3D'1E70'0000'0000U;
 LowDiscrepancySequence::LowDiscrepancySequence(int dimension, std::uint64_t seed)
     : step_(dimension), shift_(dimension) {
     const double ratio = generalized_golden_ratio(dimension);
-    RandomStream random(seed, kShiftStream);
+    base::RandomStream random(seed, kShiftStream);
     double power = 1.0;
     for (int i = 0; i < dimension; ++i) {
         power /= ratio;

@@ -25,7 +25,7 @@ ColouredDrawing::ColouredDrawing(const std::filesystem::path& path) {
     try {
         impl_ = std::make_unique<Impl>(Impl{detail::read_svg_colours(path)});
     } catch (const base::GeometryError& error) {
-        throw base::GeometryError(path.string() + ": " + error.what());
+        throw base::within(path.string(), "", error);
     }
 }
 ColouredDrawing::~ColouredDrawing() = default;

@@ -105,18 +105,17 @@ OutlineFile read_outline_file(const std::filesystem::path& path) {
     const std::string ending = detail::in_small_letters(path.extension().string());
     for (const Reader& reader : kReaders) {
         if (reader.ending != ending) continue;
-        // Some readers have named the file already.
         const auto has_name = [&](const base::Error& error) {
-            return std::string_view(error.what()).starts_with(path.string());
+            return base::names_source(error, path.string());
         };
         try {
             return reader.read(path);
         } catch (const base::GeometryError& error) {
             if (has_name(error)) throw;
-            throw base::GeometryError(path.string(), "", error.what());
+            throw base::within(path.string(), "", error);
         } catch (const base::InputError& error) {
             if (has_name(error)) throw;
-            throw base::InputError(path.string(), "", error.what());
+            throw base::within(path.string(), "", error);
         }
     }
     throw base::InputError(

@@ -39,7 +39,7 @@ Outline parse_outline(std::string_view text, const std::string& source) {
     try {
         return make_outline(std::move(boundary), std::move(holes));
     } catch (const base::GeometryError& error) {
-        throw base::GeometryError(source, "", error.what());
+        throw base::within(source, "", error);
     }
 }
 

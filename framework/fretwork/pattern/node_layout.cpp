@@ -66,7 +66,7 @@ Rational read_rational(const JsonReader& json) {
     try {
         return parse_rational(text);
     } catch (const base::InputError& error) {
-        json.fail(error.what());
+        json.fail(error);
     }
 }
 

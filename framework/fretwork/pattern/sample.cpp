@@ -59,7 +59,7 @@ struct PatternSampler::Impl {
 
     /// The graph of one trial. Pre: there are proposals.
     [[nodiscard]] Word128 propose(std::uint64_t trial) const {
-        detail::RandomStream random(seed, trial);
+        detail::WideRandom random(seed, trial);
         GraphCount pick = random.below(proposals);
         int size = options.edges.least;
         while (pick >= sets.counts()[static_cast<std::size_t>(size)])

@@ -30,7 +30,7 @@ LoadCase lists_of(const JsonReader& stage, const char* supports) {
     try {
         return parse_load_case(base::json_text(json), "");
     } catch (const base::InputError& error) {
-        stage.fail(error.what());
+        stage.fail(error);
     }
 }
 

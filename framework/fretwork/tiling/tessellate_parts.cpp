@@ -46,8 +46,8 @@ TessellationResult tessellate_part(const std::vector<outlines::Outline>& parts, 
     try {
         return tessellate(parts[part], layout, options);
     } catch (const base::GeometryError& error) {
-        throw base::GeometryError("part " + std::to_string(part + 1) + " of " + std::to_string(parts.size()) +
-                                  ": " + error.what());
+        throw base::within("part " + std::to_string(part + 1) + " of " + std::to_string(parts.size()), "",
+                           error);
     }
 }
 

@@ -31,8 +31,8 @@ bool lock(int descriptor, const std::filesystem::path& path, Wait wait) {
     while (::flock(descriptor, operation) != 0) {
         if (errno == EWOULDBLOCK) return false;
         if (errno != EINTR)
-            throw IoError(path.string() +
-                          ": cannot be locked against other programs: " + std::strerror(errno));
+            throw IoError(path.string(), "",
+                          std::string("cannot be locked against other programs: ") + std::strerror(errno));
     }
     return true;
 }

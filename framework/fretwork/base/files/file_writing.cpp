@@ -17,7 +17,7 @@ namespace fretwork::base {
 namespace {
 
 [[noreturn]] void fail_to_write(const std::filesystem::path& path, int error_number) {
-    throw IoError(path.string() + ": cannot be written: " + std::strerror(error_number));
+    throw IoError(path.string(), "", std::string("cannot be written: ") + std::strerror(error_number));
 }
 
 void write_all(int descriptor, std::string_view content, const std::filesystem::path& target) {
@@ -38,7 +38,7 @@ bool is_device(const std::filesystem::path& path) {
 int open_device(const std::filesystem::path& path) {
     const int descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NONBLOCK);
     if (descriptor < 0 && errno == ENXIO)
-        throw IoError(path.string() + ": cannot be written: it is a pipe that no program reads");
+        throw IoError(path.string(), "", "cannot be written: it is a pipe that no program reads");
     if (descriptor < 0) fail_to_write(path, errno);
     // What is written later may wait.
     (void)::fcntl(descriptor, F_SETFL, ::fcntl(descriptor, F_GETFL) & ~O_NONBLOCK);
@@ -121,7 +121,7 @@ struct FolderBatch::Impl {
     void move_into_place() {
         std::error_code fault;
         std::filesystem::create_directories(target, fault);
-        if (fault) throw IoError(target.string() + ": cannot be made: " + fault.message());
+        if (fault) throw IoError(target.string(), "", "cannot be made: " + fault.message());
         for (const auto& entry : std::filesystem::directory_iterator(scratch->path())) {
             const std::filesystem::path file = target / entry.path().filename();
             if (::rename(entry.path().c_str(), file.c_str()) != 0) fail_to_write(file, errno);
@@ -135,7 +135,7 @@ struct FolderBatch::Impl {
 AtomicFile::AtomicFile(std::filesystem::path path) {
     std::error_code ignored;
     if (std::filesystem::is_directory(path, ignored)) {
-        throw IoError(path.string() + ": is a folder, where a file is to be written");
+        throw IoError(path.string(), "", "is a folder, where a file is to be written");
     }
     impl_ = std::make_unique<Impl>(std::move(path));
 }

@@ -61,7 +61,8 @@ Scratch::Scratch(const fs::path& target, Kind kind) {
         if (descriptor_ >= 0) ::close(descriptor_);
         std::string name = (folder / kStart).string().append(kPlaceholder);
         descriptor_ = make(name, kind);
-        if (descriptor_ < 0) throw IoError(target.string() + ": cannot be written: " + std::strerror(errno));
+        if (descriptor_ < 0)
+            throw IoError(target.string(), "", std::string("cannot be written: ") + std::strerror(errno));
         path_ = name;
         // Where the file system has no locks nobody removes it, either.
         (void)::flock(descriptor_, LOCK_EX | LOCK_NB);

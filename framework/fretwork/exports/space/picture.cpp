@@ -50,8 +50,7 @@ detail::EndColours end_colours(const BarScene& scene, const std::string& name) {
     const auto field = std::ranges::find(scene.fields, name, &BarScene::Field::name);
     if (field == scene.fields.end() && name == kUtilization)
         throw base::InputError(
-            "utilization is a share of a strength, and none is given: --strength 40MPa, or \"strength\" in "
-            "the material of the setting");
+            "utilization needs a strength: give one, or write \"strength\" into the material of the setting");
     if (field == scene.fields.end()) {
         std::vector<std::string> names = bar_field_names();
         names.push_back(kPlain);

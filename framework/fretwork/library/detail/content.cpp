@@ -130,7 +130,7 @@ std::string schema3_content_hash(Database& database) {
 void export_csv(Database& database, const std::filesystem::path& folder) {
     std::error_code error;
     std::filesystem::create_directories(folder, error);
-    if (error) throw base::IoError(folder.string() + ": cannot be made: " + error.message());
+    if (error) throw base::IoError(folder.string(), "", "cannot be made: " + error.message());
     const Transaction snapshot(database, Transaction::Kind::Read);
     for (const Table& table : content_tables()) {
         if (is_json_table(table)) {

@@ -51,10 +51,10 @@ void Database::fail(int code) const {
     if (kind == SQLITE_NOTADB) throw base::InputError(path_.string(), "", "is no pattern library");
     if (kind == SQLITE_CORRUPT) throw base::InputError(path_.string(), "", "is damaged (" + what + ")");
     if (kind == SQLITE_BUSY || kind == SQLITE_LOCKED)
-        throw base::IoError(path_.string() + ": is in use by another program");
-    if (kind == SQLITE_FULL) throw base::IoError(path_.string() + ": cannot be written: the disk is full");
+        throw base::IoError(path_.string(), "", "is in use by another program");
+    if (kind == SQLITE_FULL) throw base::IoError(path_.string(), "", "cannot be written: the disk is full");
     if (kind == SQLITE_IOERR || kind == SQLITE_CANTOPEN || kind == SQLITE_READONLY || kind == SQLITE_PERM)
-        throw base::IoError(path_.string() + ": cannot be read or written: " + what);
+        throw base::IoError(path_.string(), "", "cannot be read or written: " + what);
     const std::string detail = handle_ ? sqlite3_errmsg(handle_.get()) : what;
     throw base::InputError(path_.string(), "", "does not have the tables of a pattern library: " + detail);
 }

@@ -34,9 +34,9 @@ class Draft {
         try {
             action();
         } catch (const base::InputError& error) {
-            throw base::InputError(in_the_name_of_output(error.what()));
+            throw base::renamed(error, path_.string(), output_.string());
         } catch (const base::IoError& error) {
-            throw base::IoError(in_the_name_of_output(error.what()));
+            throw base::renamed(error, path_.string(), output_.string());
         }
     }
 
@@ -49,17 +49,12 @@ class Draft {
             if (::link(path_.c_str(), target_.c_str()) == 0) return true;
         }
         if (errno == EEXIST) return false;
-        throw base::IoError(output_.string() + ": cannot be written: " +
-                            std::error_code(errno, std::generic_category()).message());
+        throw base::IoError(
+            output_.string(), "",
+            "cannot be written: " + std::error_code(errno, std::generic_category()).message());
     }
 
   private:
-    [[nodiscard]] std::string in_the_name_of_output(std::string message) const {
-        const std::string draft = path_.string();
-        const std::size_t place = message.find(draft);
-        return place == std::string::npos ? message : message.replace(place, draft.size(), output_.string());
-    }
-
     std::filesystem::path output_;
     std::filesystem::path target_;  ///< where the output's links lead
     base::Scratch scratch_;

@@ -36,7 +36,7 @@ detail::ResponseShape Library::Impl::shape() const {
 
 std::unique_ptr<Transaction> Library::Impl::begin_writing() {
     if (database.is_read_only())
-        throw base::IoError(database.path().string() + ": cannot be written: no permission");
+        throw base::IoError(database.path().string(), "", "cannot be written: no permission");
     auto transaction = std::make_unique<Transaction>(database, Transaction::Kind::Write);
     if (!writer_recorded) detail::record_writer(database);
     return transaction;
@@ -64,7 +64,7 @@ PatternEntry Library::Impl::entry(std::string id) const {
         const pattern::Pattern pattern = pattern::parse_pattern_id(layout, id);
         return {std::move(id), pattern};
     } catch (const base::InputError& error) {
-        throw base::InputError(database.path().string(), "pattern", error.what());
+        throw base::within(database.path().string(), "pattern", error);
     }
 }
 

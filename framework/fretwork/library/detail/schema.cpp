@@ -234,7 +234,7 @@ void check_schema(const Database& database) {
     throw base::InputError(file, "",
                            what + ", where this program reads versions from " +
                                std::to_string(kOldestSchemaVersion) +
-                               " on: make it anew with enumerate --library and calibrate");
+                               " on: enumerate its patterns into a new library and calibrate them");
 }
 
 }  // namespace fretwork::library::detail

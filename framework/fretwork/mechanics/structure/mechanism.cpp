@@ -49,13 +49,20 @@ std::string place_text(const Eigen::Vector3d& place) {
     if (std::ranges::none_of(assembly.supports, is_beside) &&
         std::ranges::none_of(assembly.prescribed, is_beside)) {
         const bool is_all = std::ranges::find(connected, false) == connected.end();
-        throw base::NumericalError(is_all ? "nothing holds the structure: it needs supports"
-                                          : "nothing holds the part of the structure with " + where +
-                                                ": it needs supports, or beams between it and what is held");
+        if (is_all)
+            throw base::NumericalError({.problem = "nothing holds the structure: it needs supports",
+                                        .kind = base::ErrorKind::NothingHeld});
+        throw base::NumericalError({.problem = "nothing holds the part of the structure with " + where +
+                                               ": it needs supports, or beams between it and what is held",
+                                    .kind = base::ErrorKind::PartNotHeld,
+                                    .about = {where}});
     }
-    throw base::NumericalError("the structure, as held, can move without strain at " + where +
-                               ": hold it more, or release less of its beams (or stiffnesses differ by "
-                               "more than double precision tells apart)");
+    throw base::NumericalError(
+        {.problem = "the structure, as held, can move without strain at " + where +
+                    ": hold it more, or release less of its beams (or stiffnesses differ by more than "
+                    "double precision tells apart)",
+         .kind = base::ErrorKind::MovesFreely,
+         .about = {where}});
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/random.hpp>
 #include <fretwork/optimization/methods/annealing_then_ceres.hpp>
 #include <fretwork/optimization/methods/detail/ceres_descent.hpp>
-#include <fretwork/optimization/random.hpp>
 
 namespace fretwork::optimization {
 namespace {
@@ -16,7 +16,7 @@ class AnnealingThenCeres final : public Optimizer {
             SimulatedAnnealingOptions once = options_.annealing;
             once.common = {
                 .starts = 1,
-                .seed = derived_seed(options_.annealing.common.seed, static_cast<std::uint64_t>(i))};
+                .seed = base::derived_seed(options_.annealing.common.seed, static_cast<std::uint64_t>(i))};
             outcome = make_simulated_annealing(once)->run(evaluator);
             if (outcome.ending == Ending::BudgetSpent || evaluator.best_point().size() == 0) break;
             outcome = descend(evaluator);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/random.hpp>
 #include <fretwork/optimization/methods/random_search.hpp>
-#include <fretwork/optimization/random.hpp>
 
 namespace fretwork::optimization {
 namespace {
@@ -10,7 +10,7 @@ class RandomSearch final : public Optimizer {
     explicit RandomSearch(const OptimizerOptions& options) : options_(options) {}
 
     RunOutcome run(Evaluator& evaluator) const override {
-        RandomStream random(options_.seed, 0);
+        base::RandomStream random(options_.seed, 0);
         Eigen::VectorXd shares(evaluator.bounds().dimension());
         Eigen::VectorXd point;
         do {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
+#include <fretwork/base/random.hpp>
 #include <fretwork/optimization/methods/detail/unit_box.hpp>
 #include <fretwork/optimization/methods/simulated_annealing.hpp>
-#include <fretwork/optimization/random.hpp>
 #include <fretwork/optimization/sampling.hpp>
 
 #include <algorithm>
@@ -110,7 +110,7 @@ class Annealing {
     const SimulatedAnnealingOptions& options_;
     Evaluator& evaluator_;
     detail::UnitBox box_;
-    RandomStream random_;
+    base::RandomStream random_;
     Eigen::VectorXd shares_;
     Eigen::VectorXd scales_;
     Eigen::VectorXd accepted_;

@@ -71,7 +71,7 @@ void make_folder(const std::filesystem::path& folder) {
     std::error_code fault;
     std::filesystem::create_directories(folder, fault);
     if (!std::filesystem::is_directory(folder, fault))
-        throw base::IoError(folder.string() + ": cannot be made: " + fault.message());
+        throw base::IoError(folder.string(), "", "cannot be made: " + fault.message());
 }
 
 /// Takes what threads have done, in any order: the table sorts it.

@@ -82,7 +82,7 @@ std::vector<std::string> read_problem_ids(const std::filesystem::path& path,
         try {
             (void)make_study_problem(lines[i], families);
         } catch (const base::InputError& error) {
-            throw base::InputError(path.string(), place, error.what());
+            throw base::within(path.string(), place, error);
         }
         ids.push_back(lines[i]);
     }

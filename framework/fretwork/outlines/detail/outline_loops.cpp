@@ -25,8 +25,9 @@ Outline outline_of(std::vector<Loop> loops) {
     try {
         return make_outline(std::move(loops.front().points), std::move(holes));
     } catch (const base::GeometryError& error) {
-        throw base::GeometryError(std::string(error.what()) + " (the boundary is " + loops.front().place +
-                                  names + ")");
+        base::ErrorData data = error.data();
+        data.problem += " (the boundary is " + loops.front().place + names + ")";
+        throw base::GeometryError(std::move(data));
     }
 }
 

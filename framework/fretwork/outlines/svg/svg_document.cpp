@@ -30,7 +30,7 @@ std::string replaced(const std::string& source, std::string text) {
     try {
         return with_entities_replaced(std::move(text));
     } catch (const base::InputError& error) {
-        throw base::InputError(source, "", error.what());
+        throw base::within(source, "", error);
     }
 }
 

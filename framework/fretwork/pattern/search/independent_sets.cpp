@@ -108,13 +108,13 @@ std::size_t IndependentSets<Word>::make_part(Word edges, const base::Control& co
 }
 
 template <class Word>
-Word IndependentSets<Word>::draw(int size, RandomStream& random) const {
+Word IndependentSets<Word>::draw(int size, WideRandom& random) const {
     return draw_from(all_, size, random);
 }
 
 /// Share the members out between each part and those after it, by how many sets each share allows.
 template <class Word>
-Word IndependentSets<Word>::draw_from(const Forest& forest, int size, RandomStream& random) const {
+Word IndependentSets<Word>::draw_from(const Forest& forest, int size, WideRandom& random) const {
     Word chosen = 0;
     for (std::size_t i = 0; size > 0; ++i) {
         const Part& part = parts_[forest.parts[i]];
@@ -131,7 +131,7 @@ Word IndependentSets<Word>::draw_from(const Forest& forest, int size, RandomStre
 }
 
 template <class Word>
-Word IndependentSets<Word>::draw_from(const Part& part, int size, RandomStream& random) const {
+Word IndependentSets<Word>::draw_from(const Part& part, int size, WideRandom& random) const {
     if (size == 0) return 0;
     if (random.below(entry(part.counts, size)) < entry(part.with.tails.front(), size - 1))
         return single<Word>(part.edge) | draw_from(part.with, size - 1, random);

@@ -3,7 +3,7 @@
 
 #include <fretwork/base/control.hpp>
 #include <fretwork/pattern/census.hpp>
-#include <fretwork/pattern/search/random.hpp>
+#include <fretwork/pattern/search/wide_random.hpp>
 #include <fretwork/pattern/search/word.hpp>
 
 #include <cstddef>
@@ -34,7 +34,7 @@ class IndependentSets {
     /// How many sets there are of each size.
     [[nodiscard]] const CountsBySize& counts() const { return all_.tails.front(); }
     /// A set of `size` members, each with the same probability. Pre: counts()[size] > 0.
-    [[nodiscard]] Word draw(int size, RandomStream& random) const;
+    [[nodiscard]] Word draw(int size, WideRandom& random) const;
 
   private:
     /// Parts without conflicts between them. `tails[i]` counts the sets within parts i and after.
@@ -56,8 +56,8 @@ class IndependentSets {
     [[nodiscard]] int most_conflicting(Word part) const;
     Forest make_forest(Word edges, const base::Control& control);
     std::size_t make_part(Word edges, const base::Control& control);
-    [[nodiscard]] Word draw_from(const Forest& forest, int size, RandomStream& random) const;
-    [[nodiscard]] Word draw_from(const Part& part, int size, RandomStream& random) const;
+    [[nodiscard]] Word draw_from(const Forest& forest, int size, WideRandom& random) const;
+    [[nodiscard]] Word draw_from(const Part& part, int size, WideRandom& random) const;
 
     std::vector<Word> conflicts_;
     std::size_t most_parts_;

@@ -51,7 +51,7 @@ void require_descent(const optimization::OptimizationReport& report, const TileM
         throw base::NumericalError("the objective of model " + model.name + " is finite nowhere");
     throw base::NumericalError("all " + std::to_string(options.starts) + " starts of " + options.optimizer +
                                " died at their first point: no model " + model.name +
-                               " was fitted; take more --starts, another --seed or another --optimizer");
+                               " was fitted; take more starts, another seed or another optimizer");
 }
 
 Calibration fit(const TileModel& model, const CalibrationProblem& problem, const Objective& objective,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/quantity.hpp>
-#include <fretwork/optimization/random.hpp>
+#include <fretwork/base/random.hpp>
 #include <fretwork/pattern/enumerate.hpp>
 #include <fretwork/reduction/calibration/study_problems.hpp>
 #include <fretwork/reduction/effective_properties.hpp>
@@ -79,7 +79,7 @@ StudyProblem synthetic_problem(const std::string& id, const std::string& number)
             UnitDisplacements(setting.scenarios.size(), mechanics::NodeValues::Ones(setting.sides, 6)),
             setting),
         setting);
-    optimization::RandomStream random(static_cast<std::uint64_t>(n), 0);
+    base::RandomStream random(static_cast<std::uint64_t>(n), 0);
     Eigen::VectorXd shares(any->bounds().dimension());
     for (double& share : shares) share = 0.1 + 0.8 * random.uniform();
     const Eigen::VectorXd optimum = any->bounds().at_shares(shares);

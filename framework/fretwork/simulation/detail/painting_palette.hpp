@@ -10,23 +10,21 @@
 
 namespace fretwork::simulation::detail {
 
-/// Check the ids of patterns; complaints name the option that they came from.
-std::vector<std::string> checked_palette(const std::string& option, const pattern::NodeLayout& layout,
+/// Check the ids of patterns; an error names `entry` of the choice.
+std::vector<std::string> checked_palette(const std::string& entry, const pattern::NodeLayout& layout,
                                          const std::vector<std::string>& ids);
 
-/// The ids that are chosen from.
-std::vector<std::string> palette_ids(const PaintingChoice& choice, const PaintingGround& ground);
-/// The same with their weights.
-std::vector<tiling::WeightedPattern> weighted_palette(const PaintingChoice& choice,
+/// The ids that are chosen from, with their weights.
+std::vector<tiling::WeightedPattern> weighted_palette(const PaintAtRandom& choice,
                                                       const PaintingGround& ground);
 /// The same with their values: of the property, else evenly from 0 to 1.
-std::vector<tiling::GradedPattern> graded_palette(const PaintingChoice& choice, const PaintingGround& ground);
+std::vector<tiling::GradedPattern> graded_palette(const PaintByField& choice, const PaintingGround& ground);
 /// Colours as "#rrggbb", each with a pattern.
-std::vector<std::pair<std::string, std::string>> coloured_palette(const PaintingChoice& choice,
+std::vector<std::pair<std::string, std::string>> coloured_palette(const PaintByColours& choice,
                                                                   const PaintingGround& ground);
 
 /// The property's values that the field's 0 and 1 stand for.
-std::pair<double, double> wanted_range(const PaintingChoice& choice,
+std::pair<double, double> wanted_range(const PaintByField& choice,
                                        const std::vector<tiling::GradedPattern>& palette);
 
 }  // namespace fretwork::simulation::detail

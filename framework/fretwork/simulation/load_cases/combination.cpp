@@ -48,8 +48,8 @@ LoadCase combined(const LoadCase& load_case, std::span<const LoadCase> cases) {
                 throw base::InputError("'" + part.name + "' is a combination, too: name what it combines");
             add(part, share.factor, sum);
         } catch (const base::InputError& error) {
-            throw base::InputError("load case '" + load_case.name + "'",
-                                   "/combines/" + std::to_string(i) + "/load_case", error.what());
+            throw base::within("load case '" + load_case.name + "'",
+                               "/combines/" + std::to_string(i) + "/load_case", error);
         }
     }
     return sum;

@@ -25,8 +25,8 @@ class EntryPicker {
         try {
             return select_nodes(where, tessellation_);
         } catch (const base::InputError& error) {
-            throw base::InputError("load case '" + load_case_.name + "'",
-                                   "/" + list + "/" + std::to_string(entry), error.what());
+            throw base::within("load case '" + load_case_.name + "'",
+                               "/" + list + "/" + std::to_string(entry), error);
         }
     }
 
@@ -75,8 +75,7 @@ std::vector<detail::LineBearer> bearers_of(const LoadCase& load_case, std::size_
     try {
         return detail::line_bearers(load_case.loads[entry].where, tessellation);
     } catch (const base::InputError& error) {
-        throw base::InputError("load case '" + load_case.name + "'", "/loads/" + std::to_string(entry),
-                               error.what());
+        throw base::within("load case '" + load_case.name + "'", "/loads/" + std::to_string(entry), error);
     }
 }
 

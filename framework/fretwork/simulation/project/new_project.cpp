@@ -24,9 +24,9 @@ tiling::TessellationResult tessellate_named(const std::vector<outlines::Outline>
     try {
         return tiling::tessellate_parts(parts, layout, options);
     } catch (const base::GeometryError& error) {
-        throw base::GeometryError(name, "", error.what());
+        throw base::within(name, "", error);
     } catch (const base::InputError& error) {
-        throw base::InputError(name, "", error.what());
+        throw base::within(name, "", error);
     }
 }
 
@@ -51,7 +51,6 @@ NewProject make_project(const outlines::Outline& outline, const NewProjectOption
 NewProject make_project(const std::vector<outlines::Outline>& parts, const NewProjectOptions& options,
                         const library::Library* library) {
     if (parts.empty()) throw base::InputError(options.outline_name, "", "has no part");
-    check(options.painting);
     NewProject made;
     made.project.layout = chosen_layout(options, library);
     made.project.outline = parts.front();

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
-#include <fretwork/base/quantity.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/outlines/coloured_drawing.hpp>
 #include <fretwork/pattern/mirror.hpp>
@@ -10,8 +9,6 @@
 #include <fretwork/tiling/painting/tile_choice.hpp>
 
 #include <algorithm>
-#include <filesystem>
-#include <optional>
 
 namespace fretwork::simulation {
 namespace {
@@ -19,27 +16,6 @@ namespace {
 using tiling::Painting;
 using tiling::Tessellation;
 using tiling::TileIndex;
-
-constexpr std::string_view kRandom = "random:";
-constexpr std::string_view kField = "field:";
-constexpr std::string_view kImage = "image:";
-constexpr std::string_view kColours = "colours:";
-
-std::uint64_t parse_seed(std::string_view text, const std::string& option) {
-    if (const auto seed = base::read_number<std::uint64_t>(text)) return *seed;
-    throw base::InputError(option, "", "'" + std::string(text) + "' is no seed; random:1 has one");
-}
-
-/// What follows a prefix, if it is there.
-std::optional<std::string> after(const std::string& text, std::string_view prefix) {
-    if (!text.starts_with(prefix)) return std::nullopt;
-    return text.substr(prefix.size());
-}
-
-/// Along a palette, by an expression or an image.
-bool is_by_field(const PaintingChoice& choice) {
-    return after(choice.patterns, kField) || after(choice.patterns, kImage);
-}
 
 std::vector<TileIndex> all_tiles(const Tessellation& tessellation) {
     std::vector<TileIndex> tiles;
@@ -67,60 +43,40 @@ int place_in(std::vector<std::string>& patterns, const std::string& pattern) {
     return place;
 }
 
-/// One order to paint some tiles.
+/// One order to paint some tiles: what they get, by the way in which it is chosen.
 class Painter {
   public:
-    Painter(const Tessellation& tessellation, std::span<const TileIndex> tiles, const PaintingChoice& choice,
-            const PaintingGround& ground)
-        : tessellation_(tessellation), tiles_(tiles.begin(), tiles.end()), choice_(choice), ground_(ground) {}
+    Painter(const Tessellation& tessellation, std::span<const TileIndex> tiles, const PaintingGround& ground)
+        : tessellation_(tessellation), tiles_(tiles.begin(), tiles.end()), ground_(ground) {}
 
-    Painting run() {
-        const std::string& wanted = choice_.patterns;
-        if (const auto seed = after(wanted, kRandom))
-            return tiling::random_painting(tiles_.size(), detail::weighted_palette(choice_, ground_),
-                                           parse_seed(*seed, choice_.names.patterns));
-        if (is_by_field(choice_)) return by_field();
-        if (const auto drawing = after(wanted, kColours)) return by_colours(*drawing);
-        if (std::filesystem::path(wanted).extension() == ".json")
-            return part_of(tiling::read_painting(wanted, ground_.layout), tiles_, tessellation_.tiles.size(),
-                           wanted);
-        return {detail::checked_palette(choice_.names.patterns, ground_.layout, {wanted}),
+    Painting operator()(std::monostate) {
+        tiles_.clear();
+        return {};
+    }
+    Painting operator()(const PaintOnePattern& choice) const {
+        return {detail::checked_palette("patterns", ground_.layout, {choice.id}),
                 std::vector<int>(tiles_.size(), 0)};
     }
-    [[nodiscard]] const std::vector<TileIndex>& tiles() const { return tiles_; }
-
-  private:
-    [[nodiscard]] std::vector<geometry::Point2> places() const {
-        const auto centers = tiling::tile_centers(tessellation_);
-        std::vector<geometry::Point2> places;
-        for (const TileIndex tile : tiles_) places.push_back(centers[static_cast<std::size_t>(tile)]);
-        return places;
+    Painting operator()(const PaintFromFile& choice) const {
+        return part_of(tiling::read_painting(choice.file, ground_.layout), tiles_, tessellation_.tiles.size(),
+                       choice.file.string());
     }
-
-    [[nodiscard]] std::vector<double> field_values() const {
-        const auto box = tiling::bounding_box(tessellation_);
-        if (const auto image = after(choice_.patterns, kImage))
-            return tiling::image_values(*image, box, places());
-        try {
-            return tiling::expression_values(*after(choice_.patterns, kField), box, places());
-        } catch (const base::InputError& error) {
-            throw base::InputError(choice_.names.patterns, "", error.what());
-        }
+    Painting operator()(const PaintAtRandom& choice) const {
+        return tiling::random_painting(tiles_.size(), detail::weighted_palette(choice, ground_), choice.seed);
     }
-
-    [[nodiscard]] Painting by_field() const {
-        const auto palette = detail::graded_palette(choice_, ground_);
-        const auto [low, high] = detail::wanted_range(choice_, palette);
-        std::vector<double> wanted = field_values();
+    Painting operator()(const PaintByField& choice) const {
+        const auto palette = detail::graded_palette(choice, ground_);
+        const auto [low, high] = detail::wanted_range(choice, palette);
+        std::vector<double> wanted =
+            std::visit([this](const auto& field) { return values_of(field); }, choice.field);
         for (double& value : wanted) value = low + value * (high - low);
-        return tiling::graded_painting(tessellation_, tiles_, palette, wanted, choice_.dithering);
+        return tiling::graded_painting(tessellation_, tiles_, palette, wanted, choice.dithering);
     }
-
     /// Tiles on other colours are left out.
-    Painting by_colours(const std::string& file) {
-        const outlines::ColouredDrawing drawing(file);
-        const auto palette = detail::coloured_palette(choice_, ground_);
-        check_colours(palette, drawing, file);
+    Painting operator()(const PaintByColours& choice) {
+        const outlines::ColouredDrawing drawing(choice.drawing);
+        const auto palette = detail::coloured_palette(choice, ground_);
+        check_colours(palette, drawing, choice.drawing.string());
         const auto seen_at = places();
         Painting painting;
         std::vector<int> places_of_patterns;  // several colours may stand for one pattern
@@ -138,65 +94,63 @@ class Painter {
         tiles_ = std::move(painted);
         return painting;
     }
+    /// Those that are painted.
+    [[nodiscard]] const std::vector<TileIndex>& tiles() const { return tiles_; }
 
-    void check_colours(const std::vector<std::pair<std::string, std::string>>& palette,
-                       const outlines::ColouredDrawing& drawing, const std::string& file) const {
+  private:
+    [[nodiscard]] std::vector<geometry::Point2> places() const {
+        const auto centers = tiling::tile_centers(tessellation_);
+        std::vector<geometry::Point2> places;
+        for (const TileIndex tile : tiles_) places.push_back(centers[static_cast<std::size_t>(tile)]);
+        return places;
+    }
+
+    [[nodiscard]] std::vector<double> values_of(const FieldImage& image) const {
+        return tiling::image_values(image.file, tiling::bounding_box(tessellation_), places());
+    }
+    [[nodiscard]] std::vector<double> values_of(const FieldExpression& expression) const {
+        try {
+            return tiling::expression_values(expression.text, tiling::bounding_box(tessellation_), places());
+        } catch (const base::InputError& error) {
+            throw base::within("patterns", "", error);
+        }
+    }
+
+    static void check_colours(const std::vector<std::pair<std::string, std::string>>& palette,
+                              const outlines::ColouredDrawing& drawing, const std::string& file) {
         std::vector<std::string> there = drawing.colours();
         std::erase(there, "");
         for (const auto& [colour, pattern] : palette) {
             if (std::ranges::find(there, colour) != there.end()) continue;
-            throw base::InputError(choice_.names.palette, "",
-                                   "nothing in " + file + " is filled with " + colour + "; there is " +
+            throw base::InputError(file, "",
+                                   "nothing in it is filled with " + colour + "; there is " +
                                        base::shortened(base::join(there, ", "), 200));
         }
     }
 
     const Tessellation& tessellation_;
     std::vector<TileIndex> tiles_;
-    const PaintingChoice& choice_;
     const PaintingGround& ground_;
 };
 
 }  // namespace
 
-void check(const PaintingChoice& choice) {
-    const auto& names = choice.names;
-    const auto refuse = [&](const std::string& option, const std::string& what) {
-        throw base::InputError(option, "",
-                               what + ", and " + names.patterns + " is " +
-                                   (choice.patterns.empty() ? "not given" : "'" + choice.patterns + "'"));
-    };
-    const bool by_field = is_by_field(choice);
-    const bool chooses = by_field || after(choice.patterns, kRandom) || after(choice.patterns, kColours);
-    if (!choice.palette.empty() && !chooses)
-        refuse(names.palette,
-               "is what " + names.patterns + " random:SEED, field:, image: and colours: choose from");
-    if (choice.palette.empty() && after(choice.patterns, kColours))
-        refuse(names.palette, "has to say which pattern each colour stands for (red=ID,#00f=ID)");
-    if (!choice.property.empty() && !by_field)
-        refuse(names.property, "is for " + names.patterns + " field: and image:");
-    if (!choice.range.empty() && choice.property.empty())
-        throw base::InputError(names.range, "", "is a range of " + names.property + ", which is not given");
-    if (choice.dithering != tiling::Dithering::None && !by_field)
-        refuse(names.dithering, "is for " + names.patterns + " field: and image:");
-}
-
 void paint(Tessellation& tessellation, const PaintingChoice& choice, const PaintingGround& ground) {
-    if (choice.patterns.empty()) return;
+    if (std::holds_alternative<std::monostate>(choice)) return;
     const auto tiles = all_tiles(tessellation);
-    Painter painter(tessellation, tiles, choice, ground);
-    const Painting painting = painter.run();
+    Painter painter(tessellation, tiles, ground);
+    const Painting painting = std::visit(painter, choice);
     // Where every tile is painted anew, the palette stays as it was given: of many patterns only those in
     // use.
-    if (painter.tiles().size() == tiles.size() && !is_by_field(choice))
+    if (painter.tiles().size() == tiles.size() && !std::holds_alternative<PaintByField>(choice))
         return tiling::paint(tessellation, painting);
     tiling::paint_tiles(tessellation, painter.tiles(), painting);
 }
 
 std::vector<TileIndex> paint(Tessellation& tessellation, std::span<const TileIndex> tiles,
                              const PaintingChoice& choice, const PaintingGround& ground) {
-    Painter painter(tessellation, tiles, choice, ground);
-    const Painting painting = painter.run();
+    Painter painter(tessellation, tiles, ground);
+    const Painting painting = std::visit(painter, choice);
     tiling::paint_tiles(tessellation, painter.tiles(), painting);
     return painter.tiles();
 }

@@ -7,41 +7,70 @@
 #include <fretwork/tiling/painting/graded_painting.hpp>
 #include <fretwork/tiling/tessellation.hpp>
 
+#include <cstdint>
+#include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
+#include <utility>
+#include <variant>
 #include <vector>
 
 namespace fretwork::simulation {
 
-/// How tiles are to be painted, as people write it.
-struct PaintingChoice {
-    /// One pattern's id, a painting file, `random:SEED`, `field:EXPRESSION` of x y (m) and u v (0 to 1 across
-    /// the surface), `image:FILE.png` (white 0, black 1) or `colours:FILE.svg`; empty: no painting.
-    std::string patterns;
-    /// What is chosen from: a painting file, or ids with commas between; empty: the library's calibrated
-    /// ones. With random:SEED an id may have a weight, `ID=3`; with colours:FILE.svg every id has its colour,
-    /// `red=ID`.
-    std::string palette;
-    /// By field and image, the property of a library (`bending_stiffness`) whose values decide; empty: the
-    /// order of the palette does.
-    std::string property{};
-    /// The property's values, SI, where the field is 0 and 1: `0.02,0.1`; empty: the palette's least and
-    /// largest.
-    std::string range{};
-    tiling::Dithering dithering = tiling::Dithering::None;  ///< by field and image
-    /// What these, and the library, are called where people write them: for messages.
-    struct Names {
-        std::string patterns = "--patterns";
-        std::string palette = "--palette";
-        std::string library = "--library";
-        std::string property = "--property";
-        std::string range = "--range";
-        std::string dithering = "--dither";
-    } names{};
+/// The patterns that a painting chooses from: those that are named, or those of a painting file, or the
+/// calibrated ones of the library.
+struct PaletteChoice {
+    std::vector<std::string> ids{};
+    std::filesystem::path file{};  ///< a painting file; taken where no ids are given
 };
 
-/// Throws InputError where something is given that the patterns do not go with.
-void check(const PaintingChoice& choice);
+/// All tiles have one pattern.
+struct PaintOnePattern {
+    std::string id;
+};
+
+/// As a painting file says.
+struct PaintFromFile {
+    std::filesystem::path file;
+};
+
+/// By chance.
+struct PaintAtRandom {
+    std::uint64_t seed = 1;
+    PaletteChoice palette{};
+    std::vector<double> weights{};  ///< of the palette's ids, above zero; empty: all are equally likely
+};
+
+/// A number over the surface: an expression of x and y (m), and of u and v (0 to 1 across the surface).
+struct FieldExpression {
+    std::string text;
+};
+/// A number over the surface: how dark a PNG image is that is stretched over it (white 0, black 1).
+struct FieldImage {
+    std::filesystem::path file;
+};
+
+/// Along a palette, by a field that goes from 0 to 1.
+struct PaintByField {
+    std::variant<FieldExpression, FieldImage> field;
+    PaletteChoice palette{};
+    /// The property of patterns (`bending_stiffness`) whose values decide; empty: the palette's order does.
+    std::string property{};
+    /// The property's values, SI, where the field is 0 and 1; none: the palette's least and largest.
+    std::optional<std::pair<double, double>> range{};
+    tiling::Dithering dithering = tiling::Dithering::None;
+};
+
+/// By the colour that a drawing has where a tile lies. Tiles on other colours keep their patterns.
+struct PaintByColours {
+    std::filesystem::path drawing;                             ///< SVG
+    std::vector<std::pair<std::string, std::string>> palette;  ///< colours "#rrggbb", each with an id
+};
+
+/// How tiles are painted; monostate: not at all.
+using PaintingChoice =
+    std::variant<std::monostate, PaintOnePattern, PaintFromFile, PaintAtRandom, PaintByField, PaintByColours>;
 
 /// What patterns are of. `library` may be null.
 struct PaintingGround {
@@ -50,7 +79,8 @@ struct PaintingGround {
     const library::Library* library = nullptr;
 };
 
-/// Paint all tiles as it is chosen. Throws InputError that names what was chosen.
+/// Paint all tiles as it is chosen. Throws InputError whose source is a file, or what is wrong of the choice:
+/// "patterns", "palette", "property", "range" or "library".
 void paint(tiling::Tessellation& tessellation, const PaintingChoice& choice, const PaintingGround& ground);
 /// The same for some tiles; the others keep theirs. By chance and field the tiles are painted in this order.
 /// Of a painting file each takes what it has for that tile. With colours, tiles on none of the palette's

@@ -126,7 +126,7 @@ void check_patterns(const JsonReader& json, const Project& project) {
         try {
             (void)pattern::parse_pattern_id(project.layout, id.string());
         } catch (const base::InputError& error) {
-            id.fail(error.what());
+            id.fail(error);
         }
     }
 }
@@ -137,7 +137,7 @@ auto in_place(const JsonReader& json, Read&& read) {
     try {
         return read(json);
     } catch (const Error& error) {
-        json.fail(error.what());
+        json.fail(error);
     }
 }
 

@@ -64,13 +64,13 @@ std::optional<library::Library> open_project_library(const std::string& project_
     if (!std::filesystem::exists(path, ignored))
         throw base::InputError(
             project_file, "/library/path",
-            "the library " + path + " is not there; bring it back, or name it with --library");
+            "the library " + path + " is not there; bring it back, or give another library");
     library::Library library = library::Library::open(path);
     if (!library.has_content(project.library_hash)) {
         throw base::InputError(
             project_file, "/library/hash",
             "the library " + path +
-                " has changed since the project was made; name it with --library to use it as it is now");
+                " has changed since the project was made; give it as the library to use it as it is now");
     }
     return library;
 }
@@ -89,7 +89,7 @@ Project read_checked_project(const std::string& file) {
         try {
             (void)reduction::find_tile_model(project.tile_models[i].model);
         } catch (const base::InputError& error) {
-            throw base::InputError(file, "/tile_models/" + std::to_string(i) + "/model", error.what());
+            throw base::within(file, "/tile_models/" + std::to_string(i) + "/model", error);
         }
     }
     return project;
@@ -105,7 +105,7 @@ void check_calibrations(const std::string& file, const Project& project, const S
             const auto pattern = static_cast<std::size_t>(surface.tessellation.tiles[t].pattern);
             check_values(values, surface.tessellation.patterns[pattern], model);
         } catch (const base::InputError& error) {
-            throw base::InputError(file, place_of_model(project, tile), error.what());
+            throw base::within(file, place_of_model(project, tile), error);
         }
     }
 }

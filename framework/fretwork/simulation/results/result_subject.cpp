@@ -124,7 +124,7 @@ void check_subject(const ResultSubject& subject, const std::string& source,
             must_be_reference = must_be_reference && is_full;
         }
     } catch (const base::InputError& error) {
-        throw base::InputError(source, "/subject/model", error.what());
+        throw base::within(source, "/subject/model", error);
     }
     if (subject.is_reference ? !may_be_reference : must_be_reference)
         throw base::InputError(source, "/subject/is_reference", "does not agree with the model");

@@ -3,9 +3,9 @@
 #include <fretwork/base/files/file.hpp>
 #include <fretwork/base/internal/json_text.hpp>
 #include <fretwork/base/json_reader.hpp>
+#include <fretwork/base/random.hpp>
 #include <fretwork/pattern/judge.hpp>
 #include <fretwork/pattern/pattern.hpp>
-#include <fretwork/tiling/detail/split_mix.hpp>
 #include <fretwork/tiling/painting/painting.hpp>
 
 #include <algorithm>
@@ -59,7 +59,7 @@ std::vector<std::string> read_patterns(const base::JsonReader& list, const patte
         try {
             palette.add(id);
         } catch (const base::InputError& error) {
-            element.fail(error.what());
+            element.fail(error);
         }
     }
     if (palette.ids().empty()) list.fail("is empty, where at least one pattern is needed");
@@ -77,7 +77,7 @@ std::vector<std::string> make_palette(const pattern::NodeLayout& layout, std::sp
 void paint_randomly(Tessellation& tessellation, std::span<const std::string> patterns, std::uint64_t seed) {
     if (patterns.empty()) throw base::InputError("there is no pattern to paint with");
     tessellation.patterns.assign(patterns.begin(), patterns.end());
-    detail::SplitMix64 random(seed);
+    base::SplitMix64 random(seed);
     for (Tile& tile : tessellation.tiles) tile.pattern = static_cast<int>(random.below(patterns.size()));
 }
 
@@ -146,7 +146,7 @@ Painting random_painting(std::size_t tiles, std::span<const WeightedPattern> pat
     }
     const bool is_even = std::ranges::all_of(
         patterns, [&](const WeightedPattern& choice) { return choice.weight == patterns.front().weight; });
-    detail::SplitMix64 random(seed);
+    base::SplitMix64 random(seed);
     for (std::size_t t = 0; t < tiles; ++t) {
         // Even chances are drawn as paint_randomly draws them: the same seed paints the same.
         const auto place =

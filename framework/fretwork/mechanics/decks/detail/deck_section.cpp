@@ -11,7 +11,7 @@ Section made_at(const InputDeck& deck, const Card::Line& line, const Make& make)
     try {
         return make();
     } catch (const base::InputError& error) {
-        throw base::InputError(deck.source(), "line " + std::to_string(line.number), error.what());
+        throw base::within(deck.source(), "line " + std::to_string(line.number), error);
     }
 }
 

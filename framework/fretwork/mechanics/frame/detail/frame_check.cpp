@@ -121,7 +121,7 @@ class FrameCheck {
         try {
             beam_axes(frame_, beam);
         } catch (const base::GeometryError& error) {
-            throw base::GeometryError(names_.source, beam_place(index), error.what());
+            throw base::within(names_.source, beam_place(index), error);
         }
         check_section(index);
         check_material(index);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
+#include <fretwork/base/random.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/optimization/methods/detail/best_run.hpp>
 #include <fretwork/optimization/methods/detail/nlopt_optimizer.hpp>
 #include <fretwork/optimization/methods/detail/nlopt_run.hpp>
-#include <fretwork/optimization/random.hpp>
 #include <fretwork/optimization/sampling.hpp>
 
 namespace fretwork::optimization::detail {
@@ -25,7 +25,7 @@ class NloptRuns final : public Optimizer {
                                            .initial_step = options_.initial_step,
                                            .scale = options_.scale,
                                            .tolerance = options_.tolerance,
-                                           .seed = derived_seed(options_.common.seed, number)}));
+                                           .seed = base::derived_seed(options_.common.seed, number)}));
             if (best.is_over()) break;
         }
         return best.outcome();

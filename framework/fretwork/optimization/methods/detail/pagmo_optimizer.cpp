@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The only file that makes a problem of pagmo, which takes most of the time to compile.
+#include <fretwork/base/random.hpp>
 #include <fretwork/optimization/methods/detail/pagmo_optimizer.hpp>
 #include <fretwork/optimization/methods/detail/unit_box.hpp>
-#include <fretwork/optimization/random.hpp>
 
 #include <cmath>
 #include <exception>
@@ -50,7 +50,7 @@ class PagmoRuns final : public Optimizer {
         RunOutcome outcome{Ending::BudgetSpent, {}};
         try {
             for (int i = 0; i < options_.common.starts; ++i) {
-                const unsigned seed = derived_seed(options_.common.seed, static_cast<std::uint64_t>(i));
+                const unsigned seed = base::derived_seed(options_.common.seed, static_cast<std::uint64_t>(i));
                 const Evolution evolution = make_(options_, {evaluator.bounds().dimension(), i, seed});
                 const pagmo::population first{pagmo::problem(UnitProblem(evaluator)), evolution.population,
                                               seed};

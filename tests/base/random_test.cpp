@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fretwork/optimization/random.hpp>
+#include <fretwork/base/random.hpp>
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-namespace fretwork::optimization {
+namespace fretwork::base {
 namespace THIS_TEST {
 
 // Known answers of Philox4x32-10, from the kat_vectors of Random123 [Salmon2011].
@@ -60,4 +60,4 @@ TEST(RandomStream, LaplaceHasMeanZeroAndTheGivenMeanSize) {
 }
 
 }  // namespace THIS_TEST
-}  // namespace fretwork::optimization
+}  // namespace fretwork::base

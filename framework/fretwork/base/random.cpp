@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fretwork/optimization/random.hpp>
+#include <fretwork/base/random.hpp>
 
 #include <cmath>
 
-namespace fretwork::optimization {
+namespace fretwork::base {
 namespace {
 
 constexpr std::uint32_t low_word(std::uint64_t value) {
@@ -50,4 +50,4 @@ double RandomStream::laplace(double scale) {
     return u < 0.0 ? scale * std::log1p(2.0 * u) : -scale * std::log1p(-2.0 * u);
 }
 
-}  // namespace fretwork::optimization
+}  // namespace fretwork::base

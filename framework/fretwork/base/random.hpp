@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+
+namespace fretwork::base {
+
+/// Philox4x32-10 of [Salmon2011]: ten rounds that turn a counter and a key into four random words.
+std::array<std::uint32_t, 4> philox(std::array<std::uint32_t, 4> counter, std::array<std::uint32_t, 2> key);
+
+/// A seed for run number `run` of a generator that another library brings along.
+std::uint32_t derived_seed(std::uint64_t seed, std::uint64_t run);
+
+/// Counter-based random numbers: draw n of a stream depends on nothing but (seed, stream, n), and on no
+/// standard library.
+class RandomStream {
+  public:
+    /// Streams of one seed are independent of each other.
+    RandomStream(std::uint64_t seed, std::uint64_t stream) : seed_(seed), stream_(stream) {}
+
+    /// Uniform in the open interval (0, 1), with 52 random bits.
+    double uniform();
+    /// Laplace distributed with mean zero and density exp(-|x| / scale) / (2 scale).
+    double laplace(double scale);
+
+  private:
+    std::uint64_t seed_;
+    std::uint64_t stream_;
+    std::uint64_t draws_ = 0;
+};
+
+/// SplitMix64 [Steele2014]: whole numbers that are the same on every machine.
+class SplitMix64 {
+  public:
+    explicit SplitMix64(std::uint64_t seed) : state_(seed) {}
+
+    /// Sixty-four bits that look random for each other number.
+    static constexpr std::uint64_t mix(std::uint64_t number) {
+        number = (number ^ (number >> 30U)) * 0xbf58476d1ce4e5b9U;
+        number = (number ^ (number >> 27U)) * 0x94d049bb133111ebU;
+        return number ^ (number >> 31U);
+    }
+
+    std::uint64_t next() { return mix(state_ += 0x9e3779b97f4a7c15U); }
+    /// Each number below `count` with the same chance: what would favour small numbers is drawn again.
+    std::uint64_t below(std::uint64_t count) {
+        const std::uint64_t most = std::numeric_limits<std::uint64_t>::max();
+        const std::uint64_t limit = most - most % count;
+        std::uint64_t drawn = next();
+        while (drawn >= limit) drawn = next();
+        return drawn % count;
+    }
+    /// From 0 to below 1, by the upper 53 bits.
+    double share() { return static_cast<double>(next() >> 11U) * 0x1p-53; }
+
+  private:
+    std::uint64_t state_;
+};
+
+}  // namespace fretwork::base
