@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # What makes a build from nothing quick: several sources are compiled as one (they share what headers cost and the
 # templates that they instantiate), and the headers that nearly every source includes are read once.
-# Neither changes the meaning of a source: the preset check compiles each by itself, so that each also names the headers
-# that it needs.
+# Neither changes the meaning of a source. The preset dev compiles each by itself, and `make check` each header, so that
+# each names the headers that it needs.
 option(FRETWORK_QUICK_COMPILATION "Compile several sources at once, with precompiled headers" OFF)
 set(FRETWORK_SOURCES_AT_ONCE 12 CACHE STRING "How many sources are compiled as one")
 

@@ -18,7 +18,7 @@ class EvolutionStrategy final : public Optimizer {
     RunOutcome run(Evaluator& evaluator) const override {
         RunOutcome outcome;
         for (int i = 0; i < options_.starts; ++i) {
-            base::RandomStream random(options_.seed, static_cast<std::uint64_t>(i));
+            fretwork::base::RandomStream random(options_.seed, static_cast<std::uint64_t>(i));
             outcome = evolve(evaluator, random);
             if (outcome.ending == Ending::BudgetSpent) break;
         }
@@ -26,7 +26,7 @@ class EvolutionStrategy final : public Optimizer {
     }
 
   private:
-    static RunOutcome evolve(Evaluator& evaluator, base::RandomStream& random) {
+    static RunOutcome evolve(Evaluator& evaluator, fretwork::base::RandomStream& random) {
         const Bounds& bounds = evaluator.bounds();
         Eigen::VectorXd point(bounds.dimension());
         for (double& share : point) share = random.uniform();

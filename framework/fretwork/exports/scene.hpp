@@ -9,6 +9,7 @@
 #include <fretwork/simulation/surface.hpp>
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -49,6 +50,7 @@ struct Scene {
     DrawnLabels labels{};              ///< of drawings from above
     Making making{};                   ///< of what is cut or printed
     std::optional<simulation::LoadCase> load_case{};  ///< that of `conditions`; facts are told with it
+    std::span<const reduction::TileModel> models = reduction::tile_models();  ///< of the results
     base::Control control{};  ///< asked by writers of large files; who stops throws Stopped
     /// Pa: the given one, or the material's; none: utilizations are not told.
     [[nodiscard]] std::optional<double> known_strength() const {

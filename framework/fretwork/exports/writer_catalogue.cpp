@@ -72,6 +72,7 @@ Written cut(const Scene& scene, std::string (*text)(const fabrication::CutSheet&
 
 fabrication::Facts scene_facts(const Scene& scene) {
     fabrication::FactsOptions options = scene.making.facts;
+    options.models = scene.models;
     options.control = scene.control;
     const fabrication::FactsLoads loads{scene.load_case ? &*scene.load_case : nullptr,
                                         scene.results.empty() ? nullptr : &scene.results.front().result};
@@ -114,7 +115,7 @@ constexpr std::array<WriterRow, 17> kWriters = {{
      [](const Scene& scene) {
          return Written{vtu_text(beam_lines(scene.surface,
                                             scene.results.empty() ? nullptr : &scene.results.front().result,
-                                            scene.known_strength()))};
+                                            scene.known_strength(), scene.models))};
      }},
     {".obj", Content::Centrelines, "line elements, displaced by the first result",
      [](const Scene& scene) { return Written{obj_text(main_lines(scene))}; }},

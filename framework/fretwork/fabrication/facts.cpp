@@ -218,7 +218,8 @@ class FactFinder {
     void take_stress(const simulation::SurfaceResult& result, const std::string& source) {
         const simulation::SurfaceBeams beams = simulation::surface_beams(surface_);
         const auto sections = simulation::beam_sections(beams, surface_.setting);
-        const simulation::BeamState state = simulation::beam_state(surface_, result, beams, sections);
+        const simulation::BeamState state =
+            simulation::beam_state(surface_, result, beams, sections, options_.models);
         constexpr Eigen::Index kStress = 6;
         for (Eigen::Index row = 0; row < state.forces.rows(); ++row) {
             const double value = state.forces(row, kStress);

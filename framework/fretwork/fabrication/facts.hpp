@@ -8,6 +8,7 @@
 #include <fretwork/simulation/results/surface_result.hpp>
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,7 @@ struct FactsOptions {
     double layer_height = 2e-4;        ///< m, of a print
     double sharp_angle = 0.35;         ///< rad: bars that meet at less are told
     std::optional<double> strength{};  ///< Pa: stresses above are told; none: the material's
+    std::span<const reduction::TileModel> models = reduction::tile_models();  ///< of the result
     base::Control control{};
     /// Throws InputError that names the option.
     void validate() const;

@@ -161,11 +161,11 @@ std::span<const OptimizerRow> optimizer_catalogue() {
     return kRows;
 }
 
-const OptimizerRow& find_optimizer(std::string_view name) {
-    const auto row = std::ranges::find(kRows, name, &OptimizerRow::name);
-    if (row != kRows.end()) return *row;
+const OptimizerRow& find_optimizer(std::string_view name, std::span<const OptimizerRow> rows) {
+    const auto row = std::ranges::find(rows, name, &OptimizerRow::name);
+    if (row != rows.end()) return *row;
     std::vector<std::string> names;
-    for (const OptimizerRow& candidate : kRows) names.emplace_back(candidate.name);
+    for (const OptimizerRow& candidate : rows) names.emplace_back(candidate.name);
     throw base::InputError(base::unknown_name_message("optimizer", name, names));
 }
 

@@ -18,10 +18,12 @@ struct OptimizerRow {
     std::unique_ptr<Optimizer> (*make)(const OptimizerOptions& options);
 };
 
-/// All methods. To add one: a file with its factory, and a row; a method of NLopt is a row alone.
+/// All methods of the library. To add one: a file with its factory, and a row; a method of NLopt is a row
+/// alone. A program with methods of its own passes a list of rows where one is taken.
 std::span<const OptimizerRow> optimizer_catalogue();
 
 /// Throws InputError that names the nearest method, or all of them.
-const OptimizerRow& find_optimizer(std::string_view name);
+const OptimizerRow& find_optimizer(std::string_view name,
+                                   std::span<const OptimizerRow> rows = optimizer_catalogue());
 
 }  // namespace fretwork::optimization

@@ -47,9 +47,10 @@ void draw_reduced(SvgCanvas& canvas, const ReducedTile& tile, const Setting& set
                       {kInterfaceColour, "#ffffff", 0.2 * width, 1.0});
 }
 
-std::string facts(const std::optional<Calibration>& calibration) {
+std::string facts(const std::optional<Calibration>& calibration,
+                  std::span<const reduction::TileModel> models) {
     if (!calibration) return "not calibrated";
-    const reduction::TileModel& model = reduction::find_tile_model(calibration->model);
+    const reduction::TileModel& model = reduction::find_tile_model(calibration->model, models);
     std::string text;
     for (const reduction::TileParameter& parameter : model.parameters) {
         if (parameter.unit != "rad") continue;
@@ -63,7 +64,7 @@ std::string facts(const std::optional<Calibration>& calibration) {
 }  // namespace
 
 std::string reduced_sheet_svg(const pattern::NodeLayout& layout, std::span<const ReducedPattern> patterns,
-                              const Setting& setting) {
+                              const Setting& setting, std::span<const reduction::TileModel> models) {
     const double side = setting.tile_side;
     const PatternDrawingOptions options{side, std::sqrt(setting.section.area), setting.sides};
     const auto count = static_cast<int>(patterns.size());
@@ -80,14 +81,15 @@ std::string reduced_sheet_svg(const pattern::NodeLayout& layout, std::span<const
         const Point2 right{left.x + 2.1 * side, left.y};
         detail::draw_fan(canvas, layout, entry.pattern, {left, pattern_colour(i)}, options);
         if (entry.calibration)
-            draw_reduced(
-                canvas,
-                {model_lines(layout, entry.pattern, *entry.calibration, setting), interface_nodes, right},
-                setting);
+            draw_reduced(canvas,
+                         {model_lines(layout, entry.pattern, *entry.calibration, setting, models),
+                          interface_nodes, right},
+                         setting);
         const std::string id = pattern_id(layout, entry.pattern);
         const double height = std::min(0.13 * side, 3.2 * side / static_cast<double>(id.size() + 1));
         canvas.text({left.x, left.y - 1.12 * side}, id, height, Anchor::Middle);
-        canvas.text({right.x, right.y - 1.12 * side}, facts(entry.calibration), 0.13 * side, Anchor::Middle);
+        canvas.text({right.x, right.y - 1.12 * side}, facts(entry.calibration, models), 0.13 * side,
+                    Anchor::Middle);
     }
     return canvas.document(std::to_string(count) + " patterns and their reduced models");
 }

@@ -20,6 +20,7 @@ struct ReducedPattern {
 /// Patterns with their reduced models beside them in the setting's polygon, at true scale, with ids, the
 /// twist theta and the objective: as in the paper's Fig. 8.
 std::string reduced_sheet_svg(const pattern::NodeLayout& layout, std::span<const ReducedPattern> patterns,
-                              const reduction::Setting& setting);
+                              const reduction::Setting& setting,
+                              std::span<const reduction::TileModel> models = reduction::tile_models());
 
 }  // namespace fretwork::exports

@@ -84,14 +84,21 @@ struct Cell {
     std::optional<LineSet> reduced;
 };
 
-Cell make_cell(const pattern::NodeLayout& layout, const ReducedPattern& pattern,
-               const reduction::Setting& setting, const Scenario& scenario) {
+struct Modelled {
+    const ReducedPattern& reduced;
+    std::span<const reduction::TileModel> models;
+};
+
+Cell make_cell(const pattern::NodeLayout& layout, const Modelled& modelled, const reduction::Setting& setting,
+               const Scenario& scenario) {
+    const ReducedPattern& pattern = modelled.reduced;
     const Scenario spread = spread_over_sides(scenario, static_cast<int>(layout.interface_nodes().size()));
     const mechanics::Frame frame = scenario_frame(
         mechanics::refined(pattern_frame(layout, pattern.pattern, setting), kDrawnDivisions), spread);
     Cell cell{&scenario, conditions_of(frame), bent_tile(frame, setting), std::nullopt};
     if (!pattern.calibration) return cell;
-    const reduction::TileModel& model = reduction::find_tile_model(pattern.calibration->model);
+    const reduction::TileModel& model =
+        reduction::find_tile_model(pattern.calibration->model, modelled.models);
     const reduction::ModelTile tile(model, layout, pattern.pattern, setting);
     const mechanics::Frame ring =
         scenario_frame(tile.parts(reduction::parameter_values(*pattern.calibration, model)).beams, spread);
@@ -168,7 +175,8 @@ class CellPen {
 }  // namespace
 
 std::string scenario_sheet_svg(const pattern::NodeLayout& layout, const ReducedPattern& pattern,
-                               const reduction::Setting& setting) {
+                               const reduction::Setting& setting,
+                               std::span<const reduction::TileModel> models) {
     const Surface surface = tile_surface(layout, pattern.pattern, setting);
     const double width = kCellWidth * setting.tile_side;
     const double height = kCellHeight * setting.tile_side;
@@ -176,7 +184,7 @@ std::string scenario_sheet_svg(const pattern::NodeLayout& layout, const ReducedP
     SvgCanvas canvas({-0.5 * width, -0.5 * height, (count - 0.5) * width, 0.5 * height}, 1.0);
     CellPen pen(canvas, surface);
     for (std::size_t i = 0; i < setting.scenarios.size(); ++i)
-        pen.draw(make_cell(layout, pattern, setting, setting.scenarios[i]),
+        pen.draw(make_cell(layout, {pattern, models}, setting, setting.scenarios[i]),
                  {static_cast<double>(i) * width, 0.2 * setting.tile_side});
     return canvas.document("The scenarios on " + pattern_id(layout, pattern.pattern));
 }

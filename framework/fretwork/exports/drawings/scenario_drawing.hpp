@@ -3,6 +3,8 @@
 
 #include <fretwork/exports/drawings/reduced_drawing.hpp>
 
+#include <span>
+
 namespace fretwork::exports {
 
 /// The setting's scenarios on one tile, side by side as in the paper's Fig. 10, in parallel projection at
@@ -11,6 +13,7 @@ namespace fretwork::exports {
 /// model finds no equilibrium at the largest magnitude, the last one before is drawn, and the caption says at
 /// which.
 std::string scenario_sheet_svg(const pattern::NodeLayout& layout, const ReducedPattern& pattern,
-                               const reduction::Setting& setting);
+                               const reduction::Setting& setting,
+                               std::span<const reduction::TileModel> models = reduction::tile_models());
 
 }  // namespace fretwork::exports

@@ -41,7 +41,8 @@ class Builder {
         bars_.nodes = beams_.nodes;
         if (!scene_.results.empty()) {
             const auto sections = simulation::beam_sections(beams_, scene_.surface.setting);
-            state_ = simulation::beam_state(scene_.surface, scene_.results.front().result, beams_, sections);
+            state_ = simulation::beam_state(scene_.surface, scene_.results.front().result, beams_, sections,
+                                            scene_.models);
         } else {
             state_.nodes.setZero(std::ssize(beams_.nodes), mechanics::kDofsPerNode);
         }

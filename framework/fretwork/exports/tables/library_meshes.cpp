@@ -43,7 +43,7 @@ std::size_t add_meshes(const library::Library& library, std::span<const library:
         for (const reduction::Calibration& best : library.best_calibrations(entry.id)) {
             if (best.parameters.empty()) continue;  // its beams, if it has any, are the pattern's
             write(entry.id + "." + best.model,
-                  model_lines(library.layout(), entry.pattern, best, library.setting()));
+                  model_lines(library.layout(), entry.pattern, best, library.setting(), options.models));
         }
     }
     return files;

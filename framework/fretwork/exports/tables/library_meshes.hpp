@@ -21,6 +21,7 @@ enum class MeshKind { Obj, Ply };
 
 struct MeshOptions {
     MeshKind kind = MeshKind::Obj;
+    std::span<const reduction::TileModel> models = reduction::tile_models();  ///< of the calibrations
     base::Control control{};
 };
 

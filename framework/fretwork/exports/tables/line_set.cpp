@@ -82,21 +82,27 @@ void add_modes(const mechanics::Result& result, LineSet& set) {
     add("buckling", result.buckling_modes, "times the load");
 }
 
+struct Wanted {
+    std::optional<double> strength;
+    std::span<const reduction::TileModel> models;
+};
+
 /// Puts all beams with what they bear in place of the lines, if all are known.
-void add_beam_fields(const Surface& surface, const simulation::SurfaceResult& result,
-                     std::optional<double> strength, LineSet& set) {
+void add_beam_fields(const Surface& surface, const simulation::SurfaceResult& result, const Wanted& wanted,
+                     LineSet& set) {
     const simulation::SurfaceBeams beams = simulation::surface_beams(surface);
     const auto sections = simulation::beam_sections(beams, surface.setting);
-    const simulation::BeamState state = simulation::beam_state(surface, result, beams, sections);
+    const simulation::BeamState state =
+        simulation::beam_state(surface, result, beams, sections, wanted.models);
     if (state.nodes.hasNaN()) return;
     set = surface_lines(surface);
     set.displacements = state.nodes;
     for (std::size_t column = 0; column < simulation::kBeamFields.size(); ++column)
         set.line_fields.push_back(
             {simulation::kBeamFields[column], largest_of_ends(state, static_cast<Eigen::Index>(column))});
-    if (strength) {
+    if (wanted.strength) {
         set.line_fields.push_back({"utilization", set.line_fields.back().values});
-        for (double& share : set.line_fields.back().values) share /= *strength;
+        for (double& share : set.line_fields.back().values) share /= *wanted.strength;
     }
     add_modes(result, set);
 }
@@ -141,9 +147,9 @@ LineSet result_lines(const Surface& surface, const simulation::SurfaceResult& re
 }
 
 LineSet beam_lines(const Surface& surface, const simulation::SurfaceResult* result,
-                   std::optional<double> strength) {
+                   std::optional<double> strength, std::span<const reduction::TileModel> models) {
     LineSet set = result == nullptr ? surface_lines(surface) : result_lines(surface, *result);
-    if (result != nullptr) add_beam_fields(surface, *result, strength, set);
+    if (result != nullptr) add_beam_fields(surface, *result, {strength, models}, set);
     set.pattern_names = surface.tessellation.patterns;
     set.line_fields.push_back(
         {"radius",
@@ -191,8 +197,9 @@ std::vector<Eigen::Vector3d> displaced_nodes(const LineSet& lines, double scale)
 }
 
 LineSet model_lines(const pattern::NodeLayout& layout, const pattern::Pattern& pattern,
-                    const reduction::Calibration& calibration, const reduction::Setting& setting) {
-    const reduction::TileModel& model = reduction::find_tile_model(calibration.model);
+                    const reduction::Calibration& calibration, const reduction::Setting& setting,
+                    std::span<const reduction::TileModel> models) {
+    const reduction::TileModel& model = reduction::find_tile_model(calibration.model, models);
     const reduction::ModelTile tile(model, layout, pattern, setting);
     return frame_lines(tile.parts(reduction::parameter_values(calibration, model)).beams);
 }

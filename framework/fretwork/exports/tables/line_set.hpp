@@ -9,6 +9,7 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -54,7 +55,8 @@ LineSet result_lines(const simulation::Surface& surface, const simulation::Surfa
 /// (Pa) utilization; and modes. Where a tile's model does not tell how its beams move, the
 /// lines of result_lines, without forces. Throws as result_lines.
 LineSet beam_lines(const simulation::Surface& surface, const simulation::SurfaceResult* result,
-                   std::optional<double> strength = {});
+                   std::optional<double> strength = {},
+                   std::span<const reduction::TileModel> models = reduction::tile_models());
 
 /// The beams of any frame, straight and undeformed.
 LineSet frame_lines(const mechanics::Frame& frame);
@@ -68,6 +70,7 @@ std::vector<Eigen::Vector3d> displaced_nodes(const LineSet& lines, double scale 
 
 /// The beams of a calibrated tile model of a pattern, in the setting's regular polygon.
 LineSet model_lines(const pattern::NodeLayout& layout, const pattern::Pattern& pattern,
-                    const reduction::Calibration& calibration, const reduction::Setting& setting);
+                    const reduction::Calibration& calibration, const reduction::Setting& setting,
+                    std::span<const reduction::TileModel> models = reduction::tile_models());
 
 }  // namespace fretwork::exports

@@ -30,7 +30,8 @@ void check_stem(const std::string& stem) {
 
 std::vector<NamedFile> series_files(const simulation::Surface& surface,
                                     const simulation::SurfaceResult& result, const std::string& stem,
-                                    std::optional<double> strength) {
+                                    std::optional<double> strength,
+                                    std::span<const reduction::TileModel> models) {
     check_stem(stem);
     const std::vector<mechanics::Solution> steps =
         result.load_steps.empty() ? std::vector{result.solution} : result.load_steps;
@@ -45,8 +46,8 @@ std::vector<NamedFile> series_files(const simulation::Surface& surface,
     there.load_steps.clear();
     for (std::size_t i = 0; i < steps.size(); ++i) {
         there.solution = steps[i];
-        files.push_back(
-            {stem + "-" + std::to_string(i + 1) + ".vtu", vtu_text(beam_lines(surface, &there, strength))});
+        files.push_back({stem + "-" + std::to_string(i + 1) + ".vtu",
+                         vtu_text(beam_lines(surface, &there, strength, models))});
         collection += "<DataSet timestep=\"" + base::format_number(times[i]) + "\" part=\"0\" file=\"" +
                       files.back().name + "\"/>\n";
     }

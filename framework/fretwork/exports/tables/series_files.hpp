@@ -5,6 +5,7 @@
 #include <fretwork/simulation/surface.hpp>
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,7 @@ struct NamedFile {
 /// of a time within one file. Throws as beam_lines.
 std::vector<NamedFile> series_files(const simulation::Surface& surface,
                                     const simulation::SurfaceResult& result, const std::string& stem,
-                                    std::optional<double> strength = {});
+                                    std::optional<double> strength = {},
+                                    std::span<const reduction::TileModel> models = reduction::tile_models());
 
 }  // namespace fretwork::exports

@@ -56,9 +56,10 @@ void require_descent(const optimization::OptimizationReport& report, const TileM
 
 Calibration fit(const TileModel& model, const CalibrationProblem& problem, const Objective& objective,
                 const CalibrationOptions& options) {
-    const auto report = optimization::minimize(problem, optimization::find_optimizer(options.optimizer),
-                                               {.starts = options.starts, .seed = options.seed},
-                                               {.cost = options.budget, .control = options.control});
+    const auto report =
+        optimization::minimize(problem, optimization::find_optimizer(options.optimizer, options.optimizers),
+                               {.starts = options.starts, .seed = options.seed},
+                               {.cost = options.budget, .control = options.control});
     require_descent(report, model, options);
     Calibration calibration;
     calibration.model = model.name;
@@ -79,7 +80,7 @@ Calibration fit(const TileModel& model, const CalibrationProblem& problem, const
 }  // namespace
 
 void CalibrationOptions::validate() const {
-    (void)optimization::find_optimizer(optimizer);
+    (void)optimization::find_optimizer(optimizer, optimizers);
     optimization::OptimizerOptions{.starts = starts, .seed = seed}.validate();
     optimization::Budget{.cost = budget}.validate();
 }

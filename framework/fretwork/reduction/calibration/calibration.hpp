@@ -2,10 +2,12 @@
 #pragma once
 
 #include <fretwork/base/control.hpp>
+#include <fretwork/optimization/optimizer_catalogue.hpp>
 #include <fretwork/reduction/models/tile_model.hpp>
 #include <fretwork/reduction/response.hpp>
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,7 +22,8 @@ struct NamedValue {
 };
 
 struct CalibrationOptions {
-    std::string optimizer = "ceres-multistart";  ///< a row of the optimizer catalogue
+    std::string optimizer = "ceres-multistart";  ///< a row of `optimizers`
+    std::span<const optimization::OptimizerRow> optimizers = optimization::optimizer_catalogue();
     int starts = 8;
     std::uint64_t seed = 1;
     int budget = 20000;  ///< evaluations of the objective at most

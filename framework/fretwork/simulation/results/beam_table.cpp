@@ -44,9 +44,10 @@ std::optional<double> BeamTable::utilization(const BeamRow& row) const {
     return row.largest_stress() / *strength;
 }
 
-BeamTable beam_table(const Surface& surface, const SurfaceResult& result) {
+BeamTable beam_table(const Surface& surface, const SurfaceResult& result,
+                     std::span<const reduction::TileModel> models) {
     const SurfaceBeams beams = surface_beams(surface);
-    const BeamState state = beam_state(surface, result, beams, beam_sections(beams, surface.setting));
+    const BeamState state = beam_state(surface, result, beams, beam_sections(beams, surface.setting), models);
     BeamTable table;
     table.strength = surface.setting.strength;
     for (std::size_t b = 0; b < beams.ends.size(); ++b) {

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -34,8 +35,9 @@ struct BeamTable {
 };
 
 /// With the strength of the setting's material, if it has one. Throws InputError if the result is not one of
-/// the surface.
-BeamTable beam_table(const Surface& surface, const SurfaceResult& result);
+/// the surface, or its models are no rows of `models`.
+BeamTable beam_table(const Surface& surface, const SurfaceResult& result,
+                     std::span<const reduction::TileModel> models = reduction::tile_models());
 
 /// The rows with the largest stress first; `count` of them at most.
 std::vector<BeamRow> most_stressed(const BeamTable& table, std::size_t count);

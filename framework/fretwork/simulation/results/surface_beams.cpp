@@ -163,15 +163,19 @@ BeamState state_of(const StateRequest& request, const mechanics::Solution& solut
 /// The tiles of a result that was read, built anew.
 class ReadTiles {
   public:
-    ReadTiles(const Surface& surface, const SurfaceResult& result, const SurfaceBeams& beams)
-        : surface_(surface), result_(result) {
+    struct Origin {
+        const Surface& surface;
+        std::span<const reduction::TileModel> models;
+    };
+    ReadTiles(const Origin& origin, const SurfaceResult& result, const SurfaceBeams& beams)
+        : surface_(origin.surface), models_(origin.models), result_(result) {
         const auto rows = static_cast<std::size_t>(result.solution.displacements.rows());
         if (rows < beams.interface_nodes)
             throw base::InputError("the result is not one of this project: it has too few nodes");
         if (result.subject)
             build(main_model(*result.subject), result.subject->full_tiles);
         else if (rows == beams.nodes.size())
-            build(reference_choice({}).name, {});
+            build(reference_choice({.models = models_}).name, {});
         if (!tiles_.empty() && starts_.back() != rows)
             throw base::InputError("the result is not one of this project: its models have " +
                                    std::to_string(starts_.back()) + " nodes, and it has " +
@@ -204,15 +208,17 @@ class ReadTiles {
             if (tile < 0 || static_cast<std::size_t>(tile) >= chosen.tile_models.size())
                 throw base::InputError("the result is not one of this project: it has a tile " +
                                        std::to_string(tile) + " in full");
-            chosen.tile_models[static_cast<std::size_t>(tile)] = reference_choice({}).name;
+            chosen.tile_models[static_cast<std::size_t>(tile)] = reference_choice({.models = models_}).name;
         }
-        tiles_ = detail::TileBuilder().build_all(chosen, model_choice({.model = model}), {});
+        tiles_ =
+            detail::TileBuilder().build_all(chosen, model_choice({.model = model, .models = models_}), {});
         starts_.push_back(surface_.tessellation.interface_nodes.size());
         for (const detail::BuiltTile& tile : tiles_)
             starts_.push_back(starts_.back() + tile.structure->inner_nodes().size());
     }
 
     const Surface& surface_;
+    std::span<const reduction::TileModel> models_;
     const SurfaceResult& result_;
     std::vector<detail::BuiltTile> tiles_;
     std::vector<std::size_t> starts_;  ///< of each tile the first of its own nodes, and their number
@@ -260,8 +266,9 @@ BeamState beam_state(const Session& session, const mechanics::Solution& solution
 }
 
 BeamState beam_state(const Surface& surface, const SurfaceResult& result, const SurfaceBeams& beams,
-                     std::span<const mechanics::BeamSection> sections) {
-    const ReadTiles tiles(surface, result, beams);
+                     std::span<const mechanics::BeamSection> sections,
+                     std::span<const reduction::TileModel> models) {
+    const ReadTiles tiles({surface, models}, result, beams);
     return state_of({surface, beams, sections, 0}, result.solution,
                     [&](TileIndex tile) { return tiles.beam_motion(tile); });
 }

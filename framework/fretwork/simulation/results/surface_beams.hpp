@@ -48,10 +48,12 @@ inline constexpr std::array<const char*, 7> kBeamFields = {"N", "V2", "V3", "T",
 /// @param sections  of the beams; empty: no forces are wanted
 BeamState beam_state(const Session& session, const mechanics::Solution& solution, const SurfaceBeams& beams,
                      std::span<const mechanics::BeamSection> sections);
-/// The same in a result that was read from a file, with the tile models that its subject names; without a
+/// The same in a result that was read from a file, with the tile models that its subject names
+/// (rows of `models`); without a
 /// subject, with all beams if it has a row for each of their nodes. The tiles are built for it. Throws
 /// InputError if the result is not one of the surface with these models.
 BeamState beam_state(const Surface& surface, const SurfaceResult& result, const SurfaceBeams& beams,
-                     std::span<const mechanics::BeamSection> sections);
+                     std::span<const mechanics::BeamSection> sections,
+                     std::span<const reduction::TileModel> models = reduction::tile_models());
 
 }  // namespace fretwork::simulation
