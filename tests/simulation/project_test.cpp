@@ -64,15 +64,6 @@ TEST(ProjectFile, KeepsItsSettingAndTheModelsOfItsTiles) {
 }
 
 /// A project that a program of the first format made, with a library.
-TEST(ProjectFile, ReadsTheFirstFormat) {
-    const Project read =
-        read_project(std::filesystem::path(FRETWORK_SOURCE_DIR) / "tests/simulation/data/project1.json");
-    EXPECT_EQ(read.tessellation.tiles.size(), 29U);
-    EXPECT_EQ(read.library_path, "s.db");
-    EXPECT_FALSE(read.setting.has_value());
-    EXPECT_EQ(make_surface(read, nullptr).setting, reduction::paper_setting());
-}
-
 TEST(ProjectFile, RefusesModelsOfTilesThatAreNotThereOrAreChosenTwice) {
     const auto complaint = [](std::vector<tiling::TileIndex> tiles) {
         Project project = example();
@@ -103,6 +94,16 @@ std::string complaint_after(const std::string& what, const std::string& replacem
     return complaint_of([&] { read_project(folder.path() / "a.json"); });
 }
 
+TEST(ProjectFile, RefusesTheFormatOfAnUnreleasedVersion) {
+    EXPECT_THAT(
+        complaint_after("fretwork/project/2", "fretwork/project/1"),
+        HasSubstr("/format: is \"fretwork/project/1\", of an unreleased version: make the project again"));
+}
+
+TEST(ProjectFile, NamesThePlaceOfAnErrorInAFileInsideIt) {
+    EXPECT_THAT(complaint_after("\"1/3\"", "\"5/3\""), HasSubstr("a.json: /layout/radial/"));
+}
+
 TEST(ProjectFile, RefusesInconsistentContentWithItsPlace) {
     EXPECT_THAT(complaint_after("\"load_cases\"", "\"loadcases\""), HasSubstr("unknown key 'loadcases'"));
     EXPECT_THAT(complaint_after("\"0-6\"", "\"0-3\""), HasSubstr("/tessellation/patterns/1"));
@@ -112,7 +113,7 @@ TEST(ProjectFile, RefusesInconsistentContentWithItsPlace) {
                 HasSubstr("/tessellation"));
     EXPECT_THAT(complaint_after("\"other\"", "\"cantilever\""), HasSubstr("the name of two load cases"));
     EXPECT_THAT(complaint_after("fretwork/project/2", "fretwork/project/9"),
-                HasSubstr("\"fretwork/project/2\" or \"fretwork/project/1\""));
+                HasSubstr("\"fretwork/project/3\" or \"fretwork/project/2\""));
     EXPECT_THAT(complaint_after("\"1/3\"", "\"1/0\""), HasSubstr("/layout"));
 }
 

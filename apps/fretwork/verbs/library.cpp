@@ -206,8 +206,8 @@ void write_files(const LibraryOptions& options) {
     std::vector<base::FolderBatch> folders;
     if (!options.csv.empty()) library.export_csv(folders.emplace_back(options.csv).path(), control);
     if (!options.meshes.empty()) {
-        const exports::MeshOptions meshes{options.ply ? exports::MeshKind::Ply : exports::MeshKind::Obj,
-                                          control};
+        const exports::MeshOptions meshes{
+            .kind = options.ply ? exports::MeshKind::Ply : exports::MeshKind::Obj, .control = control};
         exports::add_meshes(library, wanted, meshes, folders.emplace_back(options.meshes));
     }
     control.check();

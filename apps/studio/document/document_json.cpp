@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/reduction/internal/setting_json.hpp>
 #include <fretwork/reduction/scenarios/setting_file.hpp>
+#include <fretwork/simulation/internal/load_case_json.hpp>
 #include <fretwork/simulation/load_cases/conditions.hpp>
 #include <fretwork/simulation/load_cases/load_case_file.hpp>
 #include <fretwork/tiling/rim_loops.hpp>
@@ -89,7 +91,7 @@ Json marks_json(const simulation::EntryMarks& marks) {
 void add_load_cases(const State& state, Json& event) {
     event["load_cases"] = Json::array();
     for (const simulation::LoadCase& load_case : *state.load_cases) {
-        Json json = Json::parse(simulation::load_case_text(load_case));
+        Json json = simulation::load_case_json(load_case);
         json.erase("format");
         json["marks"] = marks_json(simulation::entry_marks(load_case, state.ground->tessellation));
         event["load_cases"].push_back(std::move(json));
@@ -102,7 +104,7 @@ void add_model(const State& state, Json& event) {
 }
 
 void add_setting(const State& state, Json& event) {
-    event["setting"] = Json::parse(reduction::setting_text(*state.setting));
+    event["setting"] = reduction::setting_json(*state.setting);
 }
 
 void add_status(const DocumentStatus& status, Json& event) {

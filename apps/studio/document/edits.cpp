@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/internal/json_text.hpp>
+#include <fretwork/reduction/internal/setting_json.hpp>
 #include <fretwork/reduction/models/tile_model.hpp>
 #include <fretwork/reduction/scenarios/setting_file.hpp>
 #include <fretwork/simulation/load_cases/combination.hpp>
@@ -87,7 +88,7 @@ Edited set_tile_model(const State& state, const JsonReader& request) {
 Edited set_setting(const State& state, const JsonReader& request) {
     request.allow_only({"id", "do", "merge", "setting"});
     Edited edit{state, "material and section"};
-    const auto setting = reduction::parse_setting(request.at("setting").text(), "message: /setting");
+    const auto setting = reduction::read_setting(request.at("setting"));
     if (setting == *state.setting) return edit;
     edit.state.setting = std::make_shared<const reduction::Setting>(setting);
     const bool is_other = !reduction::setting_difference(setting, *state.setting).empty();
@@ -127,7 +128,7 @@ Edited set_load_case(const State& state, const JsonReader& request) {
     Edited edit{state, (index == cases.size() ? "new load case " : "load case ") + load_case.name};
     if (index == cases.size())
         cases.push_back(std::move(load_case));
-    else if (is_same(cases[index], load_case))
+    else if (cases[index] == load_case)
         return edit;
     else
         cases[index] = std::move(load_case);

@@ -2,6 +2,7 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/json_reader.hpp>
 #include <fretwork/base/text.hpp>
+#include <fretwork/simulation/internal/load_case_json.hpp>
 #include <fretwork/simulation/load_cases/conditions.hpp>
 #include <fretwork/simulation/load_cases/load_case_file.hpp>
 #include <fretwork/simulation/project/new_project.hpp>
@@ -54,7 +55,7 @@ simulation::Project make_example(std::string_view name, const base::Control& con
             {.patterns = json.at("patterns").string(), .palette = json.at("palette").string()}),
         .control = control};
     simulation::Project project = simulation::make_project(outline, options, nullptr).project;
-    project.load_cases.push_back(simulation::parse_load_case(json.at("load_case").text(), json.source()));
+    project.load_cases.push_back(simulation::read_load_case(json.at("load_case")));
     simulation::check_selections(project.load_cases.front(), project.tessellation);
     return project;
 }

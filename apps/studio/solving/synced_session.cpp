@@ -101,7 +101,7 @@ void SyncedSession::edit(const State& before, const Situation& wanted) {
         for (const auto& [model, tiles] : chosen) session_->set_tile_model(tiles, model);
     }
     const simulation::LoadCase load_case = load_case_of(wanted);
-    if (!is_same(session_->load_case(), load_case)) session_->set_load_case(load_case);
+    if (session_->load_case() != load_case) session_->set_load_case(load_case);
 }
 
 void SyncedSession::paint(const Painting& before, const Painting& now) {

@@ -77,13 +77,17 @@ void JsonReader::fail(const InputError& error) const {
     throw within(source(), place.empty() ? "/" : place, error);
 }
 
-void JsonReader::expect_format(std::string_view kind, int newest) const {
+void JsonReader::expect_format(std::string_view kind, int newest, int oldest) const {
     const JsonReader format = at("format");
-    const std::string given = format.string();
+    const std::string given = format.text();
     std::vector<std::string> known;
     for (int number = newest; number >= 1; --number) {
-        known.push_back("\"fretwork/" + std::string(kind) + "/" + std::to_string(number) + "\"");
-        if ("\"" + given + "\"" == known.back()) return;
+        const std::string name = "\"fretwork/" + std::string(kind) + "/" + std::to_string(number) + "\"";
+        if (number >= oldest) known.push_back(name);
+        if (given != name) continue;
+        if (number >= oldest) return;
+        format.fail("is " + given + ", of an unreleased version: make the " + std::string(kind) + " again (" +
+                    join(known, " or ") + ")");
     }
     Access::refuse(format, join(known, " or "));
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <fretwork/base/error.hpp>
+
 #include <filesystem>
 #include <initializer_list>
 #include <memory>
@@ -28,8 +30,9 @@ class JsonReader {
     /// @param source  what to call the text in messages
     static JsonReader from_text(std::string_view text, std::string source);
 
-    /// The document's `"format"` must be "fretwork/<kind>/N", with N from 1 to `newest`.
-    void expect_format(std::string_view kind, int newest = 1) const;
+    /// The document's `"format"` must be "fretwork/<kind>/N", with N from `oldest` to `newest`. Formats below
+    /// `oldest` were written by unreleased versions only: the message asks for the file to be made again.
+    void expect_format(std::string_view kind, int newest = 1, int oldest = 1) const;
     /// This must be an object with no other keys than these.
     void allow_only(std::initializer_list<std::string_view> keys) const;
     void allow_only(std::span<const std::string_view> keys) const;

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
-#include <fretwork/base/internal/json_text.hpp>
-#include <fretwork/base/json_reader.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/pattern/detail/embedded_layouts.hpp>
 #include <fretwork/pattern/detail/exact_geometry.hpp>
 #include <fretwork/pattern/detail/layout_rules.hpp>
+#include <fretwork/pattern/internal/layout_json.hpp>
 #include <fretwork/pattern/node_layout.hpp>
 #include <fretwork/pattern/pattern.hpp>
 
@@ -97,13 +96,6 @@ NodeLayoutDescription read_description(const JsonReader& json) {
     return description;
 }
 
-NodeLayout read_layout(const JsonReader& json) {
-    NodeLayoutDescription description = read_description(json);
-    if (const auto fault = detail::find_layout_fault(description))
-        throw base::InputError(json.source(), fault->pointer, fault->message);
-    return NodeLayout(std::move(description));
-}
-
 base::Json write_shares(std::span<const Rational> shares) {
     base::Json json = base::Json::array();
     for (const Rational& share : shares) json.push_back(share.text());
@@ -138,15 +130,22 @@ LayoutNodeIndex NodeLayout::left_partner(LayoutNodeIndex node) const {
     return is_right ? LayoutNodeIndex(node.value - static_cast<int>(description_.radial.size())) : node;
 }
 
+NodeLayout read_node_layout(const JsonReader& json) {
+    NodeLayoutDescription description = read_description(json);
+    if (const auto fault = detail::find_layout_fault(description))
+        throw base::InputError(json.source(), json.pointer() + fault->pointer, fault->message);
+    return NodeLayout(std::move(description));
+}
+
 NodeLayout read_node_layout(const std::filesystem::path& path) {
-    return read_layout(JsonReader::from_file(path));
+    return read_node_layout(JsonReader::from_file(path));
 }
 
 NodeLayout parse_node_layout(std::string_view text, std::string source) {
-    return read_layout(JsonReader::from_text(text, std::move(source)));
+    return read_node_layout(JsonReader::from_text(text, std::move(source)));
 }
 
-std::string node_layout_text(const NodeLayout& layout) {
+base::Json node_layout_json(const NodeLayout& layout) {
     const NodeLayoutDescription& description = layout.description();
     base::Json json = {{"format", "fretwork/layout/1"},
                        {"name", description.name},
@@ -156,7 +155,11 @@ std::string node_layout_text(const NodeLayout& layout) {
                        {"face", base::Json::array()},
                        {"interface", write_shares(description.interface)}};
     for (const auto& place : description.face) json["face"].push_back(write_shares(place));
-    return base::json_text(json);
+    return json;
+}
+
+std::string node_layout_text(const NodeLayout& layout) {
+    return base::json_text(node_layout_json(layout));
 }
 
 std::vector<std::string> layout_names() {
@@ -165,9 +168,14 @@ std::vector<std::string> layout_names() {
     return names;
 }
 
+const NodeLayout& paper_layout() {
+    static const NodeLayout layout = find_node_layout("paper7");
+    return layout;
+}
+
 NodeLayout find_node_layout(std::string_view name_or_path) {
     for (const auto& [name, text] : embedded_layouts) {
-        if (name == name_or_path) return read_layout(JsonReader::from_text(text, std::string(name)));
+        if (name == name_or_path) return read_node_layout(JsonReader::from_text(text, std::string(name)));
     }
     const std::filesystem::path path(name_or_path);
     std::error_code ignored;  // what no file can be called is none

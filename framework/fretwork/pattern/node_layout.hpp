@@ -83,6 +83,9 @@ NodeLayout parse_node_layout(std::string_view text, std::string source);
 /// The names of the layouts that the library brings along, the paper's first.
 std::vector<std::string> layout_names();
 
+/// The paper's layout, "paper7", read once. Safe to call from several threads.
+const NodeLayout& paper_layout();
+
 /// A layout by its name, if it is one that the library brings along ("paper7"), else by its file. Throws
 /// InputError.
 NodeLayout find_node_layout(std::string_view name_or_path);

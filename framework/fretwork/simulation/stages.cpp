@@ -6,6 +6,7 @@
 #include <fretwork/mechanics/paths/staged_path.hpp>
 #include <fretwork/simulation/detail/joined_tiles.hpp>
 #include <fretwork/simulation/detail/wanted.hpp>
+#include <fretwork/simulation/internal/load_case_json.hpp>
 #include <fretwork/simulation/load_cases/combination.hpp>
 #include <fretwork/simulation/load_cases/conditions.hpp>
 #include <fretwork/simulation/load_cases/load_case_file.hpp>
@@ -151,7 +152,7 @@ Json stage_json(const Stage& stage) {
         holder.name = "stage";
         holder.supports = supports;
         holder.prescribed = prescribed;
-        return Json::parse(load_case_text(holder));
+        return load_case_json(holder);
     };
     if (!stage.prescribed.empty()) json["prescribed"] = lists({}, stage.prescribed).at("prescribed");
     if (!stage.keep.empty()) json["keep"] = lists(stage.keep, {}).at("supports");

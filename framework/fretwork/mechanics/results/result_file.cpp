@@ -19,7 +19,8 @@ namespace {
 using base::Json;
 using base::JsonReader;
 
-constexpr int kNewestFormat = 4;
+/// Older formats were written by unreleased versions only.
+constexpr int kResultVersion = 4;
 constexpr std::string_view kResultKeys[] = {
     "format",     "program",          "solver",          "load_factor",    "converged",
     "stable",     "stability",        "termination",     "energy",         "residual",
@@ -233,11 +234,7 @@ void append_result(const Result& result, Json& json) {
 }
 
 void check_result_format(const JsonReader& document, std::span<const std::string_view> more_keys) {
-    document.expect_format("result", kNewestFormat);
-    const std::string format = document.at("format").string();
-    if (format != kResultFormat)
-        document.at("format").fail(
-            "is \"" + format + "\", of an unreleased version: make the result again (" + kResultFormat + ")");
+    document.expect_format("result", kResultVersion, kResultVersion);
     std::vector<std::string_view> keys(std::begin(kResultKeys), std::end(kResultKeys));
     keys.insert(keys.end(), more_keys.begin(), more_keys.end());
     document.allow_only(keys);

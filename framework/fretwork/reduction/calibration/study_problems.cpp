@@ -46,15 +46,10 @@ std::shared_ptr<const RingProblem> make_calibration(const std::vector<Response>&
     return {owner, &owner->problem()};
 }
 
-const pattern::NodeLayout& paper_layout() {
-    static const pattern::NodeLayout layout = pattern::find_node_layout("paper7");
-    return layout;
-}
-
 /// The layout that stands before a pattern's id, or else the paper's.
 pattern::NodeLayout layout_of(const std::string& pattern_id) {
     const auto colon = pattern_id.find(':');
-    return colon == std::string::npos ? paper_layout()
+    return colon == std::string::npos ? pattern::paper_layout()
                                       : pattern::find_node_layout(pattern_id.substr(0, colon));
 }
 
@@ -97,7 +92,7 @@ std::vector<int> strata_of(const std::vector<pattern::Pattern>& patterns) {
     const auto setting = paper_setting();
     std::map<int, std::vector<std::pair<double, std::size_t>>> by_edges;
     for (std::size_t i = 0; i < patterns.size(); ++i) {
-        const auto plate = effective_properties(paper_layout(), patterns[i], setting);
+        const auto plate = effective_properties(pattern::paper_layout(), patterns[i], setting);
         by_edges[patterns[i].edge_count()].emplace_back(plate.D.trace(), i);
     }
     std::vector<int> strata(patterns.size());
@@ -112,10 +107,11 @@ std::vector<int> strata_of(const std::vector<pattern::Pattern>& patterns) {
 
 std::vector<std::string> pattern_ids(std::size_t count) {
     const auto all = pattern::enumerate_patterns(
-        paper_layout(), {.edges = pattern::default_edge_range(paper_layout()), .filters = {}});
+        pattern::paper_layout(),
+        {.edges = pattern::default_edge_range(pattern::paper_layout()), .filters = {}});
     std::vector<std::string> ids;
     for (const std::size_t index : stratified_sample(strata_of(all), count)) {
-        ids.push_back("calibration/" + pattern::pattern_id(paper_layout(), all[index]));
+        ids.push_back("calibration/" + pattern::pattern_id(pattern::paper_layout(), all[index]));
     }
     return ids;
 }

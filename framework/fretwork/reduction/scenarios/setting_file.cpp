@@ -3,6 +3,7 @@
 #include <fretwork/base/files/file.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/reduction/detail/scenario_json.hpp>
+#include <fretwork/reduction/internal/setting_json.hpp>
 #include <fretwork/reduction/scenarios/setting_file.hpp>
 
 #include <algorithm>
@@ -109,7 +110,37 @@ std::optional<double> read_strength(const JsonReader& document) {
     return strength->positive_number();
 }
 
-Setting read_document(const JsonReader& json) {
+Json material_json(const mechanics::Material& material) {
+    Json json = {{"young_modulus", material.young_modulus},
+                 {"poisson_ratio", material.poisson_ratio},
+                 {"density", material.density}};
+    if (material.given_shear_modulus) json["shear_modulus"] = *material.given_shear_modulus;
+    return json;
+}
+
+Json section_json(const mechanics::Section& section) {
+    Json json = {{"area", section.area}, {"I2", section.I2}, {"I3", section.I3}, {"J", section.J}};
+    if (section.shear_area2) json["shear_area2"] = *section.shear_area2;
+    if (section.shear_area3) json["shear_area3"] = *section.shear_area3;
+    return json;
+}
+
+/// All of a setting, whatever its file leaves out.
+Json comparable_json(const Setting& setting) {
+    Json json = setting_json(setting);
+    json.erase("format");
+    json["joints"] = joints_name(setting.joints);
+    return json;
+}
+
+/// The value at a pointer, or what stands for its absence.
+std::string value_text(const Json& json, const Json::json_pointer& pointer) {
+    return json.contains(pointer) ? json.at(pointer).dump() : "nothing";
+}
+
+}  // namespace
+
+Setting read_setting(const JsonReader& json) {
     json.expect_format("setting", 2);
     json.allow_only({"format", "material", "section", "tile_side", "sides", "divisions", "magnitudes",
                      "branch", "joints", "scenarios"});
@@ -127,21 +158,6 @@ Setting read_document(const JsonReader& json) {
     }
     setting.validate(json.source());
     return setting;
-}
-
-Json material_json(const mechanics::Material& material) {
-    Json json = {{"young_modulus", material.young_modulus},
-                 {"poisson_ratio", material.poisson_ratio},
-                 {"density", material.density}};
-    if (material.given_shear_modulus) json["shear_modulus"] = *material.given_shear_modulus;
-    return json;
-}
-
-Json section_json(const mechanics::Section& section) {
-    Json json = {{"area", section.area}, {"I2", section.I2}, {"I3", section.I3}, {"J", section.J}};
-    if (section.shear_area2) json["shear_area2"] = *section.shear_area2;
-    if (section.shear_area3) json["shear_area3"] = *section.shear_area3;
-    return json;
 }
 
 Json setting_json(const Setting& setting) {
@@ -166,27 +182,12 @@ Json setting_json(const Setting& setting) {
     return json;
 }
 
-/// All of a setting, whatever its file leaves out.
-Json comparable_json(const Setting& setting) {
-    Json json = setting_json(setting);
-    json.erase("format");
-    json["joints"] = joints_name(setting.joints);
-    return json;
-}
-
-/// The value at a pointer, or what stands for its absence.
-std::string value_text(const Json& json, const Json::json_pointer& pointer) {
-    return json.contains(pointer) ? json.at(pointer).dump() : "nothing";
-}
-
-}  // namespace
-
 Setting read_setting(const std::filesystem::path& path) {
-    return read_document(JsonReader::from_file(path));
+    return read_setting(JsonReader::from_file(path));
 }
 
 Setting parse_setting(std::string_view text, std::string source) {
-    return read_document(JsonReader::from_text(text, std::move(source)));
+    return read_setting(JsonReader::from_text(text, std::move(source)));
 }
 
 void write_setting(const Setting& setting, const std::filesystem::path& path) {

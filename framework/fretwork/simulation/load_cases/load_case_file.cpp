@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/files/file.hpp>
 #include <fretwork/base/limits.hpp>
-#include <fretwork/simulation/detail/load_case_json.hpp>
 #include <fretwork/simulation/detail/side_names.hpp>
+#include <fretwork/simulation/internal/load_case_json.hpp>
 #include <fretwork/simulation/load_cases/load_case_file.hpp>
 
 #include <algorithm>
@@ -235,9 +235,7 @@ bool needs_second_format(const LoadCase& load_case) {
 
 }  // namespace
 
-namespace detail {
-
-LoadCase load_case_from_json(const JsonReader& json) {
+LoadCase read_load_case(const JsonReader& json) {
     json.expect_format("load-case", 3);
     json.allow_only(
         {"format", "name", "description", "supports", "loads", "prescribed", "gravity", "combines"});
@@ -269,7 +267,7 @@ LoadCase load_case_from_json(const JsonReader& json) {
     return load_case;
 }
 
-Json load_case_to_json(const LoadCase& load_case) {
+Json load_case_json(const LoadCase& load_case) {
     Json json;
     // What the first format can say is written so: other programs read it.
     json["format"] = needs_third_format(load_case)    ? "fretwork/load-case/3"
@@ -286,18 +284,12 @@ Json load_case_to_json(const LoadCase& load_case) {
     return json;
 }
 
-}  // namespace detail
-
 LoadCase parse_load_case(std::string_view text, const std::string& source) {
-    return detail::load_case_from_json(JsonReader::from_text(text, source));
+    return read_load_case(JsonReader::from_text(text, source));
 }
 
 std::string load_case_text(const LoadCase& load_case) {
-    return base::json_text(detail::load_case_to_json(load_case));
-}
-
-bool is_same(const LoadCase& left, const LoadCase& right) {
-    return &left == &right || load_case_text(left) == load_case_text(right);
+    return base::json_text(load_case_json(load_case));
 }
 
 void write_load_case(const LoadCase& load_case, const std::filesystem::path& path) {
@@ -305,7 +297,7 @@ void write_load_case(const LoadCase& load_case, const std::filesystem::path& pat
 }
 
 LoadCase read_load_case(const std::filesystem::path& path) {
-    return detail::load_case_from_json(JsonReader::from_file(path));
+    return read_load_case(JsonReader::from_file(path));
 }
 
 }  // namespace fretwork::simulation

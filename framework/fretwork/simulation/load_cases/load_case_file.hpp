@@ -16,8 +16,6 @@ inline constexpr std::string_view kLoadCaseFormat = "fretwork/load-case/3";
 LoadCase parse_load_case(std::string_view text, const std::string& source);
 /// parse_load_case gives an equal load case.
 std::string load_case_text(const LoadCase& load_case);
-/// Whether two load cases say the same.
-bool is_same(const LoadCase& left, const LoadCase& right);
 /// Throws InputError with file and JSON pointer.
 LoadCase read_load_case(const std::filesystem::path& path);
 /// Throws IoError; then the file is as it was.

@@ -15,18 +15,22 @@ enum class Side { Left, Right, Bottom, Top };
 /// Interface nodes by their numbers.
 struct NodesById {
     std::vector<int> ids;
+    friend bool operator==(const NodesById&, const NodesById&) = default;
 };
 /// All interface nodes in a box, its rim included: xmin ymin xmax ymax in metres.
 struct NodesInBox {
     std::array<double, 4> box{};
+    friend bool operator==(const NodesInBox&, const NodesInBox&) = default;
 };
 /// The interface node nearest to each of some points.
 struct NodesNearest {
     std::vector<geometry::Point2> points;
+    friend bool operator==(const NodesNearest&, const NodesNearest&) = default;
 };
 /// The rim nodes along one side: those in a strip of one mean tile side along that side of the bounding box.
 struct NodesAtSide {
     Side side = Side::Left;
+    friend bool operator==(const NodesAtSide&, const NodesAtSide&) = default;
 };
 /// Which interface nodes a support or a load is on.
 using Selection = std::variant<NodesById, NodesInBox, NodesNearest, NodesAtSide>;

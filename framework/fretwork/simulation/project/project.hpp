@@ -15,13 +15,13 @@ namespace fretwork::simulation {
 
 /// The one document that the command line and the studio share.
 struct Project {
-    pattern::NodeLayout layout = pattern::find_node_layout("paper7");  ///< of the tessellation's patterns
+    pattern::NodeLayout layout = pattern::paper_layout();  ///< of the tessellation's patterns
     outlines::Outline outline;
     std::vector<outlines::Outline> further_outlines{};  ///< of a surface of several parts, the others
     tiling::Tessellation tessellation;                  ///< with its painting
     std::vector<LoadCase> load_cases;
-    /// Of the patterns' library when the project was made: so the project means the same without it. Projects
-    /// of the first format have none.
+    /// Of the patterns' library when the project was made: so the project means the same without it. None: of
+    /// the library as it is, or the paper's.
     std::optional<reduction::Setting> setting{};
     /// Some tiles with a tile model of their own.
     struct TileModelChoice {

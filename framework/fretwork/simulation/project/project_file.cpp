@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/files/file.hpp>
-#include <fretwork/reduction/scenarios/setting_file.hpp>
-#include <fretwork/simulation/detail/load_case_json.hpp>
+#include <fretwork/pattern/internal/layout_json.hpp>
+#include <fretwork/reduction/internal/setting_json.hpp>
+#include <fretwork/simulation/internal/load_case_json.hpp>
 #include <fretwork/simulation/load_cases/combination.hpp>
 #include <fretwork/simulation/project/project_file.hpp>
 #include <fretwork/tiling/tessellation_check.hpp>
@@ -143,7 +144,7 @@ auto in_place(const JsonReader& json, Read&& read) {
 
 void read_load_cases(const JsonReader& json, Project& project) {
     for (const JsonReader& element : json.elements()) {
-        LoadCase load_case = detail::load_case_from_json(element);
+        LoadCase load_case = read_load_case(element);
         for (const LoadCase& other : project.load_cases) {
             if (other.name == load_case.name)
                 element.at("name").fail("'" + other.name + "' is the name of two load cases");
@@ -172,13 +173,12 @@ void read_tile_models(const JsonReader& json, Project& project) {
 }
 
 Project project_from_json(const JsonReader& json) {
-    json.expect_format("project", 3);
+    json.expect_format("project", 3, 2);
     json.allow_only(
         {"format", "layout", "setting", "library", "outline", "tessellation", "load_cases", "tile_models"});
     Project project;
-    project.layout = pattern::parse_node_layout(json.at("layout").text(), json.source() + ": /layout");
-    if (const auto setting = json.find("setting"))
-        project.setting = reduction::parse_setting(setting->text(), json.source() + ": /setting");
+    project.layout = pattern::read_node_layout(json.at("layout"));
+    if (const auto setting = json.find("setting")) project.setting = reduction::read_setting(*setting);
     if (const auto library = json.find("library")) read_library_link(*library, project);
     auto outlines = in_place<base::GeometryError>(json.at("outline"), read_outlines_json);
     project.outline = std::move(outlines.front());
@@ -209,13 +209,13 @@ std::string project_text(const Project& project) {
     Json json;
     // Older programs read all but surfaces of several parts.
     json["format"] = project.further_outlines.empty() ? "fretwork/project/2" : "fretwork/project/3";
-    json["layout"] = Json::parse(pattern::node_layout_text(project.layout));
-    if (project.setting) json["setting"] = Json::parse(reduction::setting_text(*project.setting));
+    json["layout"] = pattern::node_layout_json(project.layout);
+    if (project.setting) json["setting"] = reduction::setting_json(*project.setting);
     if (!project.library_path.empty())
         json["library"] = {{"path", project.library_path}, {"hash", project.library_hash}};
     json["load_cases"] = Json::array();
     for (const LoadCase& load_case : project.load_cases)
-        json["load_cases"].push_back(detail::load_case_to_json(load_case));
+        json["load_cases"].push_back(load_case_json(load_case));
     json["outline"] = outlines_json(project);
     json["tessellation"] = tessellation_json(project.tessellation);
     for (const Project::TileModelChoice& choice : project.tile_models)

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Load cases as JSON inside other documents: projects, results, stages, and the studio's messages.
+#pragma once
+
+#include <fretwork/base/internal/json_text.hpp>
+#include <fretwork/base/json_reader.hpp>
+#include <fretwork/simulation/load_cases/load_case.hpp>
+
+namespace fretwork::simulation {
+
+/// Read a load case as it stands in its own file. Throws InputError with the JSON pointer.
+LoadCase read_load_case(const base::JsonReader& json);
+/// The inverse of read_load_case.
+base::Json load_case_json(const LoadCase& load_case);
+
+}  // namespace fretwork::simulation
