@@ -19,7 +19,7 @@ class Stopped : public Error {
 /// tenth of a second.
 struct Control {
     std::stop_token stop{};        ///< looked at at least every 50 ms; the default never asks to stop
-    Progress* progress = nullptr;  ///< told how far the work is; null: nobody listens. Not owned.
+    Progress* progress = nullptr;  ///< receives how far the work is; null: nobody listens. Not owned.
     /// Asked at every look, too, on whichever thread looks: true asks to stop. For a caller that has no
     /// second thread to ask from, and for tests. Null: nobody is asked. Not owned.
     const std::function<bool()>* question = nullptr;
@@ -32,7 +32,7 @@ struct Control {
     void check() const {
         if (stop_wanted()) throw Stopped();
     }
-    /// The same for a part of the work of which nobody is told how far it is.
+    /// A copy that can be stopped but reports no progress.
     [[nodiscard]] Control silent() const { return {.stop = stop, .question = question}; }
 };
 

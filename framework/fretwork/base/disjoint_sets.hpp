@@ -8,8 +8,8 @@
 
 namespace fretwork::base {
 
-/// Which of the things 0 .. count - 1 belong together: union-find. Whatever the order of what is united, a
-/// set is named by its first member.
+/// Union-find: which of the things 0 .. count - 1 belong together. A set is named by its first member,
+/// whatever the order of the unions.
 class DisjointSets {
   public:
     explicit DisjointSets(std::size_t count) : parent_(count) {

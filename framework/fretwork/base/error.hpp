@@ -9,7 +9,7 @@
 
 namespace fretwork::base {
 
-/// What an error is about, where programs do more than show its text.
+/// The kind of an error, where programs do more than show its text.
 enum class ErrorKind : std::uint8_t {
     Other,
     NothingHeld,    ///< a structure has no support

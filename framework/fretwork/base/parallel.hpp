@@ -12,9 +12,9 @@ int resolved_thread_count(int wanted);
 
 /// Call body(i) for every i below `count`, on up to `threads` threads (0: all there are).
 ///
-/// Which thread takes which index is left open, so a body writes only to the place of its own index; then the
-/// result does not depend on the number of threads. Of several exceptions the one of the smallest index is
-/// thrown on.
+/// A body may write only to the place of its own index, because any thread may take any index; then the
+/// result does not depend on the number of threads. If several bodies throw, the exception of the smallest
+/// index is thrown on.
 void parallel_for(std::size_t count, int threads, const std::function<void(std::size_t)>& body);
 
 /// Call body(i) for every node of a tree after the calls for its children, on up to `threads` threads (0: all

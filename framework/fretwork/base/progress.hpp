@@ -9,7 +9,7 @@
 
 namespace fretwork::base {
 
-/// Where long work tells how far it is. Implementations are called from one thread at a time.
+/// A receiver of progress. Implementations are called from one thread at a time.
 class Progress {
   public:
     virtual ~Progress() = default;

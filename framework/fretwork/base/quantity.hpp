@@ -24,8 +24,8 @@ double parse_angle(std::string_view text);
 /// Read a finite number. Throws InputError on anything else, trailing characters included.
 double parse_number(std::string_view text);
 
-/// The number that the whole of a text is, which may begin with one sign; nothing if it is none, or too large
-/// for its type.
+/// The number that a whole text spells, with at most one sign; nothing if the text is no number, or is too
+/// large for the type.
 template <class Number>
 std::optional<Number> read_number(std::string_view text) {
     if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);

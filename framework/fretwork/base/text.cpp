@@ -24,13 +24,13 @@ std::size_t edit_distance(std::string_view left, std::string_view right) {
     return row.back();
 }
 
-/// A character of UTF-8, and how many bytes it takes; no code where the bytes are none.
+/// A character of UTF-8, and how many bytes it takes; no code if the bytes are malformed.
 struct Character {
     std::optional<char32_t> code;
     std::size_t bytes = 1;
 };
 
-/// The first character of a text that is not empty. Overlong forms and surrogates are none.
+/// The first character of a text that is not empty. Overlong forms and surrogates count as malformed.
 Character first_character(std::string_view text) {
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
     if (byte(0) < 0x80) return {byte(0), 1};

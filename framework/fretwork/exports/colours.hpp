@@ -8,8 +8,8 @@
 namespace fretwork::exports {
 
 /// The colour of the i-th pattern of a palette, as "#rrggbb": light, so that beams stand out. The first nine
-/// can be told apart with a colour vision deficiency; further ones are far apart in hue (golden angle) and
-/// differ in lightness. A negative number (not painted) is nearly white.
+/// are distinct under a colour vision deficiency; further ones are far apart in hue (golden angle) and differ
+/// in lightness. A negative number (not painted) is nearly white.
 std::string pattern_colour(int index);
 
 /// A perceptually even scale from dark blue (0) over green to yellow (1), after viridis; values outside are
@@ -20,7 +20,7 @@ std::string scale_colour(double share);
 /// clamped.
 std::string signed_colour(double share);
 
-/// What a colour scale spans.
+/// The range of a colour scale.
 struct ValueRange {
     double from = 0.0;
     double to = 0.0;
@@ -30,7 +30,7 @@ ValueRange whole_range(std::span<const double> values);
 /// From zero, or evenly around zero where values have both signs. A few values that are far above all others
 /// are left out, or they alone would be seen.
 ValueRange value_range(std::span<const double> values);
-/// What lies beyond a range has this colour, which is in neither scale: the worst bars are to be seen.
+/// Out-of-range colour, in neither scale, so that overloaded bars stand out.
 inline constexpr const char* kBeyondColour = "#f018b4";
 /// The largest size of the values beyond a range; nothing if none is there.
 std::optional<double> largest_beyond(std::span<const double> values, const ValueRange& range);

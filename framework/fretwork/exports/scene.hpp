@@ -34,7 +34,7 @@ struct Making {
     fabrication::FactsOptions facts{};
 };
 
-/// What a surface can be written from: itself, a load case to draw on it, and results.
+/// Everything that a surface can be written from: the surface, a load case to draw on it, and results.
 struct Scene {
     struct LabelledResult {
         std::string label;
@@ -46,13 +46,13 @@ struct Scene {
     double displacement_scale = 1.0;        ///< in drawings of deformed states
     std::optional<ViewOptions> view{};      ///< from where these are seen; none: from where most is seen
     PictureOptions picture{};
-    std::optional<double> strength{};  ///< Pa, that utilizations are told of; none: the material's
+    std::optional<double> strength{};  ///< Pa, the reference of utilizations; none: the material's
     DrawnLabels labels{};              ///< of drawings from above
     Making making{};                   ///< of what is cut or printed
-    std::optional<simulation::LoadCase> load_case{};  ///< that of `conditions`; facts are told with it
+    std::optional<simulation::LoadCase> load_case{};  ///< that of `conditions`; facts use it
     std::span<const reduction::TileModel> models = reduction::tile_models();  ///< of the results
     base::Control control{};  ///< asked by writers of large files; who stops throws Stopped
-    /// Pa: the given one, or the material's; none: utilizations are not told.
+    /// Pa: the given one, or the material's; none: no utilizations.
     [[nodiscard]] std::optional<double> known_strength() const {
         return strength ? strength : surface.setting.strength;
     }

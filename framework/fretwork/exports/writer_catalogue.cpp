@@ -22,7 +22,7 @@ LineSet main_lines(const Scene& scene) {
                                  : result_lines(scene.surface, scene.results.front().result);
 }
 
-/// The paper's colours: the full model grey, the reduced one blue; more are told apart by the palette.
+/// The paper's colours: the full model grey, the reduced one blue; the palette distinguishes further models.
 std::string layer_colour(std::size_t index) {
     constexpr std::array<const char*, 4> kColours = {"#8a8f94", "#2166ac", "#d6604d", "#1b7837"};
     return kColours[index % kColours.size()];
@@ -46,7 +46,7 @@ std::string svg_text(const Scene& scene) {
     return layers.size() == 1 ? displacement_svg(layers.front(), options) : deformed_svg(layers, options);
 }
 
-/// What is made does not depend on results, but those that are given must be the surface's.
+/// Files for making do not depend on results, but given results must belong to the surface.
 fabrication::ShapeOptions making(const Scene& scene) {
     for (const Scene::LabelledResult& entry : scene.results)
         require_same_surface(scene.surface, entry.result);

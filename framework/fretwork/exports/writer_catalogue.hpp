@@ -12,7 +12,7 @@
 
 namespace fretwork::exports {
 
-/// What of a surface a file holds.
+/// The kind of content of a file.
 enum class Content {
     Drawing,      ///< for people
     Centrelines,  ///< the beams as lines, with what is known of them
@@ -37,7 +37,7 @@ struct WriterRow {
     Content content;
     std::string_view description;
     Written (*write)(const Scene&);
-    /// What of a scene it looks at besides surface and results.
+    /// The members of a scene that a writer reads besides surface and results.
     enum class Kind { Data, Drawing, Picture, Made } kind = Kind::Data;
     [[nodiscard]] bool is_drawing() const {
         return kind == Kind::Drawing || is_picture();

@@ -16,7 +16,7 @@ struct Label {
     double height = 0.0;  ///< m
 };
 
-/// What a cutter is given: one sheet of material.
+/// The input of a cutter: one sheet of material.
 struct CutSheet {
     std::string title;
     std::vector<Piece> pieces;      ///< cut, by contours

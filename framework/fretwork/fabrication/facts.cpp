@@ -26,7 +26,7 @@ using namespace detail;
 using simulation::LoadCase;
 using simulation::Surface;
 
-/// So many warnings of one kind are told one by one.
+/// Warnings of one kind that are listed one by one; further ones are counted.
 constexpr std::size_t kMostOfOneKind = 30;
 /// Thin sheets move far under their load cases, and hang far under their own weight.
 const std::string kModel = "corotational";

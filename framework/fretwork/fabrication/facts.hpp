@@ -14,29 +14,29 @@
 
 namespace fretwork::fabrication {
 
-/// What a machine and a material can do.
+/// The limits of a machine and a material.
 struct FactsOptions {
-    double clearance = 5e-4;           ///< m: narrower gaps and openings are told
+    double clearance = 5e-4;           ///< m: warn about narrower gaps and openings
     double layer_height = 2e-4;        ///< m, of a print
-    double sharp_angle = 0.35;         ///< rad: bars that meet at less are told
-    std::optional<double> strength{};  ///< Pa: stresses above are told; none: the material's
+    double sharp_angle = 0.35;         ///< rad: warn about bars meeting at a smaller angle
+    std::optional<double> strength{};  ///< Pa: warn about higher stresses; none: the material's
     std::span<const reduction::TileModel> models = reduction::tile_models();  ///< of the result
     base::Control control{};
     /// Throws InputError that names the option.
     void validate() const;
 };
 
-/// What a maker is warned of, and where.
+/// A warning to the maker, and its place.
 struct Warning {
     std::string message;  ///< one line, with tile, node and place
     geometry::Point2 place;
 };
 
-/// Whatever a maker asks of a surface before making it. SI.
+/// The facts that a maker needs before making a surface. SI.
 ///
-/// Weight, in the sag and in the stresses of a load case with gravity, is that of the true outline: one
-/// factor for the whole surface, `mass` / `beam_mass`, scales the gravity of its tiles. So what a frame and
-/// eyes for bolts weigh is spread over the tiles; that they are stiff is left out.
+/// The weight of the true outline acts in the sag and in the stresses of a load case with gravity: one factor
+/// for the whole surface, `mass` / `beam_mass`, scales the gravity of its tiles. The weight of a frame and of
+/// eyes for bolts is thus spread over the tiles; their stiffness is ignored.
 struct Facts {
     std::size_t tiles = 0, bars = 0, pieces = 0, openings = 0;
     geometry::Box box{};
@@ -46,7 +46,7 @@ struct Facts {
     double mass = 0.0;                       ///< kg; 0 where the material has no density
     double beam_mass = 0.0;                  ///< kg, of the model's beams: joints count more than once
     double cut_length = 0.0;                 ///< m
-    std::size_t pierces = 0;                 ///< contours, each of which a cutter begins anew
+    std::size_t pierces = 0;                 ///< contours, each of which a cutter starts separately
     std::size_t layers = 0;                  ///< of a print
     double wall_length = 0.0;                ///< m, contours of all layers
     double sharpest_angle = 0.0;             ///< rad, between bars of a node
@@ -76,8 +76,8 @@ struct Facts {
 /// A load case, or a result, to judge stresses by.
 struct FactsLoads {
     const simulation::LoadCase* load_case = nullptr;
-    /// Of the surface, taken as it is, with the weight of the beams; else the load case is solved with
-    /// corotational tiles.
+    /// A solution of the surface under the weight of the beams, taken as it is; if none, the load case is
+    /// solved with corotational tiles.
     const simulation::SurfaceResult* result = nullptr;
 };
 

@@ -21,7 +21,7 @@ struct Shape {
     double height = 0.0;        ///< m
 };
 
-/// What is made besides the bars.
+/// Material besides the bars.
 struct ShapeOptions {
     double fillet = 0.0;       ///< m, radius of inner corners; smaller where two of them do not fit; 0: sharp
     double kerf = 0.0;         ///< m, width that the cutter takes away: contours lie half of it outside
@@ -36,15 +36,15 @@ struct ShapeOptions {
     /// The contours of a bolt's eye and of its hole, m; the cutter takes the kerf.
     [[nodiscard]] double eye_radius() const;
     [[nodiscard]] double hole_radius() const { return 0.5 * (bolt_diameter - kerf); }
-    /// Of the contour that the cutter follows, m.
+    /// Of the cutter's path, m.
     [[nodiscard]] double contour_fillet() const;
-    /// Of what is left, and not of where the cutter runs.
+    /// Of the finished part, not of the cutter's path.
     [[nodiscard]] ShapeOptions without_kerf() const;
 };
 
 /// The outline of a surface's bars: all places within half a width of a bar's line, so joints and free ends
-/// are round. Exact Booleans on a grid of a nanometre; arcs are arcs. Throws as bar_plan(), and InputError
-/// for options that make no sense and holes that meet; Stopped.
+/// are round. Exact Booleans on a grid of a nanometre; arcs are arcs. Throws as bar_plan(), InputError for
+/// invalid options and holes that meet, and Stopped.
 Shape make_shape(const simulation::Surface& surface, const ShapeOptions& options = {});
 /// The same of a plan, which has its frame already.
 Shape make_shape(const BarPlan& plan, const ShapeOptions& options);
@@ -53,7 +53,7 @@ Shape make_shape(const BarPlan& plan, const ShapeOptions& options);
 std::size_t opening_count(const Shape& shape);
 /// m2
 double area(const Shape& shape);
-/// Of all contours, m.
+/// Total length of all contours, m.
 double cut_length(const Shape& shape);
 geometry::Box box_of(const Shape& shape);
 

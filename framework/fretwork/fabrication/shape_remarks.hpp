@@ -8,8 +8,8 @@
 
 namespace fretwork::fabrication {
 
-/// What of the options could not be had everywhere, one line each: openings that the kerf closes, fillets
-/// that do not fit. `left` is what the cutter leaves, made without the kerf; `cut` is where it runs.
+/// The options that could not be met everywhere, one line each: openings that the kerf closes, fillets that
+/// do not fit. `left` is the finished part, made without the kerf; `cut` is the cutter's path.
 std::vector<std::string> shape_remarks(const Shape& left, const Shape& cut, const ShapeOptions& options);
 
 /// An outline and what is to be said of it.

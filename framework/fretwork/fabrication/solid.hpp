@@ -26,13 +26,13 @@ struct SolidOptions {
 /// shapes of more than a metre: 2^-22 of the size), so that they stay apart as 32 bit numbers in millimetres.
 ///
 /// Law: every edge has two triangles, in opposite directions. Throws GeometryError that names the place where
-/// the shape touches itself, so that there is no such solid; Stopped.
+/// the shape touches itself, where no such solid exists; Stopped.
 Solid make_solid(const Shape& shape, const SolidOptions& options = {});
 
 /// m3
 double volume(const Solid& solid);
 
-/// What of a solid is closed.
+/// The closed sides of a solid.
 struct SolidCheck {
     std::size_t open_edges = 0;  ///< directed edges without exactly one triangle that has the opposite one
     long euler_number = 0;       ///< vertices - edges + triangles: 2 for each piece less 2 for each opening

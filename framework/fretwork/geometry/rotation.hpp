@@ -19,8 +19,8 @@ Eigen::Quaterniond exponential(const Eigen::Vector3d& rotation_vector);
 /// The rotation vector of a rotation, at most pi long.
 Eigen::Vector3d logarithm(const Eigen::Quaterniond& rotation);
 
-/// Of all rotation vectors of a rotation (they differ by whole turns), the one nearest to `reference`: along
-/// a path of small steps the rotation vector has no jumps and counts the turns.
+/// The rotation vector nearest to `reference` among those of one rotation, which differ by whole turns: along
+/// a path of small steps it has no jumps and counts the turns.
 Eigen::Vector3d logarithm_near(const Eigen::Quaterniond& rotation, const Eigen::Vector3d& reference);
 
 /// T with spin = T d(rotation vector): exp(v + dv) = exp(T dv) exp(v).

@@ -18,7 +18,7 @@ struct FillOptions {
     double seconds_between_stores = 1.0;  ///< 0: what is finished is stored at once
     /// When stopped, fill() stores and reports what is done, and does not throw.
     base::Control control{};
-    /// Throws InputError if a value makes no sense.
+    /// Throws InputError if a value is invalid.
     void validate() const;
     [[nodiscard]] const reduction::TileModel& tile_model() const;
     /// The key of the calibrations that these options give.
@@ -35,10 +35,10 @@ struct FillReport {
 /// Compute what the library lacks of some of its patterns: responses, effective properties, and the
 /// calibration that the options ask for.
 ///
-/// What is done is stored about every second in one transaction, so a killed process loses no more; started
-/// again, it goes on there. The result does not depend on threads, interruptions and shards. A pattern on
-/// which a computation fails is recorded with its reason, and does not stop the rest. Memory does not grow
-/// with the number of patterns. Throws as Library::store; then all that was stored before is there.
+/// Finished patterns are stored about every second in one transaction, so a killed process loses no more; a
+/// new run goes on there. The result does not depend on threads, interruptions and shards. A failed
+/// computation is recorded with its reason, and does not stop the rest. Memory does not grow with the number
+/// of patterns. Throws as Library::store; then all that was stored before is there.
 FillReport fill(Library& library, std::span<const PatternEntry> patterns, const FillOptions& options);
 
 }  // namespace fretwork::library

@@ -51,7 +51,7 @@ Initialized initialize(Database& database, const pattern::NodeLayout& layout,
     return Initialized::Yes;
 }
 
-/// Of several processes that find an empty file, one makes the tables.
+/// If several processes find an empty file, one makes the tables.
 void fill_if_empty(const std::filesystem::path& path, const pattern::NodeLayout& layout,
                    const reduction::Setting& setting) {
     Database database(path, Database::Mode::Write);

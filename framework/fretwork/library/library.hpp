@@ -43,7 +43,7 @@ struct CalibrationKey {
 CalibrationKey calibration_key(const reduction::CalibrationOptions& options,
                                const reduction::TileModel& model);
 
-/// A calibration, and what the library keeps beside it.
+/// A calibration with the library's notes on it.
 struct CalibrationRecord {
     reduction::Calibration calibration;
     int budget = 0;        ///< evaluations at most
@@ -51,7 +51,7 @@ struct CalibrationRecord {
     [[nodiscard]] CalibrationKey key() const;
 };
 
-/// What is to be stored of one pattern. Whatever is empty is left as it is.
+/// The data to store for one pattern. Empty members leave what is stored as it is.
 struct PatternData {
     std::string pattern;                         ///< id
     std::vector<reduction::Response> responses;  ///< none, or one for each scenario of the setting
@@ -165,8 +165,7 @@ class Library {
     [[nodiscard]] std::vector<CalibrationRecord> calibrations(std::string_view pattern_id) const;
     /// For each tile model that a pattern has calibrations of, the one with the smallest objective, by name.
     [[nodiscard]] std::vector<reduction::Calibration> best_calibrations(std::string_view pattern_id) const;
-    /// Of a pattern's calibrations of models to which something is fitted, the one with the smallest
-    /// objective.
+    /// The calibration with the smallest objective among a pattern's fitted models.
     [[nodiscard]] std::optional<reduction::Calibration> best_fit(std::string_view pattern_id) const;
     /// Properties of a pattern, sorted by name.
     [[nodiscard]] std::vector<std::pair<std::string, double>> properties(std::string_view pattern_id) const;

@@ -133,7 +133,7 @@ void adopt_strength(reduction::Setting& setting, const Library& other) {
     setting.strength = strength;
 }
 
-/// Layouts and settings must be the same, but for strengths that are not told.
+/// Layouts and settings must be the same; a strength may be given by some only.
 reduction::Setting common_setting(const Library& first, std::span<const std::filesystem::path> others) {
     reduction::Setting setting = first.setting();
     (void)first.patterns();

@@ -16,7 +16,8 @@ struct FarAbove {
     double objective = 0.0;
 };
 
-/// Above it an objective E is far from its like; infinity if there are fewer than 20, which tell too little.
+/// An objective E above this is an outlier; infinity if there are fewer than 20 calibrations, too few to
+/// judge.
 ///
 /// log E of the calibrations of one key is about normal. The limit lies four deviations above its median, by
 /// the median absolute deviation, which failed searches do not move: about one sound E in 30,000 lies above.

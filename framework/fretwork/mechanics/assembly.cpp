@@ -11,8 +11,8 @@ namespace {
 
 using elements::BeamElement;
 
-/// What each end of a beam releases. Where both ends release the torsion (or the axial force), the beam
-/// passes none of it on; one release says the same and leaves the beam without a free motion of its own.
+/// The releases at each end of a beam. If both ends release the torsion (or the axial force), the beam
+/// transmits none of it; one release says the same and leaves the beam without a free motion.
 std::array<DofSet, 2> released_dofs(const Beam& beam) {
     std::array<DofSet, 2> free;
     for (const Release& release : beam.releases) {
@@ -123,8 +123,8 @@ class Assembler {
         }
     }
 
-    /// What acts on a beam's end does work along the hinge's motions, too: so a released moment goes through
-    /// the beam to its other end, and not to the frame's node. These motions are in the beam's axes.
+    /// Loads on a beam's end also do work along the hinge's motions: so a released moment goes through the
+    /// beam to its other end, and not to the frame's node. These motions are in the beam's axes.
     void add_to_hinge(NodeIndex hinge, const Eigen::Matrix3d& axes, const NodeLoad& load) {
         load_of(hinge).head<3>() += axes.transpose() * load.head<3>();
         load_of(hinge).tail<3>() += axes.transpose() * load.tail<3>();

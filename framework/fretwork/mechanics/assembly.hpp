@@ -22,7 +22,7 @@ struct Assembly {
     std::vector<PrescribedDisplacement> prescribed;
     NodeValues loads;           ///< one row a node, gravity included
     bool has_moments = true;    ///< moments among the loads, other than those of gravity
-    int reported_nodes = 0;     ///< results have rows for the first so many nodes
+    int reported_nodes = 0;     ///< results have rows for nodes 0 .. this - 1
     std::vector<int> labels{};  ///< of the reported nodes, for messages; empty: their places, from 0
 };
 

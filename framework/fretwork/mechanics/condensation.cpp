@@ -9,7 +9,8 @@
 namespace fretwork::mechanics {
 namespace {
 
-/// Of a dense front. With more, sparse elimination is faster (bench/mechanics_bench: condense_by).
+/// Limit for a dense front. With more unknowns, sparse elimination is faster (bench/mechanics_bench:
+/// condense_by).
 constexpr std::ptrdiff_t kFewEquations = 144;
 
 bool is_small(const Assembly& assembly, std::span<const NodeIndex> kept) {

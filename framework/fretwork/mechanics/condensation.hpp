@@ -10,7 +10,7 @@
 
 namespace fretwork::mechanics {
 
-/// The first so many nodes of a structure.
+/// Nodes 0 .. count - 1 of a structure.
 std::vector<NodeIndex> first_nodes(int count);
 
 /// Condense the linear stiffness of a structure onto some of its nodes (Schur complement): exact for small

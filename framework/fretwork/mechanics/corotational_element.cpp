@@ -10,8 +10,8 @@
 namespace fretwork::mechanics {
 namespace {
 
-/// Of rotations beside displacements, per squared distance of the nodes from their mean. Without rotations a
-/// frame is ill defined for slender tiles, whose nodes lie nearly in a line.
+/// The weight of rotations against displacements, per squared distance of the nodes from their mean. Without
+/// rotations the frame of a slender tile, whose nodes lie nearly in a line, is ill defined.
 constexpr double kRotationShare = 0.1;
 
 /// Rounding of a condensed stiffness, as a share of its entries.

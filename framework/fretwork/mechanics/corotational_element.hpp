@@ -13,8 +13,8 @@
 
 namespace fretwork::mechanics {
 
-/// What corotational elements of one shape share: immutable, so that any number of them, and of threads, may
-/// hold it. Everything is in the body's own axes.
+/// The data that corotational elements of one shape share: immutable, so any number of elements and threads
+/// may hold it. Everything is in the body's own axes.
 class CorotationalBody {
   public:
     struct Parts {
@@ -29,7 +29,7 @@ class CorotationalBody {
 
     [[nodiscard]] const Eigen::Matrix3Xd& arms() const { return arms_; }  ///< from the nodes' mean, m
     [[nodiscard]] const Eigen::MatrixXd& stiffness() const { return stiffness_; }
-    /// How much a node's rotation counts beside its displacement in the frame's turn, m^2.
+    /// The weight of a node's rotation against its displacement in the frame's turn, m^2.
     [[nodiscard]] double rotation_weight() const { return rotation_weight_; }
     /// Throws InputError if it is not known, or has another size than the nodes need.
     [[nodiscard]] Eigen::MatrixXd mass() const;
@@ -54,8 +54,8 @@ std::optional<CorotationalMotion> corotational_motion(const CorotationalBody& bo
                                                       const Eigen::Matrix3d& turn,
                                                       std::span<const NodeState> states);
 
-/// An element of any number of nodes that moves and turns at will and answers with its linear stiffness what
-/// its nodes do against a frame of their own, such as a condensed tile: see
+/// An element of any number of nodes, such as a condensed tile, that moves and turns at will and answers
+/// motions of its nodes against its corotating frame with its linear stiffness: see
 /// framework/fretwork/mechanics/corotational.md. Its linearization at rest is the linear element of that
 /// stiffness.
 ///

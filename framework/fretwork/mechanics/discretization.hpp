@@ -17,8 +17,8 @@ Frame refined(Frame frame, int times);
 struct DiscretizationError {
     double displacement = 0.0;  ///< metres
     double rotation = 0.0;      ///< rad
-    /// Of the largest displacement, or rotation; the worse of the two. A rotation counts as no less than what
-    /// the largest displacement is on the frame's whole extent.
+    /// The error of the largest displacement, or of the largest rotation, whichever is worse. A rotation
+    /// counts as no less than the largest displacement divided by the frame's extent.
     double share = 0.0;
     bool known = false;  ///< false: one of the two solutions has not converged or cannot be had, or they are
                          ///< too far apart to be on one branch

@@ -17,7 +17,7 @@ struct NodeState {
     Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();  ///< from rest, unit
 };
 
-/// What an element answers to the states of its nodes.
+/// An element's answer to the states of its nodes.
 ///
 /// For each node in turn, three components belong to its displacement and three to its spin: an infinitesimal
 /// rotation w in space, R <- exp(w) R. Along spins w_i the energy is, to second order,
@@ -30,7 +30,7 @@ struct ElementResponse {
     Eigen::MatrixXd tangent;  ///< 6n x 6n, symmetric; only where it was asked for
 };
 
-/// What is wanted of an element.
+/// The requested quantities of an element.
 enum class Demand { Force, Tangent };
 
 /// The stresses of one element in a mixed iteration, in memory of the caller.
@@ -41,8 +41,8 @@ struct ElementStresses {
                                ///< of the nodes, stress_count() x 6n, column by column
 };
 
-/// What an element answers where stresses are given: the true energy and force B^T s, and a tangent
-/// B^T K B + sum of given_i d2e_i/dx2.
+/// An element's answer to given stresses: the true energy and force B^T s, and a tangent B^T K B + sum of
+/// given_i d2e_i/dx2.
 struct MixedResponse : ElementResponse {
     Eigen::VectorXd given_force;  ///< 6n: B^T given
 };
@@ -91,9 +91,9 @@ class Element {
     /// for none.
     [[nodiscard]] virtual double relative_turn(std::span<const NodeState> states) const = 0;
 
-    /// Write the geometric stiffness, 6n x 6n: how the internal forces that small displacements cause (6n,
-    /// linear) change the stiffness at rest. What the displacements themselves change of the geometry is left
-    /// out, as in linearized buckling.
+    /// Write the geometric stiffness, 6n x 6n: how the internal forces of small displacements (6n, linear)
+    /// change the stiffness at rest. The change of the geometry itself is left out, as in linearized
+    /// buckling.
     virtual void geometric_stiffness(const Eigen::VectorXd& displacements,
                                      Eigen::MatrixXd& stiffness) const = 0;
 

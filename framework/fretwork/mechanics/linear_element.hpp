@@ -10,7 +10,7 @@
 
 namespace fretwork::mechanics {
 
-/// What defines a linear element of n nodes; 6n x 6n, in the order of its nodes.
+/// The definition of a linear element of n nodes; 6n x 6n, in the order of its nodes.
 struct LinearMatrices {
     Eigen::MatrixXd stiffness;  ///< symmetric
     Eigen::MatrixXd mass{};     ///< at rest; empty: not known, and natural frequencies are refused

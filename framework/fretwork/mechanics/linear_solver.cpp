@@ -16,16 +16,17 @@ namespace {
 using structure::FactorizedStructure;
 using structure::Subsystem;
 
-/// A solution is refined until its residual is below this, at most so many times, and while each refinement
-/// makes it less than half.
+/// A solution is refined until its residual is below this, up to this number of times, and while each
+/// refinement at least halves it.
 constexpr double kGoodResidual = 1e-9;
 constexpr int kMostRefinements = 3;
 
-/// What rounding of the displacements explains of a residual: this times the forces that cancel at the nodes.
+/// The largest residual that rounding of the displacements explains: this times the forces that cancel at the
+/// nodes.
 constexpr double kRoundingShare = 8.0 * std::numeric_limits<double>::epsilon();
 /// ... and beyond this, of what no load acts on, that no force acts at all.
 constexpr double kRigidShare = 0.1;
-/// Reactions are off by about the residual: beyond this they are not told as a solution.
+/// Reactions are off by about the residual: with a larger residual the solution has none.
 constexpr double kLargestResidual = 1e-4;
 
 /// One subsystem of a solve at hand.

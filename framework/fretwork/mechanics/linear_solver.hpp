@@ -15,11 +15,11 @@ struct LinearOptions {
     base::Control control{};
 };
 
-/// What an update of a structure did to its factors.
+/// The effect of an update of a structure on its factors.
 enum class FactorChange {
     Kept,     ///< nothing; a correction that they had is dropped if no element differs from those factorized
     Updated,  ///< a correction of low rank for the elements that differ from those factorized
-    Anew,     ///< made anew, with the bits of a new solver's
+    Anew,     ///< factorized again, with the bits of a new solver's
 };
 
 /// The linear equilibrium K d = F of a structure at rest, factorized once: another load is a
@@ -39,10 +39,9 @@ class LinearSolver {
     /// The same structure under its own loads, or under others (one row for each node of the assembly).
     /// Several threads may solve at once.
     ///
-    /// The solution is refined while that helps, and the best of these iterates is the solution. It has
-    /// converged if its residual is below 1e-9, or is no more than the rounding of the displacements
-    /// explains, and 1e-4 at most. Throws NumericalError if a displacement is too large for a number;
-    /// Stopped.
+    /// The solution is refined while that helps, and the best iterate is the solution. It has converged if
+    /// its residual is below 1e-9, or no more than the rounding of the displacements explains, and 1e-4 at
+    /// most. Throws NumericalError if a displacement is too large for a number; Stopped.
     [[nodiscard]] Solution solve(const base::Control& control = {}) const;
     [[nodiscard]] Solution solve(const NodeValues& loads, const base::Control& control = {}) const;
 

@@ -25,11 +25,11 @@ std::vector<std::string_view> solver_names();
 /// Throws InputError that lists the names.
 Solver find_solver(std::string_view name);
 
-/// How to solve a structure. What only one solver looks at is optional, and refused where another one would
-/// ignore it.
+/// How to solve a structure. Options of one solver alone are optional, and refused where another one would
+/// ignore them.
 struct SolveOptions {
     Solver solver = Solver::Newton;
-    /// Newton: reach the load in so many equal steps, and keep the solution of each. None: in ten, of which
+    /// Newton: reach the load in this many equal steps, and keep the solution of each. None: in ten, of which
     /// only the last is kept.
     std::optional<int> steps{};
     std::optional<Branch> branch{};                   ///< Newton; none: primary
@@ -39,22 +39,22 @@ struct SolveOptions {
     bool estimate_error =
         false;  ///< Newton, of a frame with consistent gravity: that of the beams' divisions
     bool lumped_gravity = false;  ///< as AssemblyOptions
-    int vibration_modes = 0;      ///< so many natural frequencies of the structure at rest
-    int buckling_modes = 0;       ///< so many critical load factors by linearized buckling
+    int vibration_modes = 0;      ///< number of natural frequencies of the structure at rest
+    int buckling_modes = 0;       ///< number of critical load factors by linearized buckling
     base::Control control{};
-    /// Throws InputError if a value makes no sense, or the solver would ignore it.
+    /// Throws InputError if a value is invalid, or the solver would ignore it.
     void validate() const;
 };
 
-/// Read a structure: a frame file, or a deck if its name ends in .inp. Without labels of their own, nodes are
-/// labelled by their places, from 0.
+/// Read a structure: a frame file, or a deck if its name ends in .inp. Nodes without labels are labelled by
+/// their places, from 0.
 LabelledFrame read_structure(const std::filesystem::path& path);
 
 /// Solve a structure. Result::seconds is the time from the elements to the solution, without modes. Throws as
 /// the solvers do; InputError if a discretization error is wanted, which only a frame has.
 Result solve(const Assembly& assembly, const SolveOptions& options = {});
-/// The same from a frame: assembled, with the time for that in Result::seconds, and, if wanted, with an
-/// estimate of its discretization error. What is impossible numerically names the frame's source.
+/// The same from a frame: assembled, with the time for that in Result::seconds, and, on request, with an
+/// estimate of its discretization error. Numerical errors name the frame's source.
 Result solve(const LabelledFrame& frame, const SolveOptions& options = {});
 
 }  // namespace fretwork::mechanics

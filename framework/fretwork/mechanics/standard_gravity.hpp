@@ -4,7 +4,7 @@
 namespace fretwork::mechanics {
 
 /// The standard acceleration of free fall, m/s2, by definition (3rd General Conference on Weights and
-/// Measures, 1901). Load cases have numbers of their own.
+/// Measures, 1901). Load cases keep the numbers in their files.
 inline constexpr double kStandardGravity = 9.80665;
 
 }  // namespace fretwork::mechanics

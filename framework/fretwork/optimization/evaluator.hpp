@@ -15,8 +15,8 @@ namespace fretwork::optimization {
 struct Budget {
     long cost = 20000;                                         ///< in the problem's unit, > 0
     double seconds = std::numeric_limits<double>::infinity();  ///< wall time, > 0
-    base::Control control{};  ///< asked before every evaluation, and told of the cost
-    /// Throws InputError if a value makes no sense.
+    base::Control control{};  ///< asked before every evaluation, and receives the cost
+    /// Throws InputError if a value is invalid.
     void validate() const;
 };
 
@@ -34,7 +34,7 @@ struct TracePoint {
 /// version, decides what is best; NaN counts as infinite.
 class Evaluator {
   public:
-    /// Throws InputError if the bounds or the budget make no sense.
+    /// Throws InputError if the bounds or the budget are invalid.
     Evaluator(const Problem& problem, const Budget& budget);
 
     [[nodiscard]] const Problem& problem() const { return problem_; }

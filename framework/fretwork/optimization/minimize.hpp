@@ -8,7 +8,7 @@
 
 namespace fretwork::optimization {
 
-/// What a run gave.
+/// The outcome of a run.
 struct OptimizationReport {
     std::string optimizer;
     Ending ending = Ending::Converged;
@@ -25,8 +25,8 @@ struct OptimizationReport {
 };
 
 /// Minimize a problem by the method of this row. The same arguments give the same report, except where a
-/// budget in seconds cuts in. Throws InputError if an option makes no sense, or the problem does not offer
-/// what the method needs; base::Stopped once the budget's control asks to stop.
+/// budget in seconds cuts in. Throws InputError if an option is invalid, or the problem does not offer what
+/// the method needs; base::Stopped once the budget's control asks to stop.
 OptimizationReport minimize(const Problem& problem, const OptimizerRow& method,
                             const OptimizerOptions& options = {}, const Budget& budget = {});
 

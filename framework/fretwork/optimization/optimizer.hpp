@@ -8,7 +8,7 @@
 
 namespace fretwork::optimization {
 
-/// What a method claims.
+/// The claim of a method.
 enum class OptimizerClass {
     Local,   ///< descends from each of `starts` points to a minimum near it
     Global,  ///< searches the whole box by a deterministic plan: neither `starts` nor the seed matters
@@ -29,7 +29,7 @@ std::string_view ending_name(Ending ending);
 struct OptimizerOptions {
     int starts = 4;  ///< descents, or repetitions of a method that has none; 1 to 100,000
     std::uint64_t seed = 1;
-    /// Throws InputError if a value makes no sense.
+    /// Throws InputError if a value is invalid.
     void validate() const;
 };
 

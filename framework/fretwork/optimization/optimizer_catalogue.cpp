@@ -34,7 +34,8 @@ Made ceres_residuals(CeresResidualsOptions options, Options common) {
     return make_ceres_residuals(options);
 }
 
-/// Of the continuation of ceres-multistart, so that the two differ in what Ceres sees, not in the stages.
+/// The stages of ceres-multistart's continuation, so that the two differ in what Ceres sees, not in the
+/// stages.
 std::vector<double> stages() {
     return ContinuationOptions{}.smoothing;
 }

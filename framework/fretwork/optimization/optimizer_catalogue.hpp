@@ -19,7 +19,7 @@ struct OptimizerRow {
 };
 
 /// All methods of the library. To add one: a file with its factory, and a row; a method of NLopt is a row
-/// alone. A program with methods of its own passes a list of rows where one is taken.
+/// alone. A program with its own methods passes a list of rows where one is taken.
 std::span<const OptimizerRow> optimizer_catalogue();
 
 /// Throws InputError that names the nearest method, or all of them.

@@ -7,7 +7,7 @@
 
 namespace fretwork::outlines {
 
-/// What a mesh file holds.
+/// The content of a mesh file.
 struct MeshFile {
     std::vector<std::array<double, 3>> points;
     /// Indices into `points`: at least three, in range, each once.

@@ -20,7 +20,7 @@ using geometry::Polygon;
 
 enum class Orientation { Counterclockwise, Clockwise };
 
-/// The first point stays the first. A simple polygon's area is not zero but for rounding.
+/// The first point stays the first. A simple polygon's area is zero by rounding only.
 void orient(Polygon& polygon, Orientation wanted) {
     const bool is_counterclockwise = geometry::signed_area(polygon) > 0;
     if (is_counterclockwise != (wanted == Orientation::Counterclockwise))

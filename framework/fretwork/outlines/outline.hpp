@@ -37,7 +37,7 @@ std::string outline_text(const Outline& outline);
 /// Write an outline as JSON. Throws IoError; then the file is as it was.
 void write_outline(const Outline& outline, const std::filesystem::path& path);
 
-/// What a file draws, and what was done to read it.
+/// A file's outlines, and the changes made to read them.
 struct OutlineFile {
     std::vector<Outline> parts;  ///< the largest first
     /// Each in a few words for a person, and bounded in length: "2 gaps of at most 0.02 mm closed".
@@ -45,7 +45,7 @@ struct OutlineFile {
 };
 
 /// Read outlines: SVG (what a browser would fill), DXF (closed curves of the model space), OBJ/PLY/OFF (flat,
-/// one part), JSON (one part). The ending tells which. Lengths are metres, x to the right, y upwards; the
+/// one part), JSON (one part). The file's ending decides. Lengths are metres, x to the right, y upwards; the
 /// origin of an SVG is the lower left of its viewBox, the others keep theirs. Throws InputError or
 /// GeometryError with file and place.
 OutlineFile read_outline_file(const std::filesystem::path& path);

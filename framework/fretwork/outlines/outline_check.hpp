@@ -10,7 +10,7 @@
 
 namespace fretwork::outlines {
 
-/// What keeps loops (the boundary, then the holes) from being an outline, decided exactly: a point that is
+/// The fault of loops (the boundary, then the holes) that are no outline, decided exactly: a point that is
 /// not finite, a side without length, two sides that touch or cross, a hole outside the boundary or inside
 /// another. Throws base::Stopped.
 std::optional<std::string> outline_flaw(const std::vector<geometry::Polygon>& loops,

@@ -62,7 +62,7 @@ void fill(Census& census, const Tally& tally) {
     }
 }
 
-/// What can be said of the filters of a layout whose graphs are too many to walk.
+/// The numbers that are known for the filters of a layout with too many graphs to walk.
 void fill_without_walking(Census& census, const std::vector<Filter>& filters, int edge_count,
                           const base::Control& control) {
     for (const Filter& filter : filters) {

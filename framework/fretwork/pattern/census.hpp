@@ -15,10 +15,10 @@ __extension__ using GraphCount = unsigned __int128;
 /// A count in decimal digits.
 std::string count_text(GraphCount count);
 
-/// One row: the graphs of so many edges.
+/// One row: the graphs of this number of edges.
 struct CensusRow {
     int edges = 0;
-    GraphCount patterns = 0;  ///< all graphs of so many candidate edges
+    GraphCount patterns = 0;  ///< all graphs of this number of candidate edges
     /// For each filter, how many of them break its rule, counted independently of the other filters; none
     /// where that cannot be counted without walking all graphs.
     std::vector<std::optional<GraphCount>> rejected;
@@ -42,8 +42,8 @@ Census take_census(const NodeLayout& layout, const EnumerationOptions& options =
 /// The same after a search: `valid` is what it counted under the same options.
 Census take_census(const NodeLayout& layout, const EnumerationOptions& options, const PatternCount& valid);
 
-/// The table as CSV with LF: edges, patterns, one column for each filter, valid. What could not be counted is
-/// empty.
+/// The table as CSV with LF: edges, patterns, one column for each filter, valid. Numbers that could not be
+/// counted are empty.
 std::string census_csv(const Census& census);
 
 }  // namespace fretwork::pattern

@@ -124,7 +124,7 @@ class PieceSearch {
         return found;
     }
 
-    /// A batch of pieces is searched in parallel and then told in order. A piece of too many patterns is
+    /// A batch of pieces is searched in parallel and then reported in order. A piece of too many patterns is
     /// divided, and its parts are streamed when it is its turn.
     template <class Tell>
     void stream_pieces(const std::vector<Piece<Word>>& pieces, const Tell& tell,

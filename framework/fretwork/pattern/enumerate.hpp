@@ -28,8 +28,8 @@ struct EnumerationOptions {
     /// Patterns that are kept before their turn in a stream, for each of 256 pieces of the search. Less
     /// memory costs time: a piece that holds more is searched again, in parts.
     std::size_t most_kept = std::size_t{1} << 15;
-    base::Control control{};  ///< told of pieces of the search; who stops throws base::Stopped
-    /// Throws InputError if a value makes no sense.
+    base::Control control{};  ///< receives pieces of the search; a stop throws base::Stopped
+    /// Throws InputError if a value is invalid.
     void validate() const;
 };
 

@@ -11,7 +11,7 @@
 
 namespace fretwork::pattern {
 
-/// What the rules that speak of millimetres measure: the regular hexagon in which a fan would be made.
+/// The lengths for rules in millimetres: the regular hexagon in which a fan would be made.
 struct FabricationScale {
     double tile_side = 0.025980762113533160;  ///< m; 0.015 sqrt(3), the paper's hexagon
     double beam_width = 0.002;                ///< m; the paper's beams
@@ -19,7 +19,7 @@ struct FabricationScale {
     void validate() const;
 };
 
-/// What kind of number a filter is set with.
+/// The kind of number that a filter is set with.
 enum class FilterParameter { None, Angle, Count, Length };
 
 /// A row of the catalogue: a reason for which patterns are rejected.
@@ -27,7 +27,7 @@ struct FilterKind {
     std::string_view name;      ///< what the command line calls it, and its column in the census
     std::string_view doc;       ///< one line: what it rejects
     FilterParameter parameter;  ///< radians, a whole number, or metres
-    bool is_of_the_paper;       ///< always on, with a column of its own in the paper's Table 1
+    bool is_of_the_paper;       ///< always on, with its own column in the paper's Table 1
     double default_value;
     /// State the rule for a layout. `value` is the filter's number.
     Rule (*make_rule)(const NodeLayout& layout, double value, const FabricationScale& scale);
@@ -51,7 +51,7 @@ FilterChoice parse_filter_choice(std::string_view text);
 /// Read an edge ("0-1") or a node ("n5": all edges at this node of the fan). Throws InputError.
 EdgeGroup parse_edge_group(const NodeLayout& layout, std::string_view text);
 
-/// What patterns have to be like.
+/// The requirements on patterns.
 struct FilterSettings {
     std::vector<FilterChoice> choices;  ///< values for the paper's six, and others that are switched on
     std::vector<EdgeGroup> required;    ///< of each, a pattern has at least one edge
@@ -68,7 +68,7 @@ struct Filter {
 
 /// The paper's six filters, with the values chosen or the paper's, and any others that are chosen, in the
 /// order of the catalogue; then "lacks_required" and "has_forbidden", if anything is. Throws InputError if a
-/// name is unknown, chosen twice, or its value makes no sense.
+/// name is unknown or chosen twice, or its value is invalid.
 std::vector<Filter> make_filters(const NodeLayout& layout, const FilterSettings& settings = {});
 
 }  // namespace fretwork::pattern

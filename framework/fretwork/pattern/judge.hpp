@@ -8,9 +8,9 @@
 
 namespace fretwork::pattern {
 
-/// What one filter says of a pattern.
+/// The verdict of one filter on a pattern.
 Verdict judge(const NodeLayout& layout, const Filter& filter, const Pattern& pattern);
-/// What the first filter that rejects a pattern says of it.
+/// The verdict of the first filter that rejects a pattern.
 Verdict judge(const NodeLayout& layout, std::span<const Filter> filters, const Pattern& pattern);
 
 }  // namespace fretwork::pattern

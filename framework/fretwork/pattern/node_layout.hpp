@@ -35,7 +35,7 @@ struct Edge {
     friend auto operator<=>(const Edge&, const Edge&) = default;
 };
 
-/// What a layout file says; experiments/layouts/README.md shows how to write one.
+/// The content of a layout file; experiments/layouts/README.md shows how to write one.
 struct NodeLayoutDescription {
     std::string name;
     bool center = true;

@@ -38,7 +38,8 @@ EdgeIndex find_edge(const NodeLayout& layout, std::string_view text);
 std::string pattern_id(const NodeLayout& layout, const Pattern& pattern);
 
 /// The pattern of an id, with or without its layout's name in front ("paper7:0-1+1-6"). The edges may come in
-/// any order. Throws InputError if the text is no id, names another layout, or an edge that is no candidate.
+/// any order. Throws InputError if the text is no id, or names another layout or an edge that is no
+/// candidate.
 Pattern parse_pattern_id(const NodeLayout& layout, std::string_view id);
 
 }  // namespace fretwork::pattern

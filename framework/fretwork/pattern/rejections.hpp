@@ -7,7 +7,7 @@
 
 namespace fretwork::pattern {
 
-/// A graph that is no valid pattern, and why.
+/// A rejected graph, and the reason.
 struct Rejection {
     Pattern pattern;
     Verdict verdict;

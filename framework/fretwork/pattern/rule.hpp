@@ -10,7 +10,7 @@
 
 namespace fretwork::pattern {
 
-/// What a filter says of a pattern. A rejection is a normal outcome, with its reason as data.
+/// A filter's verdict on a pattern. A rejection is a normal outcome, with its reason as data.
 struct Verdict {
     bool accepted = true;
     std::string filter;             ///< the name of the filter that rejects; empty if accepted
@@ -48,8 +48,8 @@ struct EdgeGroup {
     Pattern::Bits edges;
 };
 
-/// Of each group of edges at least one is chosen.
-/// Prunes from the other side: once no edge of a group can be chosen any more. Cost: one AND per group.
+/// At least one edge of each group is chosen. Prunes from the other side: once no edge of a group can be
+/// chosen any more. Cost: one AND per group.
 struct CoverRule {
     std::vector<EdgeGroup> groups;
     std::string phrase;  ///< "no beam ends at", as in "no beam ends at node n6"

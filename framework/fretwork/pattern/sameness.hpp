@@ -16,7 +16,7 @@ enum class Symmetry {
     Mirror  ///< the pattern is its own mirror image; every pattern has the rotations of its polygon
 };
 
-/// What a pattern of a list has in common with the others.
+/// The relations of a pattern to the others of a list.
 struct PatternSameness {
     Symmetry symmetry = Symmetry::None;
     /// Position of the mirror image, if it is another pattern of the list.
@@ -28,7 +28,7 @@ struct PatternSameness {
 
 struct SamenessOptions {
     int threads = 0;          ///< 0: all there are; the result does not depend on it
-    base::Control control{};  ///< told of every few thousand patterns
+    base::Control control{};  ///< receives every few thousand patterns
 };
 
 struct SamenessReport {

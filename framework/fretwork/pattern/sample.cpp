@@ -82,7 +82,8 @@ struct PatternSampler::Impl {
         });
     }
 
-    /// How many of the trials from 0 on are valid. They are made in parts, between which progress is told.
+    /// The number of valid trials, counted from trial 0. They are made in parts, between which progress is
+    /// reported.
     [[nodiscard]] std::uint64_t count_hits(std::uint64_t trials) const {
         constexpr std::uint64_t kPart = 64 * kPiece;
         base::Progress* progress = options.control.progress;

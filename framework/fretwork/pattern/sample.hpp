@@ -38,7 +38,7 @@ class PatternSampler {
     /// NumericalError if `most_trials` trials in a row meet none.
     std::vector<Pattern> draw(std::size_t count, std::uint64_t most_trials = 100'000'000);
 
-    /// Estimate how many valid patterns there are, from this many trials of their own.
+    /// Estimate how many valid patterns there are, from this many additional trials.
     [[nodiscard]] CountEstimate estimate(std::uint64_t trials) const;
 
   private:

@@ -33,10 +33,10 @@ EffectiveProperties effective_properties(const pattern::NodeLayout& layout, cons
 /// The stiffness in one direction: of a strip along `angle` (rad) that is free to contract across.
 double directional_stiffness(const Eigen::Matrix3d& tensor, double angle);
 
-/// What libraries store, by name: membrane_stiffness (N/m), membrane_poisson, membrane_shear (N/m),
-/// membrane_anisotropy (largest over smallest directional stiffness), the same with bending_ (N m),
-/// mass_per_area (kg/m^2), and both tensors (A11 A12 A16 A22 A26 A66, D11 ..). Directions: x, where nothing
-/// else is said.
+/// The values that libraries store, by name: membrane_stiffness (N/m), membrane_poisson, membrane_shear
+/// (N/m), membrane_anisotropy (largest over smallest directional stiffness), the same with bending_ (N m),
+/// mass_per_area (kg/m^2), and both tensors (A11 A12 A16 A22 A26 A66, D11 ..). Directions: x, unless stated
+/// otherwise.
 std::vector<std::pair<std::string, double>> property_values(const EffectiveProperties& properties);
 
 }  // namespace fretwork::reduction

@@ -15,7 +15,7 @@
 
 namespace fretwork::reduction {
 
-/// What the interface nodes of a tile do under one scenario, at its magnitudes k = 1, 2, ..
+/// The displacements of a tile's interface nodes under one scenario, at its magnitudes k = 1, 2, ..
 struct Response {
     struct Sample {
         int step = 0;                         ///< k
@@ -62,14 +62,14 @@ struct LoadedTile {
     int interface_nodes = 0;  ///< its first nodes
 };
 
-/// What the interface nodes do at the setting's magnitudes of a scenario. Throws as
+/// The displacements of the interface nodes at the setting's magnitudes of a scenario. Throws as
 /// mechanics::follow_load_path.
 Response follow_scenario(const LoadedTile& tile, const Scenario& scenario, const Setting& setting,
                          const base::Control& control = {});
 
 struct ResponseOptions {
     bool estimate_error = false;  ///< fill Sample::discretization_error, at half as much again of the time
-    base::Control control{};      ///< told of each scenario
+    base::Control control{};      ///< receives every scenario
 };
 
 /// The nonlinear responses of a pattern, one for each scenario of the setting, with every beam in as many

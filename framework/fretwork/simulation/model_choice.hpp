@@ -15,7 +15,7 @@ struct ModelChoice {
     std::span<const reduction::TileModel> models = reduction::tile_models();
 };
 
-/// The tile model of one tile. Throws InputError if there is none of that name.
+/// The tile model of one tile. Throws InputError if the name is unknown.
 const reduction::TileModel& tile_model(const Surface& surface, const ModelChoice& choice,
                                        tiling::TileIndex tile);
 

@@ -35,14 +35,14 @@ Session::Session(Session&&) noexcept = default;
 Session& Session::operator=(Session&&) noexcept = default;
 Session::~Session() = default;
 
-/// What the first refuses, the second never sees.
+/// If the first refuses an edit, the second never sees it.
 template <class Edit>
 void Session::edit(const Edit& edit) {
     edit(*impl_);
     if (mixture_) edit(mixture_->impl());
 }
 
-/// That of which the last solution is.
+/// The surface of the last solution.
 Session::Impl& Session::answering() const {
     return mixture_ && !mixture_->full_tiles().empty() ? mixture_->impl() : *impl_;
 }

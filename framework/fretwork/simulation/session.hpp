@@ -31,22 +31,22 @@ struct TileDeformation {
 /// tiles, the assembled structure, the order of elimination and the factors, and the last nonlinear
 /// equilibrium.
 ///
-/// Edits compute nothing. Each documents what it invalidates, and the next solve() computes that anew and
-/// nothing else. After any edits the answer is that of the edited surface simulated from
-/// nothing: the same bits where the factors were made anew, and within rounding where they were updated. A
-/// nonlinear answer agrees with that from nothing within the solver's tolerance, wherever the loads have one
-/// stable equilibrium only: else it is the one that the edits have led to (mechanics::EquilibriumSolver). An
-/// edit that throws has changed nothing.
+/// Edits compute nothing. Each documents what it invalidates, and the next solve() computes only that. After
+/// any edits the answer is that of the edited surface simulated from nothing: the same bits after a new
+/// factorization, and within rounding after an update of the factors. A nonlinear answer agrees with that
+/// from nothing within the solver's tolerance if the loads have only one stable equilibrium; otherwise it is
+/// the one to which the edits have led (mechanics::EquilibriumSolver). An edit that throws has changed
+/// nothing.
 ///
 /// The model `mixed:SHARE` (mixed_model.hpp) takes two solutions: of corotational tiles, and with the worst
-/// of these in full. A session keeps both, so that edits go on from both, and starts the second one anew
+/// of these in full. A session keeps both, so that edits go on from both, and starts the second one again
 /// where other tiles are the worst.
 ///
 /// Not from several threads at once. SimulationOptions::models must live as long as the session.
 class Session {
   public:
     /// `calibrations` may be empty: then only the surface's own patterns have any. Throws InputError if the
-    /// options or the load case make no sense for the surface.
+    /// options or the load case are invalid for the surface.
     Session(Surface surface, LoadCase load_case, SimulationOptions options = {},
             CalibrationSource calibrations = {});
     Session(Session&&) noexcept;
@@ -60,9 +60,9 @@ class Session {
     /// Paint tiles with a pattern, given by its id. Invalid: these tiles, and with gravity the loads. Throws
     /// InputError as make_palette does, or if the tile model needs a calibration that is not there.
     void paint(std::span<const tiling::TileIndex> tiles, const std::string& pattern);
-    /// Turn the patterns of tiles: their first vertex moves on by so many. Invalid: as paint().
+    /// Turn the patterns of tiles: their first vertex moves on by `vertices`. Invalid: as paint().
     void turn(std::span<const tiling::TileIndex> tiles, int vertices);
-    /// Give tiles a tile model of their own; "" takes it back. Invalid: these tiles.
+    /// Give tiles their own tile model; "" takes it back. Invalid: these tiles.
     void set_tile_model(std::span<const tiling::TileIndex> tiles, const std::string& model);
     /// Invalid: all tiles.
     void set_model(const std::string& model);
@@ -81,22 +81,22 @@ class Session {
     void set_load(std::size_t entry, const LoadCase::Load& load);
     void set_prescribed(std::size_t entry, const LoadCase::PrescribedDisplacement& displacement);
 
-    /// Of a mixed model, after solve(): the tiles that it has put in full, ascending; none of other models.
+    /// The tiles that a mixed model has put in full, after solve(), ascending; none for other models.
     [[nodiscard]] std::vector<tiling::TileIndex> full_tiles() const;
-    /// Of a mixed model, after solve(): the solution with corotational tiles, by which those were chosen.
-    /// Null for other models.
+    /// The solution with corotational tiles by which a mixed model chose those, after solve(). Null for other
+    /// models.
     [[nodiscard]] const SurfaceResult* corotational_result() const;
 
-    /// The equilibrium of the surface as it is now. A linear one is answered by the kept factors. A nonlinear
-    /// one is looked for from the last equilibrium, if the nodes are the same and one load step is asked for;
-    /// else, and where it cannot be told to be of the same path, from rest. The result has no subject:
-    /// result_subject() gives it. Throws InputError if an edit has left what cannot be built, NumericalError
-    /// if the structure is not held, and base::Stopped; then all edits are kept, and the next call goes on.
-    /// StabilityCheck::Left is for loads that are dragged in small steps. Linear solutions, and paths of
-    /// several load steps, leave it aside.
+    /// The equilibrium of the surface as it is now. A linear one uses the kept factors. A nonlinear one
+    /// starts from the last equilibrium, if the nodes are the same and one load step is asked for; otherwise,
+    /// and where it may lie on another path, from rest. The result has no subject: result_subject() gives it.
+    /// Throws InputError if an edit has left what cannot be built, NumericalError if the structure is not
+    /// held, and base::Stopped; then all edits are kept, and the next call goes on. StabilityCheck::Left is
+    /// for loads that are dragged in small steps. Linear solutions, and paths of several load steps, ignore
+    /// it.
     ///
-    /// @param first_iterate  is told, within the call, where a nonlinear solution from the last equilibrium
-    ///     goes first; mixed models and linear solutions do not call it. May be empty.
+    /// @param first_iterate  receives, within the call, the first iterate of a nonlinear solution that starts
+    /// from the last equilibrium; mixed models and linear solutions do not call it. May be empty.
     SurfaceResult solve(const base::Control& control = {},
                         mechanics::StabilityCheck check = mechanics::StabilityCheck::Made,
                         const mechanics::FirstIterate& first_iterate = {});
@@ -109,17 +109,17 @@ class Session {
     /// How far each tile is deformed in a solution of this session; zero for tiles made of beams.
     [[nodiscard]] std::vector<TileDeformation> tile_deformations(const mechanics::Solution& solution) const;
 
-    /// How the beams of a tile move in a solution that this session gave since the last edit; nothing if its
-    /// model does not tell that. Several threads may ask at once.
+    /// The motions of a tile's beams in a solution that this session gave since the last edit; nothing if its
+    /// model does not give them. Several threads may ask at once.
     [[nodiscard]] std::optional<reduction::BeamMotion> beam_motion(tiling::TileIndex tile,
                                                                    const mechanics::Solution& solution) const;
 
-    /// What the last solve() or solve_adjoint() computed anew, and what it reused.
+    /// The work of the last solve() or solve_adjoint(): what it computed, and what it reused.
     struct Work {
         std::size_t tiles_built = 0;  ///< shared ones once
         using Factors = mechanics::FactorChange;
         Factors factors = Factors::Anew;  ///< of a linear solution
-        /// Of a nonlinear solution: what was kept to go on from.
+        /// For a nonlinear solution: the state to go on from.
         mechanics::StartingPoint starting_point = mechanics::StartingPoint::Rest;
     };
     [[nodiscard]] const Work& last_work() const;

@@ -14,7 +14,7 @@ namespace fretwork::simulation {
 enum class Analysis { OfTheModel, Linear };
 
 struct SimulationOptions {
-    /// A row of `models`, for the tiles that have none of their own; or `mixed:SHARE` (mixed_model.hpp).
+    /// A row of `models`, for the tiles without their own; or `mixed:SHARE` (mixed_model.hpp).
     std::string model = "full";
     std::span<const reduction::TileModel> models = reduction::tile_models();
     Analysis analysis = Analysis::OfTheModel;  ///< of the model: what its row says
@@ -24,13 +24,13 @@ struct SimulationOptions {
     /// The path that is followed where it becomes unstable. Other branches than the primary one are for
     /// nonlinear models other than mixed ones, and without estimates of errors.
     mechanics::Branch branch = mechanics::Branch::Primary;
-    /// What simulate() computes besides; a session does not.
+    /// Additional results of simulate(); a session does not compute them.
     int vibration_modes = 0;  ///< this many natural frequencies of the surface at rest, with all of its beams
     int buckling_modes =
         0;  ///< this many critical load factors by linearized buckling, with all of its beams
     bool estimate_linear_range = false;  ///< SurfaceResult::linear_range, of linear solutions
     int threads = 0;                     ///< 0: all there are. They change no bit of the result.
-    /// Throws InputError if a value makes no sense, or does not go with the others on this surface.
+    /// Throws InputError if a value is invalid, or does not go with the others on this surface.
     void validate(const Surface& surface) const;
 };
 
@@ -47,7 +47,7 @@ ModelChoice model_choice(const SimulationOptions& options);
 ModelChoice reference_choice(const SimulationOptions& options);
 
 /// Whether equilibrium is sought in the deformed state: a tile model of the surface is made for large
-/// displacements, and the analysis is that of the model. Throws InputError if there is no such model.
+/// displacements, and the analysis is that of the model. Throws InputError if a model is unknown.
 bool is_nonlinear(const Surface& surface, const SimulationOptions& options);
 
 /// Whether every tile has all of its beams.

@@ -15,13 +15,13 @@
 
 namespace fretwork::simulation {
 
-/// What changes in one stage. All else stays as the stage before has left it.
+/// The changes in one stage. Everything else stays as the stage before has left it.
 struct Stage {
     std::string name;
     std::vector<LoadCase::Share> loads{};  ///< load cases whose loads come to this factor; 0 takes them off
     std::vector<LoadCase::PrescribedDisplacement> prescribed{};  ///< these components come to these values
     std::vector<LoadCase::Support> keep{};                       ///< these stay where they are
-    std::vector<LoadCase::Support> free{};  ///< these are let go, if they were prescribed or kept
+    std::vector<LoadCase::Support> free{};  ///< released, if they were prescribed or kept
 };
 
 /// Parse stages:

@@ -8,7 +8,7 @@
 namespace fretwork::simulation {
 
 /// The surface under a load case as a frame, which any other solver can check; its first nodes are the
-/// interface nodes. Throws InputError if a tile is no frame (a condensed one), and Stopped.
+/// interface nodes. Throws InputError if a tile model gives no frame (a condensed one), and Stopped.
 mechanics::Frame surface_frame(const Surface& surface, const ModelChoice& choice,
                                const Conditions& conditions, const base::Control& control = {});
 

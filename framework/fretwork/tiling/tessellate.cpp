@@ -33,7 +33,7 @@ constexpr int kMostTiles = 100000;
 constexpr double kMostRefinedTiles = 20000;
 constexpr int kAnglesOfMany = 2;        // of lattices that are sketched where there are many refined tiles
 constexpr double kBytesPerTile = 8000;  // measured, rounded up
-/// So many tiles are made in all, about: a small outline can be tried in more ways.
+/// The approximate number of tiles made in all attempts: a small outline can be tried in more ways.
 constexpr double kTilesInFinal = 1600;
 constexpr double kTilesInGraded = 500;   // the same, where an attempt may be followed by others
 constexpr double kSketchingShare = 0.2;  // of the work that is left
@@ -198,7 +198,7 @@ Candidate best_attempt(const Subject& subject, const TessellationOptions& option
     std::optional<double> known_factor;
     for (int attempt = 0; attempt < kAttempts; ++attempt) {
         const Task task{subject.blunt.outline, field, options, subject.limits, subject.refined_tiles};
-        // What was uniform before may need other starts, and more of them.
+        // Values that were uniform before may need other starts, and more of them.
         if (attempt == 0 || (attempt == 1 && !known_factor)) starts = best_starts(task, turned_by, work);
         if (known_factor) starts.front().factor = *known_factor;
         Candidate candidate = best_candidate(task, starts, work);

@@ -14,7 +14,7 @@ namespace fretwork::tiling {
 /// Points of an outline nearer than this share of the wanted side to the point before them are left out.
 inline constexpr double kNegligibleShare = 1e-6;
 
-/// What to do where an outline is narrower than a tile.
+/// The treatment of an outline that is narrower than a tile.
 enum class Narrow {
     Refine,  ///< smaller tiles, as many as it takes for one to fit
     Merge,   ///< the same, and then as few as go together: a narrow band gets long tiles
@@ -23,23 +23,22 @@ enum class Narrow {
 
 struct TessellationOptions {
     double edge_length = 0.0;  ///< m; wanted mean side of the polygons, from 1e-9 to 1e6
-    /// m; no side may be shorter, such as the width of the bars that are to meet there. 0: no limit of its
-    /// own.
+    /// m; no side may be shorter, such as the width of the bars that are to meet there. 0: no limit.
     double smallest_side = 0.0;
     Narrow narrow = Narrow::Refine;
     int remeshing_iterations = 10;
     int relaxation_iterations = 40;  ///< towards a centroidal tessellation
-    int lattice_angles = 12;         ///< so many triangular lattices are tried beside the remeshed triangles
-    int threads = 0;                 ///< 0: all there are; the result does not depend on it
+    int lattice_angles = 12;  ///< number of triangular lattices that are tried beside the remeshed triangles
+    int threads = 0;          ///< 0: all there are; the result does not depend on it
     /// Looked at in every loop; but some calls of CGAL and of the standard library work on the whole outline
     /// without a look: README.md says how long that takes.
     base::Control control{};
-    /// Throws InputError if a value makes no sense.
+    /// Throws InputError if a value is invalid.
     void validate() const;
 };
 
-/// What the tiling came out as. Each side counts once in the statistics of sides, whether one tile or two
-/// have it.
+/// The measures of a tiling. Each side counts once in the statistics of sides, whether one tile or two have
+/// it.
 struct TessellationReport {
     double mean_side = 0.0;            ///< m
     double sd_side = 0.0;              ///< m
@@ -56,7 +55,7 @@ struct TessellationReport {
     std::string start;  ///< "remeshing", or "lattice at 15 deg"
 };
 
-/// What `tessellate` gives.
+/// The outcome of `tessellate`.
 struct TessellationResult {
     Tessellation tessellation;
     TessellationReport report;
@@ -73,9 +72,8 @@ struct TessellationResult {
 /// between tiles end on the outline, and a tile's side at the rim is the chord between two such ends, or
 /// meets the outline's corner; then every tile is regularized.
 ///
-/// What is given back has the outline's topology, decided exactly, covers at least 98 % of it, and has no
-/// side shorter than a quarter of the side wanted there and no angle below 25 degrees: README.md has the
-/// laws.
+/// The tiling has the outline's topology, decided exactly, covers at least 98 % of it, and has no side
+/// shorter than a quarter of the side wanted there and no angle below 25 degrees: README.md has the laws.
 ///
 /// Throws GeometryError with a place if no such tiling is found, and names a smaller side that works (it is
 /// tried), or if two parts of the outline are nearer to each other than a ten-thousandth of `edge_length` (a

@@ -8,7 +8,7 @@
 namespace fretwork::tiling {
 
 /// Tile several outlines that lie apart as one tessellation: the tiles, vertices and interface nodes of the
-/// first part, then those of the next. Parts share nothing, so each needs supports of its own.
+/// first part, then those of the next. Parts share nothing, so each needs its own supports.
 ///
 /// The report is that of the whole: of the outline as `tessellate` says, with the first part's `start`.
 /// Throws what `tessellate` throws, with the part's number if there are several.

@@ -36,7 +36,7 @@ struct Tessellation {
     std::vector<std::string> patterns;              ///< pattern ids, the palette in use
 };
 
-/// Turn a tile's pattern: its first vertex moves on by so many, counterclockwise, back if below zero.
+/// Turn a tile's pattern: its first vertex moves on by `vertices`, counterclockwise, back if below zero.
 void turn(Tile& tile, int vertices);
 
 /// The polygon of a tile.

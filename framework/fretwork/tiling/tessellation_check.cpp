@@ -121,7 +121,7 @@ class Checker {
         }
     }
 
-    /// The neighbour runs through the side the other way; where there is none, the interface nodes are new.
+    /// The neighbour traverses the side the other way; on a side without one, the interface nodes are new.
     void check_neighbor(const Side& side, VertexIndex from, VertexIndex to) {
         if (const auto same = sides_.find({from, to}); same != sides_.end())
             fail(side.tile, "lies on the same side of a side as tile " + std::to_string(same->second.tile));

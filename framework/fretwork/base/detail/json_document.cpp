@@ -22,7 +22,7 @@ std::string escaped(const std::string& key) {
     return text;
 }
 
-/// What nlohmann says, without its own name, number and place: "[json.exception.parse_error.101] parse error
+/// The message of nlohmann without its name, number and place: "[json.exception.parse_error.101] parse error
 /// at line 1, column 2: syntax error ...".
 std::string parse_complaint(const std::string& what) {
     const std::size_t start = what.find(": ");
@@ -131,7 +131,8 @@ class Builder final : public nlohmann::json_sax<JsonValue> {
     std::string key_;
 };
 
-/// The values of what simdjson has parsed. It compares no keys: an object that has one twice is no value.
+/// The values that simdjson has parsed. simdjson compares no keys: an object with a repeated key is refused
+/// here.
 class QuickBuilder {
   public:
     [[nodiscard]] std::optional<JsonValue> build(const simdjson::dom::element& element) {

@@ -22,8 +22,8 @@ std::filesystem::path link_target(std::filesystem::path path);
 /// (folder missing, no permission, disk full), and then `path` is as it was.
 void write_file_atomically(const std::filesystem::path& path, std::string_view content);
 
-/// The same for content that comes piece by piece and may be large. What is never committed leaves no trace;
-/// devices and pipes (/dev/stdout) are written at once.
+/// The same for content that comes piece by piece and may be large. Content that is never committed leaves no
+/// trace; devices and pipes (/dev/stdout) are written at once.
 class AtomicFile {
   public:
     /// Throws IoError.

@@ -40,7 +40,7 @@ int open_device(const std::filesystem::path& path) {
     if (descriptor < 0 && errno == ENXIO)
         throw IoError(path.string(), "", "cannot be written: it is a pipe that no program reads");
     if (descriptor < 0) fail_to_write(path, errno);
-    // What is written later may wait.
+    // The rest may be written later.
     (void)::fcntl(descriptor, F_SETFL, ::fcntl(descriptor, F_GETFL) & ~O_NONBLOCK);
     return descriptor;
 }

@@ -8,8 +8,8 @@
 namespace fretwork::base {
 namespace {
 
-/// What the last bits of a result depend on besides the program: fused multiply-add is used where the
-/// processor has it, by our kernels and by the C library's functions.
+/// The last bits of a result depend on more than the program: fused multiply-add is used where the processor
+/// has it, by our kernels and by the C library's functions.
 std::string arithmetic() {
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
     const std::string products =

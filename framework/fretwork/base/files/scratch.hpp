@@ -10,8 +10,8 @@ namespace fretwork::base {
 /// A file or folder for content that is not whole yet, in the folder where the content is to be. It vanishes
 /// with this object unless it was moved into its place.
 ///
-/// What killed processes left is removed when the next scratch is made in that folder: a living process holds
-/// a lock on its own. The names begin with ".fretwork-".
+/// The next scratch in a folder removes the leftovers of killed processes: a living process holds a lock on
+/// its scratch. The names begin with ".fretwork-".
 class Scratch {
   public:
     enum class Kind { File, Folder };

@@ -44,7 +44,7 @@ double value_of(const PatternProperties& entry, const std::string& name) {
     return found->second;
 }
 
-/// What a pattern is the extreme of.
+/// The property of which a pattern is the extreme.
 struct Extreme {
     std::string reason;
     std::size_t index;  ///< of the pattern

@@ -17,7 +17,7 @@ struct PatternProperties {
     std::map<std::string, double> values{};
 };
 
-/// What a chart's axes and drawings are of.
+/// Axes of a chart, and its drawings.
 struct ChartSubject {
     const pattern::NodeLayout& layout;
     const reduction::Setting& setting;

@@ -19,7 +19,7 @@ struct FieldRow {
     const char* title;
     const char* unit;
     double factor;
-    /// Of the columns N V2 V3 T M2 M3 stress.
+    /// For the columns N V2 V3 T M2 M3 stress.
     double (*value)(const Eigen::RowVector<double, 7>& forces);
 };
 constexpr std::array<FieldRow, 4> kForceFields = {{

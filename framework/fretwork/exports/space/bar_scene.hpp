@@ -38,7 +38,7 @@ struct BarScene {
         enum class Kind { Clamped, Pinned, Other } kind = Kind::Other;
     };
     std::vector<Support> supports;
-    /// What acts on a node, all loads and the share of the weight together.
+    /// All loads on a node, with its share of the weight.
     struct Load {
         int node = 0;
         Eigen::Vector3d force = Eigen::Vector3d::Zero();   ///< N
@@ -49,8 +49,8 @@ struct BarScene {
 };
 
 /// The bars of a scene as its first result moves them. Inner nodes of condensed tiles are recovered; a tile
-/// whose model does not tell how its beams move is drawn as the closed line through its interface nodes.
-/// Throws InputError if the result is not one of the surface.
+/// is drawn as the closed line through its interface nodes if its model gives no motions of its beams. Throws
+/// InputError if the result belongs to another surface.
 BarScene make_bar_scene(const Scene& scene);
 
 /// Shown where a strength is known.

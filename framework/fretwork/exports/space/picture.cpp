@@ -32,7 +32,7 @@ double screen(float light) {
     return value <= 0.0031308 ? 12.92 * value : 1.055 * std::pow(value, 1.0 / 2.4) - 0.055;
 }
 
-/// Of "#rrggbb".
+/// Reads "#rrggbb".
 Vector3f linear_colour(const std::string& text) {
     const auto byte = [&](std::size_t at) {
         return linear(std::stoi(text.substr(at, 2), nullptr, 16) / 255.0);
@@ -121,7 +121,7 @@ std::vector<Light> lights(const detail::Camera& camera, PixelSize size) {
     return lights;
 }
 
-/// What a lit point gets.
+/// The light at a lit point.
 struct Receiver {
     Vector3f place;
     Vector3f normal;
@@ -227,7 +227,7 @@ class Picture {
         lighting_.shine_on(receivers);
         for (std::size_t i = 0; i < samples.size(); ++i) {
             Pixel& pixel = pixels_[samples[i].pixel];
-            // What the ground throws back, and a little from everywhere, so that nothing is black.
+            // The light that the ground reflects, and a little from everywhere, so that nothing is black.
             const float below = 0.16F + 0.10F * (1.0F - samples[i].normal.z());
             const Vector3f light = receivers[i].light + Vector3f(below, below, 0.96F * below);
             pixel.colour += shade(samples[i].colour.cwiseProduct(light));

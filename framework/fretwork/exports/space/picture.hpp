@@ -8,9 +8,9 @@
 namespace fretwork::exports {
 
 /// A picture of the deformed bars as a PNG file: in perspective, lit by a sky and a lamp that throw soft
-/// shadows, on ground that is transparent but for the shadow. Scene::picture says how large and from where;
-/// without a view it is taken from the side on which tiles and displacements are seen best. Throws InputError
-/// for a field that there is not, and as make_bar_scene(), and Stopped as Scene::control asks.
+/// shadows, on ground that is transparent except for the shadow. Scene::picture gives size and camera;
+/// without a camera the picture is taken from the side that shows tiles and displacements best. Throws
+/// InputError for an unknown field, and as make_bar_scene(), and Stopped as Scene::control asks.
 std::string picture_png(const Scene& scene);
 
 }  // namespace fretwork::exports

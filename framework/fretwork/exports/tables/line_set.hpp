@@ -50,10 +50,10 @@ void require_same_surface(const simulation::Surface& surface, const simulation::
 /// the result is not one of the surface.
 LineSet result_lines(const simulation::Surface& surface, const simulation::SurfaceResult& result);
 
-/// The same for programs that show fields: the beams also of condensed tiles, with radius (of a round bar of
-/// the section's area), section forces (at the end where each is larger), stress and, with a strength,
-/// (Pa) utilization; and modes. Where a tile's model does not tell how its beams move, the
-/// lines of result_lines, without forces. Throws as result_lines.
+/// The same for programs that show fields: all beams, also those of condensed tiles, with radius (of a round
+/// bar of the section's area), section forces (at the end where each is larger), stress and, given a strength
+/// (Pa), utilization; and modes. Tiles whose model gives no motions of its beams have the lines of
+/// result_lines, without forces. Throws as result_lines.
 LineSet beam_lines(const simulation::Surface& surface, const simulation::SurfaceResult* result,
                    std::optional<double> strength = {},
                    std::span<const reduction::TileModel> models = reduction::tile_models());

@@ -17,11 +17,11 @@ struct NamedFile {
     std::string text;
 };
 
-/// A result's load steps as a series in time for ParaView: `stem`.pvd, which names them, and for each step
-/// `stem`-1.vtu, `stem`-2.vtu, .. with all that the state at that step bears (beam_lines). The time is the
-/// load factor; or, where these do not ascend (stages), the step's number. A result without steps is a series
-/// of one. Steps are files of their own because VTK's reader of .vtu files repeats all cells at every change
-/// of a time within one file. Throws as beam_lines.
+/// A result's load steps as a series in time for ParaView: `stem`.pvd names them, and `stem`-1.vtu,
+/// `stem`-2.vtu, .. hold the fields of each step (beam_lines). The time is the load factor, or the step's
+/// number if load factors do not ascend (stages). A result without steps is a series of one. Each step is a
+/// file because VTK's reader of .vtu files repeats all cells at every change of a time within one file.
+/// Throws as beam_lines.
 std::vector<NamedFile> series_files(const simulation::Surface& surface,
                                     const simulation::SurfaceResult& result, const std::string& stem,
                                     std::optional<double> strength = {},

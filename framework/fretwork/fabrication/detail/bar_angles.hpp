@@ -14,7 +14,7 @@ struct BarAngle {
     TileIndex tile;  ///< of one of the bars
 };
 
-/// Of every node with several bars the smallest angle between them; the smallest first.
+/// The smallest angle between bars at every node with several bars, in ascending order.
 std::vector<BarAngle> bar_angles(const BarPlan& plan);
 
 }  // namespace fretwork::fabrication::detail

@@ -16,9 +16,9 @@ using ClipperLib::Paths;
 using geometry::Polygon;
 
 constexpr double kPerMetre = 1e9;  ///< grid points
-/// What is smaller is what rounding to the grid has left between corners that are one.
+/// Smaller areas are left by rounding to the grid between corners that should be one.
 constexpr double kLeastArea = 1e-12;  // m2
-/// Corners nearer than this are one, and corners that are off a straight line by less are none.
+/// Corners nearer than this are merged, and corners this close to a straight line are removed.
 constexpr double kLeastStep = 2e-8;       // m
 constexpr double kLeastDeviation = 4e-9;  // m
 
@@ -78,7 +78,7 @@ bool is_corner(const Point2& before, const Point2& point, const Point2& after) {
     return !straight_on || std::abs(cross(after - before, point - before)) / base > kLeastDeviation;
 }
 
-/// The polygon without corners that are none.
+/// The polygon without redundant corners.
 Polygon cleaned(const Polygon& polygon) {
     Polygon corners = polygon;
     for (bool changed = true; changed && corners.size() >= 3;) {
@@ -218,7 +218,8 @@ class ArcFinder {
     }
 
     void add_arc(Contour& contour, std::size_t first) const {
-        constexpr double kLongestArc = 4.0;  // rad; a longer one is two arcs, so that its bulge is well told
+        constexpr double kLongestArc =
+            4.0;  // rad; a longer one becomes two arcs, so that its bulge is accurate
         const Point2 center = disc(first).center;
         double sweep = 0.0;
         std::size_t last = first;

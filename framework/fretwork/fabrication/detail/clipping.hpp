@@ -10,9 +10,8 @@
 
 namespace fretwork::fabrication::detail {
 
-/// What is left of `whole` without `parts`: its boundary, counterclockwise, and clockwise those of what was
-/// taken from its inside. Walks may touch themselves. Exact but for the grid, and less than a square
-/// micrometre is left out.
+/// The difference of `whole` and `parts`: outer boundaries counterclockwise, boundaries of removed insides
+/// clockwise. Walks may touch themselves. Exact up to the grid; areas below a square micrometre are left out.
 std::vector<geometry::Polygon> difference(const geometry::Polygon& whole,
                                           std::span<const geometry::Polygon> parts);
 

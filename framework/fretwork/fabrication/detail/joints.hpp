@@ -28,8 +28,7 @@ struct JointSize {
     double reach;  ///< from the seam to the middle of the knob
 };
 
-/// What joints do to a part: material that goes, then material that comes, then material that goes again. The
-/// circles of it.
+/// The circles by which a joint changes a part: material is removed, then added, then removed again.
 struct JointCut {
     std::vector<geometry::Polygon> beyond;
     std::vector<geometry::Polygon> added;

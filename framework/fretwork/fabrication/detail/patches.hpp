@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What material consists of before it is united: rectangles along bars, and round ends around nodes.
+// Material before it is united: rectangles along bars, and round ends around nodes.
 #pragma once
 
 #include <fretwork/fabrication/bar_plan.hpp>

@@ -48,7 +48,7 @@ class HalfBars {
     std::vector<std::size_t> place_;
 };
 
-/// Which nodes hang together.
+/// The connected components of the nodes.
 class Components {
   public:
     explicit Components(const BarPlan& plan) : parent_(plan.nodes.size()) {

@@ -11,7 +11,7 @@ namespace fretwork::library::detail {
 /// The SHA-256 of all rows of content, sorted by their keys: each value as its type, its length where it is a
 /// text, and its bytes.
 std::string content_hash(Database& database);
-/// What content_hash gave of the same content when the tables were those of schema 3.
+/// The content hash as it was computed for tables of schema 3.
 std::string schema3_content_hash(Database& database);
 
 /// Write the content as CSV files, one a table, and the layout and the setting as JSON files.

@@ -8,8 +8,8 @@ namespace {
 
 constexpr int kBusyTimeoutMilliseconds = 10000;
 
-/// What a file's own schema may make SQLite do: a view in the place of a table runs any query, for ever if it
-/// likes, and so does a trigger. Views of the program's own are temporary, which is allowed.
+/// Limits what a file's own schema may make SQLite do: a view in the place of a table could run any query for
+/// ever, and so could a trigger. The program's own views are temporary, which is allowed.
 void distrust_schema(sqlite3* handle) {
     sqlite3_db_config(handle, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
     sqlite3_db_config(handle, SQLITE_DBCONFIG_ENABLE_TRIGGER, 0, nullptr);

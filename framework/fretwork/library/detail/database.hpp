@@ -108,8 +108,8 @@ class StopWatch {
     base::Control control_;
 };
 
-/// A transaction that is rolled back unless it is committed. What is read in it is of one moment; one that
-/// writes locks the file from its start, so that what is read in it stays true until it is committed.
+/// A transaction that is rolled back unless it is committed. All reads in it see one moment; a writing one
+/// locks the file from its start, so that its reads stay true until the commit.
 class Transaction {
   public:
     enum class Kind { Read, Write };

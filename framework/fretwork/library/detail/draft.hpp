@@ -15,9 +15,9 @@
 
 namespace fretwork::library::detail {
 
-/// A library in a scratch folder beside the output, with its journal, that vanishes unless it is moved into
-/// its place. Several processes may make the same output at once: each has a draft of its own, and only the
-/// first to finish gives the output.
+/// A library in a scratch folder beside the output, with its journal; it vanishes unless it is moved into its
+/// place. Several processes may make the same output at once: each has its own draft, and only the first to
+/// finish gives the output.
 class Draft {
   public:
     /// Throws IoError that names the output.

@@ -23,16 +23,16 @@ struct Library::Impl {
     /// cannot be written.
     [[nodiscard]] std::unique_ptr<detail::Transaction> begin_writing();
     void commit(detail::Transaction& transaction);
-    /// Ends the transaction. Scenarios have tables of their own, which stay.
+    /// Ends the transaction. Scenarios keep their own tables.
     void replace_setting(detail::Transaction& transaction, const reduction::Setting& wanted);
 
     /// Throws InputError that names the nearest id.
     void require_pattern(std::string_view id) const;
-    /// The pattern of a stored id. Throws InputError that names the file if it is none.
+    /// The pattern of a stored id. Throws InputError that names the file if the id is invalid.
     [[nodiscard]] PatternEntry entry(std::string id) const;
     /// The patterns whose ids a statement gives, in the order of the enumeration.
     [[nodiscard]] std::vector<PatternEntry> select_patterns(detail::Statement& ids) const;
-    /// Of the patterns with this number of edges those at these places (ascending) in their order.
+    /// The patterns with this number of edges at these places (ascending), in their order.
     [[nodiscard]] std::vector<PatternEntry> patterns_at(int edges, std::span<const std::size_t> places) const;
 
     void store(const PatternData& data);

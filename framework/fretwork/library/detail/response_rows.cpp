@@ -16,7 +16,7 @@ std::string count_complaint(std::size_t present, std::size_t wanted, const std::
            " are needed";
 }
 
-/// What is wrong with a response of the library's shape; empty if nothing is.
+/// The fault of a response of the library's shape; empty if it has none.
 std::string response_fault(const Response& response, const ResponseShape& shape) {
     const auto steps = static_cast<std::size_t>(shape.setting->magnitudes);
     if (response.samples.size() != steps) return count_complaint(response.samples.size(), steps, "samples");

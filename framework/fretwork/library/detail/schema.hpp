@@ -18,7 +18,7 @@ inline constexpr std::int64_t kSchemaVersion = 4;
 /// Older files are refused; those from here on are read (see schema3.hpp).
 inline constexpr std::int64_t kOldestSchemaVersion = 3;
 
-/// A table whose rows are content: they are hashed, merged and exported. (Provenance is none.)
+/// A table whose rows are content: they are hashed, merged and exported. (Provenance is no content.)
 struct Table {
     std::string_view name;
     std::vector<std::string_view> keys;        ///< the primary key

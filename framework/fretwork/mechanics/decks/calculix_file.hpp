@@ -34,11 +34,11 @@ enum class DeckReader {
               ///< polar second moment
 };
 
-/// The text of such a deck for a frame, nodes labelled from 1, which that program reads, and parse_calculix;
-/// numbers are rounded to the twenty characters of a deck's fields,
-/// 14 digits or more. What a deck has no words for is refused: releases, divisions, shear areas, a given
-/// shear modulus; for CalculiX also sections that are neither rectangles nor circles. Throws InputError that
-/// names it.
+/// The text of such a deck for a frame, nodes labelled from 1, readable by that program and by
+/// parse_calculix; numbers are rounded to the twenty characters of a deck's fields, 14 digits or more.
+/// Features that a deck cannot express are refused: releases, divisions, shear areas, a given shear modulus;
+/// for CalculiX also sections that are neither rectangles nor circles. Throws InputError that names the
+/// feature.
 std::string calculix_text(const Frame& frame, DeckReader reader = DeckReader::Abaqus);
 
 /// Throws as parse_calculix.

@@ -12,8 +12,8 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/// F = sum over n of 2^n (n!)^2 / (2n + 1)! x^n with x = 1 - c; so many terms are exact to rounding below
-/// kSeriesReach.
+/// F = sum over n of 2^n (n!)^2 / (2n + 1)! x^n with x = 1 - c; this number of terms is exact to rounding
+/// below kSeriesReach.
 constexpr double kSeriesReach = 0.05;
 constexpr std::array<double, 12> kRatioSeries = [] {
     std::array<double, 12> series{1.0};

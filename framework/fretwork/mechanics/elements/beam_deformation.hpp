@@ -6,7 +6,7 @@
 
 namespace fretwork::mechanics::elements {
 
-/// What the deformations depend on: the chord's vector, and the spins of the two ends.
+/// The arguments of the deformations: the chord's vector, and the spins of the two ends.
 inline constexpr int kChord = 0;
 inline constexpr int kSpin1 = 3;
 inline constexpr int kSpin2 = 6;

@@ -7,7 +7,8 @@ namespace {
 constexpr double kThird = 1.0 / 3.0;
 constexpr double kTwelfth = 1.0 / 12.0;
 
-/// What bending leaves of a twist between the ends: the end sections' directions differ by the bend as well.
+/// The part of a twist between the ends that is not due to bending: the end sections' directions differ by
+/// the bend as well.
 double twist_share(const BeamVector& d) {
     return 1.0 / (1.0 + d[kBow2] * d[kBow2] + d[kBow3] * d[kBow3]);
 }

@@ -8,9 +8,9 @@
 
 namespace fretwork::mechanics::elements {
 
-/// A beam with hinges. At a hinged end there is one more node, whose displacement and rotation are those of
-/// the beam's end against the frame's node, in the beam's axes at rest as they turn with that node. What is
-/// not released is held at zero there, by supports.
+/// A beam with hinges. A hinged end has one more node, whose displacement and rotation are those of the
+/// beam's end against the frame's node, in the beam's axes at rest as they turn with that node. Supports hold
+/// the components that are not released.
 class HingedElement final : public Element {
   public:
     /// @param hinges  the hinge's node at each end; an invalid index where the end is rigid

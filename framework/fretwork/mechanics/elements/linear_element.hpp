@@ -16,7 +16,8 @@ class LinearElement final : public Element {
     [[nodiscard]] std::span<const NodeIndex> nodes() const override { return nodes_; }
     void rest_stiffness(Eigen::MatrixXd& stiffness) const override { stiffness = matrices_.stiffness; }
     void evaluate(std::span<const NodeState> states, Demand demand, ElementResponse& response) const override;
-    /// Its strains would be the displacements themselves, linear but for rotations it is not meant for.
+    /// Its strains would be the displacements themselves, linear except for large rotations, for which it is
+    /// not made.
     [[nodiscard]] Eigen::Index stress_count() const override { return 0; }
     void evaluate_mixed(std::span<const NodeState> states, Demand demand, const ElementStresses& stresses,
                         MixedResponse& response) const override;

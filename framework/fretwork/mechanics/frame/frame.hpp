@@ -54,10 +54,9 @@ struct Release {
     friend bool operator==(const Release&, const Release&) = default;
 };
 
-/// Into how many elements a beam may be divided. The tip of a cantilever of so many is off by 1e-5 of its
-/// deflection at most (2.4e-7 under a force at its tip, 2e-6 under its own weight); with more of them
-/// rounding wins: stiffness grows with the cube of their number, and at ten thousand a third of the
-/// deflection is lost.
+/// Limit of the elements of one beam. The tip of a cantilever of this many elements is off by 1e-5 of its
+/// deflection at most (2.4e-7 under a force at its tip, 2e-6 under its own weight); beyond it rounding wins:
+/// stiffness grows with the cube of their number, and at ten thousand a third of the deflection is lost.
 inline constexpr int kMostDivisions = 1000;
 
 struct Beam {
@@ -66,7 +65,7 @@ struct Beam {
     Material material;
     std::optional<Eigen::Vector3d>
         normal{};       ///< local axis 3 at rest; none: global z, or global y for a beam along z
-    int divisions = 1;  ///< into so many elements
+    int divisions = 1;  ///< number of elements
     std::vector<Release> releases{};
 };
 
@@ -100,7 +99,7 @@ struct Frame {
     Eigen::Vector3d gravity = Eigen::Vector3d::Zero();  ///< m/s^2
 };
 
-/// A frame from a file in which nodes have labels of their own.
+/// A frame from a file whose nodes have labels.
 struct LabelledFrame {
     Frame frame;
     std::vector<int> labels;  ///< one for each node of the frame, in the file's order

@@ -11,14 +11,14 @@ namespace {
 constexpr int kMostIterations = 300;
 constexpr double kTolerance = 1e-10;
 
-/// Of the mean stiffness: some hundred roundings of it.
+/// Relative to the mean stiffness: some hundred times its rounding.
 constexpr double kRoundingShift = 1e-13;
 
 /// A downhill step away from an unstable equilibrium turns no node by more than this, rad.
 constexpr double kDownhillStep = 0.1;
 constexpr int kMostDownhillSteps = 400;
 
-/// What the tangent holds on its diagonal, in the mean, against the system's weights.
+/// The mean of the tangent's diagonal against the system's weights.
 double mean_stiffness(const NonlinearSystem& system) {
     double sum = 0.0;
     for (int i = 0; i < system.unknowns().equations(); ++i) {

@@ -12,11 +12,11 @@ constexpr int kMostMixedIterations = 30;
 constexpr double kApproach = 0.2;
 /// rad: after a longer step old factors would not help.
 constexpr double kLongStep = 0.5;
-/// Factors are made anew after a step of old ones that has shrunk by less. An iteration with old ones costs a
+/// New factors are computed if a step of old ones has shrunk by less. An iteration with old factors costs a
 /// fifth of one with new ones, or less.
 constexpr double kShrink = 0.3;
-/// Where no factors are needed at the equilibrium, they are made anew if more iterations than this are left
-/// with old ones.
+/// Where the caller needs no factors at the equilibrium, new ones are computed if old ones would take more
+/// iterations than this.
 constexpr double kManyIterations = 6.0;
 /// A step of old factors that has shrunk by less than this is not made at all.
 constexpr double kUseless = 0.5;
@@ -93,7 +93,7 @@ void MixedNewton::move(const Eigen::VectorXd& step, double prescribed, Configura
     way_.moved += size_of(step);
 }
 
-/// What is held moves together with the unknowns: alone it would fold the elements at it.
+/// Prescribed components move together with the unknowns: alone they would fold the elements at them.
 MixedNewton::FirstStep MixedNewton::depart(Configuration& configuration) {
     way_at_departure_ = way_;
     Configuration next = configuration;
@@ -118,7 +118,7 @@ MixedNewton::FirstStep MixedNewton::depart(Configuration& configuration) {
     return first;
 }
 
-/// Whether the factors are those of the configuration, but for a move that changes nothing.
+/// Whether the factors are those of the configuration, up to a negligible move.
 bool MixedNewton::has_own_factors(const Iteration& iteration) const {
     return way_.turned <= kSame && way_.moved <= kSameShare * iteration.travelled;
 }
@@ -154,7 +154,7 @@ std::optional<Termination> MixedNewton::step_with_old_factors(Iteration& iterati
     return std::nullopt;
 }
 
-/// With factors that tell its stability, where that is asked for.
+/// Computes factors that decide stability, where the caller asks for it.
 Termination MixedNewton::end_at_equilibrium(const Iteration& iteration, const Configuration& configuration) {
     if (has_own_factors(iteration) || !options_.classify_stability) return Termination::Converged;
     stresses_.give_own();

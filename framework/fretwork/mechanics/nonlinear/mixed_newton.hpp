@@ -10,9 +10,9 @@
 namespace fretwork::mechanics::nonlinear {
 
 /// Newton's method in displacements and stresses together. The stresses, extrapolated from the iteration
-/// before, stand in the geometric terms of the tangent; eliminated from the equations, they leave the
-/// unknowns and the sparsity as they are. What membrane stiffness makes of a long step is then no force that
-/// the next step has to undo: steps may turn nodes by half a radian, and more. [Magisano2017]
+/// before, stand in the geometric terms of the tangent; their elimination leaves the unknowns and the
+/// sparsity as they are. The next step then need not undo the membrane forces of a long step: steps may turn
+/// nodes by half a radian, and more. [Magisano2017]
 ///
 /// Factors are kept while they bring the steps down fast enough: with the slopes B0 of their configuration
 /// the equations of an old tangent are B(x)^T s + B0^T (K e(x) - s), and s <- K (e(x) + B0 dx).
@@ -36,8 +36,8 @@ class MixedNewton {
         Equilibrium  ///< as EquilibriumOptions say
     };
     /// Go on from a step that was made with the factors of this class; it moves the configuration. On
-    /// Converged the factors are those of the configuration: exactly, or at an equilibrium but for a move
-    /// that changes no sign of a pivot unless it is nearly singular.
+    /// Converged the factors are those of the configuration: exactly, or at an equilibrium up to a move that
+    /// changes no sign of a pivot unless it is nearly singular.
     Termination solve(double load_factor, Goal goal, const Eigen::VectorXd& step,
                       Configuration& configuration);
 
@@ -55,7 +55,7 @@ class MixedNewton {
     /// longer those there.
     bool come_back(const Configuration& equilibrium);
 
-    /// Of the last factorization.
+    /// Pivots of the last factorization.
     [[nodiscard]] const sparse::Ldlt::Outcome& outcome() const { return outcome_; }
 
     [[nodiscard]] const std::vector<double>& stresses() const { return stresses_.given(); }
@@ -63,7 +63,7 @@ class MixedNewton {
     bool restore(const Configuration& configuration, double load_factor, const std::vector<double>& stresses);
 
   private:
-    /// What solve() looks for, and how far it is.
+    /// The goal of solve(), and its progress.
     struct Iteration {
         Goal goal;
         double load_factor;

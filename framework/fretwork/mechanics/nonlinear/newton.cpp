@@ -26,7 +26,7 @@ constexpr double kLinearReach = 1e-7;
 
 /// Solve (1 + B) x = b by GMRES, where B is the skew part behind the symmetric part's inverse. Its rank is at
 /// most two for each node with a moment, so a few steps are exact. Givens' rotations keep the small problem
-/// triangular, and tell the residual at each step.
+/// triangular, and give the residual at each step.
 template <class Operator>
 Eigen::VectorXd solve_near_identity(const Operator& b_times, const Eigen::VectorXd& right_side) {
     const double size = right_side.norm();

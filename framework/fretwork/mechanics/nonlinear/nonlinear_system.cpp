@@ -13,8 +13,8 @@ namespace {
 
 using base::at;
 
-/// Numbers in the tangents that threads evaluate before these are added, one after the other, and in what one
-/// thread takes of them at a time. What is in a batch stays in the cache.
+/// The size of a batch of tangents, in numbers: threads evaluate a batch, then it is added in order; and the
+/// share of one thread at a time. A batch stays in the cache.
 constexpr std::size_t kBatchNumbers = 300'000;
 constexpr std::size_t kPieceNumbers = 10'000;
 /// Displacements may be some hundred times as long as the elements, and are rounded accordingly.
@@ -30,8 +30,8 @@ std::size_t tangent_numbers(const Assembly& assembly) {
     return sum;
 }
 
-/// What the forces on each node come to in floating point where the elements at it are near rest: rounding of
-/// their geometry times their stiffness. A stiff element far away adds nothing.
+/// The rounding of the forces on each node where the elements at it are near rest: rounding of their geometry
+/// times their stiffness. A stiff element far away adds nothing.
 NodeValues rounding_forces(const Assembly& assembly, double length) {
     constexpr double kRoundings = 8.0;
     NodeValues forces = NodeValues::Zero(static_cast<Eigen::Index>(assembly.nodes.size()), kDofsPerNode);

@@ -29,7 +29,7 @@ class NonlinearSystem {
     /// or its loads or prescribed values have changed; and another control.
     void refresh(const base::Control& control);
 
-    /// Compute what the members below tell; the tangent and what depends on it only where it is asked for.
+    /// Compute the quantities of the members below; the tangent and its dependents only on request.
     void evaluate(const Configuration& configuration, double load_factor, Demand demand = Demand::Tangent);
 
     /// The same in a mixed iteration, with the given stresses in the tangent's geometric terms. The workspace
@@ -45,8 +45,7 @@ class NonlinearSystem {
     /// After the same: B0^T (s - given), what the old tangent makes of given stresses that are not the own.
     [[nodiscard]] Eigen::VectorXd lag() const;
 
-    /// The solution at the configuration of the last evaluation, but for how it came about and whether it is
-    /// stable.
+    /// The solution at the configuration of the last evaluation, without its history and its stability.
     [[nodiscard]] Solution describe(const Configuration& configuration, double load_factor) const;
 
     /// Load less internal force, for each equation.
@@ -68,7 +67,7 @@ class NonlinearSystem {
     /// False if external moments act: their direction stays fixed in space, so they have no potential. The
     /// moments of gravity stand for forces, which have one.
     [[nodiscard]] bool is_conservative() const { return skew_.empty() || !unknowns_.assembly().has_moments; }
-    /// What the tangent's pivots tell of stability.
+    /// The stability that the tangent's pivots show.
     [[nodiscard]] StabilityTest stability_test() const {
         return is_conservative() ? StabilityTest::Tangent : StabilityTest::SymmetricPart;
     }
@@ -90,7 +89,7 @@ class NonlinearSystem {
     };
     void take_up_loads();
     void map_spins(const Configuration& configuration);
-    /// What is asked of the elements; stresses in a mixed iteration only.
+    /// The quantities that are requested from the elements; stresses in a mixed iteration only.
     struct Pass {
         Demand demand;
         StressWorkspace* stresses = nullptr;

@@ -8,8 +8,8 @@ namespace {
 
 constexpr std::size_t kPoints = 3;
 
-/// The third equilibrium helps while what it changes is small beside what the second one does; next to a
-/// limit load a polynomial of higher degree only overshoots.
+/// The third equilibrium helps while its correction is small beside that of the second one; next to a limit
+/// load a polynomial of higher degree only overshoots.
 constexpr double kSmallCorrection = 0.3;
 
 }  // namespace

@@ -8,8 +8,8 @@
 
 namespace fretwork::mechanics::nonlinear {
 
-/// What a mixed iteration keeps of every element, since elements are shared and immutable: the given
-/// stresses, and, of its last evaluation, the own stresses and the slopes of the strains.
+/// The state of every element in a mixed iteration, kept here since elements are shared and immutable: the
+/// given stresses, and, from the last evaluation, the own stresses and the slopes of the strains.
 class StressWorkspace {
   public:
     explicit StressWorkspace(const Assembly& assembly);

@@ -18,13 +18,13 @@ constexpr double kRecovery = 1.4;
 /// rad: of a whole increment.
 constexpr double kWholeTurn = 2.5;
 constexpr int kMostHalvings = 6;
-/// An increment may be so many times as long as the last one, and is made so many times longer if it then is
-/// the last.
+/// An increment may be this many times as long as the last one, and this many times longer if it then is the
+/// last.
 constexpr double kGrowth = 4.0;
 constexpr double kRemainder = 1.3;
 
-/// A component may move by so many times what the larger rate at the increment's ends makes of it, and by
-/// this share of the largest move besides.
+/// A component may move by this many times what the larger rate at the increment's ends predicts, plus this
+/// share of the largest move.
 constexpr double kExplained = 2.0;
 constexpr double kOwnMove = 0.15;
 /// rad, and element lengths: moves as small as this are linear.

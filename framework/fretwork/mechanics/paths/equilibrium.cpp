@@ -25,7 +25,7 @@ constexpr double kLimitLoadGrowth = 8.0;
 
 /// On one path a move is about the step times the mean of the rates at its ends. An equilibrium that differs
 /// from that by more than this share, in any component (those that move less than the second of these shares
-/// of the largest count as that), is on another branch, or too far to tell: the step is halved. The
+/// of the largest count as that), is on another branch, or too far to decide: the step is halved. The
 /// shortest steps end beside limit loads, where rates grow without bound: there it may lie this many times
 /// farther than the rates account for. Moves as small as the last of these (in rad and element lengths) are
 /// linear.
@@ -54,11 +54,11 @@ constexpr double kPrescribedTurn = 0.7;
 /// Above the last load of a path by this share of the load that is aimed at, no equilibrium is left nearby.
 constexpr double kBeyondLimit = 1e-3;
 
-/// Critical loads are found to this share of them, by at most so many equilibria.
+/// Critical loads are found to this relative accuracy, with at most this many equilibria.
 constexpr double kCriticalWidth = 1e-6;
 constexpr int kCriticalSteps = 30;
 
-constexpr std::size_t kThousand = 1000;  // steps of the task that is told
+constexpr std::size_t kThousand = 1000;  // steps of the reported task
 
 class LoadPath {
   public:
@@ -76,7 +76,7 @@ class LoadPath {
         prescribed_turn_ = unknowns_.largest_prescribed_rotation();
     }
 
-    /// @param task  is told the share of the last load factor, in thousandths
+    /// @param task  receives the share of the last load factor, in thousandths
     Solution advance_to(double target, const base::Task& task, double last) {
         const bool strides = may_stride(target);
         if (strides && stride_to(target) == Termination::Converged) {
@@ -164,7 +164,7 @@ class LoadPath {
         predict_anew();
     }
 
-    /// What was taken to be neutral may only be soft.
+    /// A motion that was taken to be neutral may only be soft.
     Termination try_soft_step(double factor) {
         const Eigen::VectorXd neutral = newton_.neutral();
         newton_.set_neutral({}, 0.0);
@@ -225,7 +225,7 @@ class LoadPath {
         predict_anew();
     }
 
-    /// Of the last equilibrium, at which the system is evaluated.
+    /// Stability of the last equilibrium, at which the system is evaluated.
     nonlinear::LowestMode lowest_mode_here() {
         system_.evaluate(point_.configuration, point_.load_factor);
         return nonlinear::lowest_mode(system_, newton_);
@@ -373,7 +373,7 @@ std::vector<Solution> follow_load_path(const Assembly& assembly, std::span<const
         } else {
             solutions.push_back(solutions.back());
             solutions.back().iterations = 0;
-            solutions.back().stability_losses.clear();  // told once
+            solutions.back().stability_losses.clear();  // reported once
         }
     }
     return solutions;

@@ -26,8 +26,8 @@ struct EquilibriumOptions {
     bool locate_critical_loads =
         false;        ///< fill Solution::stability_losses; branches but the primary always do
     int threads = 1;  ///< 0: all there are. They change no bit of a result, and small structures use one.
-    base::Control control{};  ///< told how much of the load is reached
-    /// Throws InputError if a value makes no sense.
+    base::Control control{};  ///< receives how much of the load is reached
+    /// Throws InputError if a value is invalid.
     void validate() const;
 };
 

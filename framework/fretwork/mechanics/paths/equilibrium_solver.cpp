@@ -47,7 +47,7 @@ bool have_equal_rotation_vectors(const Assembly& a, const Assembly& b) {
            structure::constraints_of(b).values.rightCols<3>();
 }
 
-/// Of a solution under its full load.
+/// For a solution under its full load.
 Configuration configuration_of(const Solution& solution) {
     Configuration configuration;
     for (const NodeValues* table : {&solution.displacements, &solution.inner_displacements}) {

@@ -14,17 +14,17 @@ enum class StartingPoint {
     LastEquilibrium  ///< by continuation from the equilibrium before
 };
 
-/// Whether the stability of an equilibrium is told. That takes a factorization, which a small change
-/// of the loads does not need otherwise.
+/// Whether the stability of an equilibrium is decided. That takes a factorization, which a small change of
+/// the loads does not need otherwise.
 enum class StabilityCheck {
     Made,
     Left  ///< Solution::stability is None: for loads that are dragged. The next solution that is checked
           ///< makes it up: an equilibrium that has lost its stability meanwhile is looked for from rest
 };
 
-/// Is told the first iterate on the way to an equilibrium: where the tangent in the last equilibrium leads
-/// to. It is no equilibrium (Solution::converged is false, its reactions are not told), and near one after
-/// small edits. Not called where there is no last equilibrium to go on from.
+/// Receives the first iterate on the way to an equilibrium: the prediction of the tangent in the last
+/// equilibrium. It is no equilibrium (Solution::converged is false, and it has no reactions), but is near one
+/// after small edits. Not called if there is no last equilibrium to go on from.
 using FirstIterate = std::function<void(const Solution&)>;
 
 /// The nonlinear equilibrium of a structure under its full load, found again and again between edits: the
@@ -45,12 +45,12 @@ class EquilibriumSolver {
     EquilibriumSolver& operator=(EquilibriumSolver&&) noexcept;
     ~EquilibriumSolver();
 
-    /// The equilibrium of an assembly under its full load. What is done depends on how it differs from the
-    /// last one (elements are compared by address):
+    /// The equilibrium of an assembly under its full load. The work depends on how the assembly differs from
+    /// the last one (elements are compared by address):
     /// - loads and prescribed values: iterations with the last factors, and new ones once or twice;
     /// - elements replaced by others of the same nodes: the same after new factors in the last equilibrium;
-    /// - supports: the order of elimination and the factors anew, in the last equilibrium;
-    /// - other nodes, or a last solution that had not converged or was not stable: all, from rest.
+    /// - supports: a new order of elimination and new factors, in the last equilibrium;
+    /// - other nodes, or a last solution that had not converged or was not stable: everything, from rest.
     /// Throws as follow_load_path; then the next call starts from rest. A stop on the way from the last
     /// equilibrium keeps that one to go on from.
     ///
@@ -58,7 +58,7 @@ class EquilibriumSolver {
     Solution solve(const Assembly& assembly, const base::Control& control = {},
                    StabilityCheck check = StabilityCheck::Made, const FirstIterate& first_iterate = {});
 
-    /// Of the last solution.
+    /// Stability of the last solution.
     [[nodiscard]] StartingPoint starting_point() const;
 
   private:

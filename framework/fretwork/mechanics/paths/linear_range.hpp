@@ -7,7 +7,8 @@ namespace fretwork::mechanics {
 
 struct Assembly;
 
-/// How far a linear solution is from that for large displacements, as its own strains and turns tell.
+/// Estimates how far a linear solution is from the one for large displacements, from its own strains and
+/// turns.
 struct LinearRange {
     /// By estimate: the largest error of a translation as a share of the largest displacement. Good to a
     /// factor of about two as long as it is below one, and large where the truth is.

@@ -12,7 +12,7 @@ namespace {
 
 using nonlinear::Configuration;
 
-/// A step that takes about so many iterations is neither too long nor too short.
+/// The wanted number of iterations of a step: the next step is shorter after more, longer after fewer.
 constexpr double kGoodIterations = 4.0;
 constexpr int kMostIterations = 15;
 

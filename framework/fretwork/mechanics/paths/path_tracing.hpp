@@ -12,10 +12,10 @@ struct PathTracingOptions {
     double first_load_step = 0.05;     ///< share of the load with which the path begins; sets the first arc
     double largest_load_factor = 1.0;  ///< the path ends beyond it, up or down
     double largest_arc = 0.5;  ///< of one step, in rad and element lengths (root of the sum of squares)
-    int steps = 200;           ///< the path ends after so many
+    int steps = 200;           ///< the path ends after this many steps
     EquilibriumOptions
         equilibrium{};  ///< its relative_residual, largest_cut_back, threads and control count here
-    /// Throws InputError if a value makes no sense.
+    /// Throws InputError if a value is invalid.
     void validate() const;
 };
 

@@ -94,7 +94,7 @@ class Relaxation {
         is_at_rest_ = false;
     }
 
-    /// The peak lies in the middle of the step that was made last: go half of it back, weigh anew and start
+    /// The peak lies in the middle of the last step: go back half of it, compute the masses again and start
     /// from rest.
     void restart() {
         unknowns_.move(-0.5 * last_velocity_, configuration_);
@@ -167,7 +167,7 @@ class Relaxation {
     nonlinear::NonlinearSystem system_;
     const nonlinear::Unknowns& unknowns_ = system_.unknowns();
     nonlinear::Configuration configuration_;
-    nonlinear::Configuration last_peak_;  ///< of the kinetic energy, or rest: what is told where it diverges
+    nonlinear::Configuration last_peak_;  ///< kinetic energy, or rest: reported if it diverges
     Eigen::VectorXd velocity_;
     Eigen::VectorXd last_velocity_;
     bool is_at_rest_ = true;

@@ -18,8 +18,8 @@ struct RelaxationOptions {
     double relative_residual = 1e-9;  ///< converged below this
     int iterations = 200000;          ///< at most; a structure of the size of patterns takes thousands
     RotationalMass rotational_mass = RotationalMass::Natural;
-    base::Control control{};  ///< told the iterations
-    /// Throws InputError if a value makes no sense.
+    base::Control control{};  ///< receives the iterations
+    /// Throws InputError if a value is invalid.
     void validate() const;
 };
 
@@ -32,8 +32,8 @@ struct RelaxationOptions {
 /// an element, below one metre) with RotationalMass::Published.
 ///
 /// Prescribed displacements are there from the start, in one jump: so no rotation may be prescribed that
-/// turns a node, or one end of an element against its other, by more than pi, which it would take for one the
-/// other way round. Throws InputError that names the node if one does, or if an option makes no sense, and
+/// turns a node, or one end of an element against its other, by more than pi, since it would be taken for one
+/// the other way round. Throws InputError that names the node if one does, or if an option is invalid, and
 /// Stopped.
 Solution relax(const Assembly& assembly, const RelaxationOptions& options = {});
 

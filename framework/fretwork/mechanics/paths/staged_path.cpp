@@ -16,9 +16,9 @@ constexpr double kFirstStep = 0.1;
 constexpr double kShortestStep = 1.0 / 65536.0;
 /// A stage begins, and goes on after a jump, with a short step: only then is it known how fast things move.
 constexpr double kProbingStep = 1.0 / 256.0;
-/// Newton's method may find an equilibrium far away, to which the structure would snap. A step that moves so
-/// many times as fast as the one before is halved, and so is a first one that moves farther than the second
-/// of these (rad, or element lengths); moves as small as the third are no jumps.
+/// Newton's method may find an equilibrium far away, to which the structure would snap. A step that moves
+/// this many times as fast as the one before is halved, and so is a first one that moves farther than the
+/// second of these (rad, or element lengths); moves as small as the third are no jumps.
 constexpr double kLargestGrowth = 3.0;
 constexpr double kLargestProbe = 0.1;
 constexpr double kSmallMove = 1e-3;

@@ -7,21 +7,22 @@
 
 namespace fretwork::mechanics {
 
-/// What holds a structure and acts on it at the end of a stage.
+/// The supports and loads of a structure at the end of a stage.
 struct StageTarget {
     std::vector<Support> supports;
     std::vector<PrescribedDisplacement> prescribed;
     NodeValues loads;  ///< one row for each node of the assembly
 };
 
-/// Stages of loading, one after the other: each begins in the equilibrium that the stage before has led to.
-/// On the way loads and prescribed values go evenly from what they are to those of the target; a component
-/// that is newly prescribed goes from where it is, and one that is freed is let go by what held it.
+/// Stages of loading, one after the other: each begins in the equilibrium at the end of the stage before.
+/// During a stage loads and prescribed values change linearly to those of the target; a newly prescribed
+/// component starts from its present value, and the reaction on a released component is reduced to zero.
 ///
-/// Steps are followed by Newton's method, and halved where that fails. An equilibrium that is not stable is
-/// left downhill. Where no step is short enough, the structure goes downhill from its last equilibrium with
-/// Branch::Snapping; else the stage ends at that limit load. Such places are Solution::stability_losses, with
-/// the share of the stage as the load factor and the node that moves farthest.
+/// Steps are followed by Newton's method, and halved where that fails. An unstable equilibrium is left along
+/// a descent direction. If no step is short enough, the structure goes downhill from its last equilibrium
+/// with Branch::Snapping; otherwise the stage ends at that limit load. Such places are
+/// Solution::stability_losses, with the share of the stage as the load factor and the node that moves
+/// farthest.
 class StagedPath {
   public:
     /// The supports, prescribed values and loads of the assembly are left aside. Throws InputError as

@@ -32,7 +32,8 @@ BeamSection::BeamSection(const Beam& beam, const std::array<Eigen::Vector3d, 2>&
 BeamSection::Ends BeamSection::from_gradient(const Deformations& gradient) const {
     SectionForces start{.N = gradient[kElongation], .T = gradient[kTwist]};
     SectionForces end = start;
-    // Of the rotations t1 and t2 of the ends against the chord: bow = (t1 - t2) / 2, sway = (t1 + t2) / 2.
+    // In terms of the rotations t1 and t2 of the ends against the chord: bow = (t1 - t2) / 2, sway = (t1 +
+    // t2) / 2.
     start.M2 = -(gradient[kSway2] + gradient[kBow2]) / 2.0;
     start.M3 = -(gradient[kSway3] + gradient[kBow3]) / 2.0;
     end.M2 = (gradient[kSway2] - gradient[kBow2]) / 2.0;

@@ -11,7 +11,7 @@
 
 namespace fretwork::mechanics {
 
-/// What the material on the far side of a cut exerts through it, along the beam's local axes as they turn
+/// The forces and moments of the material on the far side of a cut, along the beam's local axes as they turn
 /// with it: N pulls, M2 and M3 turn about axes 2 and 3 (V3 = dM2/ds, V2 = -dM3/ds).
 struct SectionForces {
     double N = 0.0;   ///< N, axial

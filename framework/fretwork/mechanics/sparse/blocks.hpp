@@ -7,8 +7,8 @@
 
 namespace fretwork::mechanics::sparse {
 
-/// Rows and columns of the block that a matrix has for each pair of coupled nodes: a node has at most so many
-/// unknowns.
+/// Rows and columns of the block that a matrix has for each pair of coupled nodes: the most unknowns that a
+/// node has.
 inline constexpr int kBlockSize = 6;
 
 /// Which components of a node are unknowns.

@@ -46,8 +46,8 @@ struct Columns {
     int count;
 };
 
-/// What is subtracted from columns: left (rows x depth) times the transpose of `packed`, whose kBlock numbers
-/// for each of `depth` columns follow one another.
+/// The product to subtract from columns: left (rows x depth) times the transpose of `packed`, whose kBlock
+/// numbers for each of `depth` columns follow one another.
 struct Product {
     const double* left;
     Index stride;
@@ -192,7 +192,7 @@ FRETWORK_CLONES void pack_later(const Front& front, const Slice& slice, double* 
 /// A strip of rows meets all columns in turn while it is in the nearest cache.
 constexpr Index kStrip = 16;
 
-/// Subtract L D L^T over a slice from one strip of rows of all columns after it. What is in the rest before
+/// Subtract L D L^T over a slice from one strip of rows of all columns after it. The part of the rest before
 /// the first slice does not count.
 FRETWORK_CLONES void update_strip(const Front& front, Index row, const Slice& slice, const double* packed) {
     const Index stride = front.width + front.rows;

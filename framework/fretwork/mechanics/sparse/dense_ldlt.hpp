@@ -26,7 +26,7 @@ constexpr double kWeakPivot = 1e4;
 /// Throws NumericalError if an entry of a stiffness' diagonal is not finite.
 void require_finite(std::span<const double> diagonal);
 
-/// What was met on the way.
+/// Findings of an elimination.
 struct Pivots {
     int negative = 0;
     int zero = -1;      ///< the column that stopped the elimination; -1: none
@@ -39,7 +39,7 @@ struct ZeroPivot {
     double share = 0.0;
 };
 
-/// Who works on a front.
+/// The threads that work on a front.
 struct Crew {
     int threads = 1;  ///< on large fronts; 0: all there are. They change no bit of a result.
     base::Control control{};

@@ -122,7 +122,7 @@ void list_supernodes(const Cut& cut, std::size_t supernodes, EliminationPlan& pl
         plan.supernode[at(next[at(cut.task_of(s))]++)] = static_cast<int>(s);
 }
 
-/// Each task has storage of its own, so that it matters to none when another one runs.
+/// Each task has its own storage, so tasks do not affect each other.
 void plan_storage(const SupernodeTree& tree, const Cut& cut, EliminationPlan& plan) {
     constexpr std::size_t kCacheLine = 8;
     plan.rest_start.resize(tree.supernodes.size());

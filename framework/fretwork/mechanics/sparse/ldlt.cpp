@@ -93,7 +93,8 @@ void Ldlt::eliminate_task(std::size_t task, std::span<const double> values, cons
             std::span(analysis_->tree.child)
                 .subspan(at(analysis_->tree.child_start[s]),
                          at(analysis_->tree.child_start[s + 1] - analysis_->tree.child_start[s]));
-        // What follows a pivot that vanished is of no use; it is left out, so as to be the same always.
+        // The columns after a pivot that vanished are of no use; they are left out, so that results are
+        // always the same.
         const auto failed = [&](int child) { return pivots_[at(child)].zero >= 0; };
         if (std::any_of(children.begin(), children.end(), failed)) {
             pivots_[s].zero = 0;

@@ -27,7 +27,7 @@ class Ldlt {
         int negative_pivots = 0;
         int zero_pivot =
             -1;  ///< an equation whose pivot vanishes against its diagonal; -1: none, and solve() works
-        bool has_weak_pivot = false;  ///< one is so small beside its diagonal that it may be rounding
+        bool has_weak_pivot = false;  ///< one pivot is so small beside its diagonal that it may be rounding
         [[nodiscard]] bool positive_definite() const { return zero_pivot < 0 && negative_pivots == 0; }
     };
     /// Factorize the matrix with these values, in the order of the layout's rows. Throws NumericalError if a
@@ -57,7 +57,7 @@ class Ldlt {
     [[nodiscard]] double inverse_form_work(std::span<const int> equations, Eigen::Index columns) const;
 
   private:
-    /// What depends only on the layout.
+    /// The part that depends only on the layout.
     struct Analysis {
         const SystemLayout* layout;
         int threads;
@@ -80,7 +80,7 @@ class Ldlt {
         Eigen::Index count;
     };
     void solve_columns(Columns columns, const base::Control& control) const;
-    /// What a substitution uses besides what it works on.
+    /// Workspace of a substitution.
     struct Workspace {
         const base::Control& control;
         std::vector<double> scratch;

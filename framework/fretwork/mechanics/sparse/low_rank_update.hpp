@@ -61,7 +61,7 @@ class LowRankUpdate {
     std::vector<Modes> modes_;  ///< of each change
     Eigen::Index plus_ = 0;     ///< columns of all P, which come first in U
     Eigen::Index minus_ = 0;    ///< of all M
-    /// Of the blocks of stiffer and of softer modes; none of an empty block.
+    /// Pivots of the blocks of stiffer and of softer modes; none for an empty block.
     std::optional<Eigen::LLT<Eigen::MatrixXd>> stiffer_, softer_;
     Eigen::MatrixXd coupling_;  ///< M^T A^-1 P
 };

@@ -100,9 +100,9 @@ class UnawaitedThreads {
     std::vector<std::thread> threads_;
 };
 
-/// The libraries that order cannot be asked to stop. So they work on a thread of their own, for which nobody
-/// waits any more when the caller is asked to stop; it owns all that it uses. If the machine refuses a
-/// thread, the caller's does it, and stops after it.
+/// The libraries that order cannot be asked to stop. So they work on their own thread, which owns all that it
+/// uses, and the caller no longer waits for it when asked to stop. If the machine refuses a thread, the
+/// caller's thread does the work, and stops after it.
 std::vector<int> permutation_unless_stopped(Pattern pattern, const base::Control& control) {
     constexpr auto kPause = std::chrono::milliseconds(10);
     static UnawaitedThreads unawaited;

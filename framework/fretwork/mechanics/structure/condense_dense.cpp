@@ -109,7 +109,7 @@ class Part {
     std::vector<Local> local_;
 };
 
-/// None if the structure has to be split into these parts, but an element couples them.
+/// Nothing if the structure has to be split into these parts, but an element couples them.
 std::optional<Eigen::MatrixXd> condense_parts(const CondensingTask& task, std::span<const DofSet> dofs) {
     std::vector<Part> parts;
     for (const DofSet& part : dofs) parts.emplace_back(task, part);

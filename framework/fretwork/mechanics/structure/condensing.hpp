@@ -8,7 +8,7 @@
 
 namespace fretwork::mechanics::structure {
 
-/// What is kept of a structure, and what is eliminated.
+/// The kept and the eliminated unknowns of a structure.
 struct CondensingTask {
     const Assembly& assembly;
     std::vector<int> slot;  ///< of each node: its place among the kept ones; -1: eliminated

@@ -8,7 +8,7 @@
 
 namespace fretwork::mechanics::structure {
 
-/// What is held, for every node of an assembly, and at which values.
+/// The supports of every node of an assembly, with their values.
 struct Constraints {
     std::vector<DofSet> held;
     NodeValues values;  ///< zero where not prescribed

@@ -9,15 +9,15 @@
 
 namespace fretwork::mechanics::structure {
 
-// What the sparse solver has to know of a structure.
+// The couplings of a structure that the sparse solver needs.
 
 static_assert(sparse::kBlockSize == kDofsPerNode);
 
 /// The nodes of the assembly and, as cliques in their order, its elements.
 sparse::NodeGraph coupling_graph(const Assembly& assembly);
 
-/// An element's stiffness (6n x 6n) with its nodes in the order `wanted`. What the lower triangle of blocks
-/// says is taken from the upper one, as a layout reads it, so that each sum has the same bits in any order.
+/// An element's stiffness (6n x 6n) with its nodes in the order `wanted`. The lower triangle of blocks is
+/// taken from the upper one, as a layout reads it, so that each sum has the same bits in any order.
 Eigen::MatrixXd reordered(const Eigen::MatrixXd& stiffness, std::span<const NodeIndex> nodes,
                           std::span<const int> wanted);
 

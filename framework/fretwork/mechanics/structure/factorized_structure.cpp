@@ -10,8 +10,8 @@
 namespace fretwork::mechanics::structure {
 namespace {
 
-/// A multiplication of a correction counts so many of a factorization, whose dense kernel is faster and
-/// whose factors solve faster (bench/edits_bench: repainted).
+/// The cost of a multiplication of a correction in multiplications of a factorization, whose dense kernel is
+/// faster and whose factors solve faster (bench/edits_bench: repainted).
 constexpr double kCorrectionCost = 2.0;
 
 /// Elements that are gone through between two looks at whether to stop.
@@ -152,8 +152,8 @@ void FactorizedStructure::share(const FactorizedStructure& before) {
     last_change_ = FactorChange::Kept;
 }
 
-/// Keep the factors and correct them for the elements that differ from those factorized. False where they
-/// are better made anew.
+/// Keep the factors and correct them for the elements that differ from those factorized. False where a new
+/// factorization is cheaper.
 bool FactorizedStructure::correct(const FactorizedStructure& before, ElementEdit edit,
                                   const base::Control& control) {
     const std::vector<std::size_t> changed = differing(before.factorized_, assembly_.elements);
@@ -177,7 +177,7 @@ bool FactorizedStructure::correct(const FactorizedStructure& before, ElementEdit
     return true;
 }
 
-/// Whether a correction takes less time than factors made anew. Only counts: no stiffness is computed.
+/// Whether a correction takes less time than a new factorization. Only counts: no stiffness is computed.
 bool FactorizedStructure::is_correction_cheaper(std::span<const Subsystem> systems,
                                                 std::span<const std::size_t> changed) const {
     double correction = 0.0;
@@ -194,8 +194,8 @@ bool FactorizedStructure::is_correction_cheaper(std::span<const Subsystem> syste
     return kCorrectionCost * correction < factorization;
 }
 
-/// What the elements that differ from those factorized change, for each system. None if one couples what is
-/// solved apart.
+/// The change of each system by the elements that differ from those factorized. Nothing if an element couples
+/// systems that are solved apart.
 std::optional<FactorizedStructure::Changes> FactorizedStructure::changes_from(
     const FactorizedStructure& before, std::span<const std::size_t> changed,
     const base::Control& control) const {

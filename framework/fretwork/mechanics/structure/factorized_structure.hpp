@@ -49,7 +49,7 @@ class FactorizedStructure {
     [[nodiscard]] int threads() const { return threads_; }
 
   private:
-    /// What is connected, whatever is held, and the order in which all of it is eliminated.
+    /// The connections, whatever is held, and the order of elimination.
     struct Connections {
         sparse::NodeGraph graph;
         std::vector<int> order;

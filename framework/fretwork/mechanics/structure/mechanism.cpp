@@ -13,8 +13,8 @@
 namespace fretwork::mechanics::structure {
 namespace {
 
-/// Of the load that is left unbalanced where nothing but rounding resists it. Soft structures leave less: a
-/// cantilever of as many elements as may be 1e-5, very stiff elements beside soft ones 1e-3.
+/// The share of the load that is left unbalanced where nothing but rounding resists it. Soft structures leave
+/// less: a cantilever of the most elements 1e-5, very stiff elements beside soft ones 1e-3.
 constexpr double kUnbalancedShare = 1e-2;
 
 /// For each node, whether elements lead from it to `from`.

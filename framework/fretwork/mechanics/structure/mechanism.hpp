@@ -11,8 +11,9 @@ namespace fretwork::mechanics::structure {
 
 /// Throws NumericalError that names a node if a structure at rest, as held, can move without strain.
 ///
-/// A mechanism's pivot vanishes, or, where its beams lie askew, is rounding: then no load on it is balanced.
-/// Where a pivot is small enough to be that, an arbitrary load tells it from a structure that is only soft.
+/// A mechanism's pivot vanishes, or, if its beams lie askew, is rounding: then no load on it is balanced.
+/// Where a pivot is small enough for that, an arbitrary load distinguishes it from a structure that is only
+/// soft.
 ///
 /// @param values   the stiffness at rest
 /// @param factors  of it

@@ -33,7 +33,7 @@ constexpr double kStart = 0.73;
 /// Vectors of unit energy of which a combination of unit size has less energy than this are dependent.
 constexpr double kDependent = 1e-13;
 
-/// What vectors that vanish are scaled by, so that they stay what they are.
+/// The scale of vectors that vanish, which leaves them as they are.
 constexpr double kNothing = 1e-300;
 
 /// Whether values have come as near to their limits as they will: within the tolerance, or, where rounding
@@ -113,8 +113,8 @@ SubspaceIteration::Pairs SubspaceIteration::largest_positive(int count) {
         double upper = 2.0 * lower;
         const int below_upper = count_below(upper);
         if (below_upper > below) {
-            // What is farther from the slice's middle than the slice's whole width dies out by half or more
-            // in each iteration, and everything nearer is in the subspace.
+            // Values farther from the slice's middle than the slice's whole width die out by half or more in
+            // each iteration, and all nearer ones are in the subspace.
             double near = 0.5 * lower;
             double far = upper + 0.5 * lower;
             const int size = count_below(far) - count_below(near) + kSpareVectors;

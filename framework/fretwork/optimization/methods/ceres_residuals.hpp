@@ -29,7 +29,7 @@ struct CeresResidualsOptions {
     CeresStep step = CeresStep::LevenbergMarquardt;
     CeresBounds bounds = CeresBounds::Projection;
     std::vector<double> smoothing = {0.0};  ///< stage by stage, descending; see Problem
-    /// Throws InputError if a value makes no sense.
+    /// Throws InputError if a value is invalid.
     void validate() const;
 };
 

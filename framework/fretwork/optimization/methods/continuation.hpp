@@ -14,7 +14,7 @@ struct ContinuationOptions {
     double tolerance = 1e-7;        ///< the same for the last stage
     int largest_iterations = 60;    ///< of one stage
     int samples_per_start = 12;     ///< points that are tried for each descent; 1: none
-    /// Throws InputError if a value makes no sense.
+    /// Throws InputError if a value is invalid.
     void validate() const;
 };
 

@@ -9,13 +9,13 @@ namespace fretwork::optimization {
 struct MultistartOptions {
     OptimizerOptions common{};
     ContinuationOptions continuation{};
-    /// Of two descents that are nearer than this after a stage, as a share of the bounds in every variable,
-    /// the one with the larger value ends: they are in one valley. 0: all go on.
+    /// If two descents are nearer than this after a stage, as a share of the bounds in every variable, the
+    /// one with the larger value ends: they are in one valley. 0: all go on.
     double merging_distance = 0.01;
     /// A descent whose value after a stage is more than this multiple of the lowest one ends as well; >= 1.
     /// Infinity: none ends for its value.
     double pruning_ratio = 2.0;
-    /// Throws InputError if a value makes no sense.
+    /// Throws InputError if a value is invalid.
     void validate() const;
 };
 

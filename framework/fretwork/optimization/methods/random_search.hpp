@@ -7,7 +7,7 @@
 
 namespace fretwork::optimization {
 
-/// Independent uniform points until the budget is spent. What a better method must beat.
+/// Independent uniform points until the budget is spent: the method that others must beat.
 std::unique_ptr<Optimizer> make_random_search(const OptimizerOptions& options);
 
 }  // namespace fretwork::optimization

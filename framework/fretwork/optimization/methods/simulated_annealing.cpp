@@ -87,8 +87,7 @@ class Annealing {
         return options_.bounds == AnnealingBounds::Reflect ? reflected(share) : std::clamp(share, 0.0, 1.0);
     }
 
-    /// Of the present point, to which the variable was to move by `wanted`. Nothing, once the budget is
-    /// spent.
+    /// A move of the present point, by `wanted` in one variable. Nothing, once the budget is spent.
     std::optional<double> energy_of(double wanted) {
         const bool is_outside = wanted < 0.0 || wanted > 1.0;
         if (is_outside && options_.bounds == AnnealingBounds::Reject) {

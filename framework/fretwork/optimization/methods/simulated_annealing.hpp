@@ -7,14 +7,14 @@
 
 namespace fretwork::optimization {
 
-/// What becomes of a move beyond a bound.
+/// The treatment of a move beyond a bound.
 enum class AnnealingBounds {
     Reflect,  ///< it comes back as from a mirror
     Clamp,    ///< it ends on the bound
     Reject,   ///< its energy is infinite; nothing is evaluated
 };
 
-/// What is annealed, as shares of the box.
+/// The annealed state, as shares of the box.
 enum class AnnealingVariables {
     Problem,     ///< the problem's variables
     Quantities,  ///< the quantities of whose logarithms the problem's variables are; see
@@ -30,19 +30,19 @@ struct SimulatedAnnealingOptions {
     double cooling = 1e-3;      ///< T becomes (1 - cooling) T after each later move
     int sweeps_per_adaptation = 100;
     double tolerance = 1e-5;     ///< frozen: a smaller change, ..
-    int frozen_adaptations = 3;  ///< .. for so many times sweeps_per_adaptation sweeps
+    int frozen_adaptations = 3;  ///< for this many times sweeps_per_adaptation sweeps
     double initial_move = 0.3;   ///< scale of the Laplace distributed move, as a share of the box
     double largest_move = 20.0;
     double gain = 0.3;
     AnnealingBounds bounds = AnnealingBounds::Reflect;
     AnnealingVariables variables = AnnealingVariables::Problem;
-    /// Throws InputError if a value makes no sense.
+    /// Throws InputError if a value is invalid.
     void validate() const;
 };
 
-/// The annealing that the paper used, as ensmallen publishes it: a move changes one variable, and each
-/// variable's scale is steered to an acceptance of 0.44 [LamDelosme1988]. What ensmallen leaves open is an
-/// option here (bounds, variables), or decided so: variables are shares of the box, and starts are
+/// The annealing of the paper, as ensmallen publishes it: a move changes one variable, and each variable's
+/// scale is steered to an acceptance of 0.44 [LamDelosme1988]. Choices that ensmallen leaves open are options
+/// here (bounds, variables), or fixed as follows: variables are shares of the box, and starts are
 /// low-discrepancy points. The method ends on the last accepted point; the report also has the best one.
 std::unique_ptr<Optimizer> make_simulated_annealing(const SimulatedAnnealingOptions& options);
 

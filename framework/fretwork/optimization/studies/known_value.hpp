@@ -26,8 +26,8 @@ struct KnownValueOptions {
     ProblemFamilies families{};  ///< that the ids name
     int starts = 300;            ///< descents of each calibrator on each problem
     int threads = 0;             ///< 0: all there are
-    base::Control control{};     ///< told of every problem that is done
-    /// Throws InputError if a value makes no sense.
+    base::Control control{};     ///< receives every finished problem
+    /// Throws InputError if a value is invalid.
     void validate() const;
 };
 

@@ -13,8 +13,8 @@ struct LandscapeOptions {
     ProblemFamilies families{};  ///< that the ids name
     int descents = 300;          ///< of each kind on each problem, from uniform random points
     int threads = 0;             ///< 0: all there are
-    base::Control control{};     ///< told of every problem that is done
-    /// Throws InputError if a value makes no sense.
+    base::Control control{};     ///< receives every finished problem
+    /// Throws InputError if a value is invalid.
     void validate() const;
 };
 

@@ -10,7 +10,7 @@
 
 namespace fretwork::optimization::study {
 
-/// What identifies a run in a study.
+/// The identity of a run in a study.
 struct RunKey {
     std::string problem;
     std::string optimizer;
@@ -42,7 +42,7 @@ struct RunRecord {
 /// The seed of a run: a hash of its key and the study's seed, so that no two runs share one.
 std::uint64_t run_seed(const RunKey& key, std::uint64_t study_seed);
 
-/// What is run: a problem and, where the minimum is known to be at one point, that point (else empty).
+/// The subject of a run: a problem and, if its minimum is known to be at one point, that point (else empty).
 struct RunTarget {
     const optimization::Problem& problem;
     Eigen::VectorXd optimum{};

@@ -45,7 +45,7 @@ bool is_trace(const std::string& text) {
     return text.empty() || std::ranges::all_of(base::split(text, ' '), is_point);
 }
 
-/// What is wrong with a row of a table; empty if nothing is.
+/// The fault of a row of a table; empty if it has none.
 std::string row_fault(const std::vector<std::string>& cells) {
     if (cells.size() != kColumns)
         return "has " + std::to_string(cells.size()) + " columns, where " + std::to_string(kColumns) +

@@ -10,7 +10,7 @@
 
 namespace fretwork::optimization::study {
 
-/// What is run: every contender on every problem, so many times.
+/// The runs of a study: every contender on every problem, with this many repetitions.
 struct StudyPlan {
     std::vector<std::string> problems;  ///< ids (see study_problem.hpp)
     ProblemFamilies families;           ///< that they name
@@ -18,8 +18,8 @@ struct StudyPlan {
     RunConditions conditions;  ///< its budget's control is not used: that of the plan is
     int repetitions = 15;
     int threads = 0;          ///< 0: all there are
-    base::Control control{};  ///< told of every run that is done
-    /// Throws InputError if a value makes no sense.
+    base::Control control{};  ///< receives every finished run
+    /// Throws InputError if a value is invalid.
     void validate() const;
 };
 

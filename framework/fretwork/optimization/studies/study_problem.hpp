@@ -40,7 +40,7 @@ StudyProblem make_study_problem(const std::string& id, const ProblemFamilies& fa
 /// problem, or that stands there already.
 std::vector<std::string> read_problem_ids(const std::filesystem::path& path, const ProblemFamilies& families);
 
-/// Of `ids` those that `choice` names, in their order: "all", or words joined by commas, each an id, a
+/// Those of `ids` that `choice` names, in their order: "all", or words joined by commas, each an id, a
 /// family, or family:N for N of it, evenly spread. Throws InputError.
 std::vector<std::string> chosen_problems(const std::vector<std::string>& ids, const std::string& choice);
 

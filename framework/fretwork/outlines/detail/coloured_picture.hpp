@@ -9,8 +9,8 @@
 
 namespace fretwork::outlines::detail {
 
-/// What an SVG fills, in the order in which it is painted, and the colour of each of the shapes: "#rrggbb",
-/// or "" for a gradient.
+/// The filled shapes of an SVG, in the order in which they are painted, with their colours: "#rrggbb", or ""
+/// for a gradient.
 struct ColouredPicture {
     Picture picture;
     std::vector<std::string> colours;

@@ -14,7 +14,7 @@ namespace fretwork::outlines::detail {
 inline constexpr double kFlatteningTolerance = 2e-5;
 /// Points of a curve nearer than this share of that distance to each other are one point.
 inline constexpr double kClosingShare = 0.05;
-/// A drawing is small if it is not so many times as large as the distance.
+/// A drawing is small if its extent is below this many times the distance.
 inline constexpr double kDetail = 25'000;
 
 inline double flattening_tolerance(double extent) {

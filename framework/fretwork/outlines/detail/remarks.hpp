@@ -9,16 +9,17 @@
 
 namespace fretwork::outlines::detail {
 
-/// What a reader did to a drawing, for the person who made it. However much it is, the text stays short.
+/// The changes of a reader to a drawing, for the person who made it. The text stays short, however many there
+/// are.
 class Remarks {
   public:
     void say(std::string remark) { said_.push_back(std::move(remark)); }
     /// Count something that is not taken: "3 TEXT left out".
     void leave_out(const std::string& kind, int count = 1) { left_out_[kind] += count; }
-    /// What was done to the shapes.
+    /// Changes of the shapes.
     void tell(const Region& region, double tolerance);
     [[nodiscard]] std::vector<std::string> list() const;
-    /// What was left out, in one remark; empty if nothing was.
+    /// The parts that were left out, in one remark; empty if there are none.
     [[nodiscard]] std::string left_out() const;
 
   private:

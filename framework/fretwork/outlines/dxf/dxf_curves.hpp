@@ -8,14 +8,14 @@
 
 namespace fretwork::outlines::detail {
 
-/// What an entity draws, as polygons within the tolerance.
+/// An entity's curves, as polygons within the tolerance.
 struct DxfCurve {
     geometry::Polygon points;  ///< metres
     enum class Ends { Open, Closed } ends = Ends::Open;
 };
 
-/// A curve, or why there is none: "" for what draws nothing, otherwise a kind for the list of what is left
-/// out.
+/// A curve, or why there is none: "" if the entity draws nothing, otherwise a kind for the list of what is
+/// left out.
 struct DxfDrawn {
     std::optional<DxfCurve> curve;
     std::string left_out;

@@ -37,8 +37,7 @@ class DxfFile {
     };
     [[nodiscard]] const std::vector<DxfEntity>& entities() const { return entities_; }
     [[nodiscard]] const std::map<std::string, Block>& blocks() const { return blocks_; }
-    /// Null if there is none of this name. Names of blocks and layers are the same in capitals and small
-    /// letters.
+    /// Null if no block or layer has this name. Their names do not depend on the case of letters.
     [[nodiscard]] const Block* block(std::string_view name) const;
     enum class Layer { On, Off, Frozen };
     [[nodiscard]] Layer layer(std::string_view name) const;

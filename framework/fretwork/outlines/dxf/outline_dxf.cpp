@@ -136,7 +136,7 @@ class DxfReader {
         if (layer == "0") layer = place.layer;
         const DxfFile::Layer state = file_.layer(layer);
         const bool is_insert = entity.name == "INSERT";
-        // What is in a block on a layer that is off has layers of its own; a frozen layer takes all with it.
+        // Entities in a block on a layer that is off follow their own layers; a frozen layer hides them all.
         if (state == DxfFile::Layer::Frozen || (state == DxfFile::Layer::Off && !is_insert))
             return remarks_.leave_out("on layers that are off");
         if (is_insert) return read_insert(entity, {place.to_metres, layer, place.depth + 1});

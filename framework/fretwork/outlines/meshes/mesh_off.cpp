@@ -6,8 +6,8 @@
 namespace fretwork::outlines::detail {
 namespace {
 
-/// The line with the numbers of vertices, faces and edges: behind the keyword, or on the next line. What a
-/// prefix adds to a vertex (texture, colour, normal) stands behind its place and is passed over.
+/// The line with the numbers of vertices, faces and edges: behind the keyword, or on the next line. Values
+/// that a prefix adds to a vertex (texture, colour, normal) stand behind its coordinates and are skipped.
 TextLine read_header(MeshText& text) {
     TextLine line = text.need_line("the keyword OFF");
     constexpr std::array<std::string_view, 8> kKeywords = {"OFF",   "COFF",   "NOFF",   "CNOFF",

@@ -20,7 +20,7 @@ struct DoubleTraits : OpenMesh::DefaultTraits {
 };
 using Mesh = OpenMesh::PolyMesh_ArrayKernelT<DoubleTraits>;
 
-/// OpenMesh writes warnings to a stream of its own; here an exception says what is wrong.
+/// OpenMesh writes warnings to its own stream; here an exception says what is wrong.
 class QuietOpenMesh {
   public:
     QuietOpenMesh() : was_enabled_(omerr().is_enabled()) { omerr().disable(); }
@@ -34,7 +34,7 @@ class QuietOpenMesh {
     bool was_enabled_;
 };
 
-/// All points must have the same z, but for rounding.
+/// All points must have the same z, up to rounding.
 void check_flat(const MeshFile& file, const std::filesystem::path& path) {
     if (file.faces.empty()) throw base::InputError(path.string(), "", "has no face");
     std::array<double, 3> low = file.points.front();

@@ -11,7 +11,7 @@ struct DrawnLines {
     std::vector<geometry::Polygon> open;  ///< of two points or more
 };
 
-/// What lines enclose.
+/// The regions that lines enclose.
 struct Enclosed {
     std::vector<geometry::Polygon> curves;  ///< each once, however often it is drawn
     std::vector<std::size_t> open;  ///< the open lines that enclose nothing, by their place in the list

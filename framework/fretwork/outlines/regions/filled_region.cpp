@@ -14,7 +14,7 @@ namespace {
 
 using geometry::Polygon;
 
-/// Curves that lie in one another: more is no drawing, and each pair of them is compared.
+/// The limit of curves that lie in one another: each pair of them is compared.
 constexpr std::size_t kMostNested = 256;
 
 bool is_inside(FillRule rule, int winding) {

@@ -22,7 +22,7 @@ struct FilledShape {
     std::optional<std::size_t> clip{};  ///< of the picture: only what lies within it is filled
 };
 
-/// What lies in one of the shapes, and in the outer clip.
+/// The area that lies in one of the shapes, and in the outer clip.
 struct Clip {
     std::vector<FilledShape> shapes;
     std::optional<std::size_t> outer{};

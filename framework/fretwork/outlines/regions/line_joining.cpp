@@ -221,7 +221,7 @@ std::map<std::size_t, std::vector<Point2>> ends_on(const std::vector<Side>& side
     return found;
 }
 
-/// A loose end that lies on another line, but for rounding, becomes a point of it.
+/// A loose end that lies on another line, up to rounding, becomes a point of it.
 void put_ends_on_lines(JoinedLines& joined, const Ends& ends, double same) {
     const std::vector<Side> sides = sides_of(joined.lines);
     auto found = ends_on(sides, loose_ends(joined, ends), joined, same);

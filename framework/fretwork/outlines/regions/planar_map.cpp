@@ -85,10 +85,10 @@ void add_around(Circulator first, std::vector<Halfedge>& halfedges) {
 
 /// More crossings are no drawing of a shape, and would take minutes.
 constexpr std::size_t kMostCrossings = 100'000;
-/// Nor are so many sides that come near each other.
+/// The limit of sides that come near each other.
 constexpr std::size_t kMostNear = 20'000'000;
 
-/// Twice the area of a triangle; its sign, but for rounding, which does not matter for a count.
+/// Twice the area of a triangle; its sign may be wrong by rounding, which does not matter for a count.
 double doubled_area(const geometry::Point2& a, const geometry::Point2& b, const geometry::Point2& c) {
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }

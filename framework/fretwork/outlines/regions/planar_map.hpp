@@ -18,7 +18,7 @@ namespace fretwork::outlines::detail {
 /// A face's own mark; what it means is its user's business.
 struct FaceMark {
     bool is_filled = false;
-    int part = -1;    ///< faces of one part hang together by sides
+    int part = -1;    ///< faces of one part are connected by sides
     int number = -1;  ///< in the order of the map
 };
 

@@ -32,7 +32,7 @@ struct LoopSide {
     Point2 to;
 };
 
-/// A corner beside a side: where it is, and how far along the side.
+/// A corner near a side: where it is, and how far along the side.
 struct Beside {
     std::size_t loop;
     std::size_t side;
@@ -44,7 +44,7 @@ struct Beside {
     }
 };
 
-/// What is nearer to each other than a width.
+/// Corners and sides that are nearer to each other than a width.
 struct NearThings {
     std::map<Point2, Point2, ByPlace> corners;  // each to one that comes before it by place
     std::set<Beside> beside;

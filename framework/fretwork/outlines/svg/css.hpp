@@ -18,7 +18,8 @@ struct CssDeclaration {
     enum class Weight { Normal, Important } weight = Weight::Normal;
 };
 
-/// The inside of a `style` attribute or of a rule's braces. What cannot be read is left out, as CSS says.
+/// The inside of a `style` attribute or of a rule's braces. Unreadable declarations are ignored, as CSS
+/// requires.
 std::vector<CssDeclaration> parse_css_declarations(std::string_view text);
 
 /// A part of a selector without space or sign in it, such as `path.rim#a[x="1"]`.
@@ -44,7 +45,7 @@ class CssRules {
   public:
     /// Add the rules of one style sheet: those for all media and for screens.
     void add(std::string_view text);
-    /// What applies to an element, the strongest last. Weight is not looked at.
+    /// The declarations that apply to an element, the strongest last. `!important` is not considered.
     [[nodiscard]] std::vector<const CssDeclaration*> of(pugi::xml_node node) const;
     /// Selectors that are not understood, such as `:hover`; they apply to nothing.
     [[nodiscard]] int unknown_selectors() const { return unknown_selectors_; }

@@ -113,7 +113,7 @@ void SvgReader::add_closed_line(Polygon points, std::optional<std::size_t> clip)
         lines_drawn_.closed.push_back(std::move(points));
         return;
     }
-    // What lies in it is cut as if it were filled.
+    // Cuts the elements inside as if they were filled.
     Picture cut;
     cut.shapes.push_back({.loops = {std::move(points)}, .rule = FillRule::Evenodd, .clip = {}});
     if (clip) cut.shapes.front().clip = copy_clip(picture_, *clip, cut);

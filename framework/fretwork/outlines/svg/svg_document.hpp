@@ -12,7 +12,7 @@
 
 namespace fretwork::outlines::detail {
 
-/// What style sheets, the attribute `style` and presentation attributes say of one element.
+/// The style of one element, from style sheets, the attribute `style` and presentation attributes.
 class SvgProperties {
   public:
     SvgProperties(pugi::xml_node node, const CssRules& rules);
@@ -35,7 +35,7 @@ class SvgDocument {
     [[nodiscard]] const CssRules& rules() const { return rules_; }
     /// The name of an element of SVG without a prefix; empty for elements of others.
     [[nodiscard]] std::string_view name_of(pugi::xml_node node) const;
-    /// What `#id` or `url(#id)` names; none if there is no such element here.
+    /// The element that `#id` or `url(#id)` names; null if the document has no such element.
     [[nodiscard]] pugi::xml_node referred(std::string_view reference) const;
 
     /// "line 3, path 'rim'".

@@ -9,7 +9,7 @@
 
 namespace fretwork::outlines::detail {
 
-/// What lengths are shares of, pixels.
+/// The reference lengths of percentages, pixels.
 struct SvgMeasure {
     double width = 0.0;   ///< of the viewport
     double height = 0.0;  ///< of the viewport
@@ -31,7 +31,7 @@ class SvgElement {
                                  double missing) const;
     /// The four numbers of `viewBox`, if it has one. Throws InputError unless its sizes are at least zero.
     [[nodiscard]] std::optional<std::array<double, 4>> view_box() const;
-    /// What a shape (path, polygon, polyline, rect, circle, ellipse, line) is made of; nothing if it has no
+    /// The curves of a shape (path, polygon, polyline, rect, circle, ellipse, line); nothing if it has no
     /// size.
     [[nodiscard]] std::vector<Subpath> subpaths(std::string_view shape, const SvgMeasure& measure) const;
     /// `transform` and `transform-origin`.

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kMetresPerPixel = 0.0254 / 96;
 
-/// What CSS gives a drawing that says nothing of its size, pixels.
+/// The size of a drawing without a size, by CSS, pixels.
 constexpr double kDefaultWidth = 300;
 constexpr double kDefaultHeight = 150;
 

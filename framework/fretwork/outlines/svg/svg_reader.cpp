@@ -16,10 +16,10 @@ constexpr int kDeepest =
     256;  // of groups and copies: no drawing needs more, and the reader's stack has an end
 constexpr int kMostElements = 200'000;        // copies of copies grow fast
 constexpr std::size_t kMostPoints = 200'000;  // of which crossings are looked for
-/// A curve that reaches farther out of the drawing than so many times its size is a slip.
+/// A curve that reaches out of the drawing by more than this many times its size is a slip.
 constexpr double kFarthestOutside = 10;
 
-/// What is never drawn by itself.
+/// Elements that are never drawn by themselves.
 constexpr std::array<std::string_view, 21> kNotDrawn = {
     "defs",     "title",  "desc",           "metadata",         "style",         "script", "symbol",
     "clipPath", "mask",   "linearGradient", "radialGradient",   "pattern",       "marker", "filter",

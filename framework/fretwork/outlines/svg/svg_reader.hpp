@@ -12,8 +12,8 @@
 
 namespace fretwork::outlines::detail {
 
-/// What a browser would fill of an SVG drawing (SVG 2, chapters 5 to 14); where it fills nothing, what closed
-/// lines enclose.
+/// The areas that a browser would fill of an SVG drawing (SVG 2, chapters 5 to 14); if it fills nothing, the
+/// areas inside closed lines.
 class SvgReader {
   public:
     explicit SvgReader(const std::filesystem::path& path);
@@ -22,7 +22,7 @@ class SvgReader {
     ColouredPicture run_for_colours();
 
   private:
-    /// What an element gets from those around it.
+    /// The state that an element inherits from those around it.
     struct Surroundings {
         SvgStyle style{};
         Affine map{};  ///< to metres
@@ -45,7 +45,7 @@ class SvgReader {
     void read_kind(std::string_view name, const SvgElement& element, const Surroundings& around);
     /// The first of the alternatives whose conditions hold.
     void read_switch(pugi::xml_node parent, const Surroundings& around);
-    /// An `svg` or `symbol` shows its viewBox in a box of its own; `sized` says how large that is.
+    /// An `svg` or `symbol` shows its viewBox in its own box; `sized` gives the size of that.
     void read_viewport(const SvgElement& element, const SvgElement& sized, Surroundings around);
     void read_use(const SvgElement& element, Surroundings around);
     void read_copied_viewport(pugi::xml_node copied, const SvgElement& use, Surroundings around);

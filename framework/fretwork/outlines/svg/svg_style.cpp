@@ -11,7 +11,7 @@
 namespace fretwork::outlines::detail {
 namespace {
 
-/// A number or a percentage, at least 0 and at most 1; nothing if it is none.
+/// A number or a percentage, limited to 0 .. 1; nothing if the text is neither.
 std::optional<double> share_of(std::string_view text) {
     try {
         const SvgLength length = parse_svg_length(text);

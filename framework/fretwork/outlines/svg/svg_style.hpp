@@ -8,7 +8,7 @@
 
 namespace fretwork::outlines::detail {
 
-/// What elements hand on to those in them, as far as it decides what is filled or stroked.
+/// The inherited properties that decide what is filled or stroked.
 struct SvgStyle {
     enum class Paint { None, Some };
     Paint fill = Paint::Some;

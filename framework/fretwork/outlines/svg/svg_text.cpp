@@ -58,7 +58,7 @@ Affine shift(double x, double y) {
     return {1, 0, 0, 1, x, y};
 }
 
-/// A function of a transform with so many arguments.
+/// A function of a transform with this number of arguments.
 struct TransformFunction {
     std::string_view name;
     std::size_t count;
@@ -83,7 +83,7 @@ constexpr TransformFunction kFunctions[] = {
     {"skewY", 1, [](const Numbers& v) { return Affine{1, std::tan(v[0] * kDegree), 0, 1, 0, 0}; }},
 };
 
-/// The map of a function; nothing if there is none of that name with so many arguments.
+/// The map of a function; nothing if no function of that name has this number of arguments.
 std::optional<Affine> function_map(std::string_view name, const Numbers& v) {
     const auto* const found = std::ranges::find_if(kFunctions, [&](const TransformFunction& function) {
         return function.name == name && function.count == v.size();

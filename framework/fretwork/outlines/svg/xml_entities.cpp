@@ -23,7 +23,7 @@ std::string_view without_leading_space(std::string_view text) {
     return text.substr(std::min(text.find_first_not_of(kSpace), text.size()));
 }
 
-/// What stands between quotes at the beginning of a text.
+/// The text between quotes at the beginning of a text.
 std::optional<std::string_view> quoted(std::string_view text) {
     if (text.empty() || (text.front() != '"' && text.front() != '\'')) return std::nullopt;
     const std::size_t end = text.find(text.front(), 1);

@@ -10,7 +10,7 @@
 namespace fretwork::pattern::detail {
 namespace {
 
-/// nauty keeps memory of its own for each thread, and gives it back only when asked.
+/// nauty keeps memory for each thread, and gives it back only when asked.
 struct MemoryOfThread {
     MemoryOfThread() = default;
     MemoryOfThread(const MemoryOfThread&) = delete;
@@ -22,7 +22,7 @@ struct MemoryOfThread {
     }
 };
 
-/// What nauty's interface asks for, each of the right length.
+/// The arrays of nauty's interface, each of the right length.
 struct Workspace {
     explicit Workspace(int node_count, int words)
         : graph(static_cast<std::size_t>(node_count) * static_cast<std::size_t>(words)),

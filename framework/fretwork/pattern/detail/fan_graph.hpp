@@ -7,11 +7,11 @@
 
 namespace fretwork::pattern::detail {
 
-// What connectivity means, said by Boost.Graph about the fan itself: the definition of the graph rules, and
-// the judge of the faster test that the search uses.
+// Connectivity of the fan itself, by Boost.Graph: the definition of the graph rules, and the judge of the
+// faster test that the search uses.
 
 /// How neighbouring tiles tie a fan's interface nodes together: in a ring around the polygon, or all to one
-/// hub that is no node of its own. Both have the same articulation points among the fan's nodes.
+/// hub that is not a node of the fan. Both have the same articulation points among the fan's nodes.
 enum class Outside { Ring, Hub };
 
 /// The component of each fan node; -1 for interface nodes that no beam uses.

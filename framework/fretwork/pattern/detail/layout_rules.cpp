@@ -12,7 +12,7 @@ using Place = std::array<Rational, 3>;
 /// Keeps every sum of three coordinates within 64 bits.
 constexpr std::int64_t kLargestDenominator = 1'000'000;
 
-/// So that a set of nodes fits into a machine word.
+/// The limit, so that a set of nodes fits into a machine word.
 constexpr std::size_t kMostNodes = 64;
 
 std::string indexed(const char* key, std::size_t i) {

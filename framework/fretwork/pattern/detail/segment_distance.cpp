@@ -26,7 +26,7 @@ struct Segments {
         const Vector rest{away[0] - share * along[0], away[1] - share * along[1]};
         return dot(rest, rest);
     }
-    /// Of segments that do not cross: an end of one is nearest to the other.
+    /// The distance of segments that do not cross: an end of one is nearest to the other.
     static Number square_between_ends(const std::array<Vector, 2>& left, const std::array<Vector, 2>& right) {
         return std::min({square_from_point(left[0], right), square_from_point(left[1], right),
                          square_from_point(right[0], left), square_from_point(right[1], left)});

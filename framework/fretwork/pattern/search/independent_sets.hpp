@@ -18,8 +18,8 @@ using CountsBySize = std::vector<GraphCount>;
 /// The sets of edges without a conflicting pair, counted and drawn without listing them.
 ///
 /// P(A), the counts of such sets within A, is the product over A's parts that have no conflict between them;
-/// in one part, with v the edge of most conflicts, P(A) = P(A - v) + x P(A - v - conflicts of v). What has
-/// been met is remembered.
+/// in one part, with v the edge of most conflicts, P(A) = P(A - v) + x P(A - v - conflicts of v). Results are
+/// cached by A.
 template <class Word>
 class IndependentSets {
   public:

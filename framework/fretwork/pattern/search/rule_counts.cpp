@@ -10,7 +10,7 @@
 namespace fretwork::pattern::detail {
 namespace {
 
-// What is remembered at most; each is some hundred bytes.
+// The most cached results; each is some hundred bytes.
 constexpr std::size_t kMostParts = 300'000;
 constexpr std::size_t kMostStates = 200'000;
 constexpr std::size_t kMostGroups = 16;

@@ -43,7 +43,7 @@ Calibration evaluate(const TileModel& model, const CalibrationInput& input, cons
     return result;
 }
 
-/// The best of points from which no start went anywhere is no calibration.
+/// If no start went anywhere, the best of their points is no calibration.
 void require_descent(const optimization::OptimizationReport& report, const TileModel& model,
                      const CalibrationOptions& options) {
     if (report.ending != optimization::Ending::Invalid) return;

@@ -28,7 +28,7 @@ struct CalibrationOptions {
     std::uint64_t seed = 1;
     int budget = 20000;  ///< evaluations of the objective at most
     base::Control control{};
-    /// Throws InputError if a value makes no sense.
+    /// Throws InputError if a value is invalid.
     void validate() const;
 };
 
@@ -54,7 +54,7 @@ struct Calibration {
 /// model does not have.
 std::vector<double> parameter_values(const Calibration& calibration, const TileModel& model);
 
-/// What calibrate() takes: a pattern in its setting, and the responses to be fitted.
+/// The input of calibrate(): a pattern in its setting, and the responses to be fitted.
 struct CalibrationInput {
     const pattern::NodeLayout& layout;
     const pattern::Pattern& pattern;

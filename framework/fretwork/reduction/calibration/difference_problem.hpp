@@ -6,13 +6,13 @@
 
 namespace fretwork::reduction {
 
-/// The calibration of any linear tile model: the tile is built and condensed anew at each point, and the
+/// The calibration of any linear tile model: the tile is built and condensed at each point, and the
 /// derivatives of its displacements are central differences. Variables: the parameters, or their natural
 /// logarithms where the row says so.
 class DifferenceProblem final : public CalibrationProblem {
   public:
-    /// Keeps references to all. Throws InputError if the bounds of a parameter make no sense; NumericalError
-    /// if a scenario lets the tile move freely in the middle of the bounds.
+    /// Keeps references to all. Throws InputError if the bounds of a parameter are invalid; NumericalError if
+    /// a scenario lets the tile move freely in the middle of the bounds.
     DifferenceProblem(const TileModel& model, const ModelTile& tile, const Objective& objective,
                       const Setting& setting);
 

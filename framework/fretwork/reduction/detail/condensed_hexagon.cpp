@@ -27,7 +27,7 @@ std::array<Complex, kSectors> roots_of_one() {
     return roots;
 }
 
-/// Of a positive definite matrix M = L D L^*, of which the lower triangle is read: L^-* D^-1 L^-1.
+/// The inverse L^-* D^-1 L^-1 of a positive definite matrix M = L D L^*, of which the lower triangle is read.
 Matrix3cd inverse_of_hermitian(const Matrix3cd& M) {
     const double D0 = M(0, 0).real();
     const Complex L10 = M(1, 0) / D0;

@@ -26,7 +26,7 @@ class CondensedHexagon {
 
     /// The stiffness of the interface nodes, in their own axes.
     [[nodiscard]] BlockCirculant stiffness() const;
-    /// What the ring does when the interface nodes are displaced so.
+    /// The ring's forces for displacements of the interface nodes.
     [[nodiscard]] NodeColumns ring_displacements(const NodeColumns& interface) const;
     /// dS u, where dS is how the condensed stiffness changes with the blocks.
     [[nodiscard]] NodeColumns changed_forces(const HexagonBlocks& change, const NodeColumns& interface,

@@ -109,7 +109,7 @@ LinkGeometry link_geometry(double theta, double R, double apothem) {
     const double dy = R * s;
     const double length = std::hypot(dx, dy);
     const double angle = std::atan2(dy, dx);
-    // Of (dx, dy): by theta (-R s, R c), by R (c, s).
+    // Derivatives of (dx, dy): by theta (-R s, R c), by R (c, s).
     const double angle_by_theta = (dx * R * c + dy * R * s) / (length * length);
     const double angle_by_R = (dx * s - dy * c) / (length * length);
     return {{length, angle, angle - theta},

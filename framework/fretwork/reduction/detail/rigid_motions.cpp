@@ -57,7 +57,7 @@ void require_free(Eigen::MatrixXd stiffness, const Eigen::Matrix3Xd& nodes, cons
     const Eigen::RowVectorXd forces = (stiffness * rigid.columns).cwiseAbs().colwise().maxCoeff();
     const double force = forces.maxCoeff();
     if (force <= kFree * largest) return;
-    // Several motions are often resisted alike, but for rounding: then the simplest is named.
+    // Several motions are often resisted equally, up to rounding: then the simplest is named.
     Eigen::Index worst = 0;
     while (forces[worst] < (1.0 - kFree) * force) ++worst;
     throw base::InputError(what + "resists a rigid motion, the " + kMotions[static_cast<std::size_t>(worst)] +

@@ -8,10 +8,10 @@
 
 namespace fretwork::reduction::detail {
 
-/// What holds a tile in a scenario; interface node i is node i.
+/// The supports of a tile in a scenario; interface node i is node i.
 std::vector<mechanics::Support> supports_of(const Scenario& scenario);
 
-/// What acts on it at a magnitude, N.
+/// The loads on it at a magnitude, N.
 std::vector<mechanics::NodalLoad> loads_of(const Scenario& scenario, double magnitude);
 
 }  // namespace fretwork::reduction::detail

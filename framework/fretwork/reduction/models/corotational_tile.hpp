@@ -5,8 +5,8 @@
 
 namespace fretwork::reduction {
 
-/// A tile that moves and turns at will with a frame of its own, and answers with its condensed stiffness
-/// what its interface nodes do against that frame (mechanics/corotational_element.hpp). Its mass is that of
+/// A tile that moves and turns at will with its corotating frame, and answers motions of its interface nodes
+/// against that frame with its condensed stiffness (mechanics/corotational_element.hpp). Its mass is that of
 /// the beams, condensed statically. Throws as condensed_frame.
 ///
 /// @param tile  its first `interface_nodes` nodes are the interface nodes

@@ -15,7 +15,7 @@
 
 namespace fretwork::reduction {
 
-/// What a tile model builds a tile from.
+/// The input from which a tile model builds a tile.
 struct TileInput {
     const pattern::NodeLayout& layout;
     const pattern::Fan& fan;  ///< the tile's pattern, around a polygon of as many sides as the tile
@@ -56,9 +56,9 @@ struct TileModel {
     std::vector<TileParameter> parameters{};  ///< fitted to a pattern's responses; none: nothing is fitted
     /// Throws InputError or GeometryError if the tile cannot be built. Call it through build_tile().
     std::function<std::shared_ptr<const TileStructure>(const TileInput&)> build{};
-    /// Its calibration as an optimization problem of its own, for models of small displacements with
-    /// parameters. Where it is empty, or gives none for this layout and setting, the tile is built anew at
-    /// each point and derivatives are differences (DifferenceProblem).
+    /// Its calibration as an optimization problem, for models of small displacements with parameters. If it
+    /// is empty, or gives none for this layout and setting, the tile is built at each point and derivatives
+    /// are differences (DifferenceProblem).
     std::function<std::unique_ptr<CalibrationProblem>(const Objective&, const pattern::NodeLayout&,
                                                       const Setting&)>
         problem{};

@@ -14,7 +14,7 @@
 
 namespace fretwork::reduction {
 
-/// What a surface is built from: beams, and elements of other kinds between the same nodes.
+/// The components of a surface: beams, and elements of other kinds between the same nodes.
 struct StructureParts {
     mechanics::Frame beams;        ///< with all nodes of the surface
     mechanics::Elements elements;  ///< of tiles that are no beams
@@ -32,7 +32,7 @@ enum class Displacements { Small, Large };
 
 /// How a tile has moved: what its own nodes do in a solution.
 struct TileMotion {
-    mechanics::NodeValues nodes;  ///< a row for each interface node, then for each inner node of its own
+    mechanics::NodeValues nodes;  ///< a row for each interface node, then for each inner node
     /// The turn about z from the axes that the tile was built in to those of the surface, and of the rows.
     Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
     Displacements displacements = Displacements::Small;  ///< of the solution
@@ -47,7 +47,7 @@ struct BeamMotion {
     Displacements displacements = Displacements::Small;  ///< how the beams answer to these rows
 };
 
-/// What a tile model makes of one tile, wherever the tile lies: congruent tiles share it. Immutable, so that
+/// A tile as a tile model makes it, wherever the tile lies: congruent tiles share it. Immutable, so that
 /// threads may share it, too.
 class TileStructure {
   public:
@@ -62,7 +62,7 @@ class TileStructure {
     /// Add what it consists of to a surface. The surface has its nodes already.
     virtual void add_to(StructureParts& surface, const TilePlace& place) const = 0;
 
-    /// How the beams of the pattern move with it. Nothing if the model does not tell that.
+    /// The motions of the pattern's beams. Nothing if the model does not give them.
     [[nodiscard]] virtual std::optional<BeamMotion> beam_motion(const TileMotion& motion) const = 0;
 };
 

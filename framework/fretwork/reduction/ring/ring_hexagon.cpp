@@ -246,7 +246,7 @@ class RingHexagon::Impl {
         return result;
     }
 
-    /// Of a plane's parameters by the parts that they come from.
+    /// Derivatives of a plane's parameters by the parts that they come from.
     [[nodiscard]] PlaneParameters parameter_rates(Plane plane) const {
         const double E = material_.young_modulus;
         const double along = plane == Plane::InPlane ? E : material_.shear_modulus();

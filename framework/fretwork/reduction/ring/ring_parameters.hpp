@@ -27,7 +27,7 @@ struct RingBounds {
 };
 RingBounds ring_bounds(const Setting& setting);
 
-/// What the parts are multiples of where numbers near 1 are wanted: the setting's section, 1 rad, and the
+/// The units of the parts where numbers near 1 are wanted: the setting's section, 1 rad, and the
 /// centroid-to-side distance.
 RingParts ring_units(const Setting& setting);
 

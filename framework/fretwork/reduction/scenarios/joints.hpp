@@ -14,7 +14,7 @@ namespace fretwork::reduction {
 /// At an end, the outlines of a bar and of its neighbour, an angle a away, part at cot(a / 2) / 2 widths from
 /// the node; of the two neighbours the one that parts later counts. Neighbours at half a turn or more part at
 /// once. Beyond a side of the polygon the same tile counts as neighbour, turned by half a turn about the
-/// side's middle. That is how it lies in a regular surface of one pattern.
+/// side's middle, as it lies in a regular surface of one pattern.
 std::vector<double> joint_reaches(const pattern::Fan& fan, std::span<const geometry::Point2> places);
 
 /// A bar between two nodes.

@@ -18,15 +18,15 @@ enum class SamplePolicy {
 };
 std::string_view sample_policy_name(SamplePolicy policy);
 
-/// What of a bar deforms. "joints" in files. experiments/joints compares both with solids of the true
-/// outline.
+/// Which part of a bar is flexible. "joints" in files. experiments/joints compares both with solids of the
+/// true outline.
 enum class Joints {
     Centreline,  ///< all of its centreline, as in the paper
     Stiff        ///< where it merges with others, it neither stretches nor twists nor bends in the plane
 };
 std::string_view joints_name(Joints joints);
 
-/// What the beams of a tile are made of.
+/// Material and section of the beams of a tile.
 struct TileMaterial {
     mechanics::Section section;
     mechanics::Material material;
@@ -48,13 +48,13 @@ struct Setting {
     int magnitudes = 10;  ///< k = 1..magnitudes, at k / magnitudes of the scenario's largest magnitude
     SamplePolicy sample_policy = SamplePolicy::Paper;
     Joints joints = Joints::Centreline;
-    /// Throws InputError if a value makes no sense, or a scenario does not fit the polygon. `source` names
-    /// the setting in the message.
+    /// Throws InputError if a value is invalid, or a scenario does not fit the polygon. `source` names the
+    /// setting in the message.
     void validate(const std::string& source = "setting") const;
     friend bool operator==(const Setting&, const Setting&) = default;
 };
 
-/// What of a setting looks like a slip of units, one line each.
+/// Values of a setting that look like errors of units, one line each.
 std::vector<std::string> doubts_about(const Setting& setting);
 
 /// The paper's: hexagon inscribed in a circle of diameter 0.03 sqrt(3) m, 2 x 2 mm, 1 GPa, nu 0.3, the five

@@ -9,8 +9,9 @@
 
 namespace fretwork::reduction {
 
-/// Read a setting file. What is left out is as in paper_setting(); a scenario is an object, the name of one
-/// of the paper's, or {"use": name, "max_magnitude": newtons}. Throws InputError with file and JSON pointer.
+/// Read a setting file. Values that are left out are as in paper_setting(); a scenario is an object, the name
+/// of one of the paper's, or {"use": name, "max_magnitude": newtons}. Throws InputError with file and JSON
+/// pointer.
 Setting read_setting(const std::filesystem::path& path);
 
 /// Throws IoError; then the file is as it was.

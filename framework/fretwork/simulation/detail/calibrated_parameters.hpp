@@ -9,8 +9,8 @@
 
 namespace fretwork::simulation::detail {
 
-/// A pattern's parameters for a tile model, from its calibrations; none for a model to which nothing is
-/// fitted. Throws InputError that names the pattern if there is no calibration.
+/// A pattern's parameters for a tile model, from its calibrations; none for a model without fitted
+/// parameters. Throws InputError that names the pattern if there is no calibration.
 std::vector<double> calibrated_parameters(std::span<const reduction::Calibration> calibrations,
                                           const std::string& pattern, const reduction::TileModel& model);
 

@@ -26,7 +26,7 @@ struct JoinedTiles {
 JoinedTiles join_tiles(const Surface& surface, std::span<const BuiltTile> tiles,
                        const base::Control& control);
 
-/// The elements of a tile that is built anew, if it has the same nodes as before and as many elements, none
+/// The elements of a tile that is built again, if it has the same nodes as before and as many elements, none
 /// of them beams: then they can take the place of the old ones.
 std::optional<mechanics::Elements> replacement(std::span<const TileStart> starts, const Surface& surface,
                                                tiling::TileIndex tile, const BuiltTile& built);

@@ -115,7 +115,7 @@ std::vector<LineBearer> between(const std::array<Point2, 2>& ends, const Tessell
     std::vector<LineBearer> bearers;
     double start = 0.0;
     for (const RimSide& side : loop) {
-        // What of the side lies on the way, which may run past the beginning of the line.
+        // The part of the side that lies on the way, which may run past the beginning of the line.
         double length = 0.0;
         for (const double turn : {0.0, whole}) {
             const double low = std::max(start + turn, from.way);

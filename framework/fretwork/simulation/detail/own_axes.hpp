@@ -10,7 +10,7 @@
 
 namespace fretwork::simulation::detail {
 
-/// A polygon in axes of its own: the origin in its centroid, x along its first side.
+/// A polygon in its own axes: the origin in its centroid, x along its first side.
 struct OwnAxes {
     Eigen::Matrix3d turn;             ///< from these axes to the surface's, about z
     Eigen::Vector3d origin;           ///< of these axes in the surface, m

@@ -15,8 +15,8 @@
 
 namespace fretwork::simulation {
 
-/// What Session hides: the surface, what was computed of it, and which of that is out of date. Its model is a
-/// row of the tile models.
+/// The data of Session: the surface, what was computed of it, and which of that is out of date. Its model is
+/// a row of the tile models.
 class Session::Impl {
   public:
     Impl(Surface surface, LoadCase load_case, SimulationOptions options, CalibrationSource calibrations)

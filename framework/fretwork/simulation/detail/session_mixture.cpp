@@ -14,7 +14,7 @@ Session::Mixture::Mixture(const Impl& plain, const SimulationOptions& options)
       share_(mixed_share(options.model).value()),
       impl_(plain.surface(), plain.load_case(), plain.options(), plain.calibration_source()) {}
 
-/// Tiles with a model of their own keep it.
+/// Tiles with their own model keep it.
 void Session::Mixture::choose(const Impl& plain) {
     const std::vector<std::string>& own = plain.surface().tile_models;
     std::vector<TileDeformation> deformations = plain.tile_deformations(corotational_.solution);

@@ -7,8 +7,8 @@
 
 namespace fretwork::simulation {
 
-/// What a session of a mixed model has besides that of its corotational tiles: the same surface with the
-/// worst tiles in full, which gets the same edits.
+/// The additional data of a session of a mixed model: the same surface with the worst tiles in full, which
+/// gets the same edits.
 class Session::Mixture {
   public:
     /// @param plain  has all tiles corotational
@@ -20,8 +20,8 @@ class Session::Mixture {
     [[nodiscard]] const SurfaceResult& corotational() const { return corotational_; }
     [[nodiscard]] const Work& last_work() const { return work_; }
 
-    /// Its `seconds` are those of both solutions. That of the corotational tiles if it has not converged, or
-    /// if none is put in full.
+    /// Its `seconds` are those of both solutions. The solution with corotational tiles if it has not
+    /// converged, or if no tile is put in full.
     SurfaceResult solve(Impl& plain, const base::Control& control, mechanics::StabilityCheck check);
 
   private:

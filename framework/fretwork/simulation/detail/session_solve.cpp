@@ -32,7 +32,7 @@ void Session::Impl::join(std::vector<detail::BuiltTile> tiles, const base::Contr
     changed_tiles_.clear();
 }
 
-/// False if a tile has other nodes now, or beams: then the structure is joined anew.
+/// False if a tile has other nodes now, or beams: then the structure is joined again.
 bool Session::Impl::replace_elements(std::span<const TileIndex> tiles,
                                      std::span<const detail::BuiltTile> built) {
     std::vector<mechanics::Elements> replacements;
@@ -75,7 +75,7 @@ void Session::Impl::update_conditions() {
     apply(conditions_, assembly_);
 }
 
-/// Compute what edits have left out of date, but for factors.
+/// Compute everything that edits have put out of date, except factors.
 void Session::Impl::update(const base::Control& control) {
     const std::size_t built_before = builder_.built_count();
     update_tiles(control);
@@ -130,7 +130,7 @@ void Session::Impl::solve_equilibrium(SurfaceResult& result, const base::Control
 SurfaceResult Session::Impl::solve(const base::Control& control, mechanics::StabilityCheck check,
                                    const mechanics::FirstIterate& first_iterate) {
     options_.validate(surface_);
-    // A surface that is no frame is refused before the work.
+    // A surface that cannot be a frame is refused before the work.
     std::optional<mechanics::Frame> frame;
     if (options_.estimate_error) frame = surface_frame(surface_, choice(), conditions_, control);
     const auto started = Clock::now();
@@ -201,7 +201,7 @@ Eigen::MatrixXd Session::Impl::solve_adjoint(const Eigen::MatrixXd& rows, const 
         throw base::InputError("the right sides have " + std::to_string(rows.rows()) +
                                " rows, where six are needed for each of the result's " +
                                std::to_string(assembly_.reported_nodes) + " nodes");
-    // Nothing acts on the nodes inside of beams, which a result does not tell.
+    // No loads act on the nodes inside beams, which a result leaves out.
     Eigen::MatrixXd all =
         Eigen::MatrixXd::Zero(std::ssize(assembly_.nodes) * mechanics::kDofsPerNode, rows.cols());
     all.topRows(own) = rows;

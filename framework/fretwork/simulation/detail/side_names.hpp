@@ -7,7 +7,7 @@
 
 namespace fretwork::simulation::detail {
 
-/// What the sides of a surface are called, in the order of Side.
+/// The names of the sides of a surface, in the order of Side.
 inline constexpr std::array<const char*, 4> kSideNames = {"left", "right", "bottom", "top"};
 
 inline const char* side_name(Side side) {

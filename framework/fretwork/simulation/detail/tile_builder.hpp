@@ -14,7 +14,7 @@
 
 namespace fretwork::simulation::detail {
 
-/// What a tile model made of a tile, and where its own axes lie in the surface.
+/// A tile as its model makes it, and the place of its own axes in the surface.
 struct BuiltTile {
     std::shared_ptr<const reduction::TileStructure> structure;
     Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
@@ -29,7 +29,7 @@ struct BuildOptions {
 
 /// Builds tiles, and keeps those that congruent tiles share.
 ///
-/// Congruent tiles are recognized by their polygons in axes of their own: the origin in the centroid, x along
+/// Congruent tiles are recognized by their polygons in their own axes: the origin in the centroid, x along
 /// the first side, coordinates rounded to a grid of about a billionth of the mean tile side. A shared tile is
 /// built from the rounded polygon, so it does not depend on which tile came first. A polygon that is not
 /// convex after the rounding (one with a straight corner, say) is built as it is, and not shared.

@@ -32,7 +32,8 @@ mechanics::NodeValues load_rows(const Conditions& conditions, std::size_t nodes)
 /// displacements and loads take the place of those that it had.
 void apply(const Conditions& conditions, mechanics::Assembly& assembly);
 
-/// What the entries of a load case pick and bear, each list in the order of its entries in a file.
+/// The nodes that the entries of a load case pick, and their loads, each list in the order of its entries in
+/// a file.
 struct EntryMarks {
     /// The nodes of a load, and how much of its vectors each of them bears.
     struct Load {

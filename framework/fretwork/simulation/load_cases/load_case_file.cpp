@@ -269,7 +269,7 @@ LoadCase read_load_case(const JsonReader& json) {
 
 Json load_case_json(const LoadCase& load_case) {
     Json json;
-    // What the first format can say is written so: other programs read it.
+    // A load case that the first format can express is written in it: other programs read it.
     json["format"] = needs_third_format(load_case)    ? "fretwork/load-case/3"
                      : needs_second_format(load_case) ? "fretwork/load-case/2"
                                                       : "fretwork/load-case/1";

@@ -13,9 +13,9 @@ namespace fretwork::simulation {
 /// "support  left: 9 nodes  ux uy uz". Throws InputError as check_selections.
 std::vector<std::string> entry_texts(const LoadCase& load_case, const tiling::Tessellation& tessellation);
 
-/// What may be a slip of units, one line each: points that lie away from the surface, displacements larger
-/// than it, rotations of more than a turn, loads of more than three hundred times its weight, a gravity of
-/// more than ten times the earth's.
+/// Values that look like errors of units, one line each: points that lie away from the surface, displacements
+/// larger than it, rotations of more than a turn, loads of more than three hundred times its weight, a
+/// gravity of more than ten times the earth's.
 std::vector<std::string> doubts_about(const LoadCase& load_case, const Surface& surface);
 
 }  // namespace fretwork::simulation

@@ -140,7 +140,7 @@ void paint(Tessellation& tessellation, const PaintingChoice& choice, const Paint
     const auto tiles = all_tiles(tessellation);
     Painter painter(tessellation, tiles, ground);
     const Painting painting = std::visit(painter, choice);
-    // Where every tile is painted anew, the palette stays as it was given: of many patterns only those in
+    // If every tile is painted again, the palette keeps the given order, without the patterns that are not in
     // use.
     if (painter.tiles().size() == tiles.size() && !std::holds_alternative<PaintByField>(choice))
         return tiling::paint(tessellation, painting);

@@ -72,7 +72,7 @@ struct PaintByColours {
 using PaintingChoice =
     std::variant<std::monostate, PaintOnePattern, PaintFromFile, PaintAtRandom, PaintByField, PaintByColours>;
 
-/// What patterns are of. `library` may be null.
+/// The layout, setting and library that pattern ids refer to. `library` may be null.
 struct PaintingGround {
     const pattern::NodeLayout& layout;
     const reduction::Setting& setting;
@@ -82,9 +82,9 @@ struct PaintingGround {
 /// Paint all tiles as it is chosen. Throws InputError whose source is a file, or what is wrong of the choice:
 /// "patterns", "palette", "property", "range" or "library".
 void paint(tiling::Tessellation& tessellation, const PaintingChoice& choice, const PaintingGround& ground);
-/// The same for some tiles; the others keep theirs. By chance and field the tiles are painted in this order.
-/// Of a painting file each takes what it has for that tile. With colours, tiles on none of the palette's
-/// colours keep theirs. Returns the tiles that were painted.
+/// The same for some tiles; the others keep theirs. Random paintings and fields paint the tiles in this
+/// order. A painting file gives each tile the pattern that it has for that tile. With colours, tiles on none
+/// of the palette's colours keep theirs. Returns the tiles that were painted.
 std::vector<tiling::TileIndex> paint(tiling::Tessellation& tessellation,
                                      std::span<const tiling::TileIndex> tiles, const PaintingChoice& choice,
                                      const PaintingGround& ground);

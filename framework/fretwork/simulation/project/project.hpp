@@ -20,10 +20,10 @@ struct Project {
     std::vector<outlines::Outline> further_outlines{};  ///< of a surface of several parts, the others
     tiling::Tessellation tessellation;                  ///< with its painting
     std::vector<LoadCase> load_cases;
-    /// Of the patterns' library when the project was made: so the project means the same without it. None: of
-    /// the library as it is, or the paper's.
+    /// The setting of the patterns' library when the project was made: so the project means the same without
+    /// it. None: that of the library as it is, or the paper's.
     std::optional<reduction::Setting> setting{};
-    /// Some tiles with a tile model of their own.
+    /// Tiles with their own tile model.
     struct TileModelChoice {
         std::string model;  ///< a row of the catalogue
         std::vector<tiling::TileIndex> tiles;
@@ -37,7 +37,7 @@ struct Project {
 /// what there is, and as combined().
 LoadCase find_load_case(const Project& project, const std::string& name);
 
-/// The tile model of each tile, "" where it has none of its own; empty if none has.
+/// The tile model of each tile, "" for tiles without their own; empty if no tile has one.
 std::vector<std::string> models_by_tile(const Project& project);
 
 }  // namespace fretwork::simulation

@@ -19,8 +19,8 @@ std::string library_path_of(const std::string& project_file, const Project& proj
 std::optional<library::Library> open_project_library(const std::string& project_file, const Project& project,
                                                      const std::string& wanted);
 
-/// The project's setting, else the library's, else the paper's; `library` may be null. Of a library's setting
-/// a project may give the strength anew. Throws InputError if the library is one of another setting.
+/// The project's setting, else the library's, else the paper's; `library` may be null. A project may replace
+/// the strength of a library's setting. Throws InputError if the library is one of another setting.
 reduction::Setting setting_of(const Project& project, const library::Library* library);
 
 /// Whether a project under this choice of models needs its library: a tile's model has calibrated parameters,

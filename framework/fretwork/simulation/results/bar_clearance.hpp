@@ -24,7 +24,7 @@ struct CloseBars {
 std::vector<CloseBars> close_bars(const Surface& surface, double clearance,
                                   const base::Control& control = {});
 
-/// One line that says how many they are and where; empty if there are none.
+/// One line with the number of such places, and where they are; empty if there are none.
 std::string close_bars_text(const std::vector<CloseBars>& close);
 
 }  // namespace fretwork::simulation

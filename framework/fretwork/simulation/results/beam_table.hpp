@@ -13,8 +13,8 @@
 
 namespace fretwork::simulation {
 
-/// What one beam of a surface bears. Nothing acts on it between its ends, so its largest stress is at one of
-/// them.
+/// Forces and stress of one beam of a surface. No loads act on it between its ends, so its largest stress is
+/// at one of them.
 struct BeamRow {
     std::size_t beam = 0;  ///< its number, in the order of the full model
     tiling::TileIndex tile;
@@ -27,9 +27,9 @@ struct BeamRow {
 
 /// The beams of a surface in a result.
 struct BeamTable {
-    std::vector<BeamRow> rows;         ///< of the beams whose tile model tells how they move
+    std::vector<BeamRow> rows;         ///< over the beams whose tile model gives their motions
     std::size_t unknown = 0;           ///< beams of other tiles
-    std::optional<double> strength{};  ///< Pa, with which utilizations are told
+    std::optional<double> strength{};  ///< Pa, the reference of utilizations
     /// The largest stress over the strength; none without a strength.
     [[nodiscard]] std::optional<double> utilization(const BeamRow& row) const;
 };

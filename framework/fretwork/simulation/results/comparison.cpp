@@ -75,7 +75,7 @@ double largest_of_interface(const SurfaceResult& result, const Eigen::MatrixX3d&
     return largest;
 }
 
-/// What is collected node by node.
+/// Values collected node by node.
 struct Errors {
     std::vector<double> translation;
     std::vector<double> rotation;

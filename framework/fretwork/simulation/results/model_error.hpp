@@ -12,8 +12,9 @@ namespace fretwork::simulation {
 /// tenth.
 inline constexpr double kEstimatingShare = 0.3;
 
-/// How far a solution of reduced tiles is from the full model's, estimated as its difference from a better
-/// one: corotational tiles with the worst kEstimatingShare in full. None if the better one has not converged.
+/// The error of a solution of reduced tiles against the full model, estimated as its difference from a better
+/// solution: corotational tiles with the worst kEstimatingShare in full. None if the better one has not
+/// converged.
 std::optional<ModelError> model_error(const SurfaceResult& result, const SurfaceResult& better);
 
 }  // namespace fretwork::simulation

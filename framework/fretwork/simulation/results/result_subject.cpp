@@ -66,7 +66,7 @@ std::string model_text(const Surface& surface, const SimulationOptions& options)
     return text;
 }
 
-/// The models that `model_text` names: the first is that of the tiles without a choice of their own.
+/// The models that `model_text` names: the first is that of the tiles without their own.
 std::vector<std::string> named_models(const std::string& text) {
     std::vector<std::string> names;
     for (const std::string& part : base::split(text, ';')) {

@@ -12,14 +12,14 @@
 
 namespace fretwork::simulation {
 
-/// What a result of this surface under this load case is a result of.
+/// The subject of a result of this surface under this load case.
 ///
 /// The tessellation's hash is that of its polygons and nodes, wherever a tile's first vertex is; the
 /// painting's that of each tile's pattern and first vertex.
 ResultSubject result_subject(const Surface& surface, const LoadCase& load_case,
                              const SimulationOptions& options);
 
-/// The model of the tiles that have none of their own, as `simulate --model` takes it.
+/// The model of the tiles without their own, as `simulate --model` takes it.
 std::string main_model(const ResultSubject& subject);
 
 /// Check a subject that was read from a file: its models are in the catalogue, it is a reference only if they
@@ -27,11 +27,11 @@ std::string main_model(const ResultSubject& subject);
 void check_subject(const ResultSubject& subject, const std::string& source,
                    std::span<const reduction::TileModel> models = reduction::tile_models());
 
-/// What two subjects differ in besides their models, in words ("the painting"); empty: nothing.
+/// The difference of two subjects except their models, in words ("the painting"); empty if there is none.
 /// Descriptions of load cases do not count.
 std::string subject_difference(const ResultSubject& left, const ResultSubject& right);
 
-/// What results of a surface have in common. To make it takes some time, so it is made once.
+/// The part of the subject that all results of a surface share. It takes some time, so make it once.
 struct SurfaceIdentity {
     std::string tessellation_hash;
     std::string painting_hash;
@@ -40,7 +40,7 @@ struct SurfaceIdentity {
 };
 SurfaceIdentity surface_identity(const Surface& surface);
 
-/// What a result and a surface, whose load case may be any, differ in; empty: nothing.
+/// The difference of a result's subject and a surface, with any load case; empty if there is none.
 std::string subject_difference(const ResultSubject& result, const SurfaceIdentity& surface);
 
 }  // namespace fretwork::simulation

@@ -71,7 +71,7 @@ std::vector<SurfaceBeams::Start> starts_of(const tiling::Tessellation& tessellat
     return starts;
 }
 
-/// Fills in what the tiles tell, one by one.
+/// Adds the values of the tiles, one by one.
 class StateWriter {
   public:
     StateWriter(const Surface& surface, const SurfaceBeams& beams,
@@ -160,7 +160,7 @@ BeamState state_of(const StateRequest& request, const mechanics::Solution& solut
     return state;
 }
 
-/// The tiles of a result that was read, built anew.
+/// The tiles of a result that was read, built again.
 class ReadTiles {
   public:
     struct Origin {
@@ -221,7 +221,7 @@ class ReadTiles {
     std::span<const reduction::TileModel> models_;
     const SurfaceResult& result_;
     std::vector<detail::BuiltTile> tiles_;
-    std::vector<std::size_t> starts_;  ///< of each tile the first of its own nodes, and their number
+    std::vector<std::size_t> starts_;  ///< for each tile the first of its inner nodes, and their number
 };
 
 }  // namespace

@@ -19,7 +19,7 @@ struct SurfaceBeams {
     std::vector<std::array<mechanics::NodeIndex, 2>> ends;
     std::vector<tiling::TileIndex> tiles;  ///< of each beam
     std::vector<double> joint_reaches;     ///< of each beam: reduction::joint_reaches
-    /// Of each tile the first of its inner nodes and of its beams, and behind the last tile their numbers.
+    /// For each tile the first of its inner nodes and of its beams, and behind the last tile their numbers.
     struct Start {
         std::size_t inner_node = 0;
         std::size_t beam = 0;
@@ -30,12 +30,12 @@ struct SurfaceBeams {
 /// The nodes are those of the full model, in its order. Tiles that are not painted have no beams.
 SurfaceBeams surface_beams(const Surface& surface);
 
-/// What turns the motions of the beams' ends into section forces, for each beam of a setting's material and
+/// Computes section forces from the motions of the beams' ends, for each beam of a setting's material and
 /// section.
 std::vector<mechanics::BeamSection> beam_sections(const SurfaceBeams& beams,
                                                   const reduction::Setting& setting);
 
-/// How the beams of a surface are displaced and strained. NaN where a tile model does not tell.
+/// How the beams of a surface are displaced and strained. NaN where a tile model does not give it.
 struct BeamState {
     mechanics::NodeValues nodes;  ///< a row for each node of the beams
     /// N V2 V3 T M2 M3 (N and N m) and the largest normal stress (Pa), two rows for each beam: its ends.

@@ -9,8 +9,8 @@
 
 namespace fretwork::simulation {
 
-/// Beyond this error, or where stability is lost, a linear solution is told to be out of its range. How often
-/// that is right: experiments/large_deflections.
+/// Beyond this error, or where stability is lost, a linear solution is reported as out of its range. How
+/// often that is right: experiments/large_deflections.
 inline constexpr double kLinearRange = 0.1;
 [[nodiscard]] inline bool is_exceeded(const mechanics::LinearRange& range) {
     return range.loses_stability || range.error > kLinearRange;

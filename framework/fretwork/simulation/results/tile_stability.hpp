@@ -11,8 +11,8 @@
 namespace fretwork::simulation {
 
 /// The tiles, ascending, whose beams buckle with their interface nodes held where a solution of the surface
-/// has them: the full tile, alone, has no stable equilibrium on the way there. A reduced tile cannot know of
-/// that. So are tiles told whose equilibrium is not found.
+/// has them: the full tile, alone, has no stable equilibrium on the way there. A reduced tile cannot show
+/// that. Tiles whose equilibrium is not found are included.
 ///
 /// @param solution  its first rows are the interface nodes
 /// Throws as TileBuilder does, and Stopped.

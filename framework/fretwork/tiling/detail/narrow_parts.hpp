@@ -15,16 +15,16 @@ struct NarrowPlace {
     double cut_off = 0.0;  ///< m2, the smaller of the areas on both sides; infinite if they are one
 };
 
-/// What counts as narrow.
+/// The measure of narrow.
 struct NarrowLimits {
     double width = 0.0;       ///< m; what is wider is not narrow
     double least_area = 0.0;  ///< m2; smaller parts are left to whatever tile they fall into
 };
 
-/// Where the outline is narrow: a band, a limb, a sharp tip, the land between two holes. Found on the
-/// triangulation of its densely sampled boundary, whose edges inside run across the shape: such an edge is at
-/// a narrow place if what it cuts off is at least as large as the square of its length, or still hangs
-/// together another way. (The corner of a wide plate is not narrow: it cuts off too little.)
+/// The places where the outline is narrow: a band, a limb, a sharp tip, the land between two holes. Found on
+/// the triangulation of its densely sampled boundary, whose edges inside run across the shape: such an edge
+/// is at a narrow place if the part that it cuts off is at least as large as the square of its length, or
+/// stays connected another way. (The corner of a wide plate is not narrow: the edge cuts off too little.)
 std::vector<NarrowPlace> narrow_places(const outlines::Outline& outline, const NarrowLimits& limits,
                                        const base::Control& control);
 
@@ -41,7 +41,7 @@ struct BluntLimits {
 };
 
 /// Cut off tips that are sharper than 31 degrees, and hairs: dead ends so long and narrow that no tile fits
-/// into their ends. What is cut off stays uncovered.
+/// into their ends. The parts that are cut off stay uncovered.
 BluntOutline blunt(const outlines::Outline& outline, double narrow_width, const BluntLimits& limits,
                    const base::Control& control);
 

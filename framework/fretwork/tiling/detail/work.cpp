@@ -6,7 +6,7 @@
 namespace fretwork::tiling::detail {
 namespace {
 
-constexpr std::size_t kTotal = 1000;       // what the progress is told in
+constexpr std::size_t kTotal = 1000;       // the unit of the progress
 constexpr double kStepsUsuallyDone = 0.5;  // of the most that a part may take
 
 }  // namespace

@@ -9,9 +9,8 @@
 
 namespace fretwork::tiling::detail {
 
-/// A long task that several threads share: whether it is to go on, and how far it is. It comes in parts, of
-/// which nobody knows beforehand how many there will be: each is told as a share of what is left. Its
-/// progress ends with the object.
+/// A long task that several threads share: whether it goes on, and how far it is. It comes in parts, whose
+/// number nobody knows beforehand: each is a share of what is left. Its progress ends with the object.
 class Work {
   public:
     Work(const base::Control& control, std::string_view task);
@@ -22,7 +21,7 @@ class Work {
     [[nodiscard]] const base::Control& control() const { return control_; }
     /// Throws base::Stopped if the work is to stop.
     void check() const { control_.check(); }
-    /// A part of at most so many steps begins, on this thread alone: such a share of what is left.
+    /// Start a part of at most `most_steps` steps, worth `share` of the remaining progress; single-threaded.
     void begin_part(std::size_t most_steps, double share);
     /// A step is done. Throws base::Stopped.
     void advance();

@@ -33,8 +33,8 @@ constexpr int kRepairIterations = 30;
 constexpr int kEveningIterations = 40;
 constexpr std::size_t kMostToRemove = 12;  // more defects are left to smaller tiles
 constexpr double kRemovedShare = 1e-3;     // of the outline's area: so much may one removed tile uncover
-/// Distance of sites over wanted side: between where the searches for lattices and meshes end.
-/// Of a factor that was tried: the search does not come so near to it again if its sides were that far off.
+/// Distance of sites over wanted side: the range that the searches for lattices and meshes cover. A search
+/// does not come this near to a factor that was tried if its sides were that far off.
 constexpr double kNearFactor = 0.03;
 constexpr double kFarRatio = 0.2;
 constexpr double kRoughFactor = 1.6;
@@ -77,7 +77,7 @@ class Tiler {
   public:
     Tiler(const Task& task, const Start& start, Work& work) : task_(task), start_(start), work_(work) {}
 
-    /// A first sketch of the tiles around sites that are so many wanted sides apart.
+    /// A first sketch of the tiles around sites at this many wanted sides from each other.
     [[nodiscard]] Dual sketch(double factor) const {
         const Spacing spacing{task_.field, factor};
         const Rim rim = sample_rim(task_.outline, spacing, work_.control());
@@ -86,8 +86,8 @@ class Tiler {
             rim, relax(rim, task_.field, first_sites(rim, spacing), rough_iterations(task_.options), work_));
     }
 
-    /// The tiles around sites that are so many wanted sides apart, made as regular as they can be. What is
-    /// wrong with them is told in the candidate.
+    /// The tiles around sites at this many wanted sides from each other, made as regular as they can be.
+    /// Their defects are in the candidate.
     [[nodiscard]] Candidate tiles(double factor) const {
         const Spacing spacing{task_.field, factor};
         const Rim rim = sample_rim(task_.outline, spacing, work_.control());
@@ -233,7 +233,7 @@ Sketch make_sketch(const Task& task, const Start& start, Work& work) {
 
 namespace {
 
-/// Of two densities of one start: the fewest defects first, then the right sides.
+/// Compares two densities of one start: the fewest defects first, then the right sides.
 bool is_better_density(const Candidate& first, const Candidate& second) {
     const auto key = [](const Candidate& candidate) {
         return std::tuple(candidate.dual.cells.empty(), std::max(candidate.side_error, kAcceptedSideError),

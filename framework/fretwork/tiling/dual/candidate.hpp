@@ -18,14 +18,14 @@ struct Start {
     [[nodiscard]] std::string name() const;
 };
 
-/// What candidates are made of and judged by.
+/// The input of candidates, and the measures by which they are judged.
 struct Task {
     const outlines::Outline& outline;
     const SizeField& field;
     const TessellationOptions& options;
     QualityLimits limits;
     double refined_tiles = 0.0;  ///< about, where holes and narrow places want them small; else 0
-    /// So many that each try takes seconds: what is known to be of no use is tried roughly.
+    /// From this number on each try takes seconds: starts that are known to be of no use are tried roughly.
     [[nodiscard]] bool has_many() const { return refined_tiles > 3000.0; }
 };
 

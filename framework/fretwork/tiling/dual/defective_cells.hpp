@@ -9,9 +9,9 @@
 
 namespace fretwork::tiling::detail {
 
-/// The tilings that come from taking one cell away: where it is the end of a limb, so small that its place
-/// may stay uncovered (at most `most_area`, m2), without it; and with each neighbour with which it makes a
-/// convex cell, as one with that. None of them is compared with the outline. Throws base::Stopped.
+/// The tilings without one cell: without its area where it is the end of a limb, so small that its place may
+/// stay uncovered (at most `most_area`, m2); and united with each neighbour with which it makes a convex
+/// cell. None of them is compared with the outline. Throws base::Stopped.
 std::vector<Dual> without_cell(const Dual& dual, std::size_t cell, double most_area,
                                const base::Control& control);
 

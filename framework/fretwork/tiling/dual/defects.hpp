@@ -10,10 +10,10 @@
 
 namespace fretwork::tiling::detail {
 
-/// What may be wrong with a tiling.
+/// The possible defects of a tiling.
 enum class DefectKind { TooNarrow, TooMany, Torn, NotConvex, Uncovered, ShortSide, SharpAngle };
 
-/// In words: "the tiles would not hang together as the outline does".
+/// In words: "the tiles would not be connected as the outline is".
 std::string_view words_for(DefectKind kind);
 
 struct Defect {
@@ -22,7 +22,7 @@ struct Defect {
     std::vector<std::size_t> cells{};  ///< that have it, if it is one of a cell or a side
 };
 
-/// What a tiling must not fall below.
+/// The requirements on a tiling.
 struct QualityLimits {
     double side_share = 0.25;      ///< of the tiles' mean side there, or of the side wanted if that is less
     double smallest_side = 0.0;    ///< m
@@ -38,8 +38,9 @@ struct Shape {
 };
 
 /// Compare the tiles with the outline. Decided exactly: tiles are convex, share whole sides, two tiles at
-/// most a side, hang together by sides; their rim is one simple curve for the boundary and one for each hole,
-/// and none crosses another. So the tiles cover their rim's inside once, and have the outline's topology.
+/// most a side, and are connected by sides; their rim is one simple curve for the boundary and one for each
+/// hole, and none crosses another. So the tiles cover their rim's inside once, and have the outline's
+/// topology.
 Shape compare_with_outline(const Dual& dual, const Rim& rim, const SizeField& field,
                            const QualityLimits& limits, const base::Control& control);
 

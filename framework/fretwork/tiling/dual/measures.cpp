@@ -13,7 +13,8 @@ namespace {
 using geometry::Point2;
 using geometry::Polygon;
 
-/// Of the area of a regular hexagon: a smaller tile, mostly at a corner of the outline, is a knot of bars.
+/// As a share of the area of a regular hexagon: a smaller tile, mostly at a corner of the outline, is a knot
+/// of bars.
 constexpr double kSmall = 0.25;
 constexpr double kHexagon = 1.5 * std::numbers::sqrt3;  // its area, with sides of 1
 

@@ -9,7 +9,7 @@ namespace fretwork::tiling::detail {
 
 /// Counts and lengths of a tiling.
 struct Measures {
-    TessellationReport report;  ///< what can be told without the outline
+    TessellationReport report;  ///< known without the outline
     double mean_ratio = 0.0;    ///< mean of sides over the sides wanted there
     /// The share of tiles with another number of sides than they should have (six; at the rim also five), and
     /// the relative spreads of sides and areas, both over what is wanted there.

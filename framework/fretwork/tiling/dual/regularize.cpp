@@ -58,8 +58,8 @@ constexpr double kPullingSide = 0.4;                           // of the cell's 
 constexpr double kStraight = 170 * std::numbers::pi / 180;
 constexpr double kHarder = 1.2;  // by so much each time
 constexpr double kHardest = 10;
-/// How hard a side pulls beside its cell, where sides are made even. Inside, they are even nearly of
-/// themselves, and the angles would pay for more.
+/// The weight of a side against its cell, where sides are made even. Inside they become nearly even anyway,
+/// and more weight would cost angles.
 constexpr double kSidesAtRim = 2;
 constexpr double kSidesInside = 0.5;
 constexpr double kSlide = 0.9;  // of the way to the neighbour along the rim, at most

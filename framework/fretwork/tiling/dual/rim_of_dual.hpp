@@ -20,7 +20,7 @@ DualRim rim_of(const Dual& dual, const base::Control& control);
 /// The lines of the rim (one at least) as polygons, the outer one first.
 std::vector<geometry::Polygon> loops_of(const Dual& dual, const DualRim& rim);
 
-/// How many sets of cells hang together by sides, and a cell of the smallest set.
+/// The number of sets of cells that are connected by sides, and a cell of the smallest set.
 struct Pieces {
     int count = 0;
     std::size_t cell_of_smallest = 0;

@@ -15,8 +15,8 @@ using geometry::Polygon;
 /// when the tiles are made even, so the limit is a little less.
 constexpr double kLong = 1.3;
 constexpr double kNearestToEnd = 0.1;  // of a chord: so far from its ends is a vertex on it at least
-/// So far outside of a chord, in its lengths, a vertex on it is put at first, and at last, where rounding
-/// puts it inside.
+/// The distance by which a vertex on a chord is put outside of it, in its lengths: first, and last if
+/// rounding puts it inside.
 constexpr double kLeastBulge = 1e-12;
 constexpr double kMostBulge = 1e-4;
 constexpr std::size_t kMostSides = 6;  // of a cell with a divided side

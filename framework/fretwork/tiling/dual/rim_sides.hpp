@@ -15,7 +15,7 @@ struct StraightSide {
 /// exactly): at the wanted place, or on the chord if that is on its left, inside the cell.
 geometry::Point2 convex_place(geometry::Point2 wanted, const StraightSide& side);
 
-/// What the sides of tiles should be.
+/// The wanted sides of tiles.
 struct WantedSides {
     const SizeField& field;
     double smallest;  ///< allowed, metres

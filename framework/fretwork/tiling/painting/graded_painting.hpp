@@ -20,10 +20,9 @@ enum class Dithering { None, ErrorDiffusion };
 
 /// Paint some tiles with the patterns whose values are nearest to the wanted ones, in the order of the tiles.
 ///
-/// Error diffusion [FloydSteinberg1976] on tiles: what a tile misses is shared evenly by the tiles beside it
-/// that come later, or goes to the next tile where there is none. So the mean of the painting is that of the
-/// wanted values, as far as the patterns reach. Throws InputError if there are no patterns or not as many
-/// values as tiles.
+/// Error diffusion [FloydSteinberg1976] on tiles: a tile's error is shared evenly by the later tiles beside
+/// it, or goes to the next tile if there are none. So the mean of the painting is that of the wanted values,
+/// as far as the patterns reach. Throws InputError if there are no patterns or not as many values as tiles.
 Painting graded_painting(const Tessellation& tessellation, std::span<const TileIndex> tiles,
                          std::span<const GradedPattern> patterns, std::span<const double> wanted,
                          Dithering dithering);

@@ -16,8 +16,8 @@
 namespace fretwork::tiling {
 namespace {
 
-/// What makes a graph a pattern in every tile. The paper's other two filters have numbers, and so are a
-/// matter of what a person wants.
+/// The filters that make a graph a pattern in every tile. The paper's other two filters have numbers, which
+/// are a matter of choice.
 std::vector<pattern::Filter> structural_filters(const pattern::NodeLayout& layout) {
     std::vector<pattern::Filter> filters = pattern::make_filters(layout);
     std::erase_if(filters, [](const pattern::Filter& filter) {

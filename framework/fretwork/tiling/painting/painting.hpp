@@ -18,15 +18,15 @@ namespace fretwork::tiling {
 /// nothing, or is named twice.
 std::vector<std::string> make_palette(const pattern::NodeLayout& layout, std::span<const std::string> ids);
 
-/// Paint every tile with one of the patterns, evenly by chance. `patterns` are ids; the same seed gives the
-/// same painting on every machine. Throws InputError if there is no pattern to choose from.
+/// Paint every tile with one of the patterns, uniformly at random. `patterns` are ids; the same seed gives
+/// the same painting on every machine. Throws InputError if there is no pattern to choose from.
 void paint_randomly(Tessellation& tessellation, std::span<const std::string> patterns, std::uint64_t seed);
 
 /// Paint every tile with the same pattern.
 void paint_uniformly(Tessellation& tessellation, const std::string& pattern);
 
-/// What a painting file says: the patterns in use, and for each tile one of them (an index into `patterns`).
-/// A file without tiles is a palette.
+/// The content of a painting file: the patterns in use, and for each tile one of them (an index into
+/// `patterns`). A file without tiles is a palette.
 struct Painting {
     std::vector<std::string> patterns;
     std::vector<int> tiles;
@@ -53,18 +53,18 @@ void write_painting(const Painting& painting, const pattern::NodeLayout& layout,
 /// Paint every tile as the painting says. Throws InputError if it is for another number of tiles.
 void paint(Tessellation& tessellation, const Painting& painting);
 
-/// A pattern and its chance beside that of the others.
+/// A pattern and its weight against those of the others.
 struct WeightedPattern {
     std::string pattern;  ///< id
     double weight = 1.0;
 };
 
-/// So many tiles painted by chance; the same seed paints the same on every machine. Throws InputError unless
-/// there is a pattern, and all weights are above zero.
+/// A random painting of this many tiles; the same seed gives the same on every machine. Throws InputError
+/// unless there is a pattern, and all weights are above zero.
 Painting random_painting(std::size_t tiles, std::span<const WeightedPattern> patterns, std::uint64_t seed);
 
-/// Paint some tiles, in their order, as the painting says; the others keep theirs. What no tile has any more
-/// leaves the palette. Throws InputError if the painting is for another number of tiles.
+/// Paint some tiles, in their order, as the painting says; the others keep theirs. Patterns that no tile has
+/// any more leave the palette. Throws InputError if the painting is for another number of tiles.
 void paint_tiles(Tessellation& tessellation, std::span<const TileIndex> tiles, const Painting& painting);
 
 }  // namespace fretwork::tiling

@@ -14,8 +14,8 @@ struct Chord {
     int from = -1;
     int to = -1;
 };
-/// Such edges that are left. Where one lies, the tiles on both sides of it share no side, or a part of the
-/// outline has no tile.
+/// The remaining edges of this kind. Where one lies, the tiles on both sides of it share no side, or a part
+/// of the outline has no tile.
 std::vector<Chord> chords_of(const Triangulation& triangulation);
 
 }  // namespace fretwork::tiling::detail

@@ -23,8 +23,8 @@ constexpr double kLeastFilling = 0.65;   // between a site that fills a gap and 
 constexpr double kBridgeDistance = 0.3;  // between a site that bridges a chord and the others
 constexpr int kRounds = 8;
 
-/// Where the triangle's sides are as far away as they can be: the middle of the circle through its corners.
-/// None if it lies far outside the triangle.
+/// The place farthest from the triangle's sides: the middle of the circle through its corners. None if it
+/// lies far outside the triangle.
 std::optional<Point2> circumcenter(Point2 a, Point2 b, Point2 c) {
     const Point2 u = b - a;
     const Point2 v = c - a;

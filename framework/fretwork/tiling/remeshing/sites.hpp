@@ -18,8 +18,8 @@ std::vector<geometry::Point2> remeshed_sites(const Rim& rim, double edge, int it
 std::vector<geometry::Point2> lattice_sites(const Rim& rim, const Spacing& spacing, double angle,
                                             const Work& work);
 
-/// Put a site into every large triangle that has none of its own: so a band that is narrower than the lattice
-/// gets a row of sites.
+/// Put a site into every large triangle without one: so a band that is narrower than the lattice gets a row
+/// of sites.
 void fill_empty_parts(const Rim& rim, const Spacing& spacing, std::vector<geometry::Point2>& sites,
                       const Work& work);
 

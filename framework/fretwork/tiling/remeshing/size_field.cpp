@@ -56,7 +56,7 @@ bool SizeField::limit(Point2 place, double side) {
 std::vector<SizeField::Square> SizeField::limited_squares() const {
     std::vector<Cell> keys;
     for (const auto& [key, limits] : cells_) keys.push_back(key);
-    std::sort(keys.begin(), keys.end());  // the order of a hash table is no order to build on
+    std::sort(keys.begin(), keys.end());  // the order of a hash table must not matter
     std::vector<Square> squares;
     for (const Cell key : keys) {
         const auto column = static_cast<std::int32_t>(static_cast<std::uint32_t>(key >> 32U));

@@ -50,7 +50,7 @@ class SizeField {
     std::unordered_map<Cell, std::vector<Limit>> cells_;  // the limits that are felt in a cell
 };
 
-/// The wanted distance of neighbouring sites: so many times the side of the tiles there.
+/// The wanted distance of neighbouring sites, as a multiple of the side of the tiles there.
 struct Spacing {
     const SizeField& field;
     double factor;  ///< sqrt(3) for regular hexagons

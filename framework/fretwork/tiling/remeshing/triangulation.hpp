@@ -20,7 +20,7 @@ struct Triangulation {
 };
 
 /// Constrained Delaunay triangulation: the rim's sides are edges, and no triangle is outside. The sites must
-/// lie strictly inside, each at a place of its own.
+/// lie strictly inside, at different places.
 Triangulation triangulate(const Rim& rim, const std::vector<geometry::Point2>& sites, const Work& work);
 
 /// The corner of a triangle at which a point is.

@@ -19,7 +19,7 @@ class OpenFile {
     int descriptor_;
 };
 
-/// What a path that is a symbolic link stands for: the file that it leads to, or the link itself.
+/// The meaning of a path that is a symbolic link: the file that it leads to, or the link itself.
 enum class Links { Followed, Themselves };
 
 /// False if another file has taken the place of the one that was opened.

@@ -29,7 +29,7 @@ Segments segments_of(const LineSet& lines, const std::vector<Point2>& points) {
     return segments;
 }
 
-/// The sizes of all displacements; zeros where there are none.
+/// The lengths of all displacements; zeros if there are no results.
 std::vector<double> displacement_sizes(const LineSet& lines) {
     std::vector<double> sizes(lines.nodes.size(), 0.0);
     for (std::size_t i = 0; i < sizes.size() && lines.displacements; ++i)

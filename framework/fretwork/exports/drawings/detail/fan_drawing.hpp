@@ -12,7 +12,7 @@ struct FanPlace {
     Colour face;              ///< of its polygon
 };
 
-/// Of interface nodes.
+/// The places of interface nodes.
 inline constexpr const char* kInterfaceColour = "#1b9e77";
 
 /// Draw a pattern's fan with beams of true width on its regular polygon. The beams of `guilty`, which are

@@ -9,7 +9,7 @@ namespace {
 
 using geometry::Point2;
 
-/// 1, 2 or 5 times a power of ten: the largest that is no more than `most`.
+/// The largest of 1, 2 or 5 times a power of ten that is at most `most`.
 double round_length(double most) {
     const double power = std::pow(10.0, std::floor(std::log10(most)));
     for (const double factor : {5.0, 2.0}) {

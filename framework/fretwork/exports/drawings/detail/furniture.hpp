@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What drawings have besides their subject: scale bars, legends, captions.
+// Annotations of drawings: scale bars, legends, captions.
 #pragma once
 
 #include <fretwork/exports/drawings/detail/svg_canvas.hpp>

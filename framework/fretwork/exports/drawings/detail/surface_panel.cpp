@@ -145,7 +145,7 @@ class ConditionLegend {
         canvas.text(place, words, text);
         return {place.x + text_width(words, text) + 1.5 * text, place.y};
     }
-    /// Of the shapes that there are; the first says what they are.
+    /// The legend of the shapes that are drawn; the first row names them.
     Point2 draw_load_entries(SvgCanvas& canvas, Point2 place, LoadMark::Kind kind, std::string words) const {
         using Shape = LoadMark::Shape;
         const std::pair<Shape, const char*> kShapes[] = {{Shape::Arrow, ""},

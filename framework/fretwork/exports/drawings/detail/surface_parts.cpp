@@ -51,7 +51,7 @@ void draw_ring(SvgCanvas& canvas, const LoadMark& mark, const Colour& colour) {
     canvas.segments(cross, line);
 }
 
-/// What is written over bars needs ground of its own.
+/// Text over bars is drawn on a plate.
 void draw_ground(SvgCanvas& canvas, const Point2& corner, const Point2& size) {
     const std::array<Point2, 4> corners = {{corner,
                                             {corner.x + size.x, corner.y},

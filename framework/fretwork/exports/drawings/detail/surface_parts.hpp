@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What drawings of a surface consist of.
+// The parts of drawings of a surface.
 #pragma once
 
 #include <fretwork/exports/drawings/detail/projection.hpp>

@@ -26,7 +26,7 @@ std::string rounded(double value) {
 /// Nowhere else: quotes in texts are escaped.
 constexpr std::string_view kIdStart = " id=\"";
 
-/// What may stand as an id: other characters become hyphens.
+/// Text that is valid as an id: other characters become hyphens.
 std::string identifier(std::string_view name) {
     std::string text;
     for (const char c : name) text += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '-';

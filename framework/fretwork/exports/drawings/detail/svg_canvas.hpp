@@ -33,8 +33,7 @@ class SvgCanvas {
   public:
     SvgCanvas(const geometry::Box& box, double scale);
 
-    /// What follows belongs to a layer of this name, which drawing programs show (Inkscape as one of its
-    /// own); it ends where the next begins.
+    /// Begins a layer of this name, which drawing programs show; the layer ends where the next begins.
     void layer(std::string_view name);
     /// Put another drawing, as large as it is, with its top left corner at a place. All its
     /// ids get `name` in front, so that they stay apart.

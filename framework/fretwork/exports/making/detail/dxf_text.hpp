@@ -26,7 +26,7 @@ class DxfText {
     DxfText& comment(std::string_view text);
     DxfText& variable(std::string_view name);
 
-    /// A handle of its own for what was begun. Returns it.
+    /// Assigns and returns a new handle.
     std::string handle();
     /// The one that handle() gives next.
     [[nodiscard]] std::string next_handle() const;

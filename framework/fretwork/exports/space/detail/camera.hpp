@@ -13,7 +13,7 @@ namespace fretwork::exports::detail {
 /// Sees points in perspective. Its own axes: x to the right, y up, z towards the viewer.
 class Camera {
   public:
-    /// So that all points are in the picture, with some room around them.
+    /// Moves the camera so that all points are in the picture, with some margin.
     Camera(const ViewOptions& view, double aspect, std::span<const Eigen::Vector3d> points);
 
     /// x and y from -1 to 1 in the picture, z the distance in front of the eye, metres.

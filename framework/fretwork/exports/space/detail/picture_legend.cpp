@@ -101,7 +101,7 @@ std::string number_text(double value) {
     return text;
 }
 
-/// Of "#rrggbb".
+/// Reads "#rrggbb".
 Rgb rgb(const std::string& colour) {
     const auto byte = [&](std::size_t at) {
         return static_cast<std::uint8_t>(std::stoi(colour.substr(at, 2), nullptr, 16));

@@ -19,7 +19,7 @@ void append(png_structp png, png_bytep bytes, std::size_t count) {
 }
 void flush(png_structp) {}
 
-/// What libpng has made, for as long as it is needed.
+/// Owns what libpng has allocated.
 struct PngWriter {
     png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, refuse, ignore);
     png_infop info = png_create_info_struct(png);

@@ -20,8 +20,8 @@ std::size_t at(int x, int y, int width) {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
 }
 
-/// What a row of the grid crosses of a triangle: from and to. Thin triangles across the picture fill little
-/// of their boxes.
+/// The range of columns in which a triangle crosses a row of the grid. Thin triangles across the picture fill
+/// little of their boxes.
 std::array<float, 2> crossing(const std::array<Vector2f, 3>& corners, float y) {
     std::array<float, 2> range = {std::numeric_limits<float>::max(), std::numeric_limits<float>::lowest()};
     for (std::size_t k = 0; k < 3; ++k) {

@@ -17,7 +17,7 @@ struct Sample {
     std::uint32_t pixel = 0;  ///< row by row from the upper left
 };
 
-/// What of a mesh is seen: `per_side` x `per_side` samples of each pixel, nearest surface first of all.
+/// The visible part of a mesh: `per_side` x `per_side` samples of each pixel, the nearest surface first.
 /// Normals look towards the eye.
 std::vector<Sample> visible_samples(const Mesh& mesh, const Camera& camera, PixelSize size, int per_side);
 

@@ -10,9 +10,9 @@
 
 namespace fretwork::mechanics::decks {
 
-/// What a card's parameter OP says of what stood in earlier steps.
+/// The meaning of a card's parameter OP for the values of earlier steps.
 enum class StepOperation {
-    Mod,  ///< it stays, but for what is given anew
+    Mod,  ///< they stay, unless a card gives a new value
     New   ///< it goes; so says the first card of a kind in a step, and no other
 };
 
@@ -53,11 +53,11 @@ class StepValues {
     bool is_first_card_ = true;
 };
 
-/// What holds and loads a structure after all steps of a deck. The rules are those of the CalculiX CrunchiX
-/// User's Manual (Dhondt; *BOUNDARY, *CLOAD and *DLOAD): with OP=MOD, the default, what earlier steps gave
-/// stays, and a value given anew for the same node and direction replaces it; with OP=NEW on the first such
-/// card of a step, what earlier steps gave of that kind goes. Within one step forces on one node and
-/// direction add up, and of displacements the last holds. Gravity is told by its set and direction: so
+/// The supports and loads of a structure after all steps of a deck. The rules are those of the CalculiX
+/// CrunchiX User's Manual (Dhondt; *BOUNDARY, *CLOAD and *DLOAD): with OP=MOD, the default, values of earlier
+/// steps stay, and a new value for the same node and direction replaces the old one; with OP=NEW on the first
+/// such card of a step, earlier values of that kind are removed. Within one step forces on one node and
+/// direction add up, and the last displacement holds. Gravity is identified by its set and direction:
 /// CalculiX adds gravity in another direction to that of an earlier step.
 class DeckHistory {
   public:

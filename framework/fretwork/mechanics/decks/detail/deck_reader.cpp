@@ -178,7 +178,7 @@ class Reader {
         return dof - 1;
     }
 
-    /// What OP says of earlier steps.
+    /// The parameter OP for earlier steps.
     [[nodiscard]] StepOperation operation_of(const Card& card) const {
         deck_.require_choice(card, "OP", {"MOD", "NEW"});
         return card.has("OP") && card.parameters.at("OP") == "NEW" ? StepOperation::New : StepOperation::Mod;

@@ -5,7 +5,7 @@
 namespace fretwork::mechanics::decks {
 namespace {
 
-/// What a shape finds wrong with its dimensions is said with their line.
+/// Adds the line to an error about a shape's dimensions.
 template <class Make>
 Section made_at(const InputDeck& deck, const Card::Line& line, const Make& make) {
     try {

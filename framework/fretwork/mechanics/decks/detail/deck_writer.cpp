@@ -40,8 +40,8 @@ void check_writable(const Frame& frame) {
     }
 }
 
-/// Of the rectangle with the section's area and second moments, or of a circle, as *BEAM SECTION writes it.
-/// Torsion is the other program's own.
+/// The rectangle with the section's area and second moments, or the circle, as *BEAM SECTION writes it. The
+/// other program computes the torsion.
 std::string solid_section(const Section& section, std::size_t beam) {
     constexpr double kSame = 1e-6;
     const double height = rectangle_height(section);

@@ -7,7 +7,7 @@
 
 namespace fretwork::mechanics::decks {
 
-/// What calculix_text gives.
+/// The text of calculix_text.
 std::string deck_text(const Frame& frame, DeckReader reader);
 
 }  // namespace fretwork::mechanics::decks

@@ -27,8 +27,8 @@ struct Card {
     [[nodiscard]] bool has(const std::string& parameter) const { return parameters.contains(parameter); }
 };
 
-/// The cards of a CalculiX or Abaqus input deck, and how its words are read. What fails throws InputError
-/// with source and line.
+/// The cards of a CalculiX or Abaqus input deck, and how its words are read. Errors are InputErrors with
+/// source and line.
 class InputDeck {
   public:
     /// @param source  what to call the text in messages
@@ -47,7 +47,7 @@ class InputDeck {
         std::size_t least = 0;
         std::size_t most = std::numeric_limits<std::size_t>::max();
     };
-    /// The numbers of a line; empty words are none.
+    /// The numbers of a line; empty words are skipped.
     [[nodiscard]] std::vector<double> numbers(const Card::Line& line, Count count) const;
 
     /// The value of a parameter that must be there.

@@ -19,7 +19,7 @@ class LabelSets {
     /// Add what a card *NSET or *ELSET lists: labels, names of other sets, or ranges (GENERATE).
     void read(const InputDeck& deck, const Card& card);
     void add(const std::string& set, int label) { sets_[set].insert(label); }
-    /// A set's labels, or none if there is no such set.
+    /// A set's labels, or nothing if the set does not exist.
     [[nodiscard]] const std::set<int>* find(const std::string& name) const;
 
   private:

@@ -19,7 +19,7 @@ struct FrameNames {
     std::span<const int> node_labels{}, beam_labels{};
 };
 
-/// What validate() does.
+/// The checks of validate().
 void check_frame(const Frame& frame, const FrameNames& names);
 
 /// The beam's local axes at rest as the columns of a rotation: 1 along the beam, 2 = 3 x 1, 3 the normal.

@@ -5,8 +5,8 @@
 
 namespace fretwork::optimization::detail {
 
-/// Of runs one after the other, how that run ended which found the best value, and how many starts died. The
-/// search as a whole is cut short by a spent budget, and invalid if all of its starts died.
+/// How the best of several runs ended, and how many starts died. The whole search is cut short by a spent
+/// budget, and invalid if all of its starts died.
 class BestRun {
   public:
     explicit BestRun(const Evaluator& evaluator);

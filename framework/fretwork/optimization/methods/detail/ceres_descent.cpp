@@ -45,7 +45,7 @@ Linearization embed(const CurvatureEvaluation& model, const std::vector<Eigen::I
     return result;
 }
 
-/// What an undamped step gains by the model of embed().
+/// The gain of an undamped step by the model of embed().
 double foreseen_gain(const Linearization& model) {
     return 0.5 * model.residuals.head(model.residuals.size() - 1).squaredNorm();
 }

@@ -15,7 +15,7 @@ struct Linearization {
     Eigen::MatrixXd jacobian;
 };
 
-/// What Ceres minimizes. `linearize` gives nothing once the budget is spent.
+/// The problem that Ceres minimizes. `linearize` gives nothing once the budget is spent.
 struct CeresTask {
     std::function<std::optional<Linearization>(const Eigen::VectorXd&)> linearize;
     int residuals = 0;

@@ -10,26 +10,26 @@
 
 namespace fretwork::optimization::detail {
 
-/// What the methods of NLopt [Johnson2007] share. They work on the objective without smoothing, and in the
-/// unit box.
+/// The parts that the methods of NLopt [Johnson2007] share. They work on the objective without smoothing, and
+/// in the unit box.
 struct NloptOptions {
     OptimizerOptions common{};
     /// Relative change of the objective, and of the variables as shares of the box, at which a run ends.
     double tolerance = 1e-8;
     double initial_step = 0.1;  ///< of the local methods, as a share of the box
     ObjectiveScale scale = ObjectiveScale::AsItIs;
-    /// A search that has no criterion of its own ends after so many evaluations without an improvement.
+    /// A search without its own criterion ends after this many evaluations without an improvement.
     long patience = 5000;
-    /// Throws InputError if a value makes no sense.
+    /// Throws InputError if a value is invalid.
     void validate() const;
 };
 
-/// Runs one after the other, each from its own point of the low-discrepancy sequence and with a seed of its
-/// own. Throws InputError if an option makes no sense.
+/// Runs one after the other, each from its own point of the low-discrepancy sequence and with its own seed.
+/// Throws InputError if an option is invalid.
 std::unique_ptr<Optimizer> make_nlopt_runs(nlopt_algorithm algorithm, const NloptOptions& options);
 
-/// One run from the middle of the box of a method that has no criterion of its own, and ends by `patience`.
-/// `local`: the method by which it descends, if it does. Throws InputError if an option makes no sense.
+/// One run, from the middle of the box, of a method without its own criterion; it ends by `patience`.
+/// `local`: the method of its descents, if it has any. Throws InputError if an option is invalid.
 std::unique_ptr<Optimizer> make_nlopt_search(nlopt_algorithm algorithm, std::optional<nlopt_algorithm> local,
                                              const NloptOptions& options);
 

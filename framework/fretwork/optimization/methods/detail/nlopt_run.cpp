@@ -26,7 +26,7 @@ Scaled scaled(double value, ObjectiveScale scale) {
     return {std::asinh(value), 1.0 / std::hypot(1.0, value)};
 }
 
-/// What NLopt's callback needs. No exception may pass through NLopt's C, so one that comes is kept.
+/// The data of NLopt's callback. No exception may pass through NLopt's C, so exceptions are kept here.
 struct Callback {
     Evaluator& evaluator;
     UnitBox box;
@@ -41,7 +41,7 @@ struct Callback {
     std::exception_ptr error{};
 
     double evaluate(const Eigen::VectorXd& shares, double* slope) {
-        // Some methods finish a batch after they were told to stop.
+        // Some methods finish a batch after a stop.
         if (is_refused || is_patience_over) return HUGE_VAL;
         const double value = value_at(shares, slope);
         ++evaluations;

@@ -32,7 +32,7 @@ struct NloptRun {
 };
 
 /// Minimize the objective itself, without smoothing. A run that NLopt gives up at its first evaluation, or
-/// that sees no finite value, ends as Invalid. What the problem throws is thrown on.
+/// that sees no finite value, ends as Invalid. Exceptions of the problem are thrown on.
 RunOutcome run_nlopt(Evaluator& evaluator, const NloptRun& run);
 
 }  // namespace fretwork::optimization::detail

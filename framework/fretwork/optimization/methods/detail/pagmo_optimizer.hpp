@@ -9,7 +9,7 @@
 
 namespace fretwork::optimization::detail {
 
-/// What a run of a method is made for.
+/// The input of a factory of methods.
 struct EvolutionTask {
     int dimension;  ///< of the problem
     int run;        ///< from 0
@@ -23,7 +23,7 @@ struct Evolution {
 };
 using MakeEvolution = Evolution (*)(const PagmoOptions& options, const EvolutionTask& task);
 
-/// Runs one after the other. Throws InputError if an option makes no sense.
+/// Runs one after the other. Throws InputError if an option is invalid.
 std::unique_ptr<Optimizer> make_pagmo_runs(MakeEvolution make, const PagmoOptions& options);
 
 }  // namespace fretwork::optimization::detail

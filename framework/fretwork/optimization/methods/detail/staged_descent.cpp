@@ -15,8 +15,8 @@ double share_distance(const StagedDescent& one, const StagedDescent& other, cons
     return ((one.point() - other.point()).array() / (bounds.upper - bounds.lower).array()).abs().maxCoeff();
 }
 
-/// Of descents that have met, the lowest, and none that lies far above the lowest of all, which comes last
-/// and so decides how the run ended.
+/// Descents that have met are one, the lowest; none of those kept lies far above the lowest of all, which
+/// comes last and so decides how the run ended.
 Descents promising(Descents descents, const MultistartOptions& options, const Bounds& bounds) {
     std::ranges::stable_sort(descents, {}, [](const auto& descent) { return descent->value(); });
     const double lowest = descents.front()->value();

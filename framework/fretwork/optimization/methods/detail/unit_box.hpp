@@ -7,7 +7,7 @@
 
 namespace fretwork::optimization::detail {
 
-/// What the shares of a unit box measure.
+/// The scale of the unit box.
 enum class Scale {
     Variable,  ///< the way between the bounds of the problem's variable
     Quantity,  ///< the same of exp(variable), where the variable is a logarithm
@@ -19,8 +19,8 @@ class UnitBox {
     explicit UnitBox(const Problem& problem, Scale scale = Scale::Variable);
 
     [[nodiscard]] int dimension() const { return bounds_.dimension(); }
-    /// The point at these shares. What round-off puts outside is put on the bound; a share that is outside by
-    /// more stays outside, so that the evaluator refuses and counts it.
+    /// The point at these shares. A share outside the box by round-off is put on the bound; one that is
+    /// farther outside stays there, so that the evaluator refuses and counts it.
     [[nodiscard]] Eigen::VectorXd point(const Eigen::VectorXd& shares) const;
     /// The change of the point by the shares, variable by variable. Pre: Scale::Variable.
     [[nodiscard]] Eigen::VectorXd rates() const { return bounds_.upper - bounds_.lower; }
