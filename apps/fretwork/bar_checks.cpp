@@ -20,7 +20,7 @@ CLI::Validator clearance_check() {
             if (base::parse_length(text) >= 0) return "";
         } catch (const base::InputError&) {
         }
-        return "'" + text + "' is no length, such as 0.5mm";
+        return "'" + text + "' is not a length, such as 0.5mm";
     };
     return {check, "LENGTH", "length"};
 }
@@ -57,7 +57,7 @@ double parse_strength(const std::string& text) {
                                        text.substr(0, text.size() - unit.size()) + "MPa?");
         return factor * *number;
     }
-    throw base::InputError("--strength", "", "'" + text + "' is no strength, such as 40MPa");
+    throw base::InputError("--strength", "", "'" + text + "' is not a strength, such as 40MPa");
 }
 
 }  // namespace fretwork::app

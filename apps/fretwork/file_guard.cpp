@@ -111,7 +111,7 @@ void check_replaced(const fs::path& path, const FileKind& kind) {
     const bool is_other_table = kind.is_ours != nullptr && is_our_table(present.start);
     const std::string what = !other.empty()   ? other
                              : is_other_table ? "a table of another kind"
-                                              : "no file that fretwork has made";
+                                              : "not a file that fretwork has made";
     throw base::InputError(path.string(), "",
                            "is " + what + ", and would be replaced by " + std::string(kind.name) +
                                "; name another file" + (other.empty() ? ", or remove it first" : ""));

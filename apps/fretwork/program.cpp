@@ -20,7 +20,7 @@ Program::Program(ExitCode& exit_code)
     : CLI::App("Flat, tileable beam patterns that bend: enumerate, calibrate, tile, simulate.", "fretwork") {
     set_version_flag("--version", base::version());
     require_subcommand(1);
-    footer("fretwork VERB --help tells more, with an example.");
+    footer("See fretwork VERB --help for details and an example.");
     for (const auto add_verb : kVerbs) add_verb(*this, exit_code);
     // CLI11 calls this when all options are read, and before the verb runs.
     parse_complete_callback([this] { check_files(*this); });

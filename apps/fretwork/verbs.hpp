@@ -12,8 +12,9 @@ enum class ExitCode { Done = 0, DidNotSucceed = 1, BadInput = 2 };
 inline CLI::Validator seed_check() {
     const auto check = [](const std::string& text) {
         const bool is_number = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
-        return is_number && text.size() <= 18 ? std::string()
-                                              : "'" + text + "' is no seed: 0 to 999999999999999999 is";
+        return is_number && text.size() <= 18
+                   ? std::string()
+                   : "'" + text + "' is not a seed: expected 0 to 999999999999999999";
     };
     return {check, "SEED", "seed"};
 }

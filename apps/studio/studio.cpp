@@ -97,7 +97,7 @@ void Studio::Impl::dispatch(const Request& request) {
     if (row != requests().end()) return (this->*row->handle)(request);
     const StatePtr before = document(request).now();
     auto edit = edited(*before, name, request.json);
-    if (!edit) request.json.at("do").fail("'" + base::shortened(name, 40) + "' is no request");
+    if (!edit) request.json.at("do").fail("'" + base::shortened(name, 40) + "' is not a request");
     if (edit->state == *before) return answer(request, {{"unchanged", true}});
     document_->add(std::move(*edit));
     answer(request);

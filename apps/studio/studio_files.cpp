@@ -216,7 +216,7 @@ HttpAnswer exported(const Target& target, const Situation& situation, const Solv
 /// Where there is a file already, it must be a project: others are not to be lost.
 void require_project_file(const std::filesystem::path& path) {
     if (path.extension() != ".json")
-        throw base::InputError(path.string(), "", "is no name for a project, which ends with .json");
+        throw base::InputError(path.string(), "", "is not a name for a project, which ends with .json");
     if (!std::filesystem::exists(path)) return;
     const auto json = base::JsonReader::from_file(path);
     json.expect_format("project", 1000);

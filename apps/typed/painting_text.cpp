@@ -97,7 +97,8 @@ class PaintingReader {
     [[nodiscard]] simulation::PaintAtRandom by_chance(const std::string& seed) const {
         const auto number = base::read_number<std::uint64_t>(seed);
         if (!number)
-            throw base::InputError(name("patterns"), "", "'" + seed + "' is no seed; random:1 has one");
+            throw base::InputError(name("patterns"), "",
+                                   "'" + seed + "' is not a seed: expected a whole number, as in random:1");
         simulation::PaintAtRandom choice{.seed = *number, .palette = palette()};
         if (choice.palette.ids.empty()) return choice;
         choice.palette.ids.clear();
@@ -114,7 +115,7 @@ class PaintingReader {
         if (!weight || !(*weight > 0.0) || *weight > kLargest)
             throw base::InputError(
                 name("palette"), "",
-                "'" + entry.right + "' is no weight of " + entry.left + ": a number above zero is");
+                "'" + entry.right + "' is not a weight of " + entry.left + ": expected a number above zero");
         return *weight;
     }
 

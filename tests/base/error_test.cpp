@@ -24,8 +24,8 @@ TEST(Error, ItsTextIsMadeOfItsData) {
     EXPECT_STREQ(InputError("is empty").what(), "is empty");
     EXPECT_STREQ(InputError("a.json", "/nodes/1", "is empty").what(), "a.json: /nodes/1: is empty");
     EXPECT_STREQ(InputError("a.json", "", "is empty").what(), "a.json: is empty");
-    EXPECT_EQ(text_of({.problem = "is no number", .where = {{"a.json", "/b"}, {"b.json", "line 3"}}}),
-              "a.json: /b: b.json: line 3: is no number");
+    EXPECT_EQ(text_of({.problem = "is not a number", .where = {{"a.json", "/b"}, {"b.json", "line 3"}}}),
+              "a.json: /b: b.json: line 3: is not a number");
 }
 
 TEST(Error, InsideOfASourceKeepsItsTypeItsKindAndItsOwnPlace) {

@@ -54,7 +54,7 @@ TEST(CommandLine, RefusesBrokenFiles) {
     folder.file("nan.json", R"({"format": "fretwork/frame/1", "nodes": [[NaN,0,0]]})");
     folder.file("other.json", R"({"format": "fretwork/layout/1"})");
     folder.file("bow.json", R"({"format": "fretwork/outline/1", "boundary": [[0,0],[1,1],[1,0],[0,1]]})");
-    folder.file("text.db", "this is no library");
+    folder.file("text.db", "this is not a library");
     expect_refused("fretwork solve truncated.json --out r.json", folder.path(), "truncated.json: line 1");
     expect_refused("fretwork solve nan.json --out r.json", folder.path(), "nan.json: line 1");
     expect_refused("fretwork solve other.json --out r.json", folder.path(), "fretwork/frame/1");

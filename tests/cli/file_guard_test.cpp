@@ -301,7 +301,7 @@ TEST_F(DataLoss, WhatAPersonHasMadeIsNeverReplaced) {
           "fretwork solve frame.json --out foreign.json", "fretwork library export --library L.db --csv ."}) {
         const auto outcome = run(command);
         EXPECT_EQ(outcome.exit_code, 2) << command;
-        EXPECT_THAT(outcome.err, HasSubstr("is no file that fretwork has made, and would be replaced"))
+        EXPECT_THAT(outcome.err, HasSubstr("is not a file that fretwork has made, and would be replaced"))
             << command;
     }
     EXPECT_EQ(run("grep -l 'drawn by hand' a.* | wc -l").out, "5\n");
@@ -324,7 +324,7 @@ TEST_F(DataLoss, OutputsOfAnotherKindAreNeverReplaced) {
               "link.svg: is a link to made.inp, whose name has another ending"},
              {"fretwork simulate p.json --case experiments/cases/cantilever.json --model full --out r.json "
               "--frame-out frame.json",
-              "frame.json: is no file that fretwork has made"}}) {
+              "frame.json: is not a file that fretwork has made"}}) {
         const auto outcome = run(command);
         EXPECT_EQ(outcome.exit_code, 2) << command;
         EXPECT_THAT(outcome.err, HasSubstr(complaint)) << command;

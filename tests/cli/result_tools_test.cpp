@@ -56,7 +56,7 @@ TEST_F(ResultTools, BeamsListTheMostStressedFirst) {
     EXPECT_EQ(run("fretwork beams p.json full.json --top 0 --json").exit_code, 0)
         << "none is shown, all are known";
     ASSERT_EQ(run("fretwork paint p.json --patterns 0-5+5-6").exit_code, 0);
-    EXPECT_THAT(run("fretwork beams p.json full.json").err, HasSubstr("is no result of this project"));
+    EXPECT_THAT(run("fretwork beams p.json full.json").err, HasSubstr("is not a result of this project"));
 }
 
 TEST_F(ResultTools, ComparisonsAreATableForPeopleAndCsvIfAsked) {

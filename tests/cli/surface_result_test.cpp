@@ -111,7 +111,7 @@ TEST_F(SurfaceResults, AreHeldAgainstFiniteTolerancesOnly) {
         const Outcome outcome = run("fretwork compare full.json condensed.json --tolerance=" + value);
         EXPECT_EQ(outcome.exit_code, 2);
         EXPECT_THAT(outcome.err,
-                    AllOf(HasSubstr("--tolerance"), HasSubstr("'" + value + "' is no tolerance")));
+                    AllOf(HasSubstr("--tolerance"), HasSubstr("'" + value + "' is not a tolerance")));
     }
 }
 

@@ -37,14 +37,14 @@ TEST_F(BadLibrary, AMissingFileIsNamedAndNotCreated) {
 TEST_F(BadLibrary, FoldersTextFilesAndEmptyFilesAreRefused) {
     EXPECT_THAT(complaint_of([&] { (void)Library::open(folder_.path()); }), HasSubstr("is a folder"));
     base::write_file_atomically(path(), std::string(5000, 'x'));
-    EXPECT_THAT(complaint(), HasSubstr("is no pattern library"));
+    EXPECT_THAT(complaint(), HasSubstr("is not a pattern library"));
     base::write_file_atomically(path(), "");
-    EXPECT_THAT(complaint(), HasSubstr("is no pattern library"));
+    EXPECT_THAT(complaint(), HasSubstr("is not a pattern library"));
 }
 
 TEST_F(BadLibrary, OtherSqliteFilesAreRefusedAndNotOverwritten) {
     sql("CREATE TABLE recipe(name TEXT)");
-    EXPECT_THAT(complaint(), HasSubstr("is no pattern library"));
+    EXPECT_THAT(complaint(), HasSubstr("is not a pattern library"));
     EXPECT_THAT(complaint_of([&] { make_library(path()); }), HasSubstr("exists already"));
 }
 
@@ -102,7 +102,7 @@ TEST_F(BadLibrary, AnIdThatIsNoPatternIsToldWithItsFile) {
              [](const Library& library) { (void)library.summaries(); },
              [](const Library& library) { (void)library.sample(4); }}) {
         EXPECT_THAT(complaint_of([&] { read(Library::open(path())); }),
-                    AllOf(HasSubstr("lib.db: pattern: "), HasSubstr("'-1.0e' is no edge")));
+                    AllOf(HasSubstr("lib.db: pattern: "), HasSubstr("'-1.0e' is not an edge")));
     }
 }
 
@@ -114,11 +114,11 @@ TEST_F(BadLibrary, ATextInThePlaceOfANumberIsNotReadAsZero) {
              [](const Library& library) { (void)library.summaries(); },
              [](const Library& library) { (void)library.calibrations("0-1+1-6"); }}) {
         EXPECT_THAT(complaint_of([&] { read(Library::open(path())); }),
-                    AllOf(HasSubstr("lib.db: "), HasSubstr("objective"), HasSubstr("'abc' is no number")));
+                    AllOf(HasSubstr("lib.db: "), HasSubstr("objective"), HasSubstr("'abc' is not a number")));
     }
     sql("UPDATE calibration SET objective = 1.0; UPDATE calibration_parameter SET value = x'00ff'");
     EXPECT_THAT(complaint_of([&] { (void)Library::open(path()).calibrations("0-1+1-6"); }),
-                HasSubstr("value: is damaged: a blob is no number"));
+                HasSubstr("value: is damaged: a blob is not a number"));
 }
 
 /// A view that never ends, where a table is expected.

@@ -58,7 +58,7 @@ TEST_F(Merge, ADamagedInputIsNamedAndNothingIsLeft) {
     sqlite3_close(handle);
     for (const Paths& inputs : {Paths{a, b}, Paths{b, a}}) {
         EXPECT_THAT(complaint_of([&] { merge(path("m.db"), inputs); }),
-                    AllOf(HasSubstr("b.db"), HasSubstr("'-1.0e' is no edge")));
+                    AllOf(HasSubstr("b.db"), HasSubstr("'-1.0e' is not an edge")));
         EXPECT_FALSE(std::filesystem::exists(path("m.db")));
     }
 }

@@ -47,7 +47,8 @@ TEST(PatternId, ARefusalNamesTheEdge) {
         parse_pattern_id(paper7(), "0-1+0-2");
         FAIL();
     } catch (const base::InputError& error) {
-        EXPECT_THAT(error.what(), ::testing::HasSubstr("'0-2' is no candidate edge of the layout 'paper7'"));
+        EXPECT_THAT(error.what(),
+                    ::testing::HasSubstr("'0-2' is not a candidate edge of the layout 'paper7'"));
     }
 }
 

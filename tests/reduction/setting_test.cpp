@@ -133,7 +133,7 @@ TEST(SettingFile, BadInputIsRefusedByItsPlace) {
     EXPECT_THAT(complaint(R"("material": {"young_modulus": 0, "poisson_ratio": 0.3})"),
                 HasSubstr("/material/young_modulus"));
     EXPECT_THAT(complaint(R"("material": {"young_modulus": 1e9, "poisson_ratio": 0.3, "strength": 4e7})"),
-                HasSubstr("/material/strength: is no key of fretwork/setting/1"));
+                HasSubstr("/material/strength: is not a key of fretwork/setting/1"));
     EXPECT_THAT(complaint(R"("tile_side": 1e300)"), HasSubstr("mine.json: /tile_side"));
     EXPECT_THAT(complaint(R"("material": {"young_modulus": 1e308, "poisson_ratio": 0.3})"),
                 HasSubstr("1e+18 (Pa)"));

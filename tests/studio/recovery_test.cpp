@@ -159,7 +159,7 @@ TEST_F(StudioRecovery, ErrorsAreWordsAndNotPlacesInMessages) {
         return client.ask(name, more)["error"].get<std::string>();
     };
     EXPECT_EQ(error_of("paint", {{"tiles", {0}}, {"pattern", "0-99"}}),
-              "pattern: '0-99' is no candidate edge of the layout 'paper7'");
+              "pattern: '0-99' is not a candidate edge of the layout 'paper7'");
     const Json nowhere = {{"format", "fretwork/load-case/1"},
                           {"name", "far"},
                           {"supports", {{{"box", {5, 5, 6, 6}}, {"fixed", {"ux"}}}}}};

@@ -43,11 +43,11 @@ TEST(MeshTessellation, TheFaceThatIsNoTileIsNamed) {
     EXPECT_THAT(complaint_about("f 5 6 8\nf 1 3 5 8 7\n"),
                 AllOf(HasSubstr("face 1"), HasSubstr("not convex")));
     EXPECT_THAT(complaint_about("f 1 2 5 4\nf 2 3 6 5\nf 1 2 8\n"), HasSubstr("face 2"));
-    EXPECT_THAT(complaint_about("f 1 2 5 4\nf 5 8 7\n"), HasSubstr("hang together"));
+    EXPECT_THAT(complaint_about("f 1 2 5 4\nf 5 8 7\n"), HasSubstr("connected"));
 }
 
 TEST(MeshTessellation, AVertexOnTheMiddleOfASideIsNoWholeSide) {
-    EXPECT_THAT(complaint_about("f 1 3 5 4\nf 3 6 5\nf 4 6 8 7\n"), HasSubstr("hang together"));
+    EXPECT_THAT(complaint_about("f 1 3 5 4\nf 3 6 5\nf 4 6 8 7\n"), HasSubstr("connected"));
     EXPECT_THAT(complaint_about("f 1 2 5 4\nf 2 3 6 5\nf 4 5 7\nf 5 8 7\nf 4 6 7\n"), HasSubstr("face 4"));
 }
 

@@ -15,7 +15,7 @@ using library::PatternEntry;
 
 std::size_t parse_count(std::string_view text, const char* option, const char* what) {
     if (const auto number = base::read_number<std::size_t>(text); number && *number > 0) return *number;
-    throw base::InputError(option, "", "'" + std::string(text) + "' is no " + what);
+    throw base::InputError(option, "", "'" + std::string(text) + "' is not a " + what);
 }
 
 }  // namespace
@@ -37,7 +37,8 @@ std::vector<PatternEntry> wanted_patterns(const library::Library& library, const
 std::vector<PatternEntry> in_shard(std::vector<PatternEntry> patterns, const std::string& shard) {
     if (shard.empty()) return patterns;
     const auto parts = base::split(shard, '/');
-    if (parts.size() != 2) throw base::InputError("--shard", "", "'" + shard + "' is no shard, such as 2/4");
+    if (parts.size() != 2)
+        throw base::InputError("--shard", "", "'" + shard + "' is not a shard, such as 2/4");
     const std::size_t number = parse_count(parts[0], "--shard", "number of a shard");
     const std::size_t count = parse_count(parts[1], "--shard", "number of shards");
     if (number > count) throw base::InputError("--shard", "", "there is no shard " + shard);

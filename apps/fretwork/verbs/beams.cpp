@@ -47,7 +47,7 @@ void check_own_result(const simulation::SurfaceResult& result, const simulation:
     const std::string difference =
         simulation::subject_difference(*result.subject, simulation::surface_identity(surface));
     if (!difference.empty())
-        throw base::InputError(file, "", "is no result of this project: they differ in " + difference);
+        throw base::InputError(file, "", "is not a result of this project: they differ in " + difference);
 }
 
 /// At the end of which stages the beams bear this.
@@ -107,7 +107,7 @@ void add_beams(CLI::App& app, ExitCode& exit_code) {
     const auto options = std::make_shared<BeamsOptions>();
     verb->add_option("project", options->project, "Project file")->required();
     verb->add_option("result", options->result, "Result file of this project")->required();
-    verb->add_option("--top", options->top, "Print so many beams")->capture_default_str();
+    verb->add_option("--top", options->top, "Number of beams to print")->capture_default_str();
     verb->add_option(
             "--strength", options->strength,
             "Stress that the material bears, such as 40MPa (default: that of the setting's material)")

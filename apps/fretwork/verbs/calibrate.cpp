@@ -126,7 +126,7 @@ void print_failures(const std::vector<FailureReason>& failures) {
         std::printf("failed: %zu pattern%s, such as %s: %s\n", failure.patterns,
                     failure.patterns == 1 ? "" : "s", failure.example.c_str(),
                     base::printable(failure.reason).c_str());
-    if (failures.size() > kShown) std::printf("failed for other reasons, too: library show tells\n");
+    if (failures.size() > kShown) std::printf("failed for other reasons, too: see library show\n");
     if (!failures.empty()) std::printf("--retry tries them again\n");
 }
 

@@ -61,7 +61,8 @@ CLI::Validator tolerance_check() {
     const auto check = [](const std::string& text) {
         const auto number = base::read_number<double>(text);
         const bool is_valid = number && std::isfinite(*number) && *number >= 0.0;
-        return is_valid ? std::string() : "'" + text + "' is no tolerance: a finite number not below zero is";
+        return is_valid ? std::string()
+                        : "'" + text + "' is not a tolerance: expected a finite number not below zero";
     };
     return {check, "NUMBER", "tolerance"};
 }

@@ -55,7 +55,7 @@ struct EnumerateOptions {
 
 int parse_edge_count(std::string_view text, const std::string& all) {
     if (const auto number = base::read_number<int>(text)) return *number;
-    throw base::InputError("--edges", "", "'" + all + "' is no range, such as 2..11, 3..all or 7");
+    throw base::InputError("--edges", "", "'" + all + "' is not a range, such as 2..11, 3..all or 7");
 }
 
 pattern::EdgeRange parse_range(const std::string& text, const NodeLayout& layout) {

@@ -77,7 +77,7 @@ void check_own_result(const simulation::SurfaceResult& result, const std::string
                       const OwnSurface& own) {
     const std::string difference = simulation::subject_difference(*result.subject, own.identity);
     if (!difference.empty())
-        throw base::InputError(file, "", "is no result of this project: they differ in " + difference);
+        throw base::InputError(file, "", "is not a result of this project: they differ in " + difference);
     try {
         exports::require_same_surface(own.surface, result);
     } catch (const base::InputError& error) {
@@ -151,7 +151,7 @@ void check_load_case(const simulation::LoadCase& load_case, const ExportOptions&
             simulation::subject_difference(*scene.results[i].result.subject, drawn);
         if (!difference.empty())
             throw base::InputError(options.results[i], "",
-                                   "is no result of the load case '" + load_case.name +
+                                   "is not a result of the load case '" + load_case.name +
                                        "' of --case: they differ in " + difference);
     }
 }
@@ -266,7 +266,7 @@ void add_export(CLI::App& app, ExitCode&) {
         ->type_name("CONTENT");
     verb->add_option(
         "--case", options->load_case,
-        "Load case whose supports and loads are drawn; facts are told for it, and --bolts are at its "
+        "Load case whose supports and loads are drawn; facts are computed for it, and --bolts are at its "
         "supports");
     verb->add_option("--result", options->results,
                      "Result file of this project (repeatable: drawn over each other)")

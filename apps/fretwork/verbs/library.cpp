@@ -95,7 +95,7 @@ void print_list(const std::vector<PatternSummary>& summaries) {
                     summary.edges, summary.samples, summary.converged_samples, summary.stable_samples,
                     summary.calibrations);
         if (summary.best_objective) std::printf("%6.3f", *summary.best_objective);
-        std::printf("%s\n", summary.failures > 0 ? "  failed: library show tells why" : "");
+        std::printf("%s\n", summary.failures > 0 ? "  failed: see library show for the reason" : "");
     }
 }
 

@@ -54,10 +54,11 @@ std::vector<double> parse_lengths(const std::string& text) {
 tiling::PlaneBox parse_box(const std::string& text) {
     const auto sides = parse_lengths(text);
     if (sides.size() != 4)
-        throw base::InputError("'" + text + "' is no box: XMIN,YMIN,XMAX,YMAX is, as 0,0,100mm,50mm");
+        throw base::InputError("'" + text +
+                               "' is not a box: expected XMIN,YMIN,XMAX,YMAX, such as 0,0,100mm,50mm");
     for (const auto& [most, name] : {std::pair(2U, "XMAX"), std::pair(3U, "YMAX")})
         if (sides[most] < sides[most - 2])
-            throw base::InputError("'" + text + "' is no box: its " + name +
+            throw base::InputError("'" + text + "' is not a box: its " + name +
                                    " is less than its minimum (XMIN,YMIN,XMAX,YMAX)");
     return {{sides[0], sides[1]}, {sides[2], sides[3]}};
 }
@@ -70,7 +71,7 @@ geometry::Polygon parse_polygon(const std::string& text) {
     geometry::Polygon corners;
     for (std::size_t i = 0; i < numbers.size(); i += 2) corners.push_back({numbers[i], numbers[i + 1]});
     if (corners.size() < 3)
-        throw base::InputError("'" + text + "' is no polygon: it needs three corners or more");
+        throw base::InputError("'" + text + "' is not a polygon: it needs three corners or more");
     return corners;
 }
 

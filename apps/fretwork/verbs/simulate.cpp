@@ -296,7 +296,7 @@ void add_simulate(CLI::App& app, ExitCode& exit_code) {
         ->capture_default_str();
     verb->add_option(
         "--stages", options->stages,
-        "File of stages: loads, displacements, what is kept and let go, one after the other; supports "
+        "File of stages: loads, displacements, what is kept and released, one after the other; supports "
         "are those of --case");
     verb->add_option("--modes", options->simulation.vibration_modes,
                      "Number of natural frequencies of the surface at rest, with all of its beams")

@@ -100,7 +100,8 @@ void add_method(CLI::App& verb, SolveOptions& options) {
                     "linear; or, for large displacements and rotations, newton or dynamic-relaxation")
         ->check(CLI::IsMember({"linear", "newton", "dynamic-relaxation"}))
         ->capture_default_str();
-    verb.add_option("--steps", options.solve.steps, "reach the load in so many steps, and write each of them")
+    verb.add_option("--steps", options.solve.steps,
+                    "number of load steps to reach the load in; each is written")
         ->check(CLI::Range(1, 100000));
     verb.add_option(
             "--branch", options.branch,
@@ -127,10 +128,10 @@ void add_questions(CLI::App& verb, SolveOptions& options) {
                   "solutions of straight beams are exact at the nodes)")
         ->excludes(lumped);
     verb.add_option("--buckling", options.solve.buckling_modes,
-                    "so many critical load factors by linearized buckling")
+                    "number of critical load factors by linearized buckling")
         ->check(CLI::Range(1, 1000));
     verb.add_option("--modes", options.solve.vibration_modes,
-                    "so many natural frequencies and modes of the structure at rest")
+                    "number of natural frequencies and modes of the structure at rest")
         ->check(CLI::Range(1, 1000));
 }
 

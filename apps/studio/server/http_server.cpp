@@ -316,7 +316,7 @@ void HttpServer::Impl::listen(const ServerOptions& options) {
     const auto address = asio::ip::make_address(options.address, error);
     if (error)
         throw base::InputError("--address", "",
-                               "'" + options.address + "' is no address, such as 127.0.0.1 or ::1");
+                               "'" + options.address + "' is not an address, such as 127.0.0.1 or ::1");
     const int first = options.port.value_or(kUsualPort);
     const int last = options.port ? first : first + kPortsTried - 1;
     for (int port = first; port <= last; ++port) {

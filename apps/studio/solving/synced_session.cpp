@@ -41,7 +41,7 @@ std::optional<library::Library> open_library(const State& state) {
         throw base::InputError(
             state.library->path.string(), "",
             "has changed since the project was made: open the project with its own library, or "
-            "choose material and section anew");
+            "choose material and section again");
     return library;
 }
 

@@ -151,7 +151,7 @@ class FactFinder {
     void judge_pieces() {
         for (std::size_t p = 1; p < shape_.pieces.size() && p <= kMostOfOneKind; ++p) {
             const Point2& place = shape_.pieces[p].outer.front().place;
-            warn("a piece of its own at " + place_text(place) + " hangs together with nothing", place);
+            warn("disconnected piece at " + place_text(place), place);
         }
         std::vector<bool> used(plan_.nodes.size());
         for (const Bar& bar : plan_.bars)
@@ -242,7 +242,7 @@ class FactFinder {
 void FactsOptions::validate() const {
     require_positive(clearance, "the clearance, m,");
     require_positive(layer_height, "the height of layers, m,");
-    require_positive(sharp_angle, "the angle below which beams are told, rad,");
+    require_positive(sharp_angle, "the angle below which to warn of beams, rad,");
     if (strength) require_positive(*strength, "the strength, Pa,");
 }
 

@@ -14,7 +14,8 @@ using geometry::Point2;
 
 std::string parse_colour(std::string_view text) {
     if (const auto colour = detail::css_colour(text)) return *colour;
-    throw base::InputError("'" + std::string(text) + "' is no colour; red, #f00 and rgb(255, 0, 0) are");
+    throw base::InputError("'" + std::string(text) +
+                           "' is not a colour: expected one such as red, #f00 or rgb(255, 0, 0)");
 }
 
 struct ColouredDrawing::Impl {

@@ -54,12 +54,12 @@ EdgeIndex find_edge(const NodeLayout& layout, std::string_view text) {
     const std::optional<Edge> edge = parse_edge(text);
     if (!edge) {
         throw base::InputError("'" + std::string(text) +
-                               "' is no edge: one is two nodes joined by '-', as in 0-1");
+                               "' is not an edge: expected two nodes joined by '-', as in 0-1");
     }
     const auto candidates = layout.candidate_edges();
     const auto found = std::lower_bound(candidates.begin(), candidates.end(), *edge);
     if (found == candidates.end() || *found != *edge) {
-        throw base::InputError("'" + std::string(text) + "' is no candidate edge of the layout '" +
+        throw base::InputError("'" + std::string(text) + "' is not a candidate edge of the layout '" +
                                layout.name() + "'");
     }
     return EdgeIndex(found - candidates.begin());

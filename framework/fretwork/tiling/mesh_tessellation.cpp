@@ -63,7 +63,7 @@ class MeshTiles {
         });
         const detail::Pieces pieces = detail::pieces_of(dual_, {});
         if (pieces.count > 1)
-            fail(pieces.cell_of_smallest, "does not hang together with the others by sides: there are " +
+            fail(pieces.cell_of_smallest, "is not connected to the others by sides: there are " +
                                               std::to_string(pieces.count) + " pieces");
     }
 

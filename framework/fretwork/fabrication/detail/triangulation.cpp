@@ -29,8 +29,9 @@ using Triangulation =
                                                CGAL::No_constraint_intersection_requiring_constructions_tag>;
 
 [[noreturn]] void fail(const Point2& place) {
-    throw base::GeometryError("the outline touches itself at " + place_text(place) +
-                              ", where a solid would hang together in a line; change a width or a fillet");
+    throw base::GeometryError(
+        "the outline touches itself at " + place_text(place) +
+        ": the solid would be connected only along an edge; change a width or a fillet");
 }
 
 /// Insert all corners at once, which is faster, and return their vertices in their order.

@@ -48,7 +48,7 @@ void Database::fail(int code) const {
     const int kind = code & 0xff;
     const std::string what = sqlite3_errstr(code);
     if (kind == SQLITE_INTERRUPT) throw base::Stopped();
-    if (kind == SQLITE_NOTADB) throw base::InputError(path_.string(), "", "is no pattern library");
+    if (kind == SQLITE_NOTADB) throw base::InputError(path_.string(), "", "is not a pattern library");
     if (kind == SQLITE_CORRUPT) throw base::InputError(path_.string(), "", "is damaged (" + what + ")");
     if (kind == SQLITE_BUSY || kind == SQLITE_LOCKED)
         throw base::IoError(path_.string(), "", "is in use by another program");
@@ -105,7 +105,7 @@ void Statement::require_number(int column) const {
     if (kind != SQLITE_TEXT && kind != SQLITE_BLOB) return;
     const std::string value = kind == SQLITE_TEXT ? "'" + base::printable(text(column)) + "'" : "a blob";
     throw base::InputError(database_->path().string(), column_name(column),
-                           "is damaged: " + value + " is no number");
+                           "is damaged: " + value + " is not a number");
 }
 
 std::string_view Statement::text(int column) const {

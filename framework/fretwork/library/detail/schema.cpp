@@ -221,7 +221,7 @@ bool is_empty(const Database& database) {
 void check_schema(const Database& database) {
     const std::string file = database.path().string();
     if (header_field(database, "application_id") != kApplicationId)
-        throw base::InputError(file, "", "is no pattern library");
+        throw base::InputError(file, "", "is not a pattern library");
     for (const Table& table : content_tables()) require_ordinary_table(database, table.name);
     require_ordinary_table(database, "provenance");
     const std::int64_t version = schema_version(database);

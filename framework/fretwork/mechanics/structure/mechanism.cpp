@@ -60,7 +60,7 @@ std::string place_text(const Eigen::Vector3d& place) {
     throw base::NumericalError(
         {.problem = "the structure, as held, can move without strain at " + where +
                     ": hold it more, or release less of its beams (or stiffnesses differ by more than "
-                    "double precision tells apart)",
+                    "double precision can represent together)",
          .kind = base::ErrorKind::MovesFreely,
          .about = {where}});
 }

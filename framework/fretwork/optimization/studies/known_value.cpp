@@ -57,9 +57,9 @@ KnownValue read_known_value(const std::vector<std::string>& cells, const std::st
     const auto value = base::read_number<double>(cells[1]);
     const auto scale = base::read_number<double>(cells[2]);
     if (!value || !std::isfinite(*value))
-        throw base::InputError(file, place, "best_value '" + cells[1] + "' is no finite number");
+        throw base::InputError(file, place, "best_value '" + cells[1] + "' is not a finite number");
     if (!scale || !std::isfinite(*scale) || *scale <= 0.0)
-        throw base::InputError(file, place, "scale '" + cells[2] + "' is no finite number above zero");
+        throw base::InputError(file, place, "scale '" + cells[2] + "' is not a finite number above zero");
     return {cells[0], *value, *scale, cells[3]};
 }
 

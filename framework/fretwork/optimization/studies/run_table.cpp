@@ -54,19 +54,19 @@ std::string row_fault(const std::vector<std::string>& cells) {
         return base::read_number<long>(cells[column]).value_or(-1) < 0;
     };
     if (base::read_number<int>(cells[2]).value_or(0) < 1)
-        return "repetition '" + cells[2] + "' is no number from 1 on";
+        return "repetition '" + cells[2] + "' is not a number from 1 on";
     constexpr std::string_view kEndings[] = {"converged", "budget-spent", "stalled", "invalid"};
     if (std::ranges::find(kEndings, cells[8]) == std::end(kEndings))
         return "termination '" + cells[8] + "' is none of converged, budget-spent, stalled, invalid";
     for (const std::size_t value : {9U, 10U}) {
-        if (!base::read_number<double>(cells[value])) return "value '" + cells[value] + "' is no number";
+        if (!base::read_number<double>(cells[value])) return "value '" + cells[value] + "' is not a number";
     }
     for (const std::size_t count : {12U, 13U, 14U, 15U}) {
-        if (no_count(count)) return "count '" + cells[count] + "' is no number from 0 on";
+        if (no_count(count)) return "count '" + cells[count] + "' is not a number from 0 on";
     }
     if (!(base::read_number<double>(cells[16]).value_or(-1.0) >= 0.0))
-        return "CPU time '" + cells[16] + "' is no number from 0 on";
-    return is_trace(cells[17]) ? "" : "its trace is no list of cost:value";
+        return "CPU time '" + cells[16] + "' is not a number from 0 on";
+    return is_trace(cells[17]) ? "" : "its trace is not a list of cost:value";
 }
 
 /// Under which other condition a row's run was made; empty if under the same ones.

@@ -36,7 +36,7 @@ void choose_family(const std::vector<std::string>& ids, const std::string& word,
         throw base::InputError("'" + word + "': there are " + std::to_string(members.size()) +
                                " of that family");
     if (members.empty() || count == 0 || parts.size() > 2) {
-        throw base::InputError("'" + word + "' is no problem that is known, no family and no family:N");
+        throw base::InputError("'" + word + "' is not a known problem, family or family:N");
     }
     for (std::size_t k = 0; k < count; ++k)
         chosen.insert(members[(2 * k + 1) * members.size() / (2 * count)]);

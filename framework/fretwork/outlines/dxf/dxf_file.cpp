@@ -71,7 +71,7 @@ void DxfFile::split_groups() {
         if (!value && code->empty()) return;
         if (!value) fail(line, "the file ends within a pair of code and value");
         const auto number = base::read_number<int>(*code);
-        if (!number) fail(line, quoted(*code) + " is no whole number; is this an ASCII DXF file?");
+        if (!number) fail(line, quoted(*code) + " is not a whole number; is this an ASCII DXF file?");
         groups_.push_back({*number, *value, line});
         line += 2;
     }
@@ -151,13 +151,14 @@ const DxfGroup* DxfFile::find(const DxfEntity& entity, int code) const {
 
 double DxfFile::number(const DxfGroup& group) const {
     const auto value = base::read_number<double>(group.value);
-    if (!value || !std::isfinite(*value)) fail(group.line + 1, quoted(group.value) + " is no finite number");
+    if (!value || !std::isfinite(*value))
+        fail(group.line + 1, quoted(group.value) + " is not a finite number");
     return *value;
 }
 
 long DxfFile::whole_number(const DxfGroup& group) const {
     const auto value = base::read_number<long>(group.value);
-    if (!value) fail(group.line + 1, quoted(group.value) + " is no whole number");
+    if (!value) fail(group.line + 1, quoted(group.value) + " is not a whole number");
     return *value;
 }
 

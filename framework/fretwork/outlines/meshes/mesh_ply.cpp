@@ -115,7 +115,7 @@ class PlyReader {
         } else if (keyword == "property" && !elements_.empty()) {
             elements_.back().properties.push_back(property_of(line));
         } else {
-            text_.fail(line, "'" + std::string(keyword) + "' is no element, property or comment here");
+            text_.fail(line, "'" + std::string(keyword) + "' is not an element, property or comment here");
         }
     }
 
@@ -131,7 +131,7 @@ class PlyReader {
         for (const NamedScalar& scalar : kScalars) {
             if (scalar.name == name) return scalar.scalar;
         }
-        text_.fail(line, "'" + std::string(name) + "' is no type of a property");
+        text_.fail(line, "'" + std::string(name) + "' is not a type of a property");
     }
 
     [[nodiscard]] std::size_t vertex_count() const {
@@ -193,7 +193,7 @@ class PlyReader {
         std::vector<long long> numbers;
         for (const double value : values) {
             if (value != std::floor(value) || std::abs(value) > 1e15)
-                text_.fail(place_, base::format_number(value) + " is no vertex");
+                text_.fail(place_, base::format_number(value) + " is not a vertex");
             numbers.push_back(static_cast<long long>(value));
         }
         return numbers;

@@ -67,19 +67,19 @@ void MeshText::fail(const TextLine& line, const std::string& message) const {
 
 double MeshText::number(const TextLine& line, std::string_view word) const {
     const auto value = base::read_number<double>(word);
-    if (!value || !std::isfinite(*value)) fail(line, quoted(word) + " is no finite number");
+    if (!value || !std::isfinite(*value)) fail(line, quoted(word) + " is not a finite number");
     return *value;
 }
 
 long long MeshText::whole_number(const TextLine& line, std::string_view word) const {
     const auto value = base::read_number<long long>(word);
-    if (!value) fail(line, quoted(word) + " is no whole number");
+    if (!value) fail(line, quoted(word) + " is not a whole number");
     return *value;
 }
 
 std::size_t MeshText::count(const TextLine& line, std::string_view word, const std::string& things) const {
     const long long value = whole_number(line, word);
-    if (value < 0) fail(line, quoted(word) + " is no number of " + things);
+    if (value < 0) fail(line, quoted(word) + " is not a number of " + things);
     if (static_cast<std::size_t>(value) > text_.size())
         fail(line, "promises " + std::string(word) + " " + things + ", and the file has " +
                        std::to_string(text_.size()) + " bytes");

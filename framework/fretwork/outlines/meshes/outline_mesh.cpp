@@ -88,7 +88,7 @@ void check_one_piece(const Mesh& mesh, const std::filesystem::path& path) {
     if (count == mesh.n_faces()) return;
     const auto face = std::find(seen.begin(), seen.end(), false) - seen.begin();
     throw base::GeometryError(path.string(), "face " + std::to_string(face),
-                              "the surface is not one piece: this face does not hang together with face 0");
+                              "the surface is not one piece: this face is not connected to face 0");
 }
 
 std::vector<Loop> loops_of_mesh(const std::filesystem::path& path, const MeshFile& file) {

@@ -113,7 +113,7 @@ void check_crossings(const std::vector<std::array<geometry::Point2, 2>>& sides) 
         if (cross) ++crossings;
         if (++near > kMostNear || crossings > kMostCrossings)
             throw base::GeometryError("its curves cross more than " + std::to_string(kMostCrossings) +
-                                      " times, or come near each other too often; that is no outline");
+                                      " times, or come near each other too often; that is not an outline");
     });
 }
 

@@ -111,7 +111,7 @@ class PathParser {
                 return close();
             default:
                 text_.fail(std::string("'") + command +
-                           "' is no command of a path; one of M L H V C S Q T A Z is");
+                           "' is not a command of a path: expected one of M L H V C S Q T A Z");
         }
     }
 

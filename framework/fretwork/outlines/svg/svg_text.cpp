@@ -167,7 +167,7 @@ Affine parse_svg_transform(std::string_view text) {
         const auto function = function_map(name, values);
         if (!function)
             walk.fail("'" + name + "' with " + std::to_string(values.size()) +
-                      " numbers is no transformation, before");
+                      " numbers is not a transformation, before");
         map = map.after(*function);
     }
     return map;

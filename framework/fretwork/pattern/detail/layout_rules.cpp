@@ -91,7 +91,7 @@ Fault check_name(const std::string& name) {
     };
     if (!name.empty() && std::all_of(name.begin(), name.end(), is_allowed)) return std::nullopt;
     return LayoutFault{"/name",
-                       "'" + name + "' is no name of a layout: letters, digits, '-' and '_' make one"};
+                       "'" + name + "' is not a name of a layout: expected letters, digits, '-' and '_'"};
 }
 
 }  // namespace

@@ -67,7 +67,7 @@ StudyProblem calibration_problem(const std::string& id, const std::string& patte
 StudyProblem synthetic_problem(const std::string& id, const std::string& number) {
     const int n = base::read_number<int>(number).value_or(0);
     if (n < 1 || number != std::to_string(n))  // one problem has one id
-        throw base::InputError("'" + id + "' is no synthetic problem, such as synthetic/1");
+        throw base::InputError("'" + id + "' is not a synthetic problem, such as synthetic/1");
     const auto setting = paper_setting();
     const auto any = make_calibration(
         linear_responses(

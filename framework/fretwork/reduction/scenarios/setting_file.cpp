@@ -106,7 +106,7 @@ std::optional<double> read_strength(const JsonReader& document) {
     const auto strength = material ? material->find("strength") : std::nullopt;
     if (!strength) return std::nullopt;
     const std::string format = document.at("format").string();
-    if (format == "fretwork/setting/1") strength->fail("is no key of " + format);
+    if (format == "fretwork/setting/1") strength->fail("is not a key of " + format);
     return strength->positive_number();
 }
 

@@ -195,7 +195,7 @@ std::string_view words_for(DefectKind kind) {
         case DefectKind::TooMany:
             return "it would need too many tiles";
         case DefectKind::Torn:
-            return "the tiles would not hang together as the outline does";
+            return "the tiles would not be connected as the outline is";
         case DefectKind::NotConvex:
             return "a tile would not be convex";
         case DefectKind::Uncovered:

@@ -38,7 +38,7 @@ class Palette {
         const std::string id = pattern::pattern_id(layout_, pattern);
         const pattern::Verdict verdict = pattern::judge(layout_, filters_, pattern);
         if (!verdict.accepted)
-            throw base::InputError("'" + id + "' is no valid pattern (" + verdict.filter +
+            throw base::InputError("'" + id + "' is not a valid pattern (" + verdict.filter +
                                    "): " + verdict.reason);
         if (!known_.insert(id).second) throw base::InputError("names the pattern " + id + " twice");
         ids_.push_back(id);

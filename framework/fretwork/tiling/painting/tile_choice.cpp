@@ -26,7 +26,7 @@ std::vector<TileIndex> tiles_where(const Tessellation& tessellation, const Test&
 std::size_t parse_tile(std::string_view text, std::size_t count) {
     const auto number = base::read_number<std::size_t>(text);
     if (number && *number < count) return *number;
-    throw base::InputError("'" + std::string(text) + "' is no tile: there are 0 to " +
+    throw base::InputError("'" + std::string(text) + "' is not a tile: there are 0 to " +
                            std::to_string(count - 1) + ", and ranges such as 3-7");
 }
 

@@ -267,7 +267,7 @@ test('models that cannot be used say why, and the share of a mixed one is chosen
   assert.equal(await undoLabel(page), null, 'to choose the model that is chosen is no step');
 });
 
-test('sizes that make no sense are told in the units of the page, and kept', async (t) => {
+test('invalid sizes are reported in the units of the page, and kept', async (t) => {
   const { address } = await startStudio(t);
   const page = await openPage(t, address);
   await drop(page, 'square.svg', SQUARE);

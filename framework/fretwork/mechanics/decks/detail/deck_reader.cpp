@@ -67,7 +67,7 @@ class Reader {
     void read_nodes(const Card& card) {
         deck_.allow_only(card, {"NSET"});
         for (const auto& [line, words] : card.lines) {
-            if (words.size() < 2) deck_.fail(line, "is no node: a label and coordinates are needed");
+            if (words.size() < 2) deck_.fail(line, "is not a node: a label and coordinates are needed");
             const int label = deck_.integer(line, words[0]);
             Eigen::Vector3d position = Eigen::Vector3d::Zero();
             for (std::size_t i = 1; i < std::min<std::size_t>(words.size(), 4); ++i)
@@ -98,8 +98,8 @@ class Reader {
         const std::size_t count = two ? 2 : 3;
         for (const auto& [line, words] : card.lines) {
             if (words.size() < count + 1)
-                deck_.fail(line, "is no element of type " + type + ": a label and " + std::to_string(count) +
-                                     " nodes are needed");
+                deck_.fail(line, "is not an element of type " + type + ": a label and " +
+                                     std::to_string(count) + " nodes are needed");
             ElementData element;
             element.line = line;
             for (std::size_t i = 1; i <= count; ++i) element.nodes.push_back(node(line, words[i]));
