@@ -33,7 +33,7 @@ bool is_folder(const fs::path& path) {
     return fs::is_directory(path, ignored);
 }
 
-/// Of the file that is written, whatever links lead to it.
+/// Identity of the file that is written, whatever links lead to it.
 fs::path folder_of(const fs::path& path) {
     std::error_code ignored;
     return fs::absolute(base::link_target(path), ignored).parent_path();
@@ -87,7 +87,7 @@ void check_place(const NamedFile& file) {
                                "cannot be written: folder " + folder.string() + ": " + std::strerror(errno));
 }
 
-/// What is there now, in words, if it is of another kind than it should be; else nothing.
+/// The present content in words, if it is of another kind than it should be; else nothing.
 std::string other_kind(const FileContent& present, const FileKind& kind) {
     if (present.is_database)
         return kind.name == kLibraryFile.name ? "" : "a pattern library or another database";

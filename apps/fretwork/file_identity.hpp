@@ -13,14 +13,14 @@ bool is_same_file(const std::filesystem::path& left, const std::filesystem::path
 /// Something that is written and not replaced: /dev/stdout, /dev/null, a pipe.
 bool is_device(const std::filesystem::path& path);
 
-/// What a file says that it is.
+/// The kind that a file claims to be.
 struct FileContent {
     bool is_database = false;  ///< SQLite, as every pattern library is
     std::string format{};      ///< K of a JSON file that says "fretwork/K/N"; else empty
     std::string start{};       ///< its first lines; empty: nothing is there, or nothing is in it
 };
 
-/// Of a file that is missing or cannot be read, nothing is known.
+/// Nothing is known of a file that is missing or cannot be read.
 FileContent content_of(const std::filesystem::path& path);
 
 }  // namespace fretwork::app

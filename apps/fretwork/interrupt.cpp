@@ -16,8 +16,8 @@ namespace fretwork::app {
 namespace {
 
 // A signal handler may do little more than post a semaphore, so a thread waits for that and requests the
-// stop. Blocking the signals and waiting for them with sigwait would not do: libraries start threads of their
-// own before main, and a signal that one of those receives ends the program.
+// stop. Blocking the signals and waiting for them with sigwait is not enough: libraries start their own
+// threads before main, and a signal that one of those receives ends the program.
 sem_t signal_has_come;
 
 /// When the first signal came, in nanoseconds; 0: none yet.

@@ -11,12 +11,12 @@ namespace fretwork::app {
 /// its progress is shown on the terminal (nothing in a pipe). A second Ctrl-C ends the program at once.
 ///
 /// A verb hands `control()` to the options of its long calls. A call that is stopped throws base::Stopped,
-/// which `main` reports with exit code 1; or it returns what is done, and `is_stopped` tells why it is not
-/// all. One at a time.
+/// which `main` reports with exit code 1; or it returns its finished part, and `is_stopped` says why it is
+/// not all. One at a time.
 class LongWork {
   public:
-    /// What asks it to stop: Ctrl-C and SIGTERM, or also SIGHUP, which comes when its terminal is closed. Who
-    /// is to go on without a terminal (nohup) ignores SIGHUP, and then it stays ignored.
+    /// The signals that stop it: Ctrl-C and SIGTERM, or also SIGHUP, which comes when its terminal is closed.
+    /// A program that is to go on without a terminal (nohup) ignores SIGHUP, and then it stays ignored.
     enum class StopsAt { Interrupt, HangUp };
     explicit LongWork(StopsAt signals = StopsAt::Interrupt);
     ~LongWork();

@@ -7,7 +7,7 @@
 
 namespace fretwork::app {
 
-/// What `--json` prints: one document on standard output.
+/// The output of `--json`: one document on standard output.
 inline void print_document(const base::Json& document) {
     std::fputs(base::json_text(document).c_str(), stdout);
 }

@@ -87,8 +87,8 @@ ExitCode run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
     using namespace fretwork;
-    // A limit on the size of files (ulimit -f) would end the program without a word. Ignored, it makes
-    // write() fail, which is told like a full disk.
+    // A limit on the size of files (ulimit -f) would end the program without a word. Ignored, the signal
+    // makes write() fail, which is reported like a full disk.
     std::signal(SIGXFSZ, SIG_IGN);
     try {
         const app::ExitCode exit_code = app::run(argc, argv);

@@ -7,8 +7,8 @@
 
 namespace fretwork::app {
 
-/// Read a surface's result, and check what it says that it is a result of. One of an older program does not
-/// say so; it is taken at its word, and that is told on standard error.
+/// Read a surface's result, and check its subject against the project. A result of an older program has no
+/// subject; it is accepted, with a line on standard error.
 simulation::SurfaceResult read_surface_result(const std::string& file);
 
 }  // namespace fretwork::app

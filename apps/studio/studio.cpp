@@ -15,7 +15,7 @@ using base::JsonReader;
 
 namespace {
 
-/// What a message that cannot be read says of its number; null if it says nothing of the kind.
+/// The number that an unreadable message gives; null if it gives none.
 Json number_of(std::string_view message) {
     const Json json = Json::parse(message, nullptr, false);
     if (!json.is_object() || !json.contains("id")) return {};
@@ -57,7 +57,7 @@ Studio::Impl::Impl(const StudioOptions& options)
     if (options.project)
         show(read_document(*options.project));
     else
-        autosave_place_ = place_for(std::nullopt);  // whether one can be made is told now
+        autosave_place_ = place_for(std::nullopt);  // whether one can be made is reported now
 }
 
 Studio::Impl::~Impl() = default;

@@ -26,9 +26,9 @@ class Studio {
     Studio& operator=(const Studio&) = delete;
     ~Studio();
 
-    /// What to open in a browser.
+    /// The address to open in a browser.
     [[nodiscard]] std::string address() const;
-    /// What keeps unsaved changes from being kept, in one line; empty: nothing.
+    /// The reason why unsaved changes cannot be kept, in one line; empty if they are.
     [[nodiscard]] std::string warning() const;
     /// Serve until stop() is called.
     void run();

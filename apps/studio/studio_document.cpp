@@ -328,7 +328,7 @@ void Studio::Impl::check_making() {
                              tell_making(state, event);
                          });
                      },
-                 // What cannot be built is told by the live solution already.
+                 // The live solution already reports what cannot be built.
                  .failed = [](const std::string&) {}});
 }
 

@@ -40,7 +40,7 @@ double width_of(const std::vector<geometry::Point2>& points) {
     return right.x - left.x;
 }
 
-/// What `new` asks for.
+/// The request `new`.
 struct NewRequest {
     std::string example;
     SentOutline outline;
@@ -55,7 +55,7 @@ struct NamedProject {
     bool is_example = false;
 };
 
-/// What the tiling did to the drawing.
+/// The changes of the drawing by the tiling.
 void add_remarks(const simulation::NewProject& made, std::vector<std::string>& remarks) {
     if (made.report.negligible_points > 0)
         remarks.push_back(std::to_string(made.report.negligible_points) +
@@ -130,7 +130,7 @@ NewRequest read_new(const base::JsonReader& json) {
     return wanted;
 }
 
-/// What of an address says how a scene is drawn: as the options of `fretwork export`.
+/// The part of an address that says how a scene is drawn: as the options of `fretwork export`.
 void read_drawing(const Target& target, exports::Scene& scene) {
     if (const std::string scale = target.value("scale"); !scale.empty())
         scene.displacement_scale = base::parse_number(scale);
@@ -140,7 +140,7 @@ void read_drawing(const Target& target, exports::Scene& scene) {
     if (const std::string colour = target.value("colour"); !colour.empty()) scene.picture.colour = colour;
 }
 
-/// What of an address says how a surface is made.
+/// The part of an address that says how a surface is made.
 exports::Making read_making(const Target& target, const std::optional<simulation::Conditions>& conditions) {
     const typed::MakingChoice choice{.fillet = target.value("fillet"),
                                      .kerf = target.value("kerf"),
@@ -168,7 +168,7 @@ void check_keys(const Target& target) {
     }
 }
 
-/// Why there is no file.
+/// The reason why there is no file.
 HttpAnswer refused(unsigned status, const std::string& why) {
     return {.status = status, .body = one_line(why) + "\n"};
 }
@@ -298,8 +298,8 @@ void Studio::Impl::download(const Request& request) {
            {{"text", simulation::project_text(make_project(*shown.now(), folder_of(shown.path())))}});
 }
 
-/// A file that is not what this document was read from, or written to, is replaced only by who has seen that:
-/// `replaces` is the hash that the refusal told.
+/// A file that this document was neither read from nor written to is replaced only by a page that has seen
+/// it: `replaces` is the hash in the refusal.
 void Studio::Impl::save(const Request& request) {
     request.json.allow_only({"id", "do", "path", "replaces"});
     Document& shown = document(request);

@@ -16,15 +16,14 @@
 
 namespace fretwork::studio {
 
-/// The answer that a file is to show. With neither part there is none: nothing is loaded, or the file shows
-/// none.
+/// The answer that a file is to show. Both parts are empty if nothing is loaded, or the file shows no answer.
 struct AnswerToExport {
     SolvedPtr solved;
-    std::string missing;  ///< why there is none, though there should be
+    std::string missing;  ///< the reason for a missing answer
 };
 
-/// What Studio hides. Everything here runs on the server's thread, but for what is handed to other threads;
-/// these come back by post().
+/// The data and the requests of Studio. Everything here runs on the server's thread, except jobs that are
+/// handed to other threads; these come back by post().
 class Studio::Impl final : public Service {
   public:
     explicit Impl(const StudioOptions& options);
@@ -94,8 +93,8 @@ class Studio::Impl final : public Service {
     /// same.
     void check_making();
     void tell_making(const StatePtr& state, const base::Json& event);
-    /// The last live solution, or why there is none, for a page that has not seen it with the fields it
-    /// shows.
+    /// The last live solution, or the reason why there is none, for a page that has not seen it with the
+    /// fields it shows.
     void send_solution(ClientId client);
     [[nodiscard]] BeamFields shown_fields() const;
     [[nodiscard]] SolverListener listener();
@@ -122,7 +121,7 @@ class Studio::Impl final : public Service {
     void cancel(const Request& request);
 
     // studio_recovery.cpp: what was not saved
-    /// Nothing if the state folder takes no file, which pages are told.
+    /// Nothing if the state folder takes no file; pages are told so.
     [[nodiscard]] std::optional<AutosavePlace> place_for(
         const std::optional<std::filesystem::path>& document);
     /// The document is saved, or given up.
@@ -193,7 +192,7 @@ class Studio::Impl final : public Service {
     LiveSolver solver_;
 };
 
-/// The event and the message of a solution. With `more` in the event it is none that a newer one replaces.
+/// The event and the message of a solution. With `more` in the event, newer ones do not replace it.
 Outgoing solved_message(const SolvedSurface& solved, const BeamFields& fields, const base::Json& more = {});
 
 }  // namespace fretwork::studio

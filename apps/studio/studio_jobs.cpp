@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What takes longer and is asked for: other models, modes, the load path, comparisons.
+// Long jobs that are asked for: other models, modes, the load path, comparisons.
 #include <fretwork/base/error.hpp>
 #include <fretwork/simulation/results/comparison.hpp>
 #include <fretwork/simulation/results/surface_modes.hpp>

@@ -18,11 +18,11 @@ struct MakingChoice {
     std::string fit;
     std::string clearance;
     std::string layer;
-    /// What messages write before these names.
+    /// The prefix of these names in messages.
     std::string prefix = "--";
 };
 
-/// `conditions` are those of the load case, or null: there is none. Throws InputError that names the entry.
+/// `conditions` are those of the load case, or null without one. Throws InputError that names the entry.
 exports::Making read_making(const MakingChoice& choice, const simulation::Conditions* conditions);
 
 }  // namespace fretwork::typed

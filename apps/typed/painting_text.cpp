@@ -59,7 +59,7 @@ class PaintingReader {
   private:
     [[nodiscard]] std::string name(const char* entry) const { return text_.prefix + entry; }
 
-    /// What follows a prefix of the patterns, if it is there.
+    /// The rest after a prefix of the patterns, if it has that prefix.
     [[nodiscard]] std::optional<std::string> after(std::string_view prefix) const {
         if (!text_.patterns.starts_with(prefix)) return std::nullopt;
         return text_.patterns.substr(prefix.size());

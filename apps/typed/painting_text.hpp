@@ -12,14 +12,14 @@ struct PaintingText {
     /// One pattern's id, a painting file, `random:SEED`, `field:EXPRESSION`, `image:FILE.png` or
     /// `colours:FILE.svg`; empty: no painting.
     std::string patterns{};
-    /// What is chosen from: a painting file, or ids with commas between; empty: the library's calibrated
-    /// ones. With random:SEED an id may have a weight, `ID=3`; with colours:FILE.svg every id has its colour,
-    /// `red=ID`.
+    /// The patterns to choose from: a painting file, or ids with commas between; empty: the library's
+    /// calibrated ones. With random:SEED an id may have a weight, `ID=3`; with colours:FILE.svg every id has
+    /// its colour, `red=ID`.
     std::string palette{};
     std::string property{};  ///< of a pattern; by field and image
     std::string range{};     ///< of the property, SI: `0.02,0.1`
     bool dither = false;     ///< by field and image
-    /// What messages write before these names.
+    /// The prefix of these names in messages.
     std::string prefix = "--";
 };
 

@@ -9,7 +9,7 @@
 
 namespace fretwork::app {
 
-/// What a file is.
+/// The kind of a file.
 struct FileKind {
     std::string_view name;     ///< for people: "a project"
     std::string_view endings;  ///< those that a new file may have, with spaces between; empty: any
@@ -17,7 +17,7 @@ struct FileKind {
     /// Whether a text that begins like this was made by this program; null: texts of this kind are JSON, or
     /// none.
     bool (*is_ours)(std::string_view start) = nullptr;
-    /// Of JSON that people write, too: whether a file is, byte for byte, as this program writes it.
+    /// For JSON that people write, too: whether a file is, byte for byte, as this program writes it.
     bool (*is_as_written)(const std::filesystem::path& path) = nullptr;
     bool is_several = false;  ///< further files are made beside it
 };
@@ -34,7 +34,7 @@ inline constexpr FileKind kProjectFile{"a project", ".json", "project"};
 inline constexpr FileKind kResultFile{"a result", ".json", "result"};
 inline constexpr FileKind kFrameFile{"a frame", ".json", "frame", nullptr, is_frame_as_written};
 inline constexpr FileKind kLibraryFile{"a pattern library", ".db .sqlite .sqlite3", ""};
-/// Each kind of table has a header of its own; tables of other kinds may hold hours of work.
+/// Each kind of table has its own header; tables of other kinds may hold hours of work.
 inline constexpr FileKind kCensusFile{
     "a census", ".csv", "", [](std::string_view start) { return start.starts_with("edges,patterns,"); }};
 inline constexpr FileKind kClassesFile{"a table of classes", ".csv", "", [](std::string_view start) {
@@ -56,7 +56,7 @@ inline constexpr FileKind kExportFile{"a drawing or a mesh", "", "facts", [](std
                                           return says_who_made_it(start) || start.starts_with("node,x_m,");
                                       }};
 
-/// What a command does to a file that an option names.
+/// The effect of a command on a file that an option names.
 enum class FileRole {
     Input,         ///< reads it; an option may also take another text, such as the name of a layout
     Output,        ///< makes it, or puts a new one in its place

@@ -39,7 +39,7 @@ Examples:
   fretwork calibrate --library lib.db --patterns sample:24 --starts 16
   fretwork calibrate --library part2.db --shard 2/4)";
 
-/// What a person asks for.
+/// The options of the verb.
 struct CalibrateOptions {
     std::string library_path;
     std::string setting_path;
@@ -58,7 +58,7 @@ struct FailureReason {
     std::size_t patterns = 0;
 };
 
-/// What came of it.
+/// The outcome of the verb.
 struct Result {
     library::CalibrationKey key;
     std::string_view policy;
@@ -93,7 +93,7 @@ bool is_papers(const Library& library) {
            reduction::setting_difference(papers, library.setting()).empty();
 }
 
-/// What looks like a slip of units.
+/// Warns of values that look like errors of units.
 void tell_doubts(const reduction::Setting& setting) {
     const std::vector<std::string> doubts = reduction::doubts_about(setting);
     if (!doubts.empty())
@@ -198,7 +198,7 @@ void refuse_ignored_options(const CLI::App& verb, const CalibrateOptions& option
                  "is for models with parameters, and " + options.fill.model + " has none");
 }
 
-/// Searches that did not end by themselves are told: what they found may be far from what there is.
+/// Warns of searches that did not end by themselves: their results may be far from the best.
 void warn_of_spent_budgets(const Library& library, std::span<const library::PatternEntry> patterns,
                            const library::CalibrationKey& key) {
     std::size_t spent = 0;

@@ -49,7 +49,7 @@ LoadCase& case_of(Project& project, const CaseOptions& options) {
     throw base::InputError(options.project, "", base::unknown_name_message("load case", options.name, names));
 }
 
-/// What each entry picked, for people; what looks like a slip goes to standard error.
+/// Prints the pick of each entry, for people; warnings go to standard error.
 void tell(const LoadCase& load_case, const Project& project, const CaseOptions& options) {
     if (!options.json) {
         std::printf("%s\n", base::printable(load_case.name).c_str());
@@ -82,7 +82,7 @@ void add_to_project(const CaseOptions& options) {
     tell(load_case, project, options);
 }
 
-/// What others combine stays.
+/// Load cases that others combine stay.
 void check_not_combined(const Project& project, const std::string& name, const std::string& file) {
     for (const LoadCase& other : project.load_cases) {
         if (std::ranges::find(other.combines, name, &LoadCase::Share::load_case) != other.combines.end())

@@ -72,7 +72,7 @@ pattern::EdgeRange parse_range(const std::string& text, const NodeLayout& layout
     return range;
 }
 
-/// What valid patterns are like, as the options say.
+/// The properties of valid patterns, by the options.
 pattern::EnumerationOptions make_enumeration(const EnumerateOptions& options, const NodeLayout& layout) {
     pattern::EnumerationOptions enumeration;
     pattern::FilterSettings& filters = enumeration.filters;

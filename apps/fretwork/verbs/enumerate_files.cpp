@@ -11,7 +11,7 @@
 namespace fretwork::app {
 namespace {
 
-/// Beyond this a sheet is no picture any more.
+/// Sheets of more patterns are too large to look at.
 constexpr std::size_t kMostOnASheet = 5000;
 /// Kept for a library or for classes: some hundred bytes each until the files are written.
 constexpr std::size_t kMostKept = 10'000'000;

@@ -10,7 +10,7 @@
 
 namespace fretwork::app {
 
-// What the verb enumerate prints.
+// The output of the verb enumerate.
 
 enum class Audience { People, Programs };
 

@@ -56,7 +56,7 @@ double read_scale(const std::string& text) {
     return *number;
 }
 
-/// What `parse` makes of an option's text; it says which option was wrong.
+/// Parses an option's text by `parse`; errors name the option.
 template <class Value>
 Value read_option(const std::string& option, const std::string& text, Value (*parse)(const std::string&)) {
     try {
@@ -99,7 +99,7 @@ bool any_is(const Writers& writers, bool (exports::WriterRow::*is)() const) {
     return std::ranges::any_of(writers, [&](const auto* writer) { return (writer->*is)(); });
 }
 
-/// A drawing in .svg is from above where there is no result; with a result and a case it is beside the
+/// A drawing in .svg is seen from above if there is no result; with a result and a case it is beside the
 /// others.
 void refuse_ignored_in_drawings(const CLI::App& verb, const ExportOptions& options, const Writers& writers) {
     const bool has_svg = std::ranges::any_of(
@@ -156,8 +156,8 @@ void check_load_case(const simulation::LoadCase& load_case, const ExportOptions&
     }
 }
 
-/// The library is opened where it is asked for, where a project has no setting of its own, and where the
-/// tiles of a result are calibrated.
+/// The library is opened on request, for a project without a setting, and if the tiles of a result are
+/// calibrated.
 bool needs_library(const ExportOptions& options, const simulation::Project& project,
                    const std::vector<exports::Scene::LabelledResult>& results) {
     if (!options.library.empty() || !project.setting) return true;
@@ -167,7 +167,7 @@ bool needs_library(const ExportOptions& options, const simulation::Project& proj
     });
 }
 
-/// What is wrong with the project's load cases names its file.
+/// Errors of the project's load cases name its file.
 simulation::LoadCase load_case_of(const simulation::Project& project, const ExportOptions& options) {
     try {
         return simulation::find_load_case(project, options.load_case);

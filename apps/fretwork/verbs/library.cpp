@@ -37,7 +37,7 @@ Examples:
   fretwork library merge all.db shard1.db shard2.db
   fretwork library export --library lib.db --csv tables --meshes meshes --chart chart.svg)";
 
-/// What `export --csv` writes.
+/// The files of `export --csv`.
 constexpr const char* kTables =
     "behaviour.csv calibration.csv calibration_error.csv calibration_parameter.csv failure.csv pattern.csv "
     "property.csv response.csv response_state.csv scenario.csv layout.json setting.json";

@@ -18,7 +18,7 @@ using base::Json;
 using library::CalibrationRecord;
 using library::Library;
 
-/// What a pattern does under one scenario, in short.
+/// A pattern's response under one scenario, in short.
 struct ScenarioSummary {
     std::string name;
     std::size_t converged = 0;
@@ -144,7 +144,7 @@ void print_calibration(const CalibrationRecord& record) {
     std::printf("\n");
 }
 
-/// Of the properties that reduction::property_values names; none for others.
+/// Only for the properties that reduction::property_values names.
 std::string_view unit_of(std::string_view property) {
     if (property == "mass_per_area") return " kg/m^2";
     if (property.ends_with("_poisson") || property.ends_with("_anisotropy")) return "";

@@ -75,7 +75,7 @@ geometry::Polygon parse_polygon(const std::string& text) {
     return corners;
 }
 
-/// What `pick` makes of each value of an option; complaints name the option.
+/// Calls `pick` for each value of an option; errors name the option.
 template <class Pick>
 void add_tiles(std::set<TileIndex>& chosen, const char* option, const std::vector<std::string>& values,
                const Pick& pick) {

@@ -51,7 +51,7 @@ struct SimulateOptions {
     simulation::SimulationOptions simulation;
 };
 
-/// What is wrong with a project's load cases or frame names its file.
+/// Errors of a project's load cases or frame name its file.
 template <class Work>
 auto of_project(const SimulateOptions& options, const Work& work) {
     try {
@@ -139,7 +139,7 @@ void print_json(const simulation::SurfaceResult& result) {
     std::fputs(base::json_text(json).c_str(), stdout);
 }
 
-/// Of a path with several solutions, each.
+/// Each solution of a path with several.
 void print_steps(const simulation::SurfaceResult& result) {
     for (std::size_t i = 0; i < result.load_steps.size(); ++i) {
         const mechanics::Solution& step = result.load_steps[i];
@@ -190,7 +190,7 @@ void add_drawings(const SimulateOptions& options, const Surface& surface,
         files.add(path, exports::find_writer(path).write(scene).text);
 }
 
-/// The load steps or stages for ParaView. The files beside the named one are ours, or are not there.
+/// The load steps or stages for ParaView. The files beside the named one are ours, or do not exist.
 void add_series(const SimulateOptions& options, const Surface& surface,
                 const simulation::SurfaceResult& result, base::FileBatch& files) {
     if (options.series.empty()) return;
@@ -212,7 +212,7 @@ mechanics::Frame full_frame(Surface surface, const LoadCase& load_case) {
     return simulation::surface_frame(surface, {}, simulation::resolve(load_case, surface));
 }
 
-/// What is impossible numerically names the project.
+/// Numerical errors name the project.
 simulation::SurfaceResult simulate(const SimulateOptions& options, const Surface& surface,
                                    const LoadCase& load_case, const std::vector<LoadCase>& cases,
                                    const base::Control& control) {

@@ -59,7 +59,7 @@ void print_note_on_moments(const mechanics::Frame& frame, const SolveOptions& op
         std::printf("buckling loads take moments of fixed direction for semi-tangential ones\n");
 }
 
-/// What a deck cannot hold names the frame's file.
+/// Errors of what a deck cannot hold name the frame's file.
 std::string deck_text(const mechanics::Frame& frame, const SolveOptions& options) {
     try {
         return mechanics::calculix_text(frame, options.deck_for == "calculix"
@@ -119,7 +119,7 @@ void add_method(CLI::App& verb, SolveOptions& options) {
         ->check(thread_check());
 }
 
-/// What is solved, and what else is computed of it.
+/// The structure to solve, and what else to compute of it.
 void add_questions(CLI::App& verb, SolveOptions& options) {
     CLI::Option* lumped = verb.add_flag("--lumped-gravity", options.solve.lumped_gravity,
                                         "half of a beam's weight on each end, no moments");

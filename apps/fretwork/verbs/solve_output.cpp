@@ -48,7 +48,7 @@ std::string stability_text(const mechanics::Solution& solution) {
     return "";
 }
 
-/// What the result holds where it is no equilibrium under the full load.
+/// Describes a result that is no equilibrium under the full load.
 void print_failure(const mechanics::Result& result) {
     if (result.solver == mechanics::solver_name(mechanics::Solver::Linear)) {
         std::printf("rounding leaves %.1e of the load unbalanced: stiffnesses are too far from each other\n",

@@ -9,7 +9,7 @@
 
 namespace fretwork::app {
 
-// What the verbs solve and simulate print.
+// The output of the verbs solve and simulate.
 
 void print_solution_json(const mechanics::Result& result);
 
@@ -27,7 +27,7 @@ void print_losses_and_modes(const mechanics::Result& result, const WantedModes& 
 
 void print_solution(const mechanics::Result& result, const WantedModes& wanted);
 
-/// The share, or null if there is none.
+/// The share, or null without one.
 base::Json discretization_json(const mechanics::Result& result);
 /// A line about how far a solution is from that of endlessly fine divisions.
 std::string discretization_text(const mechanics::DiscretizationError& error);

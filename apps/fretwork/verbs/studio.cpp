@@ -37,7 +37,7 @@ std::filesystem::path state_folder() {
     return root / ".local" / "state" / "fretwork";
 }
 
-/// The desktop's own command opens it; where there is none, people have the address.
+/// The desktop's own command opens it; without one, people have the address.
 void open_browser(std::string address) {
     std::string program = "xdg-open";
     char* arguments[] = {program.data(), address.data(), nullptr};
@@ -45,7 +45,7 @@ void open_browser(std::string address) {
     ::posix_spawn_file_actions_init(&quiet);
     for (const int stream : {1, 2})
         ::posix_spawn_file_actions_addopen(&quiet, stream, "/dev/null", O_WRONLY, 0);
-    // What this program ignores, the browser need not.
+    // The browser need not ignore the signals that this program ignores.
     sigset_t usual;
     ::sigemptyset(&usual);
     ::sigaddset(&usual, SIGXFSZ);

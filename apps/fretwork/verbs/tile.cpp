@@ -82,7 +82,7 @@ outlines::OutlineFile read_outline(const TileOptions& options, std::optional<dou
     return width ? outlines::scaled_to_width(std::move(file), *width) : file;
 }
 
-/// The library that is named; else that of the project which is tiled anew, if it has one.
+/// The library that is named; else that of the project which is tiled again, if it has one.
 std::optional<Library> open_library(const TileOptions& options) {
     if (!options.library.empty()) return Library::open(options.library);
     if (!std::filesystem::exists(options.out)) return std::nullopt;
@@ -104,7 +104,7 @@ void name_library(Project& project, const TileOptions& options, const Library* l
     project.setting = library->setting();
 }
 
-/// What stays in a project that is tiled anew must fit the new tiles.
+/// The parts of a project that stay when it is tiled again must fit the new tiles.
 void check_what_stays(const Project& project, const TileOptions& options) {
     for (const simulation::LoadCase& load_case : project.load_cases) {
         try {
@@ -167,7 +167,7 @@ Project write(Project tiled, const TileOptions& options, const Library* library)
     return project;
 }
 
-/// What was left out of the outline, in the form of a warning.
+/// The parts of the outline that were left out, as a warning.
 void warn(const simulation::NewProject& made) {
     if (made.report.negligible_points == 0) return;
     std::fprintf(stderr, "fretwork: %d %s of the outline left out: within %.3g mm of the point before\n",
@@ -175,7 +175,7 @@ void warn(const simulation::NewProject& made) {
                  1e3 * tiling::kNegligibleShare * made.edge_length);
 }
 
-/// What was done to the drawing, in one line.
+/// The changes of the drawing, in one line.
 void tell(const outlines::OutlineFile& file, const TileOptions& options) {
     if (file.remarks.empty()) return;
     std::fprintf(stderr, "fretwork: %s: %s\n", base::printable(options.outline).c_str(),
@@ -230,7 +230,7 @@ void print(const tiling::TessellationReport& report, const Project& project, con
     std::printf("%s\n", options.out.c_str());
 }
 
-/// What is typed is looked at before anything is read.
+/// Options are checked before any file is read.
 simulation::NewProjectOptions wanted_project(const TileOptions& options) {
     simulation::NewProjectOptions wanted{.outline_name = options.outline,
                                          .layout = options.layout,

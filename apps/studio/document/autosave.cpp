@@ -77,7 +77,7 @@ AutosavePlace::AutosavePlace(const fs::path& folder, const std::optional<fs::pat
     const std::string stem = stem_of(document);
     for (int number = 1; number <= kMostPlaces && !lock_; ++number) {
         file_ = folder / ((number == 1 ? stem : stem + "-" + std::to_string(number)) + ".json");
-        // What lies there is of a studio that has ended, and is not to be lost.
+        // A file there belongs to a studio that has ended, and must not be lost.
         if (!fs::exists(file_)) lock_ = try_lock(file_);
     }
     if (!lock_)

@@ -52,18 +52,18 @@ struct Recoverable {
     std::chrono::system_clock::time_point time;  ///< of the last change
     std::size_t tiles = 0;
 };
-/// All of a folder, the newest first. What cannot be read is left out. Those of documents that a studio shows
-/// now are not among them.
+/// All autosaves of a folder, the newest first, without unreadable ones and without those of documents that a
+/// studio shows now.
 std::vector<Recoverable> find_recoverable(const std::filesystem::path& folder);
 
 /// The state that lies in an autosave. Throws InputError if it cannot be read.
 State read_autosave(const std::filesystem::path& file);
 
-/// Writes the newest state of a document within half a second, in a thread of its own: a crash loses no more
-/// than that. Files are replaced whole.
+/// Writes the newest state of a document within half a second, on its own thread: a crash loses no more than
+/// that. Files are replaced whole.
 class Autosave {
   public:
-    /// `failed` is told, on the thread, why a state could not be written.
+    /// `failed` receives, on the thread, why a state could not be written.
     explicit Autosave(std::function<void(const std::string& error)> failed);
     Autosave(const Autosave&) = delete;
     Autosave& operator=(const Autosave&) = delete;
@@ -71,7 +71,7 @@ class Autosave {
     ~Autosave();
 
     void keep(StatePtr state, AutosaveLabel label, std::filesystem::path file);
-    /// The document is saved, or given up: remove its file. What waits for it is forgotten.
+    /// The document is saved, or given up: remove its file and forget the waiting state.
     void forget(const std::filesystem::path& file);
 
   private:

@@ -28,13 +28,12 @@ class Document {
     static Document recovered(Document saved, State changed);
     /// Another one with a name, which it has as long as it has no file.
     Document named(std::string name) &&;
-    /// Another one whose first state is no work to be lost: it lies in an example, or in a file that was
-    /// sent.
+    /// A document whose first state needs no saving: it is an example, or a file that was sent.
     Document found_elsewhere() &&;
 
     [[nodiscard]] const StatePtr& now() const { return history_.now(); }
     [[nodiscard]] const std::optional<std::filesystem::path>& path() const { return path_; }
-    /// What lay in its file when that was read or written last.
+    /// The file's content when it was read or written last.
     [[nodiscard]] const std::optional<std::string>& file_hash() const { return file_hash_; }
     [[nodiscard]] std::int64_t revision() const { return revision_; }
     [[nodiscard]] bool is_saved() const { return now() == saved_; }

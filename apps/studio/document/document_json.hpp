@@ -10,7 +10,7 @@
 
 namespace fretwork::studio {
 
-/// What a page is told of a document besides its state.
+/// A document's data for pages, besides its state.
 struct DocumentStatus {
     std::int64_t revision = 0;
     std::optional<std::filesystem::path> path{};  ///< of its file; none: it has none yet

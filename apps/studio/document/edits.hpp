@@ -16,9 +16,8 @@ enum class Mixed { Refused, Taken };
 /// names the models.
 std::string read_model(const base::JsonReader& json, Mixed mixed);
 
-/// What a request for an edit makes of a document, which is the same state if it changes nothing; nothing if
-/// `name` is no edit. Throws InputError if the
-/// request is malformed or asks for what is not possible on this document.
+/// A document after an edit, or the same state if the edit changes nothing; nothing if `name` is not an edit.
+/// Throws InputError if the request is malformed or impossible on this document.
 std::optional<Edited> edited(const State& state, std::string_view name, const base::JsonReader& request);
 
 }  // namespace fretwork::studio

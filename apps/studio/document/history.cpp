@@ -48,7 +48,7 @@ void History::forget_oldest() {
 bool History::undo() {
     if (now_ == 0) return false;
     --now_;
-    steps_[now_].merge.clear();  // the next edit is a step of its own
+    steps_[now_].merge.clear();  // the next edit is a separate step
     return true;
 }
 

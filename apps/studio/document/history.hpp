@@ -13,8 +13,8 @@ namespace fretwork::studio {
 struct Edited {
     State state;
     std::string label;  ///< what the edit is called: "paint 3 tiles"
-    /// Edits in a row with the same key are one step: a drag, a stroke of the brush. Empty: a step of its
-    /// own.
+    /// Successive edits with the same key are one step: a drag, a stroke of the brush. Empty: a separate
+    /// step.
     std::string merge{};
 };
 
@@ -34,7 +34,7 @@ class History {
     /// False if there is nothing to undo, or to redo.
     bool undo();
     bool redo();
-    /// What would be undone, or redone.
+    /// The step that would be undone, or redone.
     [[nodiscard]] std::optional<std::string> undo_label() const;
     [[nodiscard]] std::optional<std::string> redo_label() const;
     [[nodiscard]] std::size_t steps() const { return steps_.size(); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What pages ask to be painted.
+// A page's request to paint.
 #include <fretwork/base/error.hpp>
 #include <fretwork/tiling/painting/painting.hpp>
 #include <studio/document/painting_request.hpp>
@@ -30,7 +30,7 @@ class PaletteWriter {
         if (is_new) known->second = place_of_id(checked(json, text));
         return known->second;
     }
-    /// Of a pattern's id that the layout has.
+    /// For a pattern's id that the layout has.
     int place_of_id(const std::string& id) {
         const auto found = std::ranges::find(painting_.palette, id);
         const auto place = found - painting_.palette.begin();

@@ -21,7 +21,7 @@ struct Painted {
     Painting painting;
     std::size_t tiles = 0;  ///< that were painted
 };
-/// What `paint` asks for. Throws InputError if it is malformed, or cannot be painted.
+/// The painting that `paint` asks for. Throws InputError if it is malformed, or cannot be painted.
 Painted painted(const State& state, const base::JsonReader& request);
 
 }  // namespace fretwork::studio

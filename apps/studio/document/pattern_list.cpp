@@ -18,7 +18,7 @@ namespace {
 using base::Json;
 using reduction::EffectiveProperties;
 
-/// A gallery shows so many; layouts with more are for the command line.
+/// The largest gallery; layouts with more patterns are for the command line.
 constexpr std::size_t kMostPatterns = 20'000;
 
 Json number_or_null(double value) {
@@ -32,7 +32,8 @@ Json stiffness_json(const Eigen::Matrix3d& tensor) {
             {"poisson", number_or_null(-compliance(0, 1) / compliance(0, 0))}};
 }
 
-/// What a pattern has no properties without: a polygon that tiles the plane, interface nodes with beams.
+/// The conditions for a pattern to have properties: a polygon that tiles the plane, interface nodes with
+/// beams.
 std::optional<EffectiveProperties> properties_of(const pattern::NodeLayout& layout,
                                                  const pattern::Pattern& pattern,
                                                  const reduction::Setting& setting) {
@@ -67,7 +68,7 @@ std::vector<std::optional<EffectiveProperties>> all_properties(const pattern::No
     return properties;
 }
 
-/// By pattern: how far its best calibration is from its responses. None without a library.
+/// By pattern: the distance of its best calibration from its responses. None without a library.
 std::map<std::string, double> calibration_errors(const State* state) {
     std::map<std::string, double> errors;
     const auto library = state != nullptr ? open_library(*state) : std::nullopt;

@@ -15,19 +15,18 @@ namespace fretwork::studio {
 struct Painting {
     std::vector<std::string> palette;  ///< pattern ids
     std::vector<int> patterns;         ///< of each tile: an index into the palette; -1: not painted
-    std::vector<int> turns;            ///< of each tile: so many vertices further than in the ground
+    std::vector<int> turns;            ///< for each tile: turned by this many vertices from the ground
     friend bool operator==(const Painting&, const Painting&) = default;
 };
 
-/// Where the pattern library lies, and the hash that it had. Both empty: there is none.
+/// The path of the pattern library, and the hash that it had. Both empty: there is none.
 struct LibraryLink {
     std::filesystem::path path;  ///< absolute
     std::string hash;
 };
 
-/// A document at one moment. Its parts are immutable and shared between moments: an edit makes one part
-/// anew, and to undo it is to go back to the moment before. Whether a part has changed is whether its address
-/// has.
+/// A document at one moment. Its parts are immutable and shared between moments: an edit replaces one part,
+/// and to undo is to go back to the moment before. A part has changed if its address has.
 struct State {
     template <class Value>
     using Part = std::shared_ptr<const Value>;

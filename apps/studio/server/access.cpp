@@ -17,7 +17,7 @@ bool is_port(std::string_view text) {
            std::ranges::all_of(text, [](char c) { return c >= '0' && c <= '9'; });
 }
 
-/// What stands before a colon and a port, or all of it where there is none.
+/// The text before a colon and a port, or the whole text without one.
 std::string_view without_port(std::string_view host) {
     const std::size_t colon = host.rfind(':');
     if (colon == std::string_view::npos || host.ends_with(']')) return host;

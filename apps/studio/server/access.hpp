@@ -22,13 +22,13 @@ bool is_own_origin(std::string_view origin, std::string_view address);
 struct Target {
     std::string path;
     std::map<std::string, std::string, std::less<>> values;
-    /// "" if there is none of that name.
+    /// "" if the header is missing.
     [[nodiscard]] std::string value(std::string_view name) const;
 };
 /// Nothing if it is malformed.
 std::optional<Target> parse_target(std::string_view text);
 
-/// Compares in a time that does not tell how much of the token is right.
+/// Compares in a time that does not depend on how much of the token is right.
 bool is_token(std::string_view given, std::string_view token);
 
 }  // namespace fretwork::studio

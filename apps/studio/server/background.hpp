@@ -16,7 +16,7 @@ namespace fretwork::studio {
 /// A thread that does one piece of work after the other.
 class Background {
   public:
-    /// A piece of work. It may throw base::Error and std::bad_alloc: `failed` is then told, on the thread, in
+    /// A piece of work. It may throw base::Error and std::bad_alloc: `failed` then receives, on the thread,
     /// words for people.
     struct Job {
         std::function<void(const base::Control&)> work;
@@ -24,7 +24,7 @@ class Background {
         /// How far it is, 0 to 1; may be empty.
         std::function<void(double share)> told{};
     };
-    /// So many may wait; more are refused.
+    /// The most waiting jobs; more are refused.
     static constexpr std::size_t kMostWaiting = 16;
 
     Background();
@@ -35,7 +35,7 @@ class Background {
 
     /// Throws InputError if too many are waiting.
     void add(Job job);
-    /// Stop what is under way and forget what waits; each is told that it failed.
+    /// Stop the running job and forget the waiting ones; each is reported as failed.
     void cancel();
 
   private:

@@ -31,8 +31,8 @@ using ErrorCode = beast::error_code;
 constexpr int kUsualPort = 8080;
 constexpr int kPortsTried = 100;
 constexpr std::size_t kMostConnections = 64;
-/// Of them, those whose request has not come yet: any program on this machine can open them, without the
-/// token.
+/// The connections among them whose request has not come yet: any program on this machine can open them,
+/// without the token.
 constexpr std::size_t kMostWaiting = 32;
 constexpr std::size_t kMostHeaderBytes = 16384;
 /// A file of 64 MB in Base64, and what stands around it.
@@ -40,7 +40,7 @@ constexpr std::size_t kMostMessageBytes = 90'000'000;
 /// After the system refused a connection, such as where all descriptors are taken.
 constexpr std::chrono::milliseconds kAcceptPause{200};
 
-/// What is sent where a request is not even read.
+/// The response to a request that is not even read.
 constexpr std::string_view kTooMany =
     "HTTP/1.1 429 Too Many Requests\r\nContent-Type: text/plain; charset=utf-8\r\n"
     "Content-Length: 21\r\nConnection: close\r\n\r\ntoo many connections\n";
@@ -125,7 +125,7 @@ class HttpServer::Impl {
     void accept();
     void accept_later();
     void take(tcp::socket socket);
-    /// Whoever has waited longest for its request to come goes, where too many do.
+    /// If there are too many, the connection that has waited longest for its request is closed.
     void make_room();
 
     Service& service_;
@@ -135,7 +135,7 @@ class HttpServer::Impl {
     std::deque<std::weak_ptr<Connection>> waiting_;  ///< whose request has not come yet, the oldest first
     std::int64_t last_client_ = 0;
     std::map<ClientId, std::weak_ptr<Client>> clients_;
-    // What is under way holds connections, which tell the members above when they go: so it goes first.
+    // Running requests hold connections, which report to the members above when they end: so they go first.
     asio::io_context context_{1};
     tcp::acceptor acceptor_;
     asio::steady_timer pause_;
@@ -200,7 +200,7 @@ class HttpServer::Impl::Client : public std::enable_shared_from_this<Client> {
                             });
     }
 
-    /// What is under way ends with an error, and then nobody holds this any more.
+    /// A running request ends with an error, and then nobody holds this any more.
     void leave() { beast::get_lowest_layer(socket_).close(); }
 
     Impl& server_;
@@ -274,7 +274,7 @@ class HttpServer::Impl::Connection : public std::enable_shared_from_this<Connect
     void upgrade(const Target& target) {
         if (target.path != "/socket")
             return answer(refusal(http::status::not_found, "the WebSocket is at /socket"));
-        stream_.expires_never();  // the WebSocket has times of its own
+        stream_.expires_never();  // the WebSocket has its own timeouts
         std::make_shared<Client>(server_, std::move(stream_))->accept(parser_.get());
     }
 

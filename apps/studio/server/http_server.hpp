@@ -16,7 +16,7 @@ namespace fretwork::studio {
 /// A page that is connected, over its WebSocket.
 enum class ClientId : std::int64_t {};
 
-/// What a browser gets.
+/// A response to a browser.
 struct HttpAnswer {
     unsigned status = 200;
     std::string type = "text/plain; charset=utf-8";
@@ -25,7 +25,8 @@ struct HttpAnswer {
     std::string remark{};         ///< one line of plain letters on the file, for who stores it
 };
 
-/// What the server is for. All calls come on the server's thread, and only for requests that may be made.
+/// The callbacks of the server. All calls come on the server's thread, and only for requests that are
+/// allowed.
 class Service {
   public:
     Service() = default;

@@ -33,7 +33,7 @@ class FileOnDisk {
     base::Scratch folder_;
 };
 
-/// What `read` makes of the path of a sent file. Complaints name the file as it was sent.
+/// The value of `read` at the path of a sent file. Errors name the file as it was sent.
 template <class Read>
 auto read_sent(const SentFile& sent, const Read& read) {
     const FileOnDisk file(sent);

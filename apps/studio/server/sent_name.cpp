@@ -43,7 +43,7 @@ fs::path read_path(const base::JsonReader& json) {
     if (text.empty()) json.fail("is empty, where the path of a file is needed");
     const fs::path path = fs::absolute(text).lexically_normal();
     std::error_code error;
-    // What is not there is no error here, but a name that the system refuses is one.
+    // A missing file is no error here, but a name that the system refuses is one.
     if (fs::status(path, error).type() == fs::file_type::none)
         throw base::InputError(shown(text) + " cannot be a file: " + error.message());
     return path;

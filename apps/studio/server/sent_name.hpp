@@ -12,7 +12,7 @@ namespace fretwork::studio {
 /// A text without the character NUL, at which the system would end a path.
 std::string read_plain_text(const base::JsonReader& json);
 
-/// What stands for a long text in a message.
+/// The placeholder for a long text in a message.
 std::string shown_name(const std::string& name);
 
 /// A name of the program's own, or the path of a file. Throws InputError if it is longer than any path.

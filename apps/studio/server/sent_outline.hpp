@@ -19,7 +19,7 @@ struct SentOutline {
     std::optional<double> width{};  ///< m, that it is to have
 };
 
-/// What would be tiled, and how large all parts of the drawing are.
+/// The outline that would be tiled, and the size of all parts of the drawing.
 struct TakenOutline {
     outlines::OutlineFile file;                ///< the chosen parts, as wide as is wanted
     std::vector<std::array<double, 2>> sizes;  ///< of all parts at the same scale, m, the largest part first

@@ -66,8 +66,8 @@ std::vector<std::string> split(std::string_view pointer) {
     return parts;
 }
 
-/// "/load_cases/0/supports/1" is "load case 1, support 2": people count from one. Nothing of what is no place
-/// in a project or a request, such as the path of a file.
+/// "/load_cases/0/supports/1" is "load case 1, support 2": people count from one. Nothing if the text is no
+/// place in a project or a request, such as the path of a file.
 std::optional<std::string> place_in_words(std::string_view pointer) {
     if (!pointer.starts_with('/')) return std::nullopt;
     const auto parts = split(pointer);

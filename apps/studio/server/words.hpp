@@ -12,10 +12,10 @@ namespace fretwork::studio {
 /// case 1, support 2"), and what the solvers say becomes what can be done.
 std::string in_words(const base::Error& error);
 
-/// What messages of pages are called as the source of an error; their senders need not be told.
+/// The source that errors in messages of pages have; their senders need not see it.
 inline constexpr const char* kMessageSource = "message";
 
-/// What the system refused, and of which file.
+/// The reason of the system, and the file.
 std::string in_words(const std::filesystem::filesystem_error& error);
 
 /// A text that may come from outside, as one line of at most 500 characters.

@@ -18,7 +18,7 @@ namespace {
 
 using simulation::Project;
 
-/// Patterns with few bars have the widest gaps: where none of so many can be made, none with more bars can.
+/// Patterns with few bars have the widest gaps: if this many of them cannot be made, none with more bars can.
 constexpr std::size_t kMostTried = 200;
 
 struct Candidate {

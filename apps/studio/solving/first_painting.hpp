@@ -9,10 +9,10 @@
 namespace fretwork::studio {
 
 /// Paint a project that has just been tiled with one pattern that can be made: its bars do not overlap, and
-/// its gaps and openings are as wide as facts ask for, on these tiles and with bars of this width. Of all
-/// such patterns of the layout it is the one with the fewest bars, and of these the first by name: the least
-/// to cut, and the widest gaps. Returns what to tell a person; empty if there is nothing to tell. Where none
-/// can be made the tiles stay as they are.
+/// its gaps and openings are as wide as facts ask for, on these tiles and with bars of this width. Among all
+/// such patterns of the layout it takes the one with the fewest bars, then the first by name: the least to
+/// cut, and the widest gaps. Returns a remark for people; empty if there is none. If no pattern can be made
+/// the tiles stay as they are.
 std::string paint_to_be_made(simulation::Project& project, const base::Control& control);
 
 }  // namespace fretwork::studio

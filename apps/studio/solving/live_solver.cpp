@@ -17,8 +17,8 @@ namespace {
 constexpr std::chrono::milliseconds kLeastPatience{100};
 constexpr std::chrono::milliseconds kMostPatience{400};
 constexpr std::chrono::milliseconds kLongestSilence{1000};
-/// So long newer input may overtake at once what has shown positions, if only its first iterate. Then an
-/// equilibrium is due: first iterates become worse the farther they are from the last one.
+/// During this time newer input may replace a solution whose positions were shown, if only its first iterate
+/// was. Then an equilibrium is due: first iterates become worse the farther they are from the last one.
 constexpr std::chrono::milliseconds kLongestApproximation{200};
 /// Loads that have not moved for so long are at rest.
 constexpr std::chrono::milliseconds kRest{150};
@@ -153,7 +153,7 @@ std::span<const mechanics::BeamSection> LiveSolver::wanted_sections(const Solver
     return sections_;
 }
 
-/// What was solved already is not solved again, where only further fields are asked for.
+/// If only further fields are asked for, the solution is kept.
 simulation::SurfaceResult LiveSolver::result_of(const Attempt& attempt) {
     const SolverInput& input = attempt.input;
     const bool is_known = last_solved_ && last_situation_ == input.situation;

@@ -24,7 +24,7 @@ struct SolverInput {
     BeamFields fields{};        ///< that somebody shows
 };
 
-/// What positions are: an equilibrium (or the end of the search for one), or the first step towards it.
+/// The kind of positions: an equilibrium (or the end of the search for one), or the first step towards it.
 enum class Stage { FirstIterate, Answer };
 
 /// An equilibrium, and the beams that it moves.
@@ -49,17 +49,17 @@ struct ShownBeams {
     State::Part<Painting> painting;
 };
 
-/// Who hears of what the solver does, on the solver's thread.
+/// The receiver of the solver's results, on the solver's thread.
 struct SolverListener {
     std::function<void(const ShownBeams&)> beams;
-    /// Of one input the first iterate may come before the answer, or, where newer input came, instead.
+    /// The first iterate of an input may come before its answer, or, if newer input came, instead.
     std::function<void(SolvedPtr)> solved;
     std::function<void(const SolverInput&, const std::string& error)> failed;
     std::function<void(const SolverInput&, double share)> told;
 };
 
-/// Solves the newest of what it is given, in a thread of its own. Nothing is queued: what comes while it
-/// solves takes the place of what waits, and a solve that takes long is stopped for it.
+/// Solves the newest input on its own thread. Nothing is queued: input that comes during a solve replaces
+/// waiting input, and a long solve is stopped for it.
 class LiveSolver {
   public:
     explicit LiveSolver(SolverListener listener);
@@ -71,8 +71,8 @@ class LiveSolver {
 
   private:
     using Clock = std::chrono::steady_clock;
-    /// What is to be solved next, and how it is told to stop. The stability of what is dragged is left open
-    /// until it rests.
+    /// The next input, and how to stop the present one. The stability of what is dragged is left open until
+    /// it rests.
     struct Attempt {
         SolverInput input;
         mechanics::StabilityCheck check = mechanics::StabilityCheck::Made;
@@ -102,10 +102,10 @@ class LiveSolver {
     std::optional<Clock::time_point> unanswered_since_{};  ///< the first input that has no answer yet
     Clock::duration last_took_{};                          ///< the last solve that was not stopped
 
-    // Of the thread alone:
+    // For the thread alone:
     SyncedSession session_;
-    std::optional<SolverInput> unchecked_{};  ///< answered, but for its stability
-    SolvedPtr last_solved_;                   ///< the session's last solution; null: there is none
+    std::optional<SolverInput> unchecked_{};  ///< answered, except for its stability
+    SolvedPtr last_solved_;                   ///< the session's last solution; null: none yet
     Situation last_situation_;                ///< and what it is of
     StatePtr state_of_beams_;
     std::shared_ptr<const simulation::SurfaceBeams> beams_;
@@ -119,7 +119,7 @@ class LiveSolver {
 /// Whether the stability of a solution was left open, to answer sooner.
 bool is_unchecked(const simulation::SurfaceResult& result);
 
-/// What to warn of in a result, for people: it did not converge, it is unstable, it is linear and turns far.
+/// The warnings about a result, for people: it did not converge, it is unstable, it is linear and turns far.
 std::vector<std::string> warnings_of(const simulation::SurfaceResult& result);
 
 }  // namespace fretwork::studio

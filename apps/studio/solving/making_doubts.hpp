@@ -11,7 +11,7 @@
 
 namespace fretwork::studio {
 
-/// What stands in the way of making a surface.
+/// Obstacles to making a surface.
 struct MakingDoubts {
     struct Place {
         const char* kind = "";  ///< overlap, gap or opening
@@ -23,8 +23,8 @@ struct MakingDoubts {
     static constexpr std::size_t kMostPlaces = 200;
 };
 
-/// Bars that overlap, and gaps and openings narrower than `clearance` (m). Of a surface of which all tiles
-/// are painted. Throws Stopped.
+/// Bars that overlap, and gaps and openings narrower than `clearance` (m), on a surface whose tiles are all
+/// painted. Throws Stopped.
 MakingDoubts making_doubts(const simulation::Surface& surface, const fabrication::ShapeOptions& shape,
                            double clearance);
 

@@ -22,7 +22,7 @@ bool have_same_ground(const State& a, const State& b) {
     return a.ground == b.ground && a.library == b.library && a.analysis == b.analysis;
 }
 
-/// What the material bears has no part in what is solved.
+/// The material's strength has no effect on the solution.
 bool is_solved_alike(const reduction::Setting& a, const reduction::Setting& b) {
     return reduction::without_strength(a) == reduction::without_strength(b);
 }

@@ -24,8 +24,8 @@ class SyncedSession {
     SyncedSession(const SyncedSession&) = delete;
     SyncedSession& operator=(const SyncedSession&) = delete;
 
-    /// The session at this situation. Throws what the session throws at an edit that it refuses; then the
-    /// next call begins anew.
+    /// The session at this situation. Throws the errors of a session that refuses an edit; then the next call
+    /// begins afresh.
     simulation::Session& follow(const Situation& wanted);
     /// As follow() left it.
     [[nodiscard]] const simulation::Session& operator*() const { return session_.value(); }
