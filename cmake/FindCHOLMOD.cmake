@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# SuiteSparse 5 has no CMake package of its own. Gives the target CHOLMOD::CHOLMOD.
+# SuiteSparse 5 has no CMake package. Gives the target CHOLMOD::CHOLMOD.
 find_path(CHOLMOD_INCLUDE_DIR cholmod.h PATH_SUFFIXES suitesparse)
 find_library(CHOLMOD_LIBRARY cholmod)
 include(FindPackageHandleStandardArgs)

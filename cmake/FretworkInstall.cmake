@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# What `cmake --install` lays down, so that find_package(fretwork) gives the targets fretwork::<stage>.
+# The files of `cmake --install`, so that find_package(fretwork) gives the targets fretwork::<stage>.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# What is built, and the flags that every target of the project shares.
+# The choice of what is built, and the flags that every target of the project shares.
 include(FeatureSummary)
 
 option(FRETWORK_BUILD_APPS "Build the command line" ${PROJECT_IS_TOP_LEVEL})
@@ -41,7 +41,7 @@ if(FRETWORK_SANITIZE)
   target_compile_options(fretwork_flags INTERFACE -Wno-maybe-uninitialized)
   # An empty optional, a place behind the end of a vector: the library stops there.
   target_compile_definitions(fretwork_flags INTERFACE _GLIBCXX_ASSERTIONS)
-  # Under the address sanitizer Eigen keeps room of its own before each block, and libraries of the system that share
+  # Under the address sanitizer Eigen keeps some room before each block, and libraries of the system that share
   # its matrices (pagmo) do not: free() would miss the start. The sanitizer's malloc is aligned to 16 bytes, as any.
   target_compile_definitions(fretwork_flags INTERFACE EIGEN_MALLOC_ALREADY_ALIGNED=1)
 endif()

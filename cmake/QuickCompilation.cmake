@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# What makes a build from nothing quick: several sources are compiled as one (they share what headers cost and the
+# A quick build from nothing: several sources are compiled as one (they share what headers cost and the
 # templates that they instantiate), and the headers that nearly every source includes are read once.
 # Neither changes the meaning of a source. The preset dev compiles each by itself, and `make check` each header, so that
 # each names the headers that it needs.

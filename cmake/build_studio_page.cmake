@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Builds the page in a folder of the build tree: cmake -D NPM=.. -D SOURCE=.. -D WORK=.. -D PAGE=.. -P this file
-# A machine that cannot reach npm's registry gets no page and is told; the program itself is built all the same.
+# A machine that cannot reach npm's registry gets a message and no page; the program itself is built all the same.
 file(REMOVE_RECURSE "${WORK}/src")
 file(COPY "${SOURCE}/" DESTINATION "${WORK}" PATTERN node_modules EXCLUDE PATTERN dist EXCLUDE PATTERN tests EXCLUDE)
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Build and run the benchmarks. Usage: scripts/bench.sh [STAGE..]   (default: all). Figures go to build/bench/<stage>.json, too.
-# REPETITIONS=3 runs each three times and tells mean, median and deviation.
+# REPETITIONS=3 runs each three times and prints mean, median and deviation.
 set -euo pipefail
 export OPENBLAS_NUM_THREADS=${OPENBLAS_NUM_THREADS:-1} OMP_NUM_THREADS=${OMP_NUM_THREADS:-1}  # one thread for yardsticks, too
 cd "$(dirname "$0")/.."

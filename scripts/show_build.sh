@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Configure a preset and build it. On a terminal: one line that tells the share that is done and the time that is left.
+# Configure a preset and build it. On a terminal: one line with the share that is done and the time that is left.
 # Otherwise: nothing, but the end of the log where the build fails.
 # Usage: scripts/show_build.sh PRESET LOG [TARGET..]
 set -uo pipefail

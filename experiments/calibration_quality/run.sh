@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# What each calibrator and number of starts buys: prints the table of README.md, and writes every single result to
+# The gain of each calibrator and number of starts: prints the table of README.md, and writes every single result to
 # calibration_quality.csv in the output folder.
 # Usage: run.sh [PROGRAM] [OUTPUT FOLDER] [OPTIONS..]     such as --patterns 6 --reference-starts 50 for a quick look
 set -euo pipefail

@@ -9,7 +9,7 @@ work=$(mktemp -d /tmp/fretwork_cluster.XXXXXX)
 trap 'rm -rf "$work"' EXIT
 choice=(--patterns sample:18 --starts 1)
 
-# What a library holds, times and hosts aside.
+# The content of a library without times and hosts.
 content() { "$program" library list --library "$1" --json | grep -o '"content_hash": "[0-9a-f]*"'; }
 
 with_slurm() {

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Run a command on a Slurm cluster that is this machine alone: munge, controller and node are started in a
-# folder of their own, as this user, and stopped afterwards. Nothing of the system's own Slurm is touched.
+# separate folder, as this user, and stopped afterwards. Nothing of the system's own Slurm is touched.
 # Usage: with_slurm.sh COMMAND..
 # Exit code: the command's; 77 where the cluster cannot be started, with the reason.
 set -uo pipefail

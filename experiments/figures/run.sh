@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The paper's figures, drawn anew from patterns, calibrations and simulations: out/figures/figNN.svg. A minute.
+# The paper's figures, drawn from patterns, calibrations and simulations: out/figures/figNN.svg. A minute.
 # Usage: run.sh [PROGRAM] [OUTPUT FOLDER]
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Random painted surfaces under loads of all kinds: how far each model is from the full one, and how well the estimate tells it.
+# Random painted surfaces under loads of all kinds: how far each model is from the full one, and how good the estimate of it is.
 # Ten minutes; goes on where it was stopped. Usage: run.sh [PROGRAM] [OUTPUT FOLDER] [SURFACES]
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# What another objective would change: prints the table of README.md, and writes every calibration to
+# The effect of another objective: prints the table of README.md, and writes every calibration to
 # objective_sensitivity.csv in the output folder.
 # Usage: run.sh [PROGRAM] [OUTPUT FOLDER] [OPTIONS..]     such as --patterns 6 for a quick look
 set -euo pipefail

@@ -73,14 +73,14 @@ function stated({ marks: _, ...load_case }: LoadCase & Partial<SentLoadCase>): L
   return load_case;
 }
 
-/** Let another load case act as well, so many times; with 0 it does not. */
+/** Let another load case act as well, times a factor; 0 turns it off. */
 export const combine = (name: string, factor: number): void =>
   void editLoadCase(({ combines = [] }) => {
     const rest = combines.filter(({ load_case }) => load_case !== name);
     return { combines: factor === 0 ? rest : [...rest, { load_case: name, factor }] };
   });
 
-/** Resolves when what an edit makes of the surface is seen, be it provisionally, or told in words. */
+/** Resolves when the effect of an edit on the surface is seen, be it provisionally, or an error is shown. */
 async function seen(edit: () => Promise<boolean>): Promise<void> {
   const [done, shown] = [settled(), shownAnew()];
   const changing = edit();

@@ -81,10 +81,10 @@ function isAnotherShape(made?: Made): boolean {
   return now.kind !== 'path' || shapeIndex.peek() < now.shapes.length - 1;
 }
 
-/** The server writes it as the command line does. What it refuses, it refuses in words. */
+/** The server writes it as the command line does. Refusals come with a reason. */
 export async function exportTo({ ending, made }: ExportRow): Promise<void> {
   if (isAnotherShape(made)) {
-    tell('What is shown is not the answer to the load, and files hold that: close the modes or the load path first.', 'error');
+    tell('Files hold the answer to the load, which is not shown now: close the modes or the load path first.', 'error');
     return;
   }
   // The page's address may say more than the token, which is not of the file.

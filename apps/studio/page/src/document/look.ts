@@ -9,7 +9,7 @@ export type FieldName =
 
 export const field = signal<FieldName>('displacement');
 const ON_BARS: Partial<Record<FieldName, string>> = { N: 'N', T: 'T', M2: 'M2', M3: 'M3', V2: 'V2', V3: 'V3', stress: 'stress', utilization: 'stress' };
-/** What is told of a bar that somebody points at. */
+/** The values shown for the bar under the pointer. */
 export const ALL_ON_BARS = ['N', 'V2', 'V3', 'T', 'M2', 'M3', 'stress'];
 const isBarProbed = computed(() => probed.value?.kind === 'beam');
 /** The fields of bars, by the server's names, that the present colours need, or the bar that is pointed at. */

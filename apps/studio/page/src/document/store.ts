@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the page knows. The server owns the document; these signals are its copy, and the views read them.
+// The page's state. The server owns the document; these signals are its copy, and the views read them.
 
 import { computed, signal } from '@preact/signals';
 import type { Beams, Solution } from '../protocol/binary';

@@ -30,7 +30,7 @@ export const start = (): void => connection.open();
 export const cut = (): void => connection.cut();
 export const ask = <T = object>(what: string, more: object = {}): Promise<T> => connection.ask<T>(what, more);
 
-/** Ask, and tell people the server's words if it refuses. Resolves to null then. */
+/** Ask, and show the server's words if it refuses. Resolves to null then. */
 export async function tryAsk<T = object>(what: string, more: object = {}): Promise<T | null> {
   try {
     return await ask<T>(what, more);
@@ -55,7 +55,7 @@ function opened(): void {
   );
 }
 
-/** The server is told which fields are shown, and sends no others. */
+/** Sends the server the fields that are shown; it sends no others. */
 effect(() => {
   const fields = beamFields.value;
   if (store.hello.peek()) void ask('show', { fields }).catch(() => undefined);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the page is doing right now: no part of the document, and not undone.
+// The page's passing state: not part of the document, and not undone.
 
 import { computed, signal } from '@preact/signals';
 import { documentNow } from './store';

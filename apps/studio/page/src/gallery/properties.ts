@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What patterns are filtered, sorted and charted by: one row each.
+// The properties by which patterns are filtered, sorted and charted: one row each.
 
 import type { Quantity } from '../document/units';
 import type { PatternRow } from '../protocol/messages';

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is not saved is asked about before something else takes its place.
+// Asks about unsaved changes before another document takes their place.
 
 import { signal } from '@preact/signals';
 import { useEffect, useRef } from 'preact/hooks';

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Other load cases that act together with this one, each so many times.
+// Other load cases that act together with this one, each with a factor.
 
 import { combine } from '../document/edits';
 import { documentNow, loadCase } from '../document/store';
@@ -19,7 +19,7 @@ export function Combination() {
           <NumberField narrow label={`How many times ${name} acts as well`} value={factor(name)} quantity="factor" onChange={(value) => combine(name, value)} />
         </label>
       ))}
-      <p class="hint">Their loads act as well, so many times, and their supports hold; 0: not at all.</p>
+      <p class="hint">Adds their loads times the factor, and their supports. 0: off.</p>
     </>
   );
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the server and the page say to each other, as apps/studio/protocol.md tells it. Metres, newtons, radians.
+// The messages between server and page, as in apps/studio/protocol.md. Metres, newtons, radians.
 
 export type Point = [number, number];
 export type Vector = [number, number, number];
@@ -55,7 +55,7 @@ export interface LoadCase {
   loads?: Load[];
   prescribed?: Prescribed[];
   gravity?: Vector;
-  /** Other load cases of the document that act as well, so many times. */
+  /** Other load cases of the document that act as well, with their factors. */
   combines?: { load_case: string; factor: number }[];
 }
 

@@ -10,7 +10,7 @@ import { measured, tilesAbout, tileSize, width } from './outline';
 const MOST_TILES = 100_000;
 /** The studio follows edits of these without waiting. */
 const QUICK_TILES = 3000;
-/** Whether fewer can be made depends on the shape, and only the program can tell. */
+/** Whether fewer can be made depends on the shape, and only the program can decide. */
 const FEWEST_TILES = 3;
 
 /** Fields whose text is no length, by name. */

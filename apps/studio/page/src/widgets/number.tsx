@@ -24,7 +24,7 @@ interface NumberProps {
 
 const isBeyond = (read: number | undefined, least = -Infinity, most = Infinity): boolean => read !== undefined && (read < least || read > most);
 
-/** A number with its unit. Enter or leaving the field takes it; what cannot be taken stays, and is told. Escape puts the old one back, arrow keys change it by a tenth. */
+/** A number with its unit. Enter or leaving the field takes it; an invalid entry stays, with a message. Escape puts the old one back, arrow keys change it by a tenth. */
 export function NumberField({ label, value, quantity, onChange, onClear, narrow, least, most, onReadable, id }: NumberProps) {
   const [draft, setDraft] = useState<string | null>(null);
   const unit = unitOf(quantity);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The lower layer: tiles and their bars in real width. Drawn anew when the view changes; where tiles are painted, there only.
+// The lower layer: tiles and their bars in real width. Redrawn when the view changes; where tiles are painted, there only.
 
 import { fanSegments } from '../../pattern/fan';
 import { neighbours, type Surface } from '../../document/surface';

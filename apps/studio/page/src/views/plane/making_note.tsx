@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What stands in the way of making the surface, and where.
+// Obstacles to making the surface, and their places.
 
 import { making, makingPlace } from '../../document/store';
 import { inShownUnits } from '../../document/units';

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the pointer is about to do in the plane.
+// The pending action of the pointer in the plane.
 
 import { signal } from '@preact/signals';
 import type { Point } from '../../protocol/messages';

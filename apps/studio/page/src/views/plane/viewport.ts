@@ -58,7 +58,7 @@ export function fit(): void {
 }
 
 const PLACE_SIDES = 12;
-/** A place in the middle, near enough that its tile is told from others. */
+/** A place in the middle, near enough to see its tile apart from others. */
 export function seePlace(place: Point): void {
   const now = surface.peek();
   const view = viewport.peek();

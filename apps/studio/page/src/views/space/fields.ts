@@ -95,7 +95,7 @@ function range(on: Values['on'], values: Float32Array, map: ColourMap): Values {
 }
 
 const BINS = 256;
-/** What bars bear peaks at few places, next to supports and loads: the colours tell the others apart. */
+/** Forces of bars peak at few places, next to supports and loads: the colours distinguish the others. */
 const TOLD_APART = 0.98;
 const WORTH_IT = 1.5;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the colours mean, with units; and which model is which when several are laid over each other.
+// The meaning of the colours, with units; and which model is which when several are laid over each other.
 
 import { computed } from '@preact/signals';
 import { documentNow, live, others, shapes, strength } from '../../document/store';

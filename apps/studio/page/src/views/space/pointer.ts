@@ -30,7 +30,7 @@ export function attachPointer(canvas: HTMLCanvasElement, view: SceneView): () =>
     view.dragging = true;
     canvas.setPointerCapture(event.pointerId);
   };
-  // Where the browser tells of each move at once, a drag does not wait for the next picture.
+  // If the browser reports each move at once, a drag does not wait for the next picture.
   const follow = (event: PointerEvent) => drag?.move({ at: at(event), free: event.shiftKey, when: event.timeStamp });
   const isToldAtOnce = 'onpointerrawupdate' in canvas;
   const move = (event: PointerEvent) => {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a node does: where it went, how it turned, what holds it. What a bar bears, at both of its ends.
+// A node's motion and supports; a bar's forces, at both of its ends.
 
 import { X } from 'lucide-preact';
 import { shown, type Shown } from '../../document/shown';
@@ -37,7 +37,7 @@ function BarCard({ bar }: { bar: number }) {
   return (
     <div class="card probe" data-bar={bar}>
       <Head title={tile === undefined ? `Bar ${bar}` : `Bar of tile ${tile + 1}`} />
-      {rows.length === 0 && <p class="hint">{now ? 'This model does not tell what its bars bear.' : 'Nothing is computed yet.'}</p>}
+      {rows.length === 0 && <p class="hint">{now ? 'This model gives no forces of its bars.' : 'Nothing is computed yet.'}</p>}
       <table>
         <tbody>
           {rows.map(({ row, ends }) => (

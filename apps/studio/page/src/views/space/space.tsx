@@ -55,7 +55,7 @@ export function SpaceView() {
   );
 }
 
-/** How much room what is told of it needs beside it. */
+/** The room that the text beside it needs. */
 const CARD_PX = { node: 250, beam: 430 };
 
 function placePin(pin: HTMLDivElement | null, view: SceneView, box: HTMLElement): void {

@@ -91,7 +91,7 @@ export class Stage {
     this.renderer.render(this.scene, this.camera);
   }
 
-  /** As fine as so many samples make it, at once. */
+  /** Draws with this many samples, at once. */
   drawFine(samples = MOST_SAMPLES): void {
     this.stopRefining();
     const fine = this.beginFine();
@@ -134,7 +134,7 @@ export class Stage {
     step();
   }
 
-  /** Tells whether the graphics card has done what it was told before. */
+  /** Whether the graphics card has finished the commands before. */
   private fence(): () => boolean {
     const context = this.renderer.getContext() as WebGL2RenderingContext;
     const sync = context.fenceSync(context.SYNC_GPU_COMMANDS_COMPLETE, 0);
