@@ -74,18 +74,22 @@ TEST(ExternalModel, IsNamedByEveryWriterThatDoesNotKnowIt) {
     scene.models = reduction::tile_models();
     std::set<std::string_view> refusing;
     for (const WriterRow& writer : writer_catalogue()) {
-        const std::string complaint = complaint_of([&] { (void)writer.write(scene); });
-        if (complaint.empty()) continue;
-        EXPECT_THAT(complaint, HasSubstr("twofold")) << writer.ending;
-        refusing.insert(writer.ending);
+        try {
+            (void)writer.write(scene);
+        } catch (const base::InputError& error) {
+            EXPECT_THAT(error.what(), HasSubstr("twofold")) << writer.ending;
+            refusing.insert(writer.ending);
+        }
     }
     EXPECT_TRUE(refusing.contains(".vtu"));
     EXPECT_TRUE(refusing.contains(".png"));
     EXPECT_TRUE(refusing.contains(".html"));
 }
 
-// Twice the stiffness halves the displacements under a load, and so the forces in the same beams.
-TEST(ExternalModel, TellsTheForcesOfItsBeams) {
+// Twice the stiffness halves the displacements under a load, and so the forces in the same beams. Linear
+// solutions have a residual of up to 1e-9 of the load.
+TEST(ExternalModel, GivesTheForcesOfItsBeams) {
+    constexpr double kTolerance = 1e-8;
     const simulation::Surface surface = sample_surface();
     const auto table = [&](const std::string& model) {
         return simulation::beam_table(surface, result_of(surface, model), catalogue());
@@ -97,7 +101,7 @@ TEST(ExternalModel, TellsTheForcesOfItsBeams) {
     const double largest = simulation::most_stressed(condensed, 1).front().largest_stress();
     for (std::size_t i = 0; i < condensed.rows.size(); ++i) {
         EXPECT_NEAR(2.0 * twofold.rows[i].largest_stress(), condensed.rows[i].largest_stress(),
-                    1e-9 * largest);
+                    kTolerance * largest);
     }
 }
 

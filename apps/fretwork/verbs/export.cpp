@@ -205,6 +205,11 @@ exports::Scene make_scene(const ExportOptions& options, const base::Control& con
     if (!options.size.empty()) scene.picture.size = read_option("--size", options.size, typed::parse_size);
     if (!options.colour.empty()) scene.picture.colour = options.colour;
     if (!options.strength.empty()) scene.strength = parse_strength(options.strength);
+    if (options.colour == exports::kUtilization && !scene.known_strength())
+        throw base::InputError(
+            "--colour", "",
+            "utilization needs a strength: give --strength, or write \"strength\" into the "
+            "material of the setting");
     for (const std::string& what : options.labels)
         (what == "tiles" ? scene.labels.tiles : scene.labels.interface_nodes) =
             exports::DrawnLabels::Shown::Yes;
