@@ -3,17 +3,11 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/files/provenance.hpp>
 #include <fretwork/exports/writer_catalogue.hpp>
-#include <fretwork/fabrication/facts.hpp>
 #include <fretwork/reduction/models/tile_model.hpp>
+#include <studio/document/document_json.hpp>
 #include <studio/document/examples.hpp>
 #include <studio/server/binary_messages.hpp>
-#include <studio/server/words.hpp>
-#include <studio/solving/making_doubts.hpp>
 #include <studio/studio_impl.hpp>
-
-#include <algorithm>
-#include <chrono>
-#include <thread>
 
 namespace fretwork::studio {
 
@@ -63,45 +57,7 @@ Json exports_json() {
     return list;
 }
 
-/// For each interface node that is held, what holds it.
-Json reactions_json(const mechanics::Solution& solution, std::size_t interface_nodes) {
-    Json rows = Json::array();
-    const auto count = std::min(static_cast<Eigen::Index>(interface_nodes), solution.reactions.rows());
-    for (Eigen::Index node = 0; node < count; ++node) {
-        const auto row = solution.reactions.row(node);
-        if (row.isZero(0.0)) continue;
-        rows.push_back(
-            {{"node", node}, {"force", {row[0], row[1], row[2]}}, {"moment", {row[3], row[4], row[5]}}});
-    }
-    return rows;
-}
-
 }  // namespace
-
-Outgoing solved_message(const SolvedSurface& solved, const BeamFields& fields, const Json& more) {
-    const mechanics::Solution& solution = solved.result.solution;
-    const double largest = solution.displacements.rows() == 0
-                               ? 0.0
-                               : solution.displacements.leftCols<3>().rowwise().norm().maxCoeff();
-    Json event = {{"event", "solved"},
-                  {"revision", solved.revision},
-                  {"model", solved.model},
-                  {"seconds", solved.result.seconds},
-                  {"solver", solved.result.solver},
-                  {"converged", solution.converged()},
-                  {"residual", solution.residual},
-                  {"iterations", solution.iterations},
-                  {"stable", is_unchecked(solved.result) ? Json() : Json(solution.stable)},
-                  {"load_factor", solution.load_factor},
-                  {"warnings", solved.warnings},
-                  {"largest_displacement", largest},
-                  {"reactions", reactions_json(solution, solved.beams->interface_nodes)},
-                  {"fields", solved.state.forces.rows() > 0 ? names_of(fields) : std::vector<std::string>{}}};
-    std::string positions = solution_message(solved.state, {solved.revision, solved.beams_revision}, fields);
-    if (solved.stage == Stage::FirstIterate) event["provisional"] = true;
-    if (!more.is_null()) event.update(more);
-    return {{text_part(event.dump()), binary_part(std::move(positions))}, more.is_null() ? "solution" : ""};
-}
 
 void Studio::Impl::hello(const Request& request) {
     request.json.allow_only({"id", "do", "protocol", "fields"});
@@ -109,233 +65,131 @@ void Studio::Impl::hello(const Request& request) {
         request.json.at("protocol")
             .fail("this server speaks protocol " + std::to_string(kProtocol) + "; load the page again");
     const auto fields = request.json.find("fields");
-    clients_[request.client] = fields ? read_beam_fields(*fields) : kAllBeamFields;
-    answer(request, {{"version", base::version()},
-                     {"models", models_json()},
-                     {"examples", examples_json()},
-                     {"layouts", pattern::layout_names()},
-                     {"has_library", document_ && !document_->now()->library->path.empty()},
-                     {"has_document", document_.has_value()},
-                     {"exports", exports_json()},
-                     {"recoverable", recoverable_json()}});
-    if (!no_autosave_.empty())
-        server_.send(request.client,
-                     {{text_part(Json{{"event", "warning"}, {"text", no_autosave_}}.dump())}});
+    pages_.show(request.client, fields ? read_beam_fields(*fields) : kAllBeamFields);
+    pages_.answer(request, {{"version", base::version()},
+                            {"models", models_json()},
+                            {"examples", examples_json()},
+                            {"layouts", pattern::layout_names()},
+                            {"has_library", document_ && !document_->now()->library->path.empty()},
+                            {"has_document", document_.has_value()},
+                            {"exports", exports_json()},
+                            {"recoverable", kept_.recoverable_json()}});
+    if (!kept_.trouble().empty()) pages_.send(request.client, warning_event(kept_.trouble()));
     if (!document_) return;
-    server_.send(request.client,
-                 {{text_part(document_event(*document_->now(), document_->status()).dump())}});
-    server_.send(request.client, beams_);
-    server_.send(request.client, making_);
+    pages_.send(request.client, document_event(*document_->now(), document_->status()));
+    view_.send_beams(request.client);
+    making_.send(request.client);
     send_solution(request.client);
 }
 
 void Studio::Impl::show_fields(const Request& request) {
     request.json.allow_only({"id", "do", "fields"});
-    clients_[request.client] = read_beam_fields(request.json.at("fields"));
-    answer(request);
+    pages_.show(request.client, read_beam_fields(request.json.at("fields")));
+    pages_.answer(request);
     if (document_) send_solution(request.client);
 }
 
-BeamFields Studio::Impl::shown_fields() const {
-    BeamFields shown;
-    for (const auto& [client, fields] : clients_) shown |= fields;
-    return shown;
-}
-
 void Studio::Impl::send_solution(ClientId client) {
-    const BeamFields& fields = clients_.at(client);
-    if (!last_solved_)
-        server_.send(client, failed_);
-    else if (fields.none() || last_solved_->state.forces.rows() > 0)
-        server_.send(client, solved_message(*last_solved_, fields));
-    else
-        solve_live();
+    if (!view_.send_solution(client)) solve_live();
 }
 
-Document& Studio::Impl::document(const Request&) {
+Document& Studio::Impl::document() {
     if (!document_) throw base::InputError("there is no document yet: open one, or make a new one");
     return *document_;
 }
 
 void Studio::Impl::undo(const Request& request) {
     request.json.allow_only({"id", "do"});
-    const StatePtr before = document(request).now();
+    const StatePtr before = document().now();
     if (!document_->undo()) throw base::InputError("there is nothing to undo");
-    answer(request);
-    tell_change(*before);
+    pages_.answer(request);
+    follow_change(*before);
 }
 
 void Studio::Impl::redo(const Request& request) {
     request.json.allow_only({"id", "do"});
-    const StatePtr before = document(request).now();
+    const StatePtr before = document().now();
     if (!document_->redo()) throw base::InputError("there is nothing to redo");
-    answer(request);
-    tell_change(*before);
+    pages_.answer(request);
+    follow_change(*before);
 }
 
 void Studio::Impl::select_load_case(const Request& request) {
     request.json.allow_only({"id", "do", "index"});
-    const std::size_t cases = document(request).now()->load_cases->size();
+    const std::size_t cases = document().now()->load_cases->size();
     if (cases == 0) throw base::InputError("there is no load case to select");
     const auto index = request.json.at("index").integer(0, static_cast<long long>(cases) - 1);
     document_->select_load_case(static_cast<std::size_t>(index));
-    answer(request);
-    tell_change(*document_->now());
+    pages_.answer(request);
+    follow_change(*document_->now());
 }
 
 void Studio::Impl::replace(const Request& request, Opened next) {
     const auto discard = request.json.find("discard");
-    if (document_ && discard && discard->boolean()) forget_kept();
+    if (document_ && discard && discard->boolean()) kept_.forget();
     show(std::move(next));
 }
 
 void Studio::Impl::show(Opened next) {
     document_ = std::move(next.document);
-    first_revision_ = document_->revision();
-    autosave_place_ = next.place ? std::move(next.place) : place_for(document_->path());
-    beams_ = {};
-    failed_ = {};
-    last_solved_.reset();
-    last_failure_.reset();
-    last_beams_.reset();
-    checked_.reset();
-    making_ = {};
+    kept_.take_place(std::move(next.place), document_->path());
+    view_.begin(document_->revision());
+    making_.begin();
     refuse_waiting_exports("another document took the place of the one to be exported");
-    broadcast(document_event(*document_->now(), document_->status()));
+    pages_.broadcast(document_event(*document_->now(), document_->status()));
     solve_live();
-    keep();
+    kept_.keep(*document_);
 }
 
-void Studio::Impl::keep() {
-    if (!autosave_place_) return;
-    if (document_->is_saved())
-        forget_kept();
-    else
-        autosave_.keep(document_->now(), {document_->status().name, document_->path()},
-                       autosave_place_->file());
-}
-
-void Studio::Impl::tell_change(const State& before) {
-    keep();
-    broadcast(changed_event(before, *document_->now(), document_->status()));
+void Studio::Impl::follow_change(const State& before) {
+    kept_.keep(*document_);
+    pages_.broadcast(changed_event(before, *document_->now(), document_->status()));
     solve_live();
 }
 
 void Studio::Impl::solve_live() {
     SolverInput input = document_->solver_input();
-    input.fields = shown_fields();
+    input.fields = pages_.shown_fields();
     solver_.submit(std::move(input));
 }
 
 SolverListener Studio::Impl::listener() {
-    return {.beams = [this](const ShownBeams& shown) { server_.post([this, shown] { tell_beams(shown); }); },
-            .solved = [this](SolvedPtr solved) { server_.post([this, solved] { tell_solved(solved); }); },
+    const auto post_shown = [this](std::int64_t revision, auto take) {
+        server_.post([this, revision, take] {
+            if (view_.is_shown(revision)) take();
+        });
+    };
+    return {.beams =
+                [this, post_shown](const ShownBeams& shown) {
+                    post_shown(shown.revision, [this, shown] { view_.take_beams(shown); });
+                },
+            .solved =
+                [this, post_shown](const SolvedPtr& solved) {
+                    post_shown(solved->revision, [this, solved] { take_solution(solved); });
+                },
             .failed =
-                [this](const SolverInput& input, const std::string& error) {
-                    server_.post([this, input, error] { tell_failed(input, error); });
+                [this, post_shown](const SolverInput& input, const std::string& error) {
+                    post_shown(input.revision, [this, input, error] { take_failure(input, error); });
                 },
             .told =
                 [this](const SolverInput& input, double share) {
-                    server_.post([this, input, share] {
-                        broadcast(Json{{"event", "solving"},
-                                       {"revision", input.revision},
-                                       {"model", *input.situation.state->model},
-                                       {"share", share}});
-                    });
+                    server_.post([this, input, share] { view_.take_progress(input, share); });
                 }};
 }
 
-bool Studio::Impl::is_shown(std::int64_t revision) const {
-    return document_ && revision >= first_revision_;
-}
-
-void Studio::Impl::tell_beams(const ShownBeams& shown) {
-    if (!is_shown(shown.revision)) return;
-    last_beams_ = shown;
-    beams_ = {{binary_part(beams_message(*shown.beams, {shown.revision, shown.revision}))}};
-    failed_ = {};
-    last_solved_.reset();
-    broadcast(beams_);
-}
-
-void Studio::Impl::tell_solved(const SolvedPtr& solved) {
-    if (!is_shown(solved->revision)) return;
-    if (solved->stage == Stage::Answer) last_solved_ = solved;
-    std::map<unsigned long, Outgoing> messages;  // pages that show the same get the same bytes
-    const bool has_forces = solved->state.forces.rows() > 0;
-    for (const auto& [client, fields] : std::map(clients_)) {
-        if (fields.any() && !has_forces) continue;
-        Outgoing& message = messages[fields.to_ulong()];
-        if (message.parts.empty()) message = solved_message(*solved, fields);
-        server_.send(client, message);
-    }
+void Studio::Impl::take_solution(const SolvedPtr& solved) {
+    view_.take_solution(solved);
     if (solved->stage == Stage::FirstIterate) return;
-    check_making();
+    making_.look_at(*document_);
     resume_exports();
-    // It was begun when nobody showed any field: those who do wait for them.
-    if (shown_fields().any() && !has_forces) solve_live();
+    // The solve began when no page showed any field: those that show one now wait for it.
+    if (pages_.shown_fields().any() && solved->state.forces.rows() == 0) solve_live();
 }
 
-void Studio::Impl::tell_failed(const SolverInput& input, const std::string& error) {
-    if (!is_shown(input.revision)) return;
-    last_solved_.reset();
-    const Json event = {{"event", "failed"},
-                        {"revision", input.revision},
-                        {"model", *input.situation.state->model},
-                        {"error", error}};
-    failed_ = {{text_part(event.dump())}, "solution"};
-    broadcast(failed_);
-    last_failure_ = {input.situation, error};
+void Studio::Impl::take_failure(const SolverInput& input, const std::string& error) {
+    view_.take_failure(input, error);
     resume_exports();
-    check_making();
-}
-
-namespace {
-
-/// Whether the same bars lie in the same places.
-bool is_made_alike(const State& one, const State& other) {
-    return one.ground == other.ground && one.painting == other.painting && one.setting == other.setting;
-}
-
-/// Strokes and drags follow each other faster.
-constexpr std::chrono::milliseconds kRest{300};
-constexpr std::chrono::milliseconds kLook{10};
-
-void rest(const base::Control& control) {
-    for (auto waited = 0 * kLook; waited < kRest; waited += kLook) {
-        control.check();
-        std::this_thread::sleep_for(kLook);
-    }
-}
-
-}  // namespace
-
-void Studio::Impl::check_making() {
-    const StatePtr state = document_->now();
-    if (checked_ && is_made_alike(*checked_, *state)) return;
-    checks_.cancel();
-    checked_ = state;
-    making_ = {};
-    if (std::ranges::any_of(state->painting->patterns, [](int pattern) { return pattern < 0; })) return;
-    const std::int64_t revision = document_->revision();
-    checks_.add({.work =
-                     [this, state, revision](const base::Control& control) {
-                         rest(control);
-                         const MakingDoubts doubts =
-                             making_doubts(open_surface(*state).surface, {.control = control},
-                                           fabrication::FactsOptions().clearance);
-                         server_.post([this, state, event = making_event(doubts, revision)] {
-                             tell_making(state, event);
-                         });
-                     },
-                 // The live solution already reports what cannot be built.
-                 .failed = [](const std::string&) {}});
-}
-
-void Studio::Impl::tell_making(const StatePtr& state, const Json& event) {
-    if (!document_ || checked_ != state || !is_made_alike(*state, *document_->now())) return;
-    making_ = {{text_part(event.dump())}};
-    broadcast(making_);
+    making_.look_at(*document_);
 }
 
 }  // namespace fretwork::studio

@@ -14,42 +14,42 @@ void Budget::validate() const {
     }
 }
 
-Evaluator::Evaluator(const Problem& problem, const Budget& budget)
+Evaluator::Evaluator(base::Borrowed<Problem> problem, const Budget& budget)
     : problem_(problem), budget_(budget), started_(std::chrono::steady_clock::now()) {
     budget_.validate();
-    problem_.bounds().validate();
+    problem_->bounds().validate();
 }
 
 std::optional<double> Evaluator::value(const Eigen::VectorXd& point) {
     if (!charge(Evaluation::Value, point)) return std::nullopt;
-    const double result = problem_.value(point);
+    const double result = problem_->value(point);
     remember(point, result);
     return std::isfinite(result) ? result : std::numeric_limits<double>::infinity();
 }
 
 std::optional<GradientEvaluation> Evaluator::gradient(const Eigen::VectorXd& point, double smoothing) {
     if (!charge(Evaluation::Gradient, point)) return std::nullopt;
-    auto result = problem_.gradient(point, smoothing);
+    auto result = problem_->gradient(point, smoothing);
     remember(point, result.objective);
     return result;
 }
 
 std::optional<ResidualEvaluation> Evaluator::residuals(const Eigen::VectorXd& point, double smoothing) {
     if (!charge(Evaluation::Residuals, point)) return std::nullopt;
-    auto result = problem_.residuals(point, smoothing);
+    auto result = problem_->residuals(point, smoothing);
     remember(point, result.objective);
     return result;
 }
 
 std::optional<CurvatureEvaluation> Evaluator::curvature(const Eigen::VectorXd& point, double smoothing) {
     if (!charge(Evaluation::Curvature, point)) return std::nullopt;
-    auto result = problem_.curvature(point, smoothing);
+    auto result = problem_->curvature(point, smoothing);
     remember(point, result.objective);
     return result;
 }
 
 bool Evaluator::can_afford(Evaluation kind) const {
-    if (cost_ + problem_.cost(kind) > budget_.cost) return false;
+    if (cost_ + problem_->cost(kind) > budget_.cost) return false;
     if (std::isinf(budget_.seconds)) return true;
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - started_;
     return elapsed.count() < budget_.seconds;
@@ -58,11 +58,11 @@ bool Evaluator::can_afford(Evaluation kind) const {
 bool Evaluator::charge(Evaluation kind, const Eigen::VectorXd& point) {
     budget_.control.check();
     if (!can_afford(kind)) return false;
-    if (!problem_.bounds().contain(point)) {
+    if (!problem_->bounds().contain(point)) {
         ++points_outside_;
         return false;
     }
-    cost_ += problem_.cost(kind);
+    cost_ += problem_->cost(kind);
     ++evaluations_;
     if (budget_.control.progress != nullptr)
         budget_.control.progress->update(static_cast<std::size_t>(cost_));

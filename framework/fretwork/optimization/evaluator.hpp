@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <fretwork/base/borrowed.hpp>
 #include <fretwork/base/control.hpp>
 #include <fretwork/optimization/problem.hpp>
 
@@ -35,10 +36,10 @@ struct TracePoint {
 class Evaluator {
   public:
     /// Throws InputError if the bounds or the budget are invalid.
-    Evaluator(const Problem& problem, const Budget& budget);
+    Evaluator(base::Borrowed<Problem> problem, const Budget& budget);
 
     [[nodiscard]] const Problem& problem() const { return problem_; }
-    [[nodiscard]] const Bounds& bounds() const { return problem_.bounds(); }
+    [[nodiscard]] const Bounds& bounds() const { return problem_->bounds(); }
 
     std::optional<double> value(const Eigen::VectorXd& point);
     std::optional<GradientEvaluation> gradient(const Eigen::VectorXd& point, double smoothing = 0.0);
@@ -62,7 +63,7 @@ class Evaluator {
     bool charge(Evaluation kind, const Eigen::VectorXd& point);
     void remember(const Eigen::VectorXd& point, double objective);
 
-    const Problem& problem_;
+    base::Borrowed<Problem> problem_;
     Budget budget_;
     std::chrono::steady_clock::time_point started_;
     long cost_ = 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <fretwork/base/borrowed.hpp>
 #include <fretwork/base/control.hpp>
 #include <fretwork/geometry/polygon.hpp>
 #include <fretwork/mechanics/assembly.hpp>
@@ -58,7 +59,7 @@ void apply_scenario(const Scenario& scenario, mechanics::Assembly& tile);
 
 /// A tile that is held and loaded.
 struct LoadedTile {
-    const mechanics::Assembly& structure;
+    base::Borrowed<mechanics::Assembly> structure;
     int interface_nodes = 0;  ///< its first nodes
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <fretwork/base/borrowed.hpp>
 #include <fretwork/base/control.hpp>
 #include <fretwork/simulation/load_cases/load_case.hpp>
 #include <fretwork/simulation/results/surface_result.hpp>
@@ -42,7 +43,8 @@ std::vector<Stage> read_stages(const std::filesystem::path& path);
 
 /// Stages, and what they are made of.
 struct StagePlan {
-    const LoadCase& supports;         ///< its supports hold the surface; its loads act where a stage names it
+    base::Borrowed<LoadCase>
+        supports;                     ///< its supports hold the surface; its loads act where a stage names it
     std::span<const LoadCase> cases;  ///< those that stages may name
     std::span<const Stage> stages;
 };

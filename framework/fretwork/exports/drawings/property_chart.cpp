@@ -129,7 +129,7 @@ class Chart {
 
     [[nodiscard]] std::string setting_line() const {
         const reduction::Setting& s = subject_.setting;
-        return "layout " + subject_.layout.name() + ", tile side " + number(1e3 * s.tile_side) +
+        return "layout " + subject_.layout->name() + ", tile side " + number(1e3 * s.tile_side) +
                " mm, bar area " + number(1e6 * s.section.area) +
                " mm², E = " + number(1e-9 * s.material.young_modulus) + " GPa, density " +
                number(s.material.density) +
@@ -242,8 +242,8 @@ class Chart {
     [[nodiscard]] std::string rim(double x, double y) const {
         std::string path;
         const geometry::Polygon polygon = geometry::regular_polygon(
-            subject_.setting.sides,
-            2.0 * kDrawingRadius * std::sin(std::numbers::pi / subject_.setting.sides));
+            subject_.setting->sides,
+            2.0 * kDrawingRadius * std::sin(std::numbers::pi / subject_.setting->sides));
         for (const Point2& corner : polygon)
             path += (path.empty() ? "M" : "L") + px(x + corner.x) + " " + px(y - corner.y);
         return path + "Z";

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <fretwork/base/borrowed.hpp>
 #include <fretwork/pattern/node_layout.hpp>
 #include <fretwork/pattern/pattern.hpp>
 #include <fretwork/reduction/scenarios/setting.hpp>
@@ -19,8 +20,8 @@ struct PatternProperties {
 
 /// Axes of a chart, and its drawings.
 struct ChartSubject {
-    const pattern::NodeLayout& layout;
-    const reduction::Setting& setting;
+    base::Borrowed<pattern::NodeLayout> layout;
+    base::Borrowed<reduction::Setting> setting;
 };
 
 /// A property chart as SVG, after [Ashby2011]: in-plane stiffness against mass per area, and bending against

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <fretwork/base/borrowed.hpp>
 #include <fretwork/optimization/minimize.hpp>
 #include <fretwork/optimization/studies/contender.hpp>
 
@@ -44,7 +45,7 @@ std::uint64_t run_seed(const RunKey& key, std::uint64_t study_seed);
 
 /// The subject of a run: a problem and, if its minimum is known to be at one point, that point (else empty).
 struct RunTarget {
-    const optimization::Problem& problem;
+    base::Borrowed<optimization::Problem> problem;
     Eigen::VectorXd optimum{};
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <fretwork/base/borrowed.hpp>
 #include <fretwork/base/control.hpp>
 #include <fretwork/optimization/optimizer_catalogue.hpp>
 #include <fretwork/reduction/models/tile_model.hpp>
@@ -56,10 +57,10 @@ std::vector<double> parameter_values(const Calibration& calibration, const TileM
 
 /// The input of calibrate(): a pattern in its setting, and the responses to be fitted.
 struct CalibrationInput {
-    const pattern::NodeLayout& layout;
-    const pattern::Pattern& pattern;
-    const Setting& setting;
-    const std::vector<Response>& responses;
+    base::Borrowed<pattern::NodeLayout> layout;
+    base::Borrowed<pattern::Pattern> pattern;
+    base::Borrowed<Setting> setting;
+    base::Borrowed<std::vector<Response>> responses;
 };
 
 /// Fit a tile model to a pattern's responses by its linear displacements: Eqs. (1) to (11). A model without

@@ -31,28 +31,28 @@ void check_bounds(const TileModel& model, const TileParameter& parameter,
 
 }  // namespace
 
-DifferenceProblem::DifferenceProblem(const TileModel& model, const ModelTile& tile,
-                                     const Objective& objective, const Setting& setting)
+DifferenceProblem::DifferenceProblem(base::Borrowed<TileModel> model, base::Borrowed<ModelTile> tile,
+                                     base::Borrowed<Objective> objective, const Setting& setting)
     : model_(model), tile_(tile), objective_(objective) {
-    const auto count = static_cast<Eigen::Index>(model.parameters.size());
+    const auto count = static_cast<Eigen::Index>(model->parameters.size());
     bounds_ = {Eigen::VectorXd(count), Eigen::VectorXd(count)};
     for (Eigen::Index i = 0; i < count; ++i) {
-        const TileParameter& parameter = model.parameters[static_cast<std::size_t>(i)];
+        const TileParameter& parameter = model->parameters[static_cast<std::size_t>(i)];
         const TileParameter::Bounds bounds = parameter.bounds(setting);
         check_bounds(model, parameter, bounds);
         bounds_.lower[i] = is_logarithmic(parameter) ? std::log(bounds.lower) : bounds.lower;
         bounds_.upper[i] = is_logarithmic(parameter) ? std::log(bounds.upper) : bounds.upper;
     }
-    not_finite_ = tile.displacements(parameter_values((bounds_.lower + bounds_.upper) / 2.0));
+    not_finite_ = tile->displacements(parameter_values((bounds_.lower + bounds_.upper) / 2.0));
     for (auto& rows : not_finite_) rows.setConstant(std::numeric_limits<double>::quiet_NaN());
 }
 
 long DifferenceProblem::cost(optimization::Evaluation kind) const {
-    return kind == optimization::Evaluation::Value ? 1 : 1 + 2 * static_cast<long>(model_.parameters.size());
+    return kind == optimization::Evaluation::Value ? 1 : 1 + 2 * static_cast<long>(model_->parameters.size());
 }
 
 bool DifferenceProblem::is_logarithm(int variable) const {
-    return is_logarithmic(model_.parameters[static_cast<std::size_t>(variable)]);
+    return is_logarithmic(model_->parameters[static_cast<std::size_t>(variable)]);
 }
 
 std::vector<double> DifferenceProblem::parameter_values(const Eigen::VectorXd& point) const {
@@ -64,7 +64,7 @@ std::vector<double> DifferenceProblem::parameter_values(const Eigen::VectorXd& p
 
 UnitDisplacements DifferenceProblem::displacements(const Eigen::VectorXd& point) const {
     try {
-        return tile_.displacements(parameter_values(point));
+        return tile_->displacements(parameter_values(point));
     } catch (const base::NumericalError&) {
         return not_finite_;
     }
@@ -91,13 +91,13 @@ UnitDisplacementsAndDerivatives DifferenceProblem::derivatives(const Eigen::Vect
 }
 
 double DifferenceProblem::value(const Eigen::VectorXd& point) const {
-    return objective_.value(displacements(point));
+    return objective_->value(displacements(point));
 }
 
 optimization::GradientEvaluation DifferenceProblem::gradient(const Eigen::VectorXd& point,
                                                              double smoothing) const {
     const UnitDisplacementsAndDerivatives model = derivatives(point);
-    const DisplacementGradient of_error = objective_.gradient(model.displacements, smoothing);
+    const DisplacementGradient of_error = objective_->gradient(model.displacements, smoothing);
     optimization::GradientEvaluation result{of_error.objective, of_error.value,
                                             Eigen::VectorXd::Zero(point.size())};
     for (std::size_t s = 0; s < model.derivatives.size(); ++s)
@@ -107,12 +107,12 @@ optimization::GradientEvaluation DifferenceProblem::gradient(const Eigen::Vector
 
 optimization::ResidualEvaluation DifferenceProblem::residuals(const Eigen::VectorXd& point,
                                                               double smoothing) const {
-    return objective_.residuals(derivatives(point), smoothing);
+    return objective_->residuals(derivatives(point), smoothing);
 }
 
 optimization::CurvatureEvaluation DifferenceProblem::curvature(const Eigen::VectorXd& point,
                                                                double smoothing) const {
-    return objective_.curvature(derivatives(point), smoothing);
+    return objective_->curvature(derivatives(point), smoothing);
 }
 
 }  // namespace fretwork::reduction

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <fretwork/base/borrowed.hpp>
 #include <fretwork/reduction/calibration/calibration_problem.hpp>
 #include <fretwork/reduction/calibration/model_response.hpp>
 
@@ -13,10 +14,10 @@ class DifferenceProblem final : public CalibrationProblem {
   public:
     /// Keeps references to all. Throws InputError if the bounds of a parameter are invalid; NumericalError if
     /// a scenario lets the tile move freely in the middle of the bounds.
-    DifferenceProblem(const TileModel& model, const ModelTile& tile, const Objective& objective,
-                      const Setting& setting);
+    DifferenceProblem(base::Borrowed<TileModel> model, base::Borrowed<ModelTile> tile,
+                      base::Borrowed<Objective> objective, const Setting& setting);
 
-    [[nodiscard]] std::string name() const override { return model_.name; }
+    [[nodiscard]] std::string name() const override { return model_->name; }
     [[nodiscard]] const optimization::Bounds& bounds() const override { return bounds_; }
     [[nodiscard]] bool offers(optimization::Evaluation) const override { return true; }
     /// Derivatives need two more tiles a parameter.
@@ -40,9 +41,9 @@ class DifferenceProblem final : public CalibrationProblem {
   private:
     [[nodiscard]] UnitDisplacementsAndDerivatives derivatives(const Eigen::VectorXd& point) const;
 
-    const TileModel& model_;
-    const ModelTile& tile_;
-    const Objective& objective_;
+    base::Borrowed<TileModel> model_;
+    base::Borrowed<ModelTile> tile_;
+    base::Borrowed<Objective> objective_;
     optimization::Bounds bounds_;
     UnitDisplacements not_finite_;
 };

@@ -5,13 +5,13 @@
 
 namespace fretwork::reduction {
 
-ModelTile::ModelTile(const TileModel& model, const pattern::NodeLayout& layout,
-                     const pattern::Pattern& pattern, const Setting& setting)
+ModelTile::ModelTile(base::Borrowed<TileModel> model, base::Borrowed<pattern::NodeLayout> layout,
+                     const pattern::Pattern& pattern, base::Borrowed<Setting> setting)
     : model_(model),
       layout_(layout),
       setting_(setting),
-      polygon_(geometry::regular_polygon(setting.sides, setting.tile_side)),
-      fan_(pattern::make_fan(layout, pattern, setting.sides)) {
+      polygon_(geometry::regular_polygon(setting->sides, setting->tile_side)),
+      fan_(pattern::make_fan(layout, pattern, setting->sides)) {
     const auto places = pattern::place_fan(layout, fan_, polygon_);
     for (int i = 0; i < fan_.interface_node_count; ++i) {
         const geometry::Point2& place = places[static_cast<std::size_t>(i)];
@@ -34,8 +34,8 @@ std::vector<Response> ModelTile::responses(std::span<const double> parameters,
     std::vector<Response> responses;
     const mechanics::Assembly tile = assemble(parts(parameters));
     const int interface_nodes = fan_.interface_node_count;
-    for (const Scenario& scenario : setting_.scenarios) {
-        const Scenario spread = spread_over_sides(scenario, interface_nodes / setting_.sides);
+    for (const Scenario& scenario : setting_->scenarios) {
+        const Scenario spread = spread_over_sides(scenario, interface_nodes / setting_->sides);
         mechanics::Assembly loaded = tile;
         apply_scenario(spread, loaded);
         responses.push_back(follow_scenario({loaded, interface_nodes}, spread, setting_, control.silent()));

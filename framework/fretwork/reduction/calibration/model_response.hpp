@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <fretwork/base/borrowed.hpp>
 #include <fretwork/reduction/models/tile_model.hpp>
 #include <fretwork/reduction/response.hpp>
 #include <fretwork/reduction/unit_displacements.hpp>
@@ -16,8 +17,8 @@ namespace fretwork::reduction {
 /// scenarios. Keeps references to the model, the layout and the setting. Thread-safe.
 class ModelTile {
   public:
-    ModelTile(const TileModel& model, const pattern::NodeLayout& layout, const pattern::Pattern& pattern,
-              const Setting& setting);
+    ModelTile(base::Borrowed<TileModel> model, base::Borrowed<pattern::NodeLayout> layout,
+              const pattern::Pattern& pattern, base::Borrowed<Setting> setting);
 
     /// The tile as a structure, neither held nor loaded; its first nodes are the interface nodes.
     [[nodiscard]] StructureParts parts(std::span<const double> parameters) const;
@@ -29,9 +30,9 @@ class ModelTile {
                                                   const base::Control& control = {}) const;
 
   private:
-    const TileModel& model_;
-    const pattern::NodeLayout& layout_;
-    const Setting& setting_;
+    base::Borrowed<TileModel> model_;
+    base::Borrowed<pattern::NodeLayout> layout_;
+    base::Borrowed<Setting> setting_;
     geometry::Polygon polygon_;
     pattern::Fan fan_;
     std::vector<Eigen::Vector3d> interface_nodes_;

@@ -71,7 +71,7 @@ void require_free(Eigen::MatrixXd stiffness, const Eigen::Matrix3Xd& nodes, cons
 void require_free_motion(const TileStructure& tile, const TileModel& model, const TileInput& input) {
     const auto places = pattern::place_fan(input.layout, input.fan, input.polygon);
     std::vector<Eigen::Vector3d> interface_nodes;
-    for (int i = 0; i < input.fan.interface_node_count; ++i) {
+    for (int i = 0; i < input.fan->interface_node_count; ++i) {
         const geometry::Point2& place = places[static_cast<std::size_t>(i)];
         interface_nodes.emplace_back(place.x, place.y, 0.0);
     }

@@ -35,7 +35,7 @@ TileModel condensed_tile_model() {
             .summary = "the beams of each tile, condensed onto its interface nodes; linear",
             .sharing = Sharing::Congruent,
             .build = [](const TileInput& input) {
-                const int interface_nodes = input.fan.interface_node_count;
+                const int interface_nodes = input.fan->interface_node_count;
                 mechanics::Frame beams = fan_frame(input.layout, input.fan, input.polygon, input.setting);
                 Eigen::MatrixXd stiffness = condensed_frame(beams, interface_nodes);
                 return stiffness_tile(std::move(stiffness),

@@ -90,7 +90,7 @@ TileModel corotational_tile_model() {
         .sharing = Sharing::Congruent,
         .build = [](const TileInput& input) {
             return corotational_tile(fan_frame(input.layout, input.fan, input.polygon, input.setting),
-                                     input.fan.interface_node_count);
+                                     input.fan->interface_node_count);
         }};
 }
 

@@ -11,7 +11,7 @@ TileModel full_tile_model() {
             .displacements = Displacements::Large,
             .build = [](const TileInput& input) {
                 return beam_tile(fan_frame(input.layout, input.fan, input.polygon, input.setting),
-                                 input.fan.interface_node_count, TileBeams::OfThePattern);
+                                 input.fan->interface_node_count, TileBeams::OfThePattern);
             }};
 }
 

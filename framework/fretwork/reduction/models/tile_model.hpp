@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <fretwork/base/borrowed.hpp>
 #include <fretwork/pattern/fan.hpp>
 #include <fretwork/reduction/calibration/calibration_problem.hpp>
 #include <fretwork/reduction/models/tile_structure.hpp>
@@ -17,11 +18,11 @@ namespace fretwork::reduction {
 
 /// The input from which a tile model builds a tile.
 struct TileInput {
-    const pattern::NodeLayout& layout;
-    const pattern::Fan& fan;  ///< the tile's pattern, around a polygon of as many sides as the tile
-    const Setting& setting;
-    const geometry::Polygon& polygon;    ///< convex, counterclockwise, metres
-    std::span<const double> parameters;  ///< of the model, in the order of its row
+    base::Borrowed<pattern::NodeLayout> layout;
+    base::Borrowed<pattern::Fan> fan;  ///< the tile's pattern, around a polygon of as many sides as the tile
+    base::Borrowed<Setting> setting;
+    base::Borrowed<geometry::Polygon> polygon;  ///< convex, counterclockwise, metres
+    std::span<const double> parameters;         ///< of the model, in the order of its row
 };
 
 /// One parameter of a tile model.

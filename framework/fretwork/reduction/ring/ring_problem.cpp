@@ -5,28 +5,28 @@
 
 namespace fretwork::reduction {
 
-RingProblem::RingProblem(const RingHexagon& model, const RingParameters& parameters,
-                         const Objective& objective, const Setting& setting)
+RingProblem::RingProblem(base::Borrowed<RingHexagon> model, base::Borrowed<RingParameters> parameters,
+                         base::Borrowed<Objective> objective, const Setting& setting)
     : model_(model),
       parameters_(parameters),
       objective_(objective),
-      units_(parameters.select(ring_units(setting))) {
+      units_(parameters->select(ring_units(setting))) {
     const auto limits = ring_bounds(setting);
     const auto point_at = [&](const RingParts& parts) {
-        const Eigen::VectorXd values = parameters.select(parts);
+        const Eigen::VectorXd values = parameters->select(parts);
         return point({values.data(), static_cast<std::size_t>(values.size())});
     };
     bounds_ = {point_at(limits.lower), point_at(limits.upper)};
 }
 
-RingProblem::RingProblem(std::unique_ptr<const RingHexagon> model, const RingParameters& parameters,
-                         const Objective& objective, const Setting& setting)
+RingProblem::RingProblem(std::unique_ptr<const RingHexagon> model, base::Borrowed<RingParameters> parameters,
+                         base::Borrowed<Objective> objective, const Setting& setting)
     : RingProblem(*model, parameters, objective, setting) {
     owned_model_ = std::move(model);
 }
 
 std::string RingProblem::name() const {
-    return parameters_.model;
+    return parameters_->model;
 }
 
 std::vector<double> RingProblem::parameter_values(const Eigen::VectorXd& x) const {
@@ -37,7 +37,7 @@ std::vector<double> RingProblem::parameter_values(const Eigen::VectorXd& x) cons
 }
 
 UnitDisplacements RingProblem::displacements(const Eigen::VectorXd& x) const {
-    return model_.displacements(parameters_.parts(parameter_values(x)));
+    return model_->displacements(parameters_->parts(parameter_values(x)));
 }
 
 Eigen::VectorXd RingProblem::point(std::span<const double> values) const {
@@ -50,11 +50,11 @@ Eigen::VectorXd RingProblem::point(std::span<const double> values) const {
 }
 
 double RingProblem::value(const Eigen::VectorXd& x) const {
-    return objective_.value(displacements(x));
+    return objective_->value(displacements(x));
 }
 
 RingDirections RingProblem::directions_at(std::span<const double> values) const {
-    RingDirections directions = parameters_.ties;
+    RingDirections directions = parameters_->ties;
     for (Eigen::Index i = 0; i < directions.cols(); ++i)
         directions.col(i) *=
             is_logarithm(static_cast<int>(i)) ? values[static_cast<std::size_t>(i)] : units_[i];
@@ -63,15 +63,15 @@ RingDirections RingProblem::directions_at(std::span<const double> values) const 
 
 UnitDisplacementsAndDerivatives RingProblem::model_at(const Eigen::VectorXd& x) const {
     const std::vector<double> values = parameter_values(x);
-    return model_.derivatives(parameters_.parts(values), directions_at(values));
+    return model_->derivatives(parameters_->parts(values), directions_at(values));
 }
 
 optimization::GradientEvaluation RingProblem::gradient(const Eigen::VectorXd& x, double smoothing) const {
     const std::vector<double> values = parameter_values(x);
     optimization::GradientEvaluation result;
     const RingParts slopes =
-        model_.gradient(parameters_.parts(values), [&](const UnitDisplacements& displacements) {
-            DisplacementGradient of_error = objective_.gradient(displacements, smoothing);
+        model_->gradient(parameters_->parts(values), [&](const UnitDisplacements& displacements) {
+            DisplacementGradient of_error = objective_->gradient(displacements, smoothing);
             result.objective = of_error.objective;
             result.value = of_error.value;
             return std::move(of_error.slopes);
@@ -81,11 +81,11 @@ optimization::GradientEvaluation RingProblem::gradient(const Eigen::VectorXd& x,
 }
 
 optimization::ResidualEvaluation RingProblem::residuals(const Eigen::VectorXd& x, double smoothing) const {
-    return objective_.residuals(model_at(x), smoothing);
+    return objective_->residuals(model_at(x), smoothing);
 }
 
 optimization::CurvatureEvaluation RingProblem::curvature(const Eigen::VectorXd& x, double smoothing) const {
-    return objective_.curvature(model_at(x), smoothing);
+    return objective_->curvature(model_at(x), smoothing);
 }
 
 }  // namespace fretwork::reduction

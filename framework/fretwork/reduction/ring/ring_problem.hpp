@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <fretwork/base/borrowed.hpp>
 #include <fretwork/reduction/calibration/calibration_problem.hpp>
 #include <fretwork/reduction/ring/ring_hexagon.hpp>
 
@@ -13,11 +14,11 @@ namespace fretwork::reduction {
 class RingProblem final : public CalibrationProblem {
   public:
     /// Keeps references to the model and the objective.
-    RingProblem(const RingHexagon& model, const RingParameters& parameters, const Objective& objective,
-                const Setting& setting);
+    RingProblem(base::Borrowed<RingHexagon> model, base::Borrowed<RingParameters> parameters,
+                base::Borrowed<Objective> objective, const Setting& setting);
     /// Keeps a reference to the objective, and the model.
-    RingProblem(std::unique_ptr<const RingHexagon> model, const RingParameters& parameters,
-                const Objective& objective, const Setting& setting);
+    RingProblem(std::unique_ptr<const RingHexagon> model, base::Borrowed<RingParameters> parameters,
+                base::Borrowed<Objective> objective, const Setting& setting);
 
     [[nodiscard]] std::string name() const override;
     [[nodiscard]] const optimization::Bounds& bounds() const override { return bounds_; }
@@ -49,9 +50,9 @@ class RingProblem final : public CalibrationProblem {
     [[nodiscard]] UnitDisplacementsAndDerivatives model_at(const Eigen::VectorXd& point) const;
 
     std::unique_ptr<const RingHexagon> owned_model_;  ///< if it is not the caller's
-    const RingHexagon& model_;
-    const RingParameters& parameters_;
-    const Objective& objective_;
+    base::Borrowed<RingHexagon> model_;
+    base::Borrowed<RingParameters> parameters_;
+    base::Borrowed<Objective> objective_;
     Eigen::VectorXd units_;  ///< what the variables are multiples of
     optimization::Bounds bounds_;
 };

@@ -103,7 +103,7 @@ TileModel ring_tile_model(const RingParameters& parameters, std::string summary)
                 [&parameters](const TileInput& input) {
                     return beam_tile(ring_tile(parameters.parts(input.parameters), input.layout,
                                                input.setting, input.polygon),
-                                     input.fan.interface_node_count);
+                                     input.fan->interface_node_count);
                 },
             .problem = [&parameters](const Objective& objective, const pattern::NodeLayout& layout,
                                      const Setting& setting) -> std::unique_ptr<CalibrationProblem> {

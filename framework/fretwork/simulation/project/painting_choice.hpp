@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <fretwork/base/borrowed.hpp>
 #include <fretwork/library/library.hpp>
 #include <fretwork/pattern/node_layout.hpp>
 #include <fretwork/reduction/scenarios/setting.hpp>
@@ -74,8 +75,8 @@ using PaintingChoice =
 
 /// The layout, setting and library that pattern ids refer to. `library` may be null.
 struct PaintingGround {
-    const pattern::NodeLayout& layout;
-    const reduction::Setting& setting;
+    base::Borrowed<pattern::NodeLayout> layout;
+    base::Borrowed<reduction::Setting> setting;
     const library::Library* library = nullptr;
 };
 

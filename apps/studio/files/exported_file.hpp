@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <studio/document/document.hpp>
+#include <studio/server/http_server.hpp>
+#include <studio/solving/live_view.hpp>
+
+#include <filesystem>
+
+namespace fretwork::studio {
+
+/// The file that an address `/export?to=..` asks for: the project, or what `fretwork export` writes.
+class ExportTarget {
+  public:
+    /// Throws InputError for keys and kinds of file that do not exist.
+    explicit ExportTarget(Target target);
+
+    /// Whether the file shows how the surface answers its load: files for cutting and printing do not.
+    [[nodiscard]] bool shows_answer() const;
+    /// The file, with its remarks. Safe to call from any thread.
+    ///
+    /// @param folder  paths in a project are relative to it
+    /// @param solved  may be null
+    [[nodiscard]] HttpAnswer file_of(const Situation& situation, const std::filesystem::path& folder,
+                                     const SolvedPtr& solved) const;
+
+  private:
+    [[nodiscard]] bool is_project() const;
+
+    Target target_;
+};
+
+/// The answer to a request that cannot be met, in one line.
+HttpAnswer refused(unsigned status, const std::string& why);
+
+}  // namespace fretwork::studio

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/simulation/results/surface_modes.hpp>
+#include <studio/server/background.hpp>
+#include <studio/solving/live_view.hpp>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace fretwork::studio {
+
+/// A job on the document as it was when a page asked.
+struct LongJob {
+    SolverInput input;
+    ShownBeams beams;
+    std::string model;  ///< as events name it
+};
+/// The messages to the pages.
+using LongWork = std::function<std::vector<Outgoing>(const LongJob&, const base::Control&)>;
+
+LongWork solve_work();
+LongWork path_work(int steps);
+LongWork modes_work(simulation::ModeKind kind, int count);
+/// The job's model against the live solution.
+LongWork compare_work(SolvedPtr live);
+
+/// Jobs that take long, one after the other on their own thread: other models, modes, the load path,
+/// comparisons. Used on the server's thread.
+class LongJobs {
+  public:
+    /// @param is_shown  whether a job's beams are those that are shown; otherwise its messages are dropped
+    LongJobs(HttpServer& server, Pages& pages, std::function<bool(const LongJob&)> is_shown);
+    /// Throws InputError if too many are waiting.
+    void add(const LongJob& job, LongWork work);
+    /// Stop the running job and forget the waiting ones; pages see each of them fail.
+    void cancel() { thread_.cancel(); }
+
+  private:
+    HttpServer& server_;
+    Pages& pages_;
+    std::function<bool(const LongJob&)> is_shown_;
+    Background thread_;
+};
+
+}  // namespace fretwork::studio

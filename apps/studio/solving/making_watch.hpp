@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <studio/document/document.hpp>
+#include <studio/server/background.hpp>
+#include <studio/server/pages.hpp>
+
+#include <functional>
+#include <utility>
+
+namespace fretwork::studio {
+
+/// Looks in the background whether the shown surface can be made, once its painting rests, and reports it to
+/// the pages; not again while the same bars lie in the same places. Used on the server's thread.
+class MakingWatch {
+  public:
+    /// @param now  gives the state that is shown
+    MakingWatch(HttpServer& server, Pages& pages, std::function<StatePtr()> now)
+        : server_(server), pages_(pages), now_(std::move(now)) {}
+
+    /// Another document is shown.
+    void begin();
+    void look_at(const Document& document);
+    /// Send a page the last report.
+    void send(ClientId client) { pages_.send(client, report_); }
+
+  private:
+    void report(const StatePtr& state, const base::Json& event);
+
+    HttpServer& server_;
+    Pages& pages_;
+    std::function<StatePtr()> now_;
+    StatePtr looked_at_;  ///< its surface was looked at, or is
+    Outgoing report_;     ///< on that surface
+    Background thread_;
+};
+
+}  // namespace fretwork::studio
