@@ -45,7 +45,7 @@ constexpr std::string_view kTooMany =
     "HTTP/1.1 429 Too Many Requests\r\nContent-Type: text/plain; charset=utf-8\r\n"
     "Content-Length: 21\r\nConnection: close\r\n\r\ntoo many connections\n";
 
-using Request = http::request<http::string_body>;
+using HttpRequest = http::request<http::string_body>;
 using Response = http::response<http::string_body>;
 
 std::string_view view(beast::string_view text) {
@@ -71,7 +71,7 @@ std::string safe_name(const std::string& name) {
     return safe;
 }
 
-Response response_to(const Request& request, HttpAnswer answer) {
+Response response_to(const HttpRequest& request, HttpAnswer answer) {
     Response response(static_cast<http::status>(answer.status), request.version());
     response.set(http::field::content_type, answer.type);
     response.set(http::field::cache_control, "no-store");
@@ -158,7 +158,7 @@ class HttpServer::Impl::Client : public std::enable_shared_from_this<Client> {
         if (server_.clients_.erase(id_) > 0) server_.service_.disconnected(id_);
     }
 
-    void accept(const Request& request) {
+    void accept(const HttpRequest& request) {
         socket_.async_accept(request, [self = shared_from_this()](ErrorCode error) {
             if (error) return;
             self->server_.clients_[self->id_] = self;
@@ -248,7 +248,7 @@ class HttpServer::Impl::Connection : public std::enable_shared_from_this<Connect
         serve(parser_.get());
     }
 
-    void serve(const Request& request) {
+    void serve(const HttpRequest& request) {
         const std::string address = own_address();
         const std::size_t origins = request.count(http::field::origin);
         if (request.count(http::field::host) != 1 || !is_own_host(view(request[http::field::host]), address))

@@ -17,11 +17,11 @@ bool is_made_alike(const State& one, const State& other) {
 }
 
 /// Strokes and drags follow each other faster.
-constexpr std::chrono::milliseconds kRest{300};
+constexpr std::chrono::milliseconds kQuiet{300};
 constexpr std::chrono::milliseconds kLook{10};
 
 void rest(const base::Control& control) {
-    for (auto waited = 0 * kLook; waited < kRest; waited += kLook) {
+    for (auto waited = 0 * kLook; waited < kQuiet; waited += kLook) {
         control.check();
         std::this_thread::sleep_for(kLook);
     }
