@@ -37,12 +37,12 @@ std::shared_ptr<const reduction::TileStructure> turning_tile(const TileModel& li
     const auto tile = linear.build(input);
     const auto places = pattern::place_fan(input.layout, input.fan, input.polygon);
     mechanics::CorotationalBody::Parts parts;
-    for (int i = 0; i < input.fan.interface_node_count; ++i) {
+    for (int i = 0; i < input.fan->interface_node_count; ++i) {
         const geometry::Point2& place = places[static_cast<std::size_t>(i)];
         parts.nodes.emplace_back(place.x, place.y, 0.0);
     }
     parts.stiffness = mechanics::condense(assemble(tile_parts(*tile, parts.nodes)),
-                                          mechanics::first_nodes(input.fan.interface_node_count));
+                                          mechanics::first_nodes(input.fan->interface_node_count));
     return std::make_shared<TurningTile>(std::move(parts));
 }
 

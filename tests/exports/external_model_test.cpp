@@ -22,7 +22,7 @@ TileModel twofold_model() {
     model.name = "twofold";
     model.summary = "the condensed tile with twice its stiffness";
     model.build = [](const reduction::TileInput& input) {
-        const int interface_nodes = input.fan.interface_node_count;
+        const int interface_nodes = input.fan->interface_node_count;
         mechanics::Frame beams = reduction::fan_frame(input.layout, input.fan, input.polygon, input.setting);
         Eigen::MatrixXd stiffness = 2.0 * reduction::condensed_frame(beams, interface_nodes);
         return reduction::stiffness_tile(

@@ -33,10 +33,10 @@ TileModel scaled_model() {
                              return TileParameter::Bounds{0.1, 10.0};
                          }}};
     model.build = [](const TileInput& input) {
-        const mechanics::Frame frame = reduction::fan_frame(input.layout, input.fan, input.polygon,
-                                                            {input.setting.section, input.setting.material});
+        const mechanics::Frame frame = reduction::fan_frame(
+            input.layout, input.fan, input.polygon, {input.setting->section, input.setting->material});
         return reduction::stiffness_tile(input.parameters[0] *
-                                         reduction::condensed_frame(frame, input.fan.interface_node_count));
+                                         reduction::condensed_frame(frame, input.fan->interface_node_count));
     };
     return model;
 }

@@ -168,8 +168,8 @@ TEST(BeamState, IsUnknownWhereATileModelHasOtherBeams) {
     substitute.name = "substitute";
     substitute.build = [](const reduction::TileInput& input) {
         return reduction::beam_tile(reduction::fan_frame(input.layout, input.fan, input.polygon,
-                                                         {input.setting.section, input.setting.material}),
-                                    input.fan.interface_node_count);
+                                                         {input.setting->section, input.setting->material}),
+                                    input.fan->interface_node_count);
     };
     const std::vector<reduction::TileModel> models = {substitute};
     const Surface surface = sample_surface();
