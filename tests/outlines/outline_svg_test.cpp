@@ -208,7 +208,7 @@ TEST(OutlineSvg, ComplaintsNameLineElementAndValue) {
         AllOf(HasSubstr("line 3"), HasSubstr("path 'rim'"), HasSubstr("character 12"), HasSubstr("'x'")));
     EXPECT_THAT(refuse(drawing("<path d='M 0 0 L 10'/>")), HasSubstr("the end"));
     EXPECT_THAT(refuse(drawing("<path d='L 0 0'/>")), HasSubstr("begins with M"));
-    EXPECT_THAT(refuse(drawing("<path d='M 0 0 B 1 1'/>")), HasSubstr("no command"));
+    EXPECT_THAT(refuse(drawing("<path d='M 0 0 B 1 1'/>")), HasSubstr("not a command"));
     EXPECT_THAT(refuse(drawing("<path d='M 0 0 L nan 1'/>")), HasSubstr("a number is expected"));
     EXPECT_THAT(refuse(drawing("<path d='M 0 0 L 1e999 1'/>")), HasSubstr("a number is expected"));
     EXPECT_THAT(refuse(drawing("<path d='M 0 0 A 1 1 0 2 0 5 5 Z'/>")), HasSubstr("a flag"));

@@ -138,7 +138,7 @@ TEST(StudioPainting, WhatCannotBePaintedIsToldInTheWordsOfTheRequest) {
     client.hello();
     const auto before = patterns_of(shown(client));
     const std::vector<std::pair<Json, std::string>> wrong = {
-        {{{"patterns", "random:x"}, {"palette", kPalette}}, "no seed"},
+        {{{"patterns", "random:x"}, {"palette", kPalette}}, "is not a seed"},
         {{{"patterns", "random:1"}}, "palette"},
         {{{"patterns", "random:1"}, {"palette", "0-1+1-6=0"}}, "weight"},
         {{{"patterns", "random:1"}, {"palette", kPalette}, {"dither", true}}, "dither"},
