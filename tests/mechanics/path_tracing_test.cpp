@@ -62,6 +62,7 @@ TEST(PathTracing, BadOptionsAreRefused) {
     const Assembly assembly = assemble(sample::star());
     EXPECT_THROW(trace_path(assembly, {.first_load_step = 0.0}), base::InputError);
     EXPECT_THROW(trace_path(assembly, {.steps = 0}), base::InputError);
+    EXPECT_THROW(trace_path(assembly, {.largest_cut_back = -1}), base::InputError);
 }
 
 }  // namespace THIS_TEST

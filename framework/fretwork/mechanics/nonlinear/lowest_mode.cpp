@@ -18,6 +18,10 @@ constexpr double kRoundingShift = 1e-13;
 constexpr double kDownhillStep = 0.1;
 constexpr int kMostDownhillSteps = 400;
 
+/// Critical loads are found to this relative accuracy, with at most this many equilibria.
+constexpr double kCriticalWidth = 1e-6;
+constexpr int kCriticalSteps = 30;
+
 /// The mean of the tangent's diagonal against the system's weights.
 double mean_stiffness(const NonlinearSystem& system) {
     double sum = 0.0;
@@ -115,6 +119,32 @@ Termination descend(double load_factor, NonlinearSystem& system, Newton& newton,
         system.unknowns().move(step * std::min(1.0, kDownhillStep / std::max(turn, 1e-300)), configuration);
     }
     return Termination::IterationsSpent;
+}
+
+double critical_load_factor(NonlinearSystem& system, Newton& newton, const PathPoint& from,
+                            LowestEigenvalue unstable, const Eigen::VectorXd& move) {
+    const double span = unstable.load_factor - from.load_factor;
+    system.evaluate(from.configuration, from.load_factor);
+    LowestEigenvalue stable{from.load_factor, lowest_mode(system, newton).eigenvalue};
+    const auto vanishing = [&] {
+        const double share = stable.eigenvalue / (stable.eigenvalue - unstable.eigenvalue);
+        return stable.load_factor + std::clamp(share, 0.0, 1.0) * (unstable.load_factor - stable.load_factor);
+    };
+    int side = 0;
+    for (int i = 0; i < kCriticalSteps; ++i) {
+        if (unstable.load_factor - stable.load_factor <= kCriticalWidth * unstable.load_factor) break;
+        const double factor = vanishing();
+        Configuration trial = from.configuration;
+        system.unknowns().prescribe(factor, trial);
+        system.unknowns().move(((factor - from.load_factor) / span) * move, trial);
+        if (newton.solve(factor, trial) != Termination::Converged) break;
+        const LowestEigenvalue found{factor, lowest_mode(system, newton).eigenvalue};
+        const bool is_stable = found.eigenvalue > 0.0;
+        if (side == (is_stable ? 1 : -1)) (is_stable ? unstable : stable).eigenvalue *= 0.5;
+        side = is_stable ? 1 : -1;
+        (is_stable ? stable : unstable) = found;
+    }
+    return vanishing();
 }
 
 }  // namespace fretwork::mechanics::nonlinear

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <fretwork/mechanics/nonlinear/newton.hpp>
+#include <fretwork/mechanics/nonlinear/stride.hpp>
 
 namespace fretwork::mechanics::nonlinear {
 
@@ -30,5 +30,16 @@ StabilityLoss describe_loss(const NonlinearSystem& system, LowestMode& mode);
 /// system is evaluated there.
 Termination descend(double load_factor, NonlinearSystem& system, Newton& newton,
                     Configuration& configuration);
+
+/// An equilibrium by its load factor and its lowest eigenvalue.
+struct LowestEigenvalue {
+    double load_factor;
+    double eigenvalue;
+};
+
+/// Where the lowest eigenvalue vanishes between a stable equilibrium and an unstable one that lies a move
+/// away from it: the false position, halving the weight of an end that stays (the Illinois rule).
+double critical_load_factor(NonlinearSystem& system, Newton& newton, const PathPoint& from,
+                            LowestEigenvalue unstable, const Eigen::VectorXd& move);
 
 }  // namespace fretwork::mechanics::nonlinear

@@ -27,6 +27,8 @@ constexpr double kRemainder = 1.3;
 /// share of the largest move.
 constexpr double kExplained = 2.0;
 constexpr double kOwnMove = 0.15;
+/// Rates grow by no more than this over an increment.
+constexpr double kSoftening = 2.0;
 /// rad, and element lengths: moves as small as this are linear.
 constexpr double kSmallMove = 1e-6;
 
@@ -85,6 +87,7 @@ class Strider {
         const double turned = std::max(unknowns_.largest_rotation(move), longest_ * prescribed_turn_);
         next.turn_bound = bound_relative_turn(system_, at, turned, next.configuration);
         if (turned > kWholeTurn || next.turn_bound > std::numbers::pi) return Termination::Diverged;
+        if (is_softened(unknowns_, at.rate, next.rate)) return Termination::LimitLoad;
         const Eigen::VectorXd rates = longest_ * at.rate.cwiseAbs().cwiseMax(next.rate.cwiseAbs());
         if (is_jump(unknowns_, (move - correction_).cwiseAbs() - correction_.cwiseAbs(), rates))
             return Termination::LimitLoad;
@@ -122,6 +125,11 @@ bool is_jump(const Unknowns& unknowns, const Eigen::VectorXd& made, const Eigen:
     const double largest = moved.size() > 0 ? moved.maxCoeff() : 0.0;
     if (largest <= kSmallMove) return false;
     return (moved > kExplained * unit * rates.array() + kOwnMove * largest).any();
+}
+
+bool is_softened(const Unknowns& unknowns, const Eigen::VectorXd& first_rate,
+                 const Eigen::VectorXd& last_rate) {
+    return unknowns.largest_component(last_rate) > kSoftening * unknowns.largest_component(first_rate);
 }
 
 Termination stride(NonlinearSystem& system, Newton& newton, MixedNewton& mixed, PathPoint& point,

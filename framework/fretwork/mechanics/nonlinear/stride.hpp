@@ -26,6 +26,11 @@ double bound_relative_turn(const NonlinearSystem& system, const PathPoint& from,
 /// @param made, rates  of the unknowns; the larger of both ends' rates, in absolute values, times the step
 bool is_jump(const Unknowns& unknowns, const Eigen::VectorXd& made, const Eigen::VectorXd& rates);
 
+/// Whether rates have grown so much over a step that a bifurcation may be near: there they grow without
+/// bound, and the ends of a long step may lie on the two sides of it, on two paths.
+bool is_softened(const Unknowns& unknowns, const Eigen::VectorXd& first_rate,
+                 const Eigen::VectorXd& last_rate);
+
 /// Follow a load path in few long increments of mixed iterations, each of which turns nodes by up to a
 /// radian. What it sees of the path are the ends of the increments. Converged if they all speak for one path:
 /// the same number of negative pivots, and no move much larger than the rates at both of its ends account

@@ -20,7 +20,6 @@ struct EquilibriumOptions {
     double largest_rotation_step = 0.6;  ///< rad; a Newton step is shortened to it. No line search: the
                                          ///< residual may grow within a step while membrane forces build up
     int iterations_per_step = 60;
-    int largest_cut_back = 10;  ///< a load step is halved at most so often
     bool classify_stability = true;
     Branch branch = Branch::Primary;
     bool locate_critical_loads =
@@ -37,18 +36,22 @@ std::vector<double> even_load_factors(int steps);
 /// Follow the load path from rest through the given load factors (ascending, > 0; 1 = the full load):
 /// corotational Newton with a consistent tangent, and a predictor from the path so far. Where critical loads
 /// need not be located and a load is far, the path goes there in few long increments of a mixed Newton
-/// method, as long as what it meets speaks for one path; else, and where that is in doubt, in small steps.
-/// One solution for each factor; once a factor is not reached, it and those after it say so, and hold the
-/// last equilibrium that was found and its factor.
+/// method, as long as what it meets speaks for one path; where that is in doubt, along its arc [Riks1979] in
+/// steps whose ends account for the move between them. One solution for each factor; once a factor is not
+/// reached, it and those after it say so, and hold the last equilibrium that was found and its factor.
+///
+/// Termination::LimitLoad: the load falls along the path beyond the last equilibrium; this is the last of
+/// Solution::stability_losses. Termination::Diverged: no step, however short, continues the path.
+/// Termination::IterationsSpent: the load was not reached in 3,000 steps along the path.
 ///
 /// With Branch::Stable, an equilibrium that has lost its stability is pushed along its lowest mode and let
 /// down to a stable one, and the path goes on from there; each such place is one of
 /// Solution::stability_losses.
 ///
-/// With Branch::Snapping, the path also goes on beyond limit loads: a thousandth of the load farther, the
-/// structure goes downhill from its last equilibrium to a stable one. Such a place is a stability loss at the
-/// limit load, with the node and the component that move farthest, `pushed`. A motion with inertia may come
-/// to rest elsewhere where there are several stable equilibria.
+/// With Branch::Snapping, the path also goes on beyond limit loads: a thousandth of its load factor farther,
+/// the structure goes downhill from its last equilibrium to a stable one. Such a place is a stability loss at
+/// the limit load, with the node and the component that move farthest, `pushed`. A motion with inertia may
+/// come to rest elsewhere where there are several stable equilibria.
 ///
 /// An element knows the turn of its ends against each other up to whole turns: a path on which this comes
 /// to pi ends there as diverged; it needs more divisions.

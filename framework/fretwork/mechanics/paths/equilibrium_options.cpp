@@ -21,7 +21,6 @@ void EquilibriumOptions::validate() const {
                 ", where a number in (0, 3) is needed");
     require(threads >= 0, "threads is " + std::to_string(threads) + ", and must not be negative");
     require(iterations_per_step > 0, "iterations_per_step must be above zero");
-    require(largest_cut_back >= 0 && largest_cut_back <= 30, "largest_cut_back must be from 0 to 30");
 }
 
 std::vector<double> even_load_factors(int steps) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/task.hpp>
-#include <fretwork/mechanics/nonlinear/newton.hpp>
+#include <fretwork/mechanics/nonlinear/path_step.hpp>
 #include <fretwork/mechanics/paths/path_tracing.hpp>
 
 #include <algorithm>
@@ -14,7 +14,6 @@ using nonlinear::Configuration;
 
 /// The wanted number of iterations of a step: the next step is shorter after more, longer after fewer.
 constexpr double kGoodIterations = 4.0;
-constexpr int kMostIterations = 15;
 
 /// Riks' method: each step goes along the tangent of the path by a given arc and is corrected in the plane at
 /// right angles to it, load factor and displacements together.
@@ -36,7 +35,7 @@ class Tracer {
         const base::Task task(options_.equilibrium.control, "path (points)",
                               static_cast<std::size_t>(options_.steps));
         std::vector<Solution> path;
-        const double shortest = arc_ / std::pow(2.0, options_.equilibrium.largest_cut_back);
+        const double shortest = arc_ / std::pow(2.0, options_.largest_cut_back);
         while (static_cast<int>(path.size()) < options_.steps &&
                std::abs(factor_) < options_.largest_load_factor) {
             bool found = try_step();
@@ -67,7 +66,7 @@ class Tracer {
         double factor = factor_ + load_step;
         unknowns_.prescribe(factor, trial);
         unknowns_.move(tangent, trial);
-        const int iterations = correct(tangent, factor, trial);
+        const int iterations = nonlinear::correct_across(system_, newton_, tangent, factor, trial);
         if (iterations < 0) return false;
         Eigen::VectorXd move = unknowns_.step_between(configuration_, trial);
         if (product(move, tangent) <= 0.25 * arc_ * arc_) return false;
@@ -79,28 +78,6 @@ class Tracer {
         arc_ *= std::clamp(std::sqrt(kGoodIterations / std::max(iterations, 1)), 0.5, 1.5);
         arc_ = std::min(arc_, options_.largest_arc);
         return true;
-    }
-
-    /// The number of iterations, or -1.
-    int correct(const Eigen::VectorXd& tangent, double& factor, Configuration& trial) {
-        Eigen::VectorXd move;
-        for (int iteration = 0; iteration <= kMostIterations; ++iteration) {
-            system_.evaluate(trial, factor);
-            if (!std::isfinite(system_.relative_residual())) return -1;
-            if (newton_.is_converged(trial, move)) return iteration;
-            if (newton_.factorize().zero_pivot >= 0) return -1;
-            const Eigen::VectorXd rate = newton_.solve_tangent(system_.load_rate());
-            const Eigen::VectorXd step = newton_.solve_tangent(system_.unbalanced());
-            const double load_step = -product(tangent, step) / product(tangent, rate);
-            move = step + load_step * rate;
-            if (!std::isfinite(load_step) ||
-                unknowns_.largest_rotation(move) > options_.equilibrium.largest_rotation_step)
-                return -1;
-            factor += load_step;
-            unknowns_.prescribe(factor, trial);
-            unknowns_.move(move, trial);
-        }
-        return -1;
     }
 
     [[nodiscard]] Solution describe() {
@@ -131,6 +108,8 @@ void PathTracingOptions::validate() const {
     if (!(first_load_step > 0.0)) throw base::InputError("first_load_step must be above zero");
     if (!(largest_load_factor > 0.0)) throw base::InputError("largest_load_factor must be above zero");
     if (!(largest_arc > 0.0)) throw base::InputError("largest_arc must be above zero");
+    if (largest_cut_back < 0 || largest_cut_back > 30)
+        throw base::InputError("largest_cut_back must be from 0 to 30");
     if (steps < 1) throw base::InputError("steps must be above zero");
 }
 

@@ -11,10 +11,10 @@ namespace fretwork::mechanics {
 struct PathTracingOptions {
     double first_load_step = 0.05;     ///< share of the load with which the path begins; sets the first arc
     double largest_load_factor = 1.0;  ///< the path ends beyond it, up or down
-    double largest_arc = 0.5;  ///< of one step, in rad and element lengths (root of the sum of squares)
-    int steps = 200;           ///< the path ends after this many steps
-    EquilibriumOptions
-        equilibrium{};  ///< its relative_residual, largest_cut_back, threads and control count here
+    double largest_arc = 0.5;   ///< of one step, in rad and element lengths (root of the sum of squares)
+    int steps = 200;            ///< the path ends after this many steps
+    int largest_cut_back = 10;  ///< a step is halved at most so often
+    EquilibriumOptions equilibrium{};  ///< its relative_residual, threads and control count here
     /// Throws InputError if a value is invalid.
     void validate() const;
 };

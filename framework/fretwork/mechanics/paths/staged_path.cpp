@@ -23,7 +23,7 @@ constexpr double kLargestGrowth = 3.0;
 constexpr double kLargestProbe = 0.1;
 constexpr double kSmallMove = 1e-3;
 /// How far an unstable equilibrium is pushed along its lowest mode, in the same unit.
-constexpr double kPush = 0.02;
+constexpr double kStagePush = 0.02;
 
 using HeldValues = std::map<std::pair<int, int>, double>;  // by node and dof
 
@@ -147,7 +147,8 @@ class StagedPath::Impl {
         nonlinear::LowestMode mode = nonlinear::lowest_mode(system, newton);
         StabilityLoss loss = nonlinear::describe_loss(system, mode);
         Configuration pushed = unstable;
-        system.unknowns().move(kPush * mode.shape / system.unknowns().largest_component(mode.shape), pushed);
+        system.unknowns().move(kStagePush * mode.shape / system.unknowns().largest_component(mode.shape),
+                               pushed);
         return go_down(share, loss, pushed, system, newton);
     }
 

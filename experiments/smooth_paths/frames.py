@@ -1,0 +1,120 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Do solutions at once end on the branch that many small steps end on?
+
+Imperfect columns, Lee's frame and sine arches, each by four ways: at once, in 40 steps, on the stable branch, and
+snapping; against the primary path in many small steps.
+Usage: frames.py PROGRAM FOLDER [--reference-steps N]
+"""
+import argparse
+import json
+import math
+import pathlib
+import subprocess
+from collections import Counter
+
+WAYS = {"at once": [], "40 steps": ["--steps", "40"], "stable": ["--branch", "stable"],
+        "snapping": ["--branch", "snapping"]}
+CLAMPED = ["ux", "uy", "uz", "rx", "ry", "rz"]
+
+
+def frame(nodes, supports, loads, prescribed=(), side=0.002, width=0.02, modulus=2e9):
+    """A chain of beams of rectangular section that bends in the x-z plane."""
+    return {"format": "fretwork/frame/1", "nodes": nodes,
+            "materials": {"m": {"young_modulus": modulus, "poisson_ratio": 0.3}},
+            "sections": {"s": {"type": "rectangle", "width": width, "height": side}},
+            "beams": [{"nodes": [i, i + 1], "section": "s", "material": "m"}
+                      for i in range(len(nodes) - 1)],
+            "supports": supports, "loads": loads, "prescribed": list(prescribed)}
+
+
+def columns():
+    """20 beams, 1 m; a lateral force of 0.1, 0.4 and 2 % of Euler's load; one end pushed in."""
+    nodes = [[i / 20, 0, 0] for i in range(21)]
+    euler = math.pi ** 2 * 2e9 * 0.02 * 0.002 ** 3 / 12
+    for name, ends in (("pinned-clamped", (["ux", "uy", "uz", "rx", "rz"], ["uy", "uz", "rx", "ry", "rz"])),
+                       ("guided", (CLAMPED, ["uy", "uz", "rx", "ry", "rz"]))):
+        for share in (0.001, 0.004, 0.02):
+            for shortening in (0.001, 0.02, 0.1, 0.3):
+                supports = [{"node": 0, "fixed": ends[0]}, {"node": 20, "fixed": ends[1]}]
+                supports += [{"node": i, "fixed": ["uy", "rx", "rz"]} for i in range(1, 20)]
+                yield (f"{name} {share:g} {1e3 * shortening:g} mm",
+                       frame(nodes, supports, [{"node": 10, "force": [0, 0, share * euler]}],
+                             [{"node": 20, "ux": -shortening}]))
+
+
+def lees_frame():
+    """Two bars of 1.2 m at a right angle, pinned; pressed down near the corner."""
+    nodes = [[0, 0, 1.2 * i / 10] for i in range(11)] + [[1.2 * i / 10, 0, 1.2] for i in range(1, 11)]
+    pin = ["ux", "uy", "uz", "rx", "rz"]
+    for share in (0.5, 0.9, 1.2):
+        yield (f"Lee {share:g}", frame(nodes, [{"node": 0, "fixed": pin}, {"node": 20, "fixed": pin}] +
+                                       [{"node": i, "fixed": ["uy", "rx", "rz"]} for i in range(1, 20)],
+                                       [{"node": 12, "force": [0, 0, -18.5e3 * share]}],
+                                       side=0.02, width=0.03, modulus=7.2e10))
+
+
+def arches():
+    """Sine arches of 24 beams, pinned or clamped, pressed down a little off the middle."""
+    for ends in ("pinned", "clamped"):
+        for rise in (0.01, 0.03, 0.08, 0.2):
+            nodes = [[i / 24, 0, rise * math.sin(math.pi * i / 24)] for i in range(25)]
+            fixed = CLAMPED if ends == "clamped" else ["ux", "uy", "uz", "rx", "rz"]
+            supports = [{"node": 0, "fixed": fixed}, {"node": 24, "fixed": fixed}]
+            supports += [{"node": i, "fixed": ["uy", "rx", "rz"]} for i in range(1, 24)]
+            for force in (0.1, 0.5, 2.0, 8.0):
+                yield (f"arch {ends} {rise:g} m {force:g} N",
+                       frame(nodes, supports, [{"node": 11, "force": [0, 0, -force]}]))
+
+
+def solve(program, path, options):
+    out = path.with_suffix(".result.json")
+    run = subprocess.run([program, "solve", path, "--out", out, "--json", *options], capture_output=True, text=True)
+    if run.returncode > 1:
+        raise SystemExit(run.stderr)
+    return json.loads(run.stdout), json.loads(out.read_text())
+
+
+def displacements(result):
+    return [row[:3] for row in result["displacements"]]
+
+
+def verdict(found, reference):
+    """How a solution stands to the reference: both (summary, result)."""
+    if not found[0]["converged"]:
+        same = reference[0]["termination"] == found[0]["termination"] == "limit-load" and math.isclose(
+            found[0]["load_factor"], reference[0]["load_factor"], rel_tol=0.02)
+        return "agree" if same else "false " + found[0]["termination"]
+    if not reference[0]["converged"]:
+        return "snapped" if found[0]["critical_load_factors"] else "other branch"
+    a, b = displacements(found[1]), displacements(reference[1])
+    size = max(math.dist(p, (0, 0, 0)) for p in b)
+    if max(math.dist(p, q) for p, q in zip(a, b)) <= 1e-3 * size:
+        return "agree"
+    return "left, and told" if found[0]["critical_load_factors"] or not found[0]["stable"] else "other branch"
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("program")
+    parser.add_argument("folder", type=pathlib.Path)
+    parser.add_argument("--reference-steps", default="1000")
+    arguments = parser.parse_args()
+    arguments.folder.mkdir(parents=True, exist_ok=True)
+    counts = {way: Counter() for way in WAYS}
+    for name, problem in [*columns(), *lees_frame(), *arches()]:
+        path = arguments.folder / "frame.json"
+        path.write_text(json.dumps(problem))
+        reference = solve(arguments.program, path, ["--steps", arguments.reference_steps])
+        row = []
+        for way, options in WAYS.items():
+            found = solve(arguments.program, path, options)
+            counts[way][verdict(found, reference)] += 1
+            row.append(f"{verdict(found, reference)} ({found[0]['iterations']})")
+        print(f"{name:32} {reference[0]['termination']:10} | " + " | ".join(row), flush=True)
+    for way, count in counts.items():
+        print(f"{way:10}", ", ".join(f"{number} {what}" for what, number in count.most_common()))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/mechanics/nonlinear/path_step.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace fretwork::mechanics::nonlinear {
+namespace {
+
+constexpr int kMostCorrections = 15;
+/// A correction that is this many times as long as the one before does not converge.
+constexpr double kLargestContraction = 2.0;
+
+/// On one path a move is about the mean of the directions at its ends. An equilibrium that differs from that
+/// by more than this share, in any component (those that move less than the second of these shares of the
+/// largest count as that), is on another branch, or too far to decide.
+constexpr double kUnexplained = 0.3;
+constexpr double kOwnShare = 0.3;
+/// Moves as small as this (rad, and element lengths) are linear.
+constexpr double kLinearMove = 1e-6;
+/// The directions at the ends of a step differ by less than 60 degrees.
+constexpr double kLeastCosine = 0.5;
+/// rad, or element lengths: a path begins with a step of this size at most.
+constexpr double kFirstMove = 0.1;
+/// rad: a step turns no node by more than this if it is prescribed how far.
+constexpr double kMostPrescribedTurn = 0.7;
+/// A step that ends within another one is at most this many times as long.
+constexpr double kWithin = 1.05;
+/// A guess is curved by no more than this share of its straight part.
+constexpr double kMostCurved = 0.5;
+
+}  // namespace
+
+int correct_across(NonlinearSystem& system, Newton& newton, const Eigen::VectorXd& step, double& load_factor,
+                   Configuration& trial) {
+    const Unknowns& unknowns = system.unknowns();
+    const Eigen::VectorXd normal = unknowns.weights().cwiseProduct(step);
+    Eigen::VectorXd move;
+    double last_size = 0.0;
+    for (int iteration = 0; iteration <= kMostCorrections; ++iteration) {
+        system.evaluate(trial, load_factor);
+        if (!std::isfinite(system.relative_residual())) return -1;
+        if (newton.is_converged(trial, move)) return iteration;
+        if (newton.factorize().zero_pivot >= 0) return -1;
+        const Eigen::VectorXd rate = newton.solve_tangent(system.load_rate());
+        move = newton.solve_tangent(system.unbalanced());
+        const double load_step = -normal.dot(move) / normal.dot(rate);
+        move += load_step * rate;
+        const double size = std::sqrt(move.dot(unknowns.weights().cwiseProduct(move)));
+        if (!std::isfinite(load_step) || !std::isfinite(size)) return -1;
+        if (iteration > 1 && size > kLargestContraction * last_size) return -1;
+        last_size = size;
+        load_factor += load_step;
+        unknowns.prescribe(load_factor, trial);
+        unknowns.move(move, trial);
+    }
+    return -1;
+}
+
+double PathStepper::size_of(const Eigen::VectorXd& move) const {
+    return std::sqrt(move.dot(unknowns_.weights().cwiseProduct(move)));
+}
+
+PathState PathStepper::rising(PathPoint point) const {
+    const double size = std::max(size_of(point.rate), 1e-300);
+    Eigen::VectorXd direction = point.rate / size;
+    return {std::move(point), std::move(direction), 1.0 / size};
+}
+
+double PathStepper::length_of(const PathState& from, double largest_component) const {
+    return largest_component / std::max(unknowns_.largest_component(from.direction), 1e-300);
+}
+
+double PathStepper::first_length(const PathState& from, double load_factor) const {
+    return std::min(length_of(from, kFirstMove), (load_factor - from.point.load_factor) / from.load_rate);
+}
+
+/// The cubic through the last two states and their directions (Hermite), continued; straight on where that
+/// would bend too much.
+PathStepper::Guess PathStepper::predict(const PathState& from, const PathState* previous,
+                                        double length) const {
+    Guess guess{length * from.direction, length * from.load_rate};
+    if (previous != nullptr) {
+        const Eigen::VectorXd back =
+            unknowns_.step_between(from.point.configuration, previous->point.configuration);
+        const double chord = size_of(back);
+        const double t = length / chord;
+        const Eigen::VectorXd back_direction = unknowns_.rate_of_steps(back, previous->direction);
+        const Eigen::VectorXd cubic = chord * (back_direction + from.direction) + 2.0 * back;
+        const Eigen::VectorXd square = back + chord * from.direction + cubic;
+        const Eigen::VectorXd bend = t * t * square + t * t * t * cubic;
+        if (size_of(bend) <= kMostCurved * length) {
+            guess.move += bend;
+            const double load_back = previous->point.load_factor - from.point.load_factor;
+            const double load_cubic = chord * (previous->load_rate + from.load_rate) + 2.0 * load_back;
+            const double load_square = load_back + chord * from.load_rate + load_cubic;
+            guess.load_factor += t * t * load_square + t * t * t * load_cubic;
+        }
+    }
+    guess.load_factor += from.point.load_factor;
+    return guess;
+}
+
+std::optional<PathStep> PathStepper::step(const PathState& from, const PathState* previous, double length) {
+    Guess guess = predict(from, previous, length);
+    if (unknowns_.largest_rotation(guess.move) > options_.largest_rotation_step) return {};
+    const double load_step = std::abs(guess.load_factor - from.point.load_factor);
+    if (load_step * unknowns_.largest_prescribed_rotation() > kMostPrescribedTurn) return {};
+    Configuration trial = from.point.configuration;
+    unknowns_.prescribe(guess.load_factor, trial);
+    unknowns_.move(guess.move, trial);
+    if (correct_across(system_, newton_, guess.move, guess.load_factor, trial) < 0) return {};
+    auto step = step_to(from, guess.load_factor, std::move(trial));
+    if (step) step->deviation = deviation_on_arc(from, *step);
+    return step && step->deviation <= 1.0 ? std::move(step) : std::nullopt;
+}
+
+std::optional<PathStep> PathStepper::step_to_load(const PathState& from, double load_factor,
+                                                  const Eigen::VectorXd& guess) {
+    Configuration trial = from.point.configuration;
+    if (!correct_under_load(load_factor, guess, trial)) return {};
+    auto step = step_to(from, load_factor, std::move(trial));
+    if (!step) return {};
+    if (is_softened(unknowns_, from.point.rate, step->state.point.rate)) return {};
+    const double half = 0.5 * (load_factor - from.point.load_factor);
+    step->deviation = deviation(step->move, half * (from.point.rate + step->state.point.rate));
+    return step->deviation <= 1.0 ? std::move(step) : std::nullopt;
+}
+
+std::optional<PathStep> PathStepper::step_within(const PathState& from, const PathStep& known,
+                                                 double load_factor) {
+    const double share =
+        (load_factor - from.point.load_factor) / (known.state.point.load_factor - from.point.load_factor);
+    Configuration trial = from.point.configuration;
+    if (!correct_under_load(load_factor, share * known.move, trial)) return {};
+    auto step = step_to(from, load_factor, std::move(trial));
+    if (!step || step->length > kWithin * known.length) return {};
+    step->deviation = deviation_on_arc(from, *step);
+    return step->deviation <= 1.0 ? std::move(step) : std::nullopt;
+}
+
+bool PathStepper::correct_under_load(double load_factor, const Eigen::VectorXd& guess, Configuration& trial) {
+    unknowns_.prescribe(load_factor, trial);
+    unknowns_.move(guess, trial);
+    return newton_.solve(load_factor, trial) == Termination::Converged;
+}
+
+std::optional<PathStep> PathStepper::step_to(const PathState& from, double load_factor, Configuration trial) {
+    unknowns_.unwind(from.point.configuration, trial);
+    PathStep step;
+    step.move = unknowns_.step_between(from.point.configuration, trial);
+    const double turned =
+        std::max(unknowns_.largest_rotation(step.move),
+                 std::abs(load_factor - from.point.load_factor) * unknowns_.largest_prescribed_rotation());
+    const double turn_bound = bound_relative_turn(system_, from.point, turned, trial);
+    if (turn_bound > std::numbers::pi) return {};
+    const auto outcome = newton_.factorize();
+    if (outcome.zero_pivot >= 0) return {};
+    Eigen::VectorXd rate = newton_.solve_tangent(system_.load_rate());
+    const double forward = rate.dot(unknowns_.weights().cwiseProduct(step.move)) >= 0.0 ? 1.0 : -1.0;
+    step.state = rising({std::move(trial), load_factor, std::move(rate), outcome, turn_bound});
+    step.state.direction *= forward;
+    step.state.load_rate *= forward;
+    step.length = size_of(step.move);
+    return step;
+}
+
+double PathStepper::deviation_on_arc(const PathState& from, const PathStep& step) const {
+    const double cosine = from.direction.dot(unknowns_.weights().cwiseProduct(step.state.direction));
+    if (cosine < kLeastCosine && unknowns_.largest_component(step.move) > kLinearMove) return 2.0;
+    const Eigen::VectorXd mean = from.direction + step.state.direction;
+    return deviation(step.move, step.length / std::max(size_of(mean), 1e-300) * mean);
+}
+
+double PathStepper::deviation(const Eigen::VectorXd& move, const Eigen::VectorXd& explained) const {
+    if (unknowns_.largest_component(move) <= kLinearMove) return 0.0;
+    const Eigen::ArrayXd unit = unknowns_.weights().array().sqrt();
+    const Eigen::ArrayXd expected = unit * explained.array();
+    const Eigen::ArrayXd made = unit * move.array();
+    const Eigen::ArrayXd own = expected.abs().max(made.abs());
+    return ((made - expected).abs() / (kUnexplained * own.max(kOwnShare * own.maxCoeff()))).maxCoeff();
+}
+
+}  // namespace fretwork::mechanics::nonlinear

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/mechanics/nonlinear/stride.hpp>
+
+#include <optional>
+
+namespace fretwork::mechanics::nonlinear {
+
+/// An equilibrium of a path, and the path's direction there.
+struct PathState {
+    PathPoint point;
+    Eigen::VectorXd direction;  ///< of the unknowns; of unit size against the system's weights
+    double load_rate = 0.0;     ///< of the load factor along the direction; below zero: the load falls
+};
+
+/// A step to an equilibrium that continues the path.
+struct PathStep {
+    PathState state;
+    Eigen::VectorXd move;
+    double length = 0.0;  ///< of the move, against the system's weights
+    double deviation =
+        0.0;  ///< from what the directions at both ends account for; 1: the most that is accepted
+};
+
+/// Correct a trial in the plane at right angles to a step, load factor and unknowns together, to an
+/// equilibrium [Riks1979]. On success the system is evaluated there.
+/// @return  the number of iterations, or -1
+int correct_across(NonlinearSystem& system, Newton& newton, const Eigen::VectorXd& step, double& load_factor,
+                   Configuration& trial);
+
+/// Makes steps along an equilibrium path, of which each continues the path: its ends have directions whose
+/// mean accounts for the move between them, in every component. A longer step that passes over a sharp bend
+/// of the path, or lands on another path, is no such step.
+class PathStepper {
+  public:
+    PathStepper(NonlinearSystem& system, Newton& newton, const EquilibriumOptions& options)
+        : system_(system), unknowns_(system.unknowns()), newton_(newton), options_(options) {}
+
+    /// The state at an equilibrium with a known rate, in the direction in which the load rises.
+    [[nodiscard]] PathState rising(PathPoint point) const;
+
+    /// A step of a given length; nothing if there is none that continues the path.
+    /// @param previous  the state before; null: not known
+    std::optional<PathStep> step(const PathState& from, const PathState* previous, double length);
+
+    /// A step to a larger load factor, from a guess of the move; the rates of the unknowns in the load
+    /// factor at both ends must account for it.
+    std::optional<PathStep> step_to_load(const PathState& from, double load_factor,
+                                         const Eigen::VectorXd& guess);
+    /// A step to a load factor that lies within a step, which is known to continue the path.
+    std::optional<PathStep> step_within(const PathState& from, const PathStep& known, double load_factor);
+
+    /// The length of a step in which no node turns far, and the load rises to no more than a given factor.
+    [[nodiscard]] double first_length(const PathState& from, double load_factor) const;
+    /// The length of a step whose largest component has this size (rad, or element lengths).
+    [[nodiscard]] double length_of(const PathState& from, double largest_component) const;
+
+  private:
+    struct Guess {
+        Eigen::VectorXd move;
+        double load_factor = 0.0;
+    };
+    [[nodiscard]] double size_of(const Eigen::VectorXd& move) const;
+    [[nodiscard]] Guess predict(const PathState& from, const PathState* previous, double length) const;
+    bool correct_under_load(double load_factor, const Eigen::VectorXd& guess, Configuration& trial);
+    /// The step to a trial, which is an equilibrium at which the system is evaluated.
+    std::optional<PathStep> step_to(const PathState& from, double load_factor, Configuration trial);
+    [[nodiscard]] double deviation(const Eigen::VectorXd& move, const Eigen::VectorXd& explained) const;
+    [[nodiscard]] double deviation_on_arc(const PathState& from, const PathStep& step) const;
+
+    NonlinearSystem& system_;
+    const Unknowns& unknowns_;
+    Newton& newton_;
+    const EquilibriumOptions& options_;
+};
+
+}  // namespace fretwork::mechanics::nonlinear
