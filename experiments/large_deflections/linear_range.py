@@ -14,7 +14,7 @@ import run
 
 SHARES = (0.1, 0.3, 1.0)
 FIELDS = ["number", "kind", "share", "estimate", "loses_stability", "is_exceeded", "error", "full_is_unstable", "note"]
-IN_RANGE = 0.1
+IN_RANGE = 0.05
 
 
 def scaled(case, share):

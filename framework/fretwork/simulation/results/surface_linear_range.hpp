@@ -11,7 +11,7 @@ namespace fretwork::simulation {
 
 /// Beyond this error, or where stability is lost, a linear solution is reported as out of its range. How
 /// often that is right: experiments/large_deflections.
-inline constexpr double kLinearRange = 0.1;
+inline constexpr double kLinearRange = 0.05;
 [[nodiscard]] inline bool is_exceeded(const mechanics::LinearRange& range) {
     return range.loses_stability || range.error > kLinearRange;
 }
