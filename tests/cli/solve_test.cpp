@@ -49,6 +49,26 @@ TEST_F(Solve, SaysWhenThereAreFewerBucklingLoadsThanWanted) {
     EXPECT_THAT(outcome.out, HasSubstr("no more than "));
 }
 
+// Two strips that meet 6 mm above their clamped ends, pressed down there, and held upright.
+TEST_F(Solve, NamesTheLimitLoadWithItsPlaceAndWhatHelps) {
+    folder_.file("arch.json",
+                 R"({"format": "fretwork/frame/1", "nodes": [[0, 0, 0], [0.2, 0, 0.006], [0.4, 0, 0]],
+        "materials": {"m": {"young_modulus": 1e9, "poisson_ratio": 0.3}},
+        "sections": {"s": {"type": "rectangle", "width": 0.02, "height": 0.002}},
+        "beams": [{"nodes": [0, 1], "section": "s", "material": "m", "divisions": 8},
+                  {"nodes": [1, 2], "section": "s", "material": "m", "divisions": 8}],
+        "supports": [{"node": 0, "fixed": ["ux", "uy", "uz", "rx", "ry", "rz"]},
+                     {"node": 1, "fixed": ["uy", "rx", "ry", "rz"]},
+                     {"node": 2, "fixed": ["ux", "uy", "uz", "rx", "ry", "rz"]}],
+        "loads": [{"node": 1, "force": [0, 0, -10]}]})");
+    const auto stopped = run_command("fretwork solve arch.json --out r.json", folder_.path());
+    EXPECT_EQ(stopped.exit_code, 1);
+    EXPECT_THAT(stopped.out, HasSubstr("limit load at 0."));
+    EXPECT_THAT(stopped.out, HasSubstr("(node 1 along uz); --branch snapping looks beyond it"));
+    EXPECT_EQ(
+        run_command("fretwork solve arch.json --branch snapping --out r.json", folder_.path()).exit_code, 0);
+}
+
 TEST_F(Solve, AnswersForModesOfWhatIsNotLoadedOrCannotMove) {
     std::string frame = base::read_text_file(folder_.path() / "column.json");
     frame.replace(frame.find("\"node\": 1, \"force\""), 9, "\"node\": 0");

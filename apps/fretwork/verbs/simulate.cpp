@@ -160,8 +160,7 @@ void print(const simulation::SurfaceResult& result, const WantedModes& wanted) {
                 base::printable(subject.load_case).c_str(), result.solver.c_str(),
                 std::string(mechanics::termination_name(solution.termination)).c_str(),
                 solution.stable ? "" : ", unstable");
-    if (!solution.converged())
-        std::printf("the last equilibrium found is at %.3g of the load\n", solution.load_factor);
+    if (!solution.converged()) print_failure(result);
     std::printf("largest displacement %.4g mm, largest rotation %.4g deg (interface nodes), %.3g s\n",
                 1e3 * simulation::largest_displacement(result, solution),
                 simulation::largest_rotation(result, solution) * kDegreesPerRadian, result.seconds);

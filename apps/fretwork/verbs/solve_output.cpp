@@ -48,17 +48,38 @@ std::string stability_text(const mechanics::Solution& solution) {
     return "";
 }
 
-/// Describes a result that is no equilibrium under the full load.
-void print_failure(const mechanics::Result& result) {
-    if (result.solver == mechanics::solver_name(mechanics::Solver::Linear)) {
-        std::printf("rounding leaves %.1e of the load unbalanced: stiffnesses are too far from each other\n",
-                    result.solution.residual);
-    } else if (result.solver == mechanics::solver_name(mechanics::Solver::Newton)) {
-        std::printf("the path ends at %.6g of the load; the result holds the last equilibrium\n",
-                    result.solution.load_factor);
-    } else {
-        std::printf("the result holds the last state, which is no equilibrium\n");
+std::string component_text(const mechanics::Result& result, const mechanics::StabilityLoss& loss) {
+    return "node " + std::to_string(result.nodes[static_cast<std::size_t>(loss.node.value)].id) + " along " +
+           std::string(mechanics::kDofNames[static_cast<std::size_t>(loss.dof)]);
+}
+
+/// Where a structure gives way at its limit load, if that is known.
+std::string limit_place(const mechanics::Result& result) {
+    const auto& losses = result.solution.stability_losses;
+    if (losses.empty() || losses.back().pushed) return "";
+    return " (" + component_text(result, losses.back()) + ")";
+}
+
+/// How a path ends that does not reach its load, and what helps.
+std::string ending_text(const mechanics::Result& result) {
+    const mechanics::Solution& solution = result.solution;
+    char share[32];
+    std::snprintf(share, sizeof share, "%.6g", solution.load_factor);
+    const std::string place = std::string(share) + " of the load";
+    switch (solution.termination) {
+        case mechanics::Termination::Converged:
+            return "the full load is reached";
+        case mechanics::Termination::LimitLoad:
+            return "limit load at " + place + ": beyond it the load falls along the path" +
+                   limit_place(result) + "; --branch snapping looks beyond it";
+        case mechanics::Termination::Diverged:
+            return "no equilibrium that continues the path was found beyond " + place +
+                   "; finer divisions or a smaller load may help";
+        case mechanics::Termination::IterationsSpent:
+            return "the load was not reached within the effort, the path has come to " + place +
+                   "; more load steps (--steps) allow more";
     }
+    return "";
 }
 
 }  // namespace
@@ -78,6 +99,17 @@ std::string discretization_text(const mechanics::DiscretizationError& error) {
     return text;
 }
 
+void print_failure(const mechanics::Result& result) {
+    if (result.solver == mechanics::solver_name(mechanics::Solver::Linear)) {
+        std::printf("rounding leaves %.1e of the load unbalanced: stiffnesses are too far from each other\n",
+                    result.solution.residual);
+    } else if (result.solver == mechanics::solver_name(mechanics::Solver::Newton)) {
+        std::printf("%s; the result holds the last equilibrium\n", ending_text(result).c_str());
+    } else {
+        std::printf("the result holds the last state, which is no equilibrium\n");
+    }
+}
+
 void print_solution_json(const mechanics::Result& result) {
     std::fputs(base::json_text(summary_of(result)).c_str(), stdout);
 }
@@ -85,12 +117,11 @@ void print_solution_json(const mechanics::Result& result) {
 void print_losses_and_modes(const mechanics::Result& result, const WantedModes& wanted) {
     const mechanics::Solution& solution = result.solution;
     for (const mechanics::StabilityLoss& loss : solution.stability_losses)
-        std::printf("%s from %.6g of the load on%s: node %d along %s\n",
+        std::printf("%s from %.6g of the load on%s: %s\n",
                     solution.stability == mechanics::StabilityTest::SymmetricPart ? "stability undecided"
                                                                                   : "unstable",
                     loss.load_factor, loss.pushed ? "; pushed onto a stable branch" : "",
-                    result.nodes[static_cast<std::size_t>(loss.node.value)].id,
-                    mechanics::kDofNames[static_cast<std::size_t>(loss.dof)]);
+                    component_text(result, loss).c_str());
     for (std::size_t i = 0; i < result.buckling_modes.size(); ++i)
         std::printf("buckling load %zu: %.6g times the load\n", i + 1, result.buckling_modes[i].value);
     for (std::size_t i = 0; i < result.vibration_modes.size(); ++i)

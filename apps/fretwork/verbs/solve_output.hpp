@@ -27,6 +27,10 @@ void print_losses_and_modes(const mechanics::Result& result, const WantedModes& 
 
 void print_solution(const mechanics::Result& result, const WantedModes& wanted);
 
+/// A line about a result that is no equilibrium under the full load: how far it came, why it ends there, and
+/// what helps.
+void print_failure(const mechanics::Result& result);
+
 /// The share, or null without one.
 base::Json discretization_json(const mechanics::Result& result);
 /// A line about how far a solution is from that of endlessly fine divisions.
