@@ -28,13 +28,13 @@ def frame(nodes, supports, loads, prescribed=(), side=0.002, width=0.02, modulus
             "supports": supports, "loads": loads, "prescribed": list(prescribed)}
 
 
-def columns():
-    """20 beams, 1 m; a lateral force of 0.1, 0.4 and 2 % of Euler's load; one end pushed in."""
+def columns(shares=(0.001, 0.004, 0.02)):
+    """20 beams, 1 m; a lateral force of these shares of Euler's load; one end pushed in."""
     nodes = [[i / 20, 0, 0] for i in range(21)]
     euler = math.pi ** 2 * 2e9 * 0.02 * 0.002 ** 3 / 12
     for name, ends in (("pinned-clamped", (["ux", "uy", "uz", "rx", "rz"], ["uy", "uz", "rx", "ry", "rz"])),
                        ("guided", (CLAMPED, ["uy", "uz", "rx", "ry", "rz"]))):
-        for share in (0.001, 0.004, 0.02):
+        for share in shares:
             for shortening in (0.001, 0.02, 0.1, 0.3):
                 supports = [{"node": 0, "fixed": ends[0]}, {"node": 20, "fixed": ends[1]}]
                 supports += [{"node": i, "fixed": ["uy", "rx", "rz"]} for i in range(1, 20)]
@@ -65,6 +65,19 @@ def arches():
             for force in (0.1, 0.5, 2.0, 8.0):
                 yield (f"arch {ends} {rise:g} m {force:g} N",
                        frame(nodes, supports, [{"node": 11, "force": [0, 0, -force]}]))
+
+
+def weak_forces(program, folder):
+    """How many columns end on the side of a force that is a small share of Euler's load, at once."""
+    path = folder / "frame.json"
+    for share in (1e-4, 1e-5, 1e-6, 1e-8):
+        ends = Counter()
+        for _, problem in columns((share,)):
+            path.write_text(json.dumps(problem))
+            summary, result = solve(program, path, [])
+            side = "the side of the force" if displacements(result)[10][2] > 0.01 * summary["largest_displacement"] else "elsewhere"
+            ends[f"{summary['termination']}, {side}"] += 1
+        print(f"{share:g} of Euler's load:", ", ".join(f"{number} {what}" for what, number in ends.most_common()))
 
 
 def solve(program, path, options):
@@ -112,6 +125,7 @@ def main():
             counts[way][verdict(found, reference)] += 1
             row.append(f"{verdict(found, reference)} ({found[0]['iterations']})")
         print(f"{name:32} {reference[0]['termination']:10} | " + " | ".join(row), flush=True)
+    weak_forces(arguments.program, arguments.folder)
     for way, count in counts.items():
         print(f"{way:10}", ", ".join(f"{number} {what}" for what, number in count.most_common()))
 

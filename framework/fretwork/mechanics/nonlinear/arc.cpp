@@ -6,14 +6,14 @@
 namespace fretwork::mechanics::nonlinear {
 namespace {
 
-/// rad, or element lengths: shorter steps along the path are not tried, and a change of stability is taken to
-/// be one of this path if no step as long as the second of these passes round it. Where a load off the mode
-/// has made a sharp bend out of a bifurcation, the path turns there.
-constexpr double kShortestMove = 1e-7;
-constexpr double kNarrowestMove = 1e-5;
-/// The same as shares of the first step, where that moves less.
-constexpr double kShortestShare = 1e-6;
-constexpr double kNarrowestShare = 1e-3;
+/// rad, or element lengths: shorter steps along the path are not tried, unless they are more than this share
+/// of the first step.
+constexpr double kShortestMove = 1e-10;
+constexpr double kShortestShare = 1e-9;
+/// Share of the load: a change of stability is taken to be one of this path if no step that changes the load
+/// by so little passes round it. Where a load off the mode has made a sharp bend out of a bifurcation, the
+/// path turns there.
+constexpr double kNarrowest = 1e-5;
 /// Share of the load by which a step over a change of stability goes beyond it.
 constexpr double kBeyondChange = 1.0 / 64.0;
 
@@ -24,9 +24,13 @@ constexpr double kGoodDeviation = 0.4;
 
 }  // namespace
 
+bool Arc::is_narrow(double step) const {
+    return step * state.load_rate <= kNarrowest * state.point.load_factor;
+}
+
 bool Arc::come_nearer(double step) {
     if (!std::isfinite(crossing)) beyond = step;
-    if (crossing <= narrowest) return false;
+    if (std::isfinite(crossing) && is_narrow(crossing)) return false;
     crossing = step;
     length = length_to_crossing(0.5 * step);
     return true;
@@ -48,7 +52,7 @@ void Arc::forget_crossing(double next_length) {
 
 /// Next to where stability changes, over it.
 double Arc::length_to_crossing(double wanted) const {
-    if (crossing > narrowest) return wanted;
+    if (!is_narrow(crossing)) return wanted;
     return std::clamp(kBeyondChange * state.point.load_factor / state.load_rate, crossing,
                       std::max(beyond, crossing));
 }
@@ -57,7 +61,6 @@ Arc begin_arc(const PathStepper& stepper, const PathPoint& point, double load_fa
     Arc arc{stepper.rising(point), {}};
     arc.length = stepper.first_length(arc.state, load_factor);
     arc.shortest = std::min(stepper.length_of(arc.state, kShortestMove), kShortestShare * arc.length);
-    arc.narrowest = std::min(stepper.length_of(arc.state, kNarrowestMove), kNarrowestShare * arc.length);
     return arc;
 }
 

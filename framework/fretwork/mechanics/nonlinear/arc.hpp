@@ -18,9 +18,10 @@ struct Arc {
     double crossing = std::numeric_limits<double>::infinity();  ///< to where stability has changed
     double beyond = 0.0;                                        ///< the step that has first shown it
     double shortest = 0.0;                                      ///< no shorter steps are tried
-    double narrowest = 0.0;  ///< so near to the crossing, it is one of this path
 
     [[nodiscard]] const PathState* last() const { return previous ? &*previous : nullptr; }
+    /// Whether a step of a length changes the load so little that what it crosses is on this path.
+    [[nodiscard]] bool is_narrow(double step) const;
     /// A step has crossed a change of stability: come nearer to it with the next one. False if it is near.
     bool come_nearer(double step);
     /// The length of the step after one that continues the path.

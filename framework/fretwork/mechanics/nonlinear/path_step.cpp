@@ -18,8 +18,10 @@ constexpr double kLargestContraction = 2.0;
 /// largest count as that), is on another branch, or too far to decide.
 constexpr double kUnexplained = 0.3;
 constexpr double kOwnShare = 0.3;
-/// Moves as small as this (rad, and element lengths) are linear.
+/// Moves as small as this (rad, and element lengths) under a given load are linear, and along the arc, where
+/// bends may be sharp, as small as the second.
 constexpr double kLinearMove = 1e-6;
+constexpr double kRoundedMove = 1e-8;
 /// The directions at the ends of a step differ by less than 60 degrees.
 constexpr double kLeastCosine = 0.5;
 /// rad, or element lengths: a path begins with a step of this size at most.
@@ -113,8 +115,11 @@ std::optional<PathStep> PathStepper::step(const PathState& from, const PathState
     unknowns_.move(guess.move, trial);
     if (correct_across(system_, newton_, guess.move, guess.load_factor, trial) < 0) return {};
     auto step = step_to(from, guess.load_factor, std::move(trial));
-    if (step) step->deviation = deviation_on_arc(from, *step);
-    return step && step->deviation <= 1.0 ? std::move(step) : std::nullopt;
+    if (!step) return {};
+    // Of so short a step rounding decides which way the load goes.
+    if (step->state.load_rate < 0.0 && unknowns_.largest_component(step->move) <= kRoundedMove) return {};
+    step->deviation = deviation_on_arc(from, *step);
+    return step->deviation <= 1.0 ? std::move(step) : std::nullopt;
 }
 
 std::optional<PathStep> PathStepper::step_to_load(const PathState& from, double load_factor,
@@ -124,6 +129,7 @@ std::optional<PathStep> PathStepper::step_to_load(const PathState& from, double 
     auto step = step_to(from, load_factor, std::move(trial));
     if (!step) return {};
     if (is_softened(unknowns_, from.point.rate, step->state.point.rate)) return {};
+    if (unknowns_.largest_component(step->move) <= kLinearMove) return step;
     const double half = 0.5 * (load_factor - from.point.load_factor);
     step->deviation = deviation(step->move, half * (from.point.rate + step->state.point.rate));
     return step->deviation <= 1.0 ? std::move(step) : std::nullopt;
@@ -169,13 +175,13 @@ std::optional<PathStep> PathStepper::step_to(const PathState& from, double load_
 
 double PathStepper::deviation_on_arc(const PathState& from, const PathStep& step) const {
     const double cosine = from.direction.dot(unknowns_.weights().cwiseProduct(step.state.direction));
-    if (cosine < kLeastCosine && unknowns_.largest_component(step.move) > kLinearMove) return 2.0;
+    if (unknowns_.largest_component(step.move) <= kRoundedMove) return 0.0;
+    if (cosine < kLeastCosine) return 2.0;
     const Eigen::VectorXd mean = from.direction + step.state.direction;
     return deviation(step.move, step.length / std::max(size_of(mean), 1e-300) * mean);
 }
 
 double PathStepper::deviation(const Eigen::VectorXd& move, const Eigen::VectorXd& explained) const {
-    if (unknowns_.largest_component(move) <= kLinearMove) return 0.0;
     const Eigen::ArrayXd unit = unknowns_.weights().array().sqrt();
     const Eigen::ArrayXd expected = unit * explained.array();
     const Eigen::ArrayXd made = unit * move.array();

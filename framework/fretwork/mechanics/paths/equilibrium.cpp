@@ -194,7 +194,7 @@ class LoadPath {
             leave(step.state.point.load_factor, step.move, step.state.point.configuration);
         if (left != Termination::Converged) {  // it is left nearer to the change
             arc.length = 0.25 * step.length;
-            return arc.length > arc.narrowest ? Termination::Converged : left;
+            return arc.is_narrow(arc.length) ? left : Termination::Converged;
         }
         arc.forget_crossing(step.length);
         if (options_.branch == Branch::Primary) {
