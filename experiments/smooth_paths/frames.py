@@ -6,16 +6,15 @@ Imperfect columns, Lee's frame and sine arches, each by four ways: at once, in 4
 snapping; against the primary path in many small steps.
 Usage: frames.py PROGRAM FOLDER [--reference-steps N]
 """
-import argparse
 import json
 import math
 import pathlib
-import subprocess
+import sys
 from collections import Counter
 
-WAYS = {"at once": [], "40 steps": ["--steps", "40"], "stable": ["--branch", "stable"],
-        "snapping": ["--branch", "snapping"]}
-CLAMPED = ["ux", "uy", "uz", "rx", "ry", "rz"]
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "common"))
+from program import Fretwork  # noqa: E402
+from ways import CLAMPED, Tally, arguments_of, displacements  # noqa: E402
 
 
 def frame(nodes, supports, loads, prescribed=(), side=0.002, width=0.02, modulus=2e9):
@@ -67,67 +66,34 @@ def arches():
                        frame(nodes, supports, [{"node": 11, "force": [0, 0, -force]}]))
 
 
-def weak_forces(program, folder):
+def solve(fretwork, problem, options):
+    """The losses of stability, and the result."""
+    (fretwork.folder / "frame.json").write_text(json.dumps(problem))
+    summary = fretwork("solve", "frame.json", "--out", "result.json", "--json", *options, accepted=(0, 1))
+    return (json.loads(summary)["critical_load_factors"], json.loads((fretwork.folder / "result.json").read_text()))
+
+
+def print_weak_forces(fretwork):
     """How many columns end on the side of a force that is a small share of Euler's load, at once."""
-    path = folder / "frame.json"
     for share in (1e-4, 1e-5, 1e-6, 1e-8):
         ends = Counter()
         for _, problem in columns((share,)):
-            path.write_text(json.dumps(problem))
-            summary, result = solve(program, path, [])
-            side = "the side of the force" if displacements(result)[10][2] > 0.01 * summary["largest_displacement"] else "elsewhere"
-            ends[f"{summary['termination']}, {side}"] += 1
+            _, result = solve(fretwork, problem, [])
+            moves = displacements(result)
+            largest = max(math.dist(move, (0, 0, 0)) for move in moves)
+            side = "the side of the force" if moves[10][2] > 0.01 * largest else "elsewhere"
+            ends[f"{result['termination']}, {side}"] += 1
         print(f"{share:g} of Euler's load:", ", ".join(f"{number} {what}" for what, number in ends.most_common()))
 
 
-def solve(program, path, options):
-    out = path.with_suffix(".result.json")
-    run = subprocess.run([program, "solve", path, "--out", out, "--json", *options], capture_output=True, text=True)
-    if run.returncode > 1:
-        raise SystemExit(run.stderr)
-    return json.loads(run.stdout), json.loads(out.read_text())
-
-
-def displacements(result):
-    return [row[:3] for row in result["displacements"]]
-
-
-def verdict(found, reference):
-    """How a solution stands to the reference: both (summary, result)."""
-    if not found[0]["converged"]:
-        same = reference[0]["termination"] == found[0]["termination"] == "limit-load" and math.isclose(
-            found[0]["load_factor"], reference[0]["load_factor"], rel_tol=0.02)
-        return "agree" if same else "false " + found[0]["termination"]
-    if not reference[0]["converged"]:
-        return "snapped" if found[0]["critical_load_factors"] else "other branch"
-    a, b = displacements(found[1]), displacements(reference[1])
-    size = max(math.dist(p, (0, 0, 0)) for p in b)
-    if max(math.dist(p, q) for p, q in zip(a, b)) <= 1e-3 * size:
-        return "agree"
-    return "left, and told" if found[0]["critical_load_factors"] or not found[0]["stable"] else "other branch"
-
-
 def main():
-    parser = argparse.ArgumentParser()
-    parser.add_argument("program")
-    parser.add_argument("folder", type=pathlib.Path)
-    parser.add_argument("--reference-steps", default="1000")
-    arguments = parser.parse_args()
-    arguments.folder.mkdir(parents=True, exist_ok=True)
-    counts = {way: Counter() for way in WAYS}
+    arguments = arguments_of(__doc__.splitlines()[0], 1000)
+    fretwork = Fretwork(arguments.program, arguments.folder)
+    tally = Tally(40, arguments.reference_steps)
     for name, problem in [*columns(), *lees_frame(), *arches()]:
-        path = arguments.folder / "frame.json"
-        path.write_text(json.dumps(problem))
-        reference = solve(arguments.program, path, ["--steps", arguments.reference_steps])
-        row = []
-        for way, options in WAYS.items():
-            found = solve(arguments.program, path, options)
-            counts[way][verdict(found, reference)] += 1
-            row.append(f"{verdict(found, reference)} ({found[0]['iterations']})")
-        print(f"{name:32} {reference[0]['termination']:10} | " + " | ".join(row), flush=True)
-    weak_forces(arguments.program, arguments.folder)
-    for way, count in counts.items():
-        print(f"{way:10}", ", ".join(f"{number} {what}" for what, number in count.most_common()))
+        tally.add(name, lambda options: solve(fretwork, problem, options))
+    print_weak_forces(fretwork)
+    tally.print()
 
 
 if __name__ == "__main__":

@@ -6,15 +6,14 @@ A strip that is pushed together under a small force, and a sheet whose supports 
 each with two paintings, by four ways; against the primary path in many small steps. Corotational tiles.
 Usage: surfaces.py PROGRAM FOLDER [--reference-steps N]
 """
-import argparse
 import json
 import pathlib
-import subprocess
-from collections import Counter
+import sys
 
-from frames import WAYS, verdict
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "common"))
+from program import Fretwork  # noqa: E402
+from ways import CLAMPED, Tally, arguments_of  # noqa: E402
 
-CLAMPED = ["ux", "uy", "uz", "rx", "ry", "rz"]
 PAINTINGS = {"one pattern": ["0-5+5-6"], "two patterns": ["random:1", "--palette", "0-5+5-6,0-1+1-6"]}
 
 
@@ -33,51 +32,30 @@ def cases():
                 "loads": [{"box": [-1, -1, 1, 1], "force": [0, 0, 0.05], "amount": "total"}]})
 
 
-def run(command):
-    done = subprocess.run(command, capture_output=True, text=True)
-    if done.returncode > 1:
-        raise SystemExit(done.stderr)
-    return done.stdout
+def tile(fretwork, length, width, patterns):
+    (fretwork.folder / "outline.json").write_text(json.dumps({"format": "fretwork/outline/1", "boundary": [
+        [0, 0], [length, 0], [length, width], [0, width]]}))
+    (fretwork.folder / "project.json").unlink(missing_ok=True)
+    fretwork("tile", "outline.json", "--patterns", *patterns, "--edge-length", "25mm", "--out", "project.json")
 
 
-def simulate(program, project, case, options):
-    out = project.with_suffix(".result.json")
-    text = run([program, "simulate", project, "--case", case, "--model", "corotational", "--out", out, "--json", *options])
-    result = json.loads(out.read_text())
-    summary = json.loads(text)
-    return {"converged": result["converged"], "termination": result["termination"], "stable": result["stable"],
-            "load_factor": result["load_factor"], "iterations": result["iterations"],
-            "critical_load_factors": result.get("stability_losses", summary.get("critical_load_factors", []))}, result
+def simulate(fretwork, options):
+    """The losses of stability, and the result."""
+    summary = fretwork("simulate", "project.json", "--case", "./case.json", "--model", "corotational", "--out",
+                       "result.json", "--json", *options, accepted=(0, 1))
+    return json.loads(summary)["stability_losses"], json.loads((fretwork.folder / "result.json").read_text())
 
 
 def main():
-    parser = argparse.ArgumentParser()
-    parser.add_argument("program")
-    parser.add_argument("folder", type=pathlib.Path)
-    parser.add_argument("--reference-steps", default="100")
-    arguments = parser.parse_args()
-    arguments.folder.mkdir(parents=True, exist_ok=True)
-    ways = dict(WAYS, **{"40 steps": ["--steps", "10"]})
-    counts = {way: Counter() for way in ways}
+    arguments = arguments_of(__doc__.splitlines()[0], 100)
+    fretwork = Fretwork(arguments.program, arguments.folder)
+    tally = Tally(10, arguments.reference_steps)
     for name, (length, width), case in cases():
+        (fretwork.folder / "case.json").write_text(json.dumps({"format": "fretwork/load-case/1", "name": "c", **case}))
         for painting, patterns in PAINTINGS.items():
-            outline = arguments.folder / "outline.json"
-            outline.write_text(json.dumps({"format": "fretwork/outline/1", "boundary": [
-                [0, 0], [length, 0], [length, width], [0, width]]}))
-            project = arguments.folder / "project.json"
-            project.unlink(missing_ok=True)
-            run([arguments.program, "tile", outline, "--patterns", *patterns, "--edge-length", "25mm", "--out", project])
-            path = arguments.folder / "case.json"
-            path.write_text(json.dumps({"format": "fretwork/load-case/1", "name": "c", **case}))
-            reference = simulate(arguments.program, project, path, ["--steps", arguments.reference_steps])
-            row = []
-            for way, options in ways.items():
-                found = simulate(arguments.program, project, path, options)
-                counts[way][verdict(found, reference)] += 1
-                row.append(f"{verdict(found, reference)} ({found[0]['iterations']})")
-            print(f"{name + ', ' + painting:36} {reference[0]['termination']:10} | " + " | ".join(row), flush=True)
-    for way, count in counts.items():
-        print(f"{way.replace('40', '10'):10}", ", ".join(f"{number} {what}" for what, number in count.most_common()))
+            tile(fretwork, length, width, patterns)
+            tally.add(f"{name}, {painting}", lambda options: simulate(fretwork, options))
+    tally.print()
 
 
 if __name__ == "__main__":

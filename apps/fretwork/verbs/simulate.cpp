@@ -147,20 +147,18 @@ void print_steps(const simulation::SurfaceResult& result) {
                     std::string(mechanics::termination_name(step.termination)).c_str(), step.load_factor,
                     1e3 * simulation::largest_displacement(result, step));
         for (const mechanics::StabilityLoss& loss : step.stability_losses)
-            std::printf("     jumped at %.4g: node %d along %s\n", loss.load_factor,
-                        result.nodes[static_cast<std::size_t>(loss.node.value)].id,
-                        mechanics::kDofNames[static_cast<std::size_t>(loss.dof)]);
+            std::printf("     jumped at %.4g: %s\n", loss.load_factor, component_text(result, loss).c_str());
     }
 }
 
-void print(const simulation::SurfaceResult& result, const WantedModes& wanted) {
+void print(const simulation::SurfaceResult& result, const Wanted& wanted) {
     const auto& solution = result.solution;
     const simulation::ResultSubject& subject = result.subject.value();
     std::printf("%s model, load case '%s', %s: %s%s\n", base::printable(subject.model).c_str(),
                 base::printable(subject.load_case).c_str(), result.solver.c_str(),
                 std::string(mechanics::termination_name(solution.termination)).c_str(),
                 solution.stable ? "" : ", unstable");
-    if (!solution.converged()) print_failure(result);
+    if (!solution.converged()) print_failure(result, wanted.branch);
     std::printf("largest displacement %.4g mm, largest rotation %.4g deg (interface nodes), %.3g s\n",
                 1e3 * simulation::largest_displacement(result, solution),
                 simulation::largest_rotation(result, solution) * kDegreesPerRadian, result.seconds);
@@ -257,7 +255,8 @@ ExitCode run(SimulateOptions options) {
     add_series(options, surface, result, files);
     files.commit();
     options.json ? print_json(result)
-                 : print(result, {options.simulation.vibration_modes, options.simulation.buckling_modes});
+                 : print(result, {options.simulation.vibration_modes, options.simulation.buckling_modes,
+                                  options.simulation.branch});
     if (!options.json && !options.stages.empty()) print_steps(result);
     if (result.linear_range && simulation::is_exceeded(*result.linear_range))
         std::fprintf(stderr, "fretwork: %s; --model full, without --linear, or corotational tell\n",

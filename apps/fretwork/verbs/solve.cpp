@@ -87,7 +87,8 @@ ExitCode run(const SolveOptions& options) {
     if (options.json) {
         print_solution_json(result);
     } else {
-        print_solution(result, {options.solve.vibration_modes, options.solve.buckling_modes});
+        print_solution(result, {solve.vibration_modes, solve.buckling_modes,
+                                solve.branch.value_or(mechanics::Branch::Primary)});
         print_note_on_moments(input.frame, options);
         std::printf("wrote %s\n", options.out.c_str());
         if (!options.vtu.empty()) std::printf("wrote %s\n", options.vtu.c_str());

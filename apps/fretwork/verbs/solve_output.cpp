@@ -48,11 +48,6 @@ std::string stability_text(const mechanics::Solution& solution) {
     return "";
 }
 
-std::string component_text(const mechanics::Result& result, const mechanics::StabilityLoss& loss) {
-    return "node " + std::to_string(result.nodes[static_cast<std::size_t>(loss.node.value)].id) + " along " +
-           std::string(mechanics::kDofNames[static_cast<std::size_t>(loss.dof)]);
-}
-
 /// Where a structure gives way at its limit load, if that is known.
 std::string limit_place(const mechanics::Result& result) {
     const auto& losses = result.solution.stability_losses;
@@ -61,7 +56,7 @@ std::string limit_place(const mechanics::Result& result) {
 }
 
 /// How a path ends that does not reach its load, and what helps.
-std::string ending_text(const mechanics::Result& result) {
+std::string ending_text(const mechanics::Result& result, mechanics::Branch branch) {
     const mechanics::Solution& solution = result.solution;
     char share[32];
     std::snprintf(share, sizeof share, "%.6g", solution.load_factor);
@@ -71,7 +66,9 @@ std::string ending_text(const mechanics::Result& result) {
             return "the full load is reached";
         case mechanics::Termination::LimitLoad:
             return "limit load at " + place + ": beyond it the load falls along the path" +
-                   limit_place(result) + "; --branch snapping looks beyond it";
+                   limit_place(result) +
+                   (branch == mechanics::Branch::Snapping ? "; no stable equilibrium was found downhill"
+                                                          : "; --branch snapping looks beyond it");
         case mechanics::Termination::Diverged:
             return "no equilibrium that continues the path was found beyond " + place +
                    "; finer divisions or a smaller load may help";
@@ -83,6 +80,11 @@ std::string ending_text(const mechanics::Result& result) {
 }
 
 }  // namespace
+
+std::string component_text(const mechanics::Result& result, const mechanics::StabilityLoss& loss) {
+    return "node " + std::to_string(result.nodes[static_cast<std::size_t>(loss.node.value)].id) + " along " +
+           std::string(mechanics::kDofNames[static_cast<std::size_t>(loss.dof)]);
+}
 
 base::Json discretization_json(const mechanics::Result& result) {
     const auto& error = result.discretization_error;
@@ -99,12 +101,12 @@ std::string discretization_text(const mechanics::DiscretizationError& error) {
     return text;
 }
 
-void print_failure(const mechanics::Result& result) {
+void print_failure(const mechanics::Result& result, mechanics::Branch branch) {
     if (result.solver == mechanics::solver_name(mechanics::Solver::Linear)) {
         std::printf("rounding leaves %.1e of the load unbalanced: stiffnesses are too far from each other\n",
                     result.solution.residual);
     } else if (result.solver == mechanics::solver_name(mechanics::Solver::Newton)) {
-        std::printf("%s; the result holds the last equilibrium\n", ending_text(result).c_str());
+        std::printf("%s; the result holds the last equilibrium\n", ending_text(result, branch).c_str());
     } else {
         std::printf("the result holds the last state, which is no equilibrium\n");
     }
@@ -114,7 +116,7 @@ void print_solution_json(const mechanics::Result& result) {
     std::fputs(base::json_text(summary_of(result)).c_str(), stdout);
 }
 
-void print_losses_and_modes(const mechanics::Result& result, const WantedModes& wanted) {
+void print_losses_and_modes(const mechanics::Result& result, const Wanted& wanted) {
     const mechanics::Solution& solution = result.solution;
     for (const mechanics::StabilityLoss& loss : solution.stability_losses)
         std::printf("%s from %.6g of the load on%s: %s\n",
@@ -127,19 +129,20 @@ void print_losses_and_modes(const mechanics::Result& result, const WantedModes& 
     for (std::size_t i = 0; i < result.vibration_modes.size(); ++i)
         std::printf("mode %zu: %.6g Hz\n", i + 1, result.vibration_modes[i].value);
     for (const std::string& missing :
-         {mechanics::missing_buckling_modes_text(std::ssize(result.buckling_modes), wanted.buckling),
-          mechanics::missing_vibration_modes_text(std::ssize(result.vibration_modes), wanted.vibration)}) {
+         {mechanics::missing_buckling_modes_text(std::ssize(result.buckling_modes), wanted.buckling_modes),
+          mechanics::missing_vibration_modes_text(std::ssize(result.vibration_modes),
+                                                  wanted.vibration_modes)}) {
         if (!missing.empty()) std::printf("%s\n", missing.c_str());
     }
 }
 
-void print_solution(const mechanics::Result& result, const WantedModes& wanted) {
+void print_solution(const mechanics::Result& result, const Wanted& wanted) {
     const auto summary = summary_of(result);
     const mechanics::Solution& solution = result.solution;
     std::printf("%zu nodes, %s: %s%s\n", result.nodes.size(), result.solver.c_str(),
                 std::string(mechanics::termination_name(solution.termination)).c_str(),
                 stability_text(solution).c_str());
-    if (!solution.converged()) print_failure(result);
+    if (!solution.converged()) print_failure(result, wanted.branch);
     std::printf("largest displacement %.6g mm, largest rotation %.6g deg\n",
                 1e3 * summary["largest_displacement"].get<double>(),
                 summary["largest_rotation"].get<double>() * kDegreesPerRadian);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <fretwork/base/internal/json_text.hpp>
+#include <fretwork/mechanics/paths/branch.hpp>
 #include <fretwork/mechanics/results/result_file.hpp>
 
 #include <numbers>
@@ -15,21 +16,25 @@ void print_solution_json(const mechanics::Result& result);
 
 inline constexpr double kDegreesPerRadian = 180.0 / std::numbers::pi;
 
-/// How many modes were asked for.
-struct WantedModes {
-    int vibration = 0;
-    int buckling = 0;
+/// What was asked for.
+struct Wanted {
+    int vibration_modes = 0;
+    int buckling_modes = 0;
+    mechanics::Branch branch = mechanics::Branch::Primary;
 };
+
+/// The node and the degree of freedom that move most as stability is lost.
+std::string component_text(const mechanics::Result& result, const mechanics::StabilityLoss& loss);
 
 /// One line for each loss of stability, critical load and frequency, and for each reason why there are fewer
 /// than wanted.
-void print_losses_and_modes(const mechanics::Result& result, const WantedModes& wanted);
+void print_losses_and_modes(const mechanics::Result& result, const Wanted& wanted);
 
-void print_solution(const mechanics::Result& result, const WantedModes& wanted);
+void print_solution(const mechanics::Result& result, const Wanted& wanted);
 
 /// A line about a result that is no equilibrium under the full load: how far it came, why it ends there, and
 /// what helps.
-void print_failure(const mechanics::Result& result);
+void print_failure(const mechanics::Result& result, mechanics::Branch branch);
 
 /// The share, or null without one.
 base::Json discretization_json(const mechanics::Result& result);

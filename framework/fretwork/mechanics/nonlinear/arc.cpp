@@ -29,8 +29,11 @@ bool Arc::is_narrow(double step) const {
 }
 
 bool Arc::come_nearer(double step) {
-    if (!std::isfinite(crossing)) beyond = step;
-    if (std::isfinite(crossing) && is_narrow(crossing)) return false;
+    if (!std::isfinite(crossing)) {
+        beyond = step;
+    } else if (is_narrow(crossing)) {
+        return false;
+    }
     crossing = step;
     length = length_to_crossing(0.5 * step);
     return true;

@@ -18,9 +18,7 @@ constexpr double kLargestContraction = 2.0;
 /// largest count as that), is on another branch, or too far to decide.
 constexpr double kUnexplained = 0.3;
 constexpr double kOwnShare = 0.3;
-/// Moves as small as this (rad, and element lengths) under a given load are linear, and along the arc, where
-/// bends may be sharp, as small as the second.
-constexpr double kLinearMove = 1e-6;
+/// rad, and element lengths: along the arc, where bends may be sharp, only moves as small as this are linear.
 constexpr double kRoundedMove = 1e-8;
 /// The directions at the ends of a step differ by less than 60 degrees.
 constexpr double kLeastCosine = 0.5;

@@ -29,8 +29,6 @@ constexpr double kExplained = 2.0;
 constexpr double kOwnMove = 0.15;
 /// Rates grow by no more than this over an increment.
 constexpr double kSoftening = 2.0;
-/// rad, and element lengths: moves as small as this are linear.
-constexpr double kSmallMove = 1e-6;
 
 /// rad: elements whose ends cannot be turned against each other by more than this are not looked at.
 constexpr double kSafeTurn = 2.5;
@@ -123,7 +121,7 @@ bool is_jump(const Unknowns& unknowns, const Eigen::VectorXd& made, const Eigen:
     const Eigen::ArrayXd unit = unknowns.weights().array().sqrt();
     const Eigen::ArrayXd moved = unit * made.array();
     const double largest = moved.size() > 0 ? moved.maxCoeff() : 0.0;
-    if (largest <= kSmallMove) return false;
+    if (largest <= kLinearMove) return false;
     return (moved > kExplained * unit * rates.array() + kOwnMove * largest).any();
 }
 

@@ -5,6 +5,9 @@
 
 namespace fretwork::mechanics::nonlinear {
 
+/// rad, and element lengths: moves as small as this are linear.
+inline constexpr double kLinearMove = 1e-6;
+
 /// An equilibrium of a load path.
 struct PathPoint {
     Configuration configuration;

@@ -62,9 +62,8 @@ class LoadPath {
 
     /// @param task  receives the share of the last load factor, in thousandths
     Solution advance_to(double target, const base::Task& task, double last) {
-        const bool is_there = may_stride(target) && stride_to(target) == Termination::Converged;
-        const Termination termination =
-            is_there || step_to(target) ? Termination::Converged : follow_arc(target, task, last);
+        Termination termination = jump_to(target);
+        if (termination != Termination::Converged) termination = follow_arc(target, task, last);
         report(task, last);
         return solution(termination);
     }
@@ -74,17 +73,26 @@ class LoadPath {
         task.update(static_cast<std::size_t>(static_cast<double>(kThousand) * point_.load_factor / last));
     }
 
-    [[nodiscard]] bool is_far(double target) const {
-        const double turn = unknowns_.largest_prescribed_rotation() * (target - point_.load_factor);
-        return std::max(turn, unknowns_.largest_rotation(predictor_.step_to(target))) > kStride;
+    /// In strides, or in one step: without the arc between this load and the wanted one.
+    Termination jump_to(double target) {
+        const Eigen::VectorXd guess = predictor_.step_to(target);
+        const bool is_far = turn_of(guess, target) > kStride;
+        if (may_stride() && (is_at_rest_ || is_far) && stride_to(target) == Termination::Converged)
+            return Termination::Converged;
+        return !is_far && step_to(target, guess) ? Termination::Converged : Termination::Diverged;
+    }
+
+    /// The largest turn of a node on the way to a guess.
+    [[nodiscard]] double turn_of(const Eigen::VectorXd& guess, double target) const {
+        const double prescribed = unknowns_.largest_prescribed_rotation() * (target - point_.load_factor);
+        return std::max(prescribed, unknowns_.largest_rotation(guess));
     }
 
     /// Where only the equilibria at the loads count, not where stability is lost on the way to them.
-    [[nodiscard]] bool may_stride(double target) const {
+    [[nodiscard]] bool may_stride() const {
         if (options_.branch != Branch::Primary || options_.locate_critical_loads) return false;
-        if (!point_.outcome.positive_definite()) return false;
-        if (nonlinear::is_softened(unknowns_, rest_rate_, point_.rate)) return false;
-        return is_at_rest_ || is_far(target);
+        return point_.outcome.positive_definite() &&
+               !nonlinear::is_softened(unknowns_, rest_rate_, point_.rate);
     }
 
     Termination stride_to(double target) {
@@ -99,13 +107,12 @@ class LoadPath {
     }
 
     /// In one step under the wanted load, if that continues the path and nothing happens on it.
-    bool step_to(double target) {
-        if (is_far(target)) return false;
-        auto step = stepper_.step_to_load(stepper_.rising(point_), target, predictor_.step_to(target));
+    bool step_to(double target, const Eigen::VectorXd& guess) {
+        auto step = stepper_.step_to_load(stepper_.rising(point_), target, guess);
         if (!step && newton_.has_neutral()) {  // a motion that was taken to be neutral may only be soft
             const Eigen::VectorXd neutral = newton_.neutral();
             newton_.set_neutral({}, 0.0);
-            step = stepper_.step_to_load(stepper_.rising(point_), target, predictor_.step_to(target));
+            step = stepper_.step_to_load(stepper_.rising(point_), target, guess);
             if (!step) newton_.set_neutral(neutral, nonlinear::rounding_shift(system_));
         }
         if (!step || step->state.load_rate < 0.0 || changes_stability(*step)) return false;
