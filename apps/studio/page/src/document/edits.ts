@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Everything that a person can do to the document, one verb each.
 
-import type { Load, LoadCase, Prescribed, SentLoadCase, Support } from '../protocol/messages';
+import type { Load, LoadCase, Prescribed, SentLoadCase, Setting, Support } from '../protocol/messages';
 import { Latest } from '../protocol/latest';
+import type { PaintRequest, SentFile } from '../protocol/requests';
 import { ask, tryAsk } from './studio';
 import { documentNow, loadCase, working } from './store';
 import { timeUntil } from './latency';
@@ -20,7 +21,7 @@ export const newGesture = (what: string): string => `${what}-${++gestures}`;
 const hasChanged = (answer: { unchanged?: boolean } | null): boolean => answer !== null && !answer.unchanged;
 
 /** Resolves to whether the surface is another one now. */
-async function sendPaint(request: object): Promise<boolean> {
+async function sendPaint(request: PaintRequest): Promise<boolean> {
   const isChanged = hasChanged(await tryAsk('paint', request));
   if (!isChanged) pending.value = new Map();
   return isChanged;
@@ -33,7 +34,7 @@ export interface PaintingChoice {
   patterns: string;
   palette: readonly string[];
   /** What `image:` reads. */
-  file?: { name: string; text_base64: string };
+  file?: SentFile;
 }
 /** The selected tiles, or all. */
 export function paintBy({ patterns, palette, file }: PaintingChoice): void {
@@ -44,7 +45,7 @@ export function paintBy({ patterns, palette, file }: PaintingChoice): void {
 export const turn = (tiles: number[], by: number): void => void tryAsk('turn', { tiles, by });
 export const setModel = (model: string): void => void tryAsk('set_model', { model });
 export const setTileModel = (tiles: number[], model: string): void => void tryAsk('set_tile_model', { tiles, model });
-export const setSetting = (setting: object, merge?: string): void => void tryAsk('set_setting', { setting, merge });
+export const setSetting = (setting: Setting, merge?: string): void => void tryAsk('set_setting', { setting, merge });
 export const selectLoadCase = (index: number): void => void tryAsk('select_load_case', { index });
 export const removeLoadCase = (index: number): void => void tryAsk('remove_load_case', { index });
 

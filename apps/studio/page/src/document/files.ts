@@ -2,6 +2,7 @@
 // Files in and out: the browser's machine gives and takes, the server's machine keeps the project.
 
 import { currentScene } from '../views/space/current';
+import type { Discarding } from '../protocol/requests';
 import { ask, tryAsk } from './studio';
 import { makingQuery, type Made } from './making';
 import { shapeIndex } from './look';
@@ -31,12 +32,12 @@ export async function savePicture(): Promise<void> {
   if (scene) offer(await scene.stage.picture(), `${stem()}.png`);
 }
 
-export const openUpload = async (file: File, more: object): Promise<boolean> =>
+export const openUpload = async (file: File, more: Discarding): Promise<boolean> =>
   (await tryAsk('upload', { name: file.name, text_base64: await base64(file), ...more })) !== null;
 
 export async function download(): Promise<void> {
   try {
-    const { text } = await ask<{ text: string }>('download');
+    const { text } = await ask('download');
     offer(new Blob([text], { type: 'application/json' }), `${stem()}.json`);
   } catch (error) {
     tell((error as Error).message, 'error');

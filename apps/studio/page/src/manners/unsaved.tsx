@@ -5,6 +5,7 @@ import { signal } from '@preact/signals';
 import { useEffect, useRef } from 'preact/hooks';
 import { save } from '../document/save';
 import { documentNow } from '../document/store';
+import type { Discarding } from '../protocol/requests';
 import { Button } from '../widgets/widgets';
 
 type Choice = 'save' | 'discard' | 'stay';
@@ -13,7 +14,7 @@ const asked = signal<((choice: Choice) => void) | null>(null);
 const isUnsaved = (): boolean => documentNow.peek()?.saved === false;
 
 /** What a request for another document has to say of the present one; null: it stays. */
-export async function leave(): Promise<{ discard?: true } | null> {
+export async function leave(): Promise<Discarding | null> {
   if (!isUnsaved()) return {};
   const choice = await new Promise<Choice>((answer) => (asked.value = answer));
   asked.value = null;

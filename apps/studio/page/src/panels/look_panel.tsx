@@ -27,9 +27,9 @@ export function LookPanel() {
       <FullModel />
       <h2>Play</h2>
       <div class="row">
-        <Button title="How the surface bends while the load grows" icon={Play} label="Load path" disabled={!live.value} onPress={() => void animate('path', { steps: PATH_STEPS })} />
-        <Button title="How it swings by itself, and how fast" label="Modes" onPress={() => void animate('modes', { count: MODE_COUNT })} />
-        <Button title="How it buckles, and at how many times the load" label="Buckling" onPress={() => void animate('buckling', { count: MODE_COUNT })} />
+        <Button title="How the surface bends while the load grows" icon={Play} label="Load path" disabled={!live.value} onPress={() => void animate(() => tryAsk('path', { steps: PATH_STEPS }))} />
+        <Button title="How it swings by itself, and how fast" label="Modes" onPress={() => void animate(() => tryAsk('modes', { count: MODE_COUNT }))} />
+        <Button title="How it buckles, and at how many times the load" label="Buckling" onPress={() => void animate(() => tryAsk('buckling', { count: MODE_COUNT }))} />
       </div>
       <h2>Show</h2>
       <Check label="Shape at rest" value={showRest.value} onChange={(value) => (showRest.value = value)} />
@@ -41,12 +41,12 @@ export function LookPanel() {
   );
 }
 
-async function animate(what: 'path' | 'modes' | 'buckling', more: object): Promise<void> {
+async function animate(begin: () => Promise<object | null>): Promise<void> {
   stop();
   shapes.value = null;
   shapeIndex.value = 0;
   working.value = { model: 'full', share: 0, background: true };
-  if (!(await tryAsk(what, more))) working.value = null;
+  if (!(await begin())) working.value = null;
 }
 
 function Answer() {

@@ -4,7 +4,6 @@
 import { ask } from '../document/studio';
 import { documentNow, patternTable } from '../document/store';
 import { tell } from '../document/tell';
-import type { PatternTable } from '../protocol/messages';
 
 let asked: string | null = null;
 
@@ -13,7 +12,7 @@ export function wantPatterns(): void {
   const wanted = layout ?? '';
   if (asked === wanted) return;
   asked = wanted;
-  ask<PatternTable>('patterns', layout ? { layout } : {}).then(
+  ask('patterns', layout ? { layout } : {}).then(
     (table) => (patternTable.value = table),
     (error: Error) => {
       asked = null;

@@ -3,6 +3,7 @@
 
 import { decode, type Beams, type Solution } from './binary';
 import type { Answer, SaveConflict, ServerEvent } from './messages';
+import type { AnswerTo, More, RequestName } from './requests';
 
 export type LineState = 'connecting' | 'open' | 'lost' | 'refused';
 
@@ -60,13 +61,13 @@ export class Connection {
   }
 
   /** Ask for something. Fails with a Refusal in the server's own words, or when the line is cut before the answer. */
-  ask<T = object>(what: string, more: object = {}): Promise<T> {
+  ask<Name extends RequestName>(what: Name, ...[says]: More<Name>): Promise<AnswerTo<Name>> {
     if (this.socket?.readyState !== WebSocket.OPEN) {
       return Promise.reject(new Error('The studio is not reachable right now.'));
     }
     const id = this.nextId++;
-    this.socket.send(JSON.stringify({ id, do: what, ...more }));
-    return new Promise<T>((resolve, reject) => this.waiting.set(id, { resolve: resolve as (answer: never) => void, reject }));
+    this.socket.send(JSON.stringify({ id, do: what, ...says }));
+    return new Promise((resolve, reject) => this.waiting.set(id, { resolve: resolve as (answer: never) => void, reject }));
   }
 
   cut(): void {

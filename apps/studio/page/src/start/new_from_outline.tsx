@@ -8,7 +8,8 @@ import { Button, Check, Choice } from '../widgets/widgets';
 import { NumberField } from '../widgets/number';
 import { setReadable, sizeAdvice, unreadable } from './tile_size';
 import type { Point } from '../protocol/messages';
-import { ALL, choosePart, height, isMesh, keepsFaces, LARGEST, measured, outline, outlineTrouble, part, setWidth, tilesAbout, tileSize, width, type Measured } from './outline';
+import type { Measured } from '../protocol/requests';
+import { ALL, choosePart, height, isMesh, keepsFaces, LARGEST, measured, outline, outlineTrouble, part, setWidth, tilesAbout, tileSize, width } from './outline';
 
 export const painting = signal<'one' | 'bare'>('one');
 const over = signal(false);

@@ -5,23 +5,12 @@ import { computed, signal } from '@preact/signals';
 import { base64 } from '../document/files';
 import { hello } from '../document/store';
 import { ask } from '../document/studio';
-import type { Point } from '../protocol/messages';
+import type { Measured, SentOutline, TilesWanted } from '../protocol/requests';
 import { DEFAULT_SIDE, fittingSide, HEXAGON } from './fitting_side';
 
 export const LARGEST = 'largest';
 export const ALL = 'all';
 
-export interface Measured {
-  /** Width and height as drawn, in metres. */
-  size: Point;
-  /** Without holes, in square metres. */
-  area: number;
-  loops: Point[][];
-  /** The sizes of all parts of the drawing, the largest part first. */
-  parts: Point[];
-  /** What was done to the drawing. */
-  remarks?: string[];
-}
 export const outline = signal<File | null>(null);
 export const measured = signal<Measured | null>(null);
 /** Which part of the drawing is tiled: LARGEST, ALL, or a number as text, 1 the largest. */
@@ -79,7 +68,7 @@ export async function choosePart(which: string): Promise<void> {
   if (!hello.value?.exports) return;
   const isLatest = (): boolean => outline.value === file && part.value === which;
   try {
-    const answer = await ask<Measured>('measure', { outline: { name: file.name, text_base64: await base64(file), part: which } });
+    const answer = await ask('measure', { outline: { name: file.name, text_base64: await base64(file), part: which } });
     if (!isLatest()) return;
     measured.value = answer;
     if (Math.max(...answer.size) < TOO_SMALL) wantedWidth.value = COMFORTABLE;
@@ -90,11 +79,11 @@ export async function choosePart(which: string): Promise<void> {
 }
 
 /** Where the tiles come from, as a request for a new document says it. */
-export function tilesRequest(): object {
+export function tilesRequest(): TilesWanted {
   return isMesh.value && keepsFaces.value ? { tiles: 'faces' } : { tile_size: tileSize.value };
 }
 
-export async function outlineRequest(file: File): Promise<object> {
+export async function outlineRequest(file: File): Promise<SentOutline> {
   const request = { name: file.name, text_base64: await base64(file), part: part.value };
   return wantedWidth.value === null ? request : { ...request, width: wantedWidth.value };
 }

@@ -18,7 +18,7 @@ function when(seconds: number): string {
 }
 
 export function RecoverList({ open, busy }: { open: (key: string) => void; busy: boolean }) {
-  useEffect(() => void ask<{ recoverable: Recoverable[] }>('recoverable').then(take, () => undefined), []);
+  useEffect(() => void ask('recoverable').then(take, () => undefined), []);
   const list = recoverable.value;
   if (list.length === 0) return null;
   return (
@@ -32,7 +32,7 @@ export function RecoverList({ open, busy }: { open: (key: string) => void; busy:
               <b>{name}</b>
               <span>{tiles} tiles, {when(time)}{path && <>, changes to {path}</>}</span>
             </button>
-            <Button kind="bare" title={`Drop ${name} for good`} icon={Trash2} disabled={busy} onPress={() => void tryAsk<{ recoverable: Recoverable[] }>('forget', { key }).then(take)} />
+            <Button kind="bare" title={`Drop ${name} for good`} icon={Trash2} disabled={busy} onPress={() => void tryAsk('forget', { key }).then(take)} />
           </li>
         ))}
       </ul>

@@ -11,6 +11,7 @@ import { inShownUnits } from '../document/units';
 import { leave } from '../manners/unsaved';
 import { mode, selectedNodes, selectedTiles, startOpen } from '../document/ui';
 import { Button } from '../widgets/widgets';
+import type { Discarding } from '../protocol/requests';
 import { Mark } from '../panels/top_bar';
 import { ExampleDrawing } from './example_drawing';
 import { NewFromOutline, painting } from './new_from_outline';
@@ -22,13 +23,13 @@ const busy = signal<string | null>(null);
 const trouble = signal<string | null>(null);
 const OUTLINES = '.svg,.dxf,.obj,.ply,.off,.json';
 
-async function begin(words: string, what: string, more: object): Promise<void> {
+async function begin(words: string, request: (left: Discarding) => Promise<{ remarks?: string[] }>): Promise<void> {
   const left = await leave();
   if (!left) return;
   busy.value = words;
   trouble.value = null;
   try {
-    const { remarks } = await ask<{ remarks?: string[] }>(what, { ...more, ...left });
+    const { remarks } = await request(left);
     if (remarks?.length) tell(`${outline.peek()?.name ?? 'The outline'}: ${remarks.join('; ')}.`, 'warning');
     selectedNodes.value = new Set();
     selectedTiles.value = new Set();
@@ -41,13 +42,14 @@ async function begin(words: string, what: string, more: object): Promise<void> {
   busy.value = null;
 }
 
-const fromExample = (name: string) => begin('Making the example …', 'new', { example: name });
+const fromExample = (name: string) => begin('Making the example …', (left) => ask('new', { example: name, ...left }));
 
 async function fromOutline(): Promise<void> {
   const file = outline.value;
   if (!file) return;
   const patterns = painting.value === 'one' ? { patterns: 'made:one' } : {};
-  await begin(`Tiling ${file.name} …`, 'new', { outline: await outlineRequest(file), ...tilesRequest(), ...patterns });
+  const request = { outline: await outlineRequest(file), ...tilesRequest(), ...patterns };
+  await begin(`Tiling ${file.name} …`, (left) => ask('new', { ...request, ...left }));
 }
 
 /** A project is opened at once; an outline waits for its tile size. */
@@ -82,7 +84,7 @@ export function Start() {
           {documentNow.value && <Button kind="bare" title="Back" shortcut="Esc" icon={X} onPress={close} />}
         </header>
         {trouble.value && <p class="trouble" role="alert" id="start-trouble">{inShownUnits(trouble.value)}</p>}
-        <RecoverList busy={busy.value !== null} open={(key) => void begin('Opening …', 'recover', { key })} />
+        <RecoverList busy={busy.value !== null} open={(key) => void begin('Opening …', (left) => ask('recover', { key, ...left }))} />
         <h2>Start from an example</h2>
         <div class="examples">
           {(info?.examples ?? []).map((example) => (

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the server sends, into the signals of the store.
+
+import { batch } from '@preact/signals';
+import type { Beams, Solution } from '../protocol/binary';
+import type { Reaction, ServerEvent, Solved, StudioDocument } from '../protocol/messages';
+import * as store from './store';
+import { tell } from './tell';
+import { pending } from './ui';
+
+/** Which event the next solution belongs to: a binary message follows the event that announces it. */
+type Awaited = { of: 'solved'; info: Solved } | { of: 'compared' } | { of: 'modes' } | null;
+let awaited: Awaited = null;
+
+/** The line was cut: what it had announced does not come. */
+export function forgetAwaited(): void {
+  awaited = null;
+}
+
+export function takeEvent(message: ServerEvent): void {
+  batch(() => {
+    store.revision.value = Math.max(store.revision.value, message.revision);
+    take(message);
+  });
+}
+
+function take(message: ServerEvent): void {
+  switch (message.event) {
+    case 'document':
+      forget();
+      store.documentNow.value = message;
+      if (message.recovered) tell('Changes that were not saved are back. Undo leads to what is in the file.');
+      break;
+    case 'changed':
+      change(message);
+      break;
+    case 'solving':
+      store.working.value = { model: message.model, share: message.share, background: message.background === true };
+      break;
+    case 'solved':
+      awaited = { of: 'solved', info: { ...message, reactions: message.reactions?.map(reactionOf) } };
+      break;
+    case 'failed':
+      failed(message);
+      break;
+    case 'modes':
+      awaited = { of: 'modes' };
+      store.working.value = null;
+      store.shapes.value = { kind: message.kind, fields: [], values: message.values, shapes: [], expected: message.values.length };
+      break;
+    case 'compared':
+      awaited = { of: 'compared' };
+      store.compared.value = { mean: message.mean, largest: message.largest, relative: message.relative, solution: null };
+      store.working.value = null;
+      break;
+    case 'making':
+      store.making.value = message;
+      store.makingPlace.value = -1;
+      break;
+    case 'warning':
+      tell(message.text, 'warning');
+      break;
+  }
+}
+
+/** Rows of seven numbers, or written out. */
+function reactionOf(row: Reaction | number[]): Reaction {
+  if (!Array.isArray(row)) return row;
+  const [node, fx, fy, fz, mx, my, mz] = row;
+  return { node, force: [fx, fy, fz], moment: [mx, my, mz] };
+}
+
+function forget(): void {
+  pending.value = new Map();
+  store.live.value = null;
+  store.problem.value = null;
+  store.others.value = new Map();
+  store.working.value = null;
+  store.compared.value = null;
+  store.shapes.value = null;
+  forgetMaking();
+}
+
+function forgetMaking(): void {
+  store.making.value = null;
+  store.makingPlace.value = -1;
+}
+
+/** What was painted here ahead of the server, and is now in the document. */
+function confirmPainting(): void {
+  const now = store.documentNow.value as StudioDocument;
+  const ahead = [...pending.value].filter(([tile, pattern]) => (now.palette[now.painting[tile]] ?? '') !== pattern);
+  if (ahead.length !== pending.value.size) pending.value = new Map(ahead);
+}
+
+/** What was computed for an earlier state is no longer true once anything that it depends on is edited. */
+function change(message: Partial<StudioDocument>): void {
+  if (!store.documentNow.value) return;
+  store.documentNow.value = { ...store.documentNow.value, ...message };
+  if (message.painting) confirmPainting();
+  if (message.painting || message.turns || message.setting) forgetMaking();
+  if (message.painting || message.turns || message.load_cases || message.setting || message.selected_load_case !== undefined) {
+    store.others.value = new Map();
+    store.compared.value = null;
+    store.shapes.value = null;
+  }
+}
+
+function failed({ error, background, revision }: { error: string; background?: boolean; revision: number }): void {
+  store.working.value = null;
+  if (!background) [store.live.value, store.problem.value, store.answered.value, store.positioned.value] = [null, error, revision, revision];
+  else if (error !== 'cancelled') tell(error, 'error');
+}
+
+export function takeBinary(message: Beams | Solution): void {
+  if (message.kind === 'beams') {
+    store.beams.value = message;
+    return;
+  }
+  const target = awaited;
+  if (!target || !store.beams.value) return;
+  batch(() => {
+    if (target.of === 'solved') solved(target.info, message, store.beams.value as Beams);
+    else if (target.of === 'compared' && store.compared.value) store.compared.value = { ...store.compared.value, solution: message };
+    else if (target.of === 'modes' && store.shapes.value) addShape(message);
+  });
+}
+
+function addShape(solution: Solution): void {
+  const shape = store.shapes.value;
+  if (shape) store.shapes.value = { ...shape, shapes: [...shape.shapes, solution] };
+}
+
+function solved(info: Solved, solution: Solution, beams: Beams): void {
+  if (solution.of !== beams.revision) return;
+  if (info.step !== undefined) {
+    const first = info.step === 1 || store.shapes.value?.kind !== 'path';
+    const before = first ? { kind: 'path' as const, fields: info.fields, values: [], shapes: [], expected: info.steps ?? 0 } : (store.shapes.value as store.Shape);
+    store.shapes.value = { ...before, values: [...before.values, info.load_factor], shapes: [...before.shapes, solution] };
+    if (info.step === info.steps) store.working.value = null;
+    return;
+  }
+  const model = { info, solution, beams };
+  if (info.background) {
+    store.others.value = new Map(store.others.value).set(info.model, model);
+    store.working.value = null;
+    return;
+  }
+  store.positioned.value = info.revision;
+  if (info.provisional) {
+    const before = store.live.peek()?.info;
+    store.live.value = { ...model, info: { ...info, reactions: before?.reactions, seconds: before?.seconds ?? 0 } };
+    return;
+  }
+  store.live.value = model;
+  store.answered.value = info.revision;
+  store.problem.value = null;
+  if (!store.working.value?.background) store.working.value = null;
+}

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the page may ask the server for, and what it is answered, as in apps/studio/protocol.md.
+
+import type { Hello, LoadCase, PatternTable, Point, Recoverable, Setting } from './messages';
+
+/** A file of the browser's machine. */
+export interface SentFile {
+  name: string;
+  text_base64: string;
+}
+export interface SentOutline extends SentFile {
+  /** "largest", "all", or a number as text, "1" the largest. */
+  part?: string;
+  /** In metres: the outline is scaled to it. */
+  width?: number;
+}
+/** An outline as the server has read it. */
+export interface Measured {
+  /** Width and height as drawn, in metres. */
+  size: Point;
+  /** Without holes, in square metres. */
+  area: number;
+  loops: Point[][];
+  /** The sizes of all parts of the drawing, the largest part first. */
+  parts: Point[];
+  /** What was done to the drawing. */
+  remarks?: string[];
+}
+
+/** Of requests that put another document into the place of the present one: its unsaved changes are given up. */
+export interface Discarding {
+  discard?: true;
+}
+/** Edits with the same key that follow one another are one step of undo. */
+interface Merging {
+  merge?: string;
+}
+interface Edited {
+  /** Then no event follows. */
+  unchanged?: boolean;
+}
+interface Made {
+  tiles: number;
+  remarks?: string[];
+}
+
+/** What patterns to begin with, in the words of `fretwork tile`. */
+export interface FirstPatterns {
+  patterns?: string;
+}
+/** Where the tiles come from: new ones of a side in metres, or the faces of a mesh. */
+export type TilesWanted = { tile_size: number } | { tiles: 'faces' };
+export type NewDocument = Discarding & ({ example: string } | ({ outline: SentOutline } & TilesWanted & FirstPatterns));
+
+export type PaintRequest = Merging &
+  (
+    | { tiles: readonly number[]; pattern: string }
+    /** A choice in the words of `fretwork paint`; without `tiles` of all of them. */
+    | { tiles?: readonly number[]; patterns: string; palette: string; file?: SentFile }
+  );
+
+type Nothing = Record<never, never>;
+
+/** Each request with what it says, and with its answer. */
+export interface Requests {
+  hello: { says: { protocol: 1; fields: readonly string[] }; answer: Hello };
+  show: { says: { fields: readonly string[] }; answer: Nothing };
+  patterns: { says: { layout?: string }; answer: PatternTable };
+
+  measure: { says: { outline: SentOutline }; answer: Measured };
+  new: { says: NewDocument; answer: Made };
+  open: { says: Discarding & { path: string }; answer: Nothing };
+  upload: { says: Discarding & SentFile; answer: Nothing };
+  recoverable: { says: Nothing; answer: { recoverable: Recoverable[] } };
+  recover: { says: Discarding & { key: string }; answer: Nothing };
+  forget: { says: { key: string }; answer: { recoverable: Recoverable[] } };
+  save: { says: { path?: string; replaces?: string }; answer: { path: string } };
+  download: { says: Nothing; answer: { text: string } };
+
+  paint: { says: PaintRequest; answer: Edited };
+  turn: { says: { tiles: readonly number[]; by: number }; answer: Edited };
+  set_model: { says: { model: string; linear?: boolean }; answer: Edited };
+  set_tile_model: { says: { tiles: readonly number[]; model: string }; answer: Edited };
+  set_setting: { says: Merging & { setting: Setting }; answer: Edited };
+  set_load_case: { says: Merging & { index: number; load_case: LoadCase }; answer: Edited };
+  remove_load_case: { says: { index: number }; answer: Edited };
+  select_load_case: { says: { index: number }; answer: Nothing };
+  undo: { says: Nothing; answer: Nothing };
+  redo: { says: Nothing; answer: Nothing };
+
+  solve: { says: { model: string; background: true }; answer: Nothing };
+  path: { says: { steps: number }; answer: Nothing };
+  modes: { says: { count: number }; answer: Nothing };
+  buckling: { says: { count: number }; answer: Nothing };
+  compare: { says: { model: string }; answer: Nothing };
+  cancel: { says: Nothing; answer: Nothing };
+}
+export type RequestName = keyof Requests;
+export type Says<Name extends RequestName> = Requests[Name]['says'];
+export type AnswerTo<Name extends RequestName> = Requests[Name]['answer'];
+/** What follows the name of a request: nothing where nothing has to be said. */
+export type More<Name extends RequestName> = Nothing extends Says<Name> ? [says?: Says<Name>] : [says: Says<Name>];

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the page shows after each message of the server.
+import { beforeEach, describe, expect, it, vi } from 'vitest';
+import * as store from '../../src/document/store';
+import { pending } from '../../src/document/ui';
+import type { Beams, Solution } from '../../src/protocol/binary';
+import type { Solved } from '../../src/protocol/messages';
+import { documentWith } from './document_of_tests';
+
+vi.stubGlobal('localStorage', { getItem: () => null, setItem: () => undefined });
+const { forgetAwaited, takeBinary, takeEvent } = await import('../../src/document/events');
+const { notes } = await import('../../src/document/tell');
+
+const BEAMS: Beams = { kind: 'beams', revision: 1, nodes: 0, beams: 0, place: new Float32Array(), ends: new Uint32Array(), tile: new Uint32Array(), axis3: new Float32Array() };
+const solution = (of = 1): Solution => ({ kind: 'solution', revision: 2, of, nodes: 0, beams: 0, displacement: new Float32Array(), rotation: new Float32Array(), nodeFields: [], beamFields: [] });
+const solved = (more: Partial<Solved> = {}): Solved => ({
+  event: 'solved', revision: 2, model: 'corotational', seconds: 0.1, residual: 0, stable: true, load_factor: 1, converged: true, warnings: [], largest_displacement: 0.1, fields: [], ...more,
+});
+
+beforeEach(() => {
+  forgetAwaited();
+  store.revision.value = 0;
+  takeEvent({ event: 'document', revision: 1, ...documentWith({ name: 'push' }) });
+  takeBinary(BEAMS);
+});
+
+describe('a solution', () => {
+  it('is shown when its numbers are here', () => {
+    takeEvent(solved());
+    expect(store.live.value).toBeNull();
+    takeBinary(solution());
+    expect(store.live.value?.info.largest_displacement).toBe(0.1);
+    expect(store.answered.value).toBe(2);
+  });
+  it('of other bars is not shown', () => {
+    takeEvent(solved());
+    takeBinary(solution(7));
+    expect(store.live.value).toBeNull();
+  });
+  it('that the line has lost is not waited for', () => {
+    takeEvent(solved());
+    forgetAwaited();
+    takeBinary(solution());
+    expect(store.live.value).toBeNull();
+  });
+  it('that is provisional keeps the reactions and is no answer', () => {
+    takeEvent(solved({ reactions: [{ node: 1, force: [0, 0, 1], moment: [0, 0, 0] }] }));
+    takeBinary(solution());
+    takeEvent(solved({ revision: 3, provisional: true, largest_displacement: 0.2 }));
+    takeBinary(solution());
+    expect(store.live.value?.info).toMatchObject({ largest_displacement: 0.2, reactions: [{ node: 1 }] });
+    expect([store.answered.value, store.positioned.value]).toEqual([2, 3]);
+  });
+  it('in the background stands beside the live one, until something is edited', () => {
+    takeEvent(solved({ model: 'full', background: true }));
+    takeBinary(solution());
+    expect([...store.others.value.keys()]).toEqual(['full']);
+    expect(store.live.value).toBeNull();
+    takeEvent({ event: 'changed', revision: 4, saved: false });
+    expect(store.others.value.size).toBe(1);
+    takeEvent({ event: 'changed', revision: 5, turns: [1, 0] });
+    expect(store.others.value.size).toBe(0);
+  });
+  it('reactions in rows are read', () => {
+    const rows = [[3, 1, 2, 3, 4, 5, 6]] as unknown as Solved['reactions'];
+    takeEvent(solved({ reactions: rows }));
+    takeBinary(solution());
+    expect(store.live.value?.info.reactions).toEqual([{ node: 3, force: [1, 2, 3], moment: [4, 5, 6] }]);
+  });
+});
+
+describe('failures', () => {
+  it('of the live model take its solution away and stay as a reason', () => {
+    takeEvent(solved());
+    takeBinary(solution());
+    takeEvent({ event: 'failed', revision: 3, model: 'corotational', error: 'nothing holds it' });
+    expect([store.live.value, store.notTheAnswer.value]).toEqual([null, 'nothing holds it']);
+  });
+  it('of work in the background are told and leave the solution', () => {
+    takeEvent(solved());
+    takeBinary(solution());
+    takeEvent({ event: 'failed', revision: 3, model: 'full', error: 'too soft', background: true });
+    expect(store.live.value).not.toBeNull();
+    expect(notes.value.map(({ text }) => text)).toContain('too soft');
+  });
+});
+
+describe('shapes', () => {
+  it('a load path grows step by step and ends the work', () => {
+    store.working.value = { model: 'full', share: 0, background: true };
+    for (const step of [1, 2]) {
+      takeEvent(solved({ step, steps: 2, load_factor: 0.5 * step, background: true }));
+      takeBinary(solution());
+    }
+    expect(store.shapes.value).toMatchObject({ kind: 'path', values: [0.5, 1], expected: 2 });
+    expect(store.shapes.value?.shapes.length).toBe(2);
+    expect(store.working.value).toBeNull();
+  });
+  it('modes come one after the other', () => {
+    takeEvent({ event: 'modes', revision: 2, values: [3, 5], kind: 'buckling' });
+    takeBinary(solution());
+    takeBinary(solution());
+    expect(store.shapes.value).toMatchObject({ kind: 'buckling', values: [3, 5], shapes: [{}, {}] });
+  });
+});
+
+describe('the document', () => {
+  it('a painting confirms what was shown ahead of it, and no more', () => {
+    pending.value = new Map([[0, 'b'], [1, 'b']]);
+    takeEvent({ event: 'changed', revision: 2, painting: [1, 0] });
+    expect([...pending.value]).toEqual([[1, 'b']]);
+  });
+  it('another one takes all of the first away', () => {
+    takeEvent(solved());
+    takeBinary(solution());
+    pending.value = new Map([[0, 'b']]);
+    takeEvent({ event: 'making', revision: 2, words: ['narrow'], places: [] });
+    takeEvent({ event: 'document', revision: 3, ...documentWith() });
+    expect([store.live.value, store.making.value, pending.value.size, store.revision.value]).toEqual([null, null, 0, 3]);
+  });
+});
