@@ -23,7 +23,7 @@ const Scene& scene_of(int tiles) {
     options.edge_length = setting.tile_side;
     project.tessellation = tiling::tessellate(project.outline, project.layout, options).tessellation;
     const std::vector<std::string> patterns = {"0-1+1-6", "1-6+3-6", "0-1+0-6+1-6"};
-    tiling::paint_randomly(project.tessellation, patterns, 1);
+    tiling::paint_randomly(project.tessellation, pattern::parse_named_patterns(project.layout, patterns), 1);
     Scene scene{simulation::make_surface(project, nullptr)};
     simulation::SurfaceResult result;
     const auto nodes = simulation::surface_fan(scene.surface).nodes;

@@ -40,7 +40,8 @@ const simulation::Surface& surface_of(int tiles) {
     tiling::TessellationOptions options;
     options.edge_length = tile_side;
     project.tessellation = tiling::tessellate(project.outline, project.layout, options).tessellation;
-    tiling::paint_randomly(project.tessellation, patterns(), 1);
+    tiling::paint_randomly(project.tessellation, pattern::parse_named_patterns(project.layout, patterns()),
+                           1);
     return surfaces.emplace(tiles, simulation::make_surface(project, nullptr)).first->second;
 }
 

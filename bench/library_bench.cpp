@@ -73,7 +73,7 @@ class TemporaryLibrary {
 
 void fill(Library& library, std::size_t batch_size) {
     std::vector<PatternData> batch;
-    for (const PatternEntry& entry : library.patterns()) {
+    for (const pattern::NamedPattern& entry : library.patterns()) {
         batch.push_back(made_up_data(entry.id, static_cast<double>(entry.pattern.edge_count())));
         if (batch.size() < batch_size) continue;
         library.store(batch);
@@ -102,8 +102,9 @@ void fill_two_edge_patterns(benchmark::State& state) {
     for (auto _ : state) {
         state.PauseTiming();
         TemporaryLibrary library;
-        std::vector<PatternEntry> patterns = (*library).patterns();
-        std::erase_if(patterns, [](const PatternEntry& entry) { return entry.pattern.edge_count() > 2; });
+        std::vector<pattern::NamedPattern> patterns = (*library).patterns();
+        std::erase_if(patterns,
+                      [](const pattern::NamedPattern& entry) { return entry.pattern.edge_count() > 2; });
         state.ResumeTiming();
         benchmark::DoNotOptimize(fill(*library, patterns, options));
     }

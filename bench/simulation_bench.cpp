@@ -49,7 +49,7 @@ tiling::Tessellation hexagons(int count, double side) {
     const geometry::Polygon hexagon = geometry::regular_polygon(6, side);
     tiling::Tessellation tessellation;
     tessellation.layout = "paper7";
-    tessellation.patterns = patterns();
+    tessellation.patterns = pattern::parse_named_patterns(pattern::find_node_layout("paper7"), patterns());
     base::RandomStream random(1, 0);
     Points vertices;
     for (int i = 0; i < count; ++i) {

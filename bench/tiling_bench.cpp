@@ -46,7 +46,7 @@ void tile_drawing(benchmark::State& state, const std::string& name) {
 void assemble_drawing(benchmark::State& state, const std::string& name) {
     const auto layout = pattern::find_node_layout("paper7");
     TessellationResult result = tessellate(read_outline(outline_file(name)), layout, paper_options(0));
-    paint_uniformly(result.tessellation, "0-1+1-6");
+    paint_uniformly(result.tessellation, pattern::parse_named_pattern(layout, "0-1+1-6"));
     for (auto _ : state) benchmark::DoNotOptimize(assemble_fans(layout, result.tessellation));
 }
 

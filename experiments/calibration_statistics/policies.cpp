@@ -31,7 +31,7 @@ Setting under(Setting setting, SamplePolicy policy) {
     return setting;
 }
 
-std::optional<Pair> compare(const library::PatternEntry& entry, const TableInput& input,
+std::optional<Pair> compare(const pattern::NamedPattern& entry, const TableInput& input,
                             const std::vector<reduction::Response>& responses) {
     const Setting paper = under(input.library.setting(), SamplePolicy::Paper);
     const Setting stable = under(input.library.setting(), SamplePolicy::Stable);

@@ -12,7 +12,7 @@ namespace fretwork::experiments {
 /// A calibrated library, and which of its calibrations the tables are about.
 struct TableInput {
     const library::Library& library;
-    std::vector<library::PatternEntry> patterns;
+    std::vector<pattern::NamedPattern> patterns;
     reduction::CalibrationOptions options;  ///< of the calibrations that are looked at
     int threads = 0;
 };

@@ -117,7 +117,7 @@ Surface make_surface(const reduction::Setting& setting, const std::vector<Calibr
     Surface surface = simulation::make_surface(made.project, nullptr);
     for (std::size_t i = 0; i < surface.tessellation.patterns.size(); ++i) {
         const auto own =
-            std::ranges::find(patterns, surface.tessellation.patterns[i], &CalibratedPattern::id);
+            std::ranges::find(patterns, surface.tessellation.patterns[i].id, &CalibratedPattern::id);
         surface.calibrations[i] = own->calibrations;
     }
     return surface;

@@ -36,7 +36,7 @@ class PaintCommand : public testing::Test {
         const simulation::Project now = project();
         std::vector<std::string> list;
         for (const tiling::Tile& tile : now.tessellation.tiles)
-            list.push_back(now.tessellation.patterns.at(static_cast<std::size_t>(tile.pattern)));
+            list.push_back(now.tessellation.patterns.at(static_cast<std::size_t>(tile.pattern)).id);
         return list;
     }
     TemporaryFolder folder_;
@@ -105,7 +105,7 @@ TEST_F(PaintCommand, AnotherProjectIsWrittenWhereOutSays) {
     ASSERT_EQ(painted.exit_code, 0) << painted.err;
     EXPECT_EQ(patterns(), before);
     const auto written = simulation::read_project(folder_.path() / "new.json");
-    EXPECT_EQ(written.tessellation.patterns, std::vector<std::string>{"0-5+5-6"});
+    EXPECT_EQ(pattern::ids_of(written.tessellation.patterns), std::vector<std::string>{"0-5+5-6"});
 }
 
 TEST_F(PaintCommand, PatternsOfAnotherLayoutAreRefusedBeforeAnythingIsWritten) {
@@ -130,7 +130,7 @@ TEST_F(PaintCommand, SeveralColoursMayStandForOnePattern) {
                   .exit_code,
               0);
     const auto written = simulation::read_project(folder_.path() / "q.json");
-    EXPECT_EQ(written.tessellation.patterns, std::vector<std::string>{"0-5+5-6"});
+    EXPECT_EQ(pattern::ids_of(written.tessellation.patterns), std::vector<std::string>{"0-5+5-6"});
 }
 
 TEST_F(PaintCommand, NumbersOfABoxArePartedByCommasOrBlanks) {

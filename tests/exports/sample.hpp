@@ -58,7 +58,7 @@ inline tiling::Tessellation honeycomb(int columns, int rows, std::vector<std::st
     tessellation.layout = "paper7";
     tessellation.vertices = vertices.points();
     tessellation.interface_nodes = interfaces.points();
-    tessellation.patterns = std::move(patterns);
+    tessellation.patterns = pattern::parse_named_patterns(pattern::find_node_layout("paper7"), patterns);
     return tessellation;
 }
 

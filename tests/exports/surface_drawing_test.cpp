@@ -53,12 +53,13 @@ TEST_F(SurfaceDrawing, HasATileInItsPatternsColourAndALineForEveryBeam) {
                   pattern_colour(surface_.tessellation.tiles[tile++].pattern));
     }
     EXPECT_EQ(lines_of_layer(svg.layer("beams")), simulation::surface_fan(surface_).edges.size());
-    for (const std::string& id : surface_.tessellation.patterns)
-        EXPECT_THAT(svg.words(), HasSubstr(id + "\n"));
+    for (const pattern::NamedPattern& pattern : surface_.tessellation.patterns)
+        EXPECT_THAT(svg.words(), HasSubstr(pattern.id + "\n"));
 }
 
 TEST_F(SurfaceDrawing, LongIdsAreBrokenBetweenEdges) {
-    surface_.tessellation.patterns[0] = "0-1+1-2+1-3+1-5+1-6+2-5+3-5+4-5+5-6";
+    surface_.tessellation.patterns[0] =
+        pattern::parse_named_pattern(surface_.layout, "0-1+1-2+1-3+1-5+1-6+2-5+3-5+4-5+5-6");
     EXPECT_THAT(Svg(surface_svg(surface_)).words(), HasSubstr("0-1+1-2+1-3+1-5\n+1-6+2-5+3-5+4-5\n+5-6\n"));
 }
 

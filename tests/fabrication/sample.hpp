@@ -71,7 +71,7 @@ inline simulation::Surface honeycomb(int columns, int rows, const std::vector<st
     tessellation.layout = "paper7";
     tessellation.vertices = vertices.points;
     tessellation.interface_nodes = interfaces.points;
-    tessellation.patterns = patterns;
+    tessellation.patterns = pattern::parse_named_patterns(project.layout, patterns);
     return simulation::make_surface(project, nullptr);
 }
 

@@ -66,7 +66,7 @@ TEST(LibraryCrash, SurvivesKillDuringWrite) {
     const auto left_to_write = [&](const Library& library) {
         std::vector<PatternData> left;
         for (const PatternData& data : whole_batch()) {
-            for (const PatternEntry& open : library.patterns_without_responses())
+            for (const pattern::NamedPattern& open : library.patterns_without_responses())
                 if (open.id == data.pattern) left.push_back(data);
         }
         return left;

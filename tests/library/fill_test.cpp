@@ -206,7 +206,7 @@ TEST_F(Fill, ShardsMergeToTheTablesOfOneRun) {
     for (std::size_t part = 0; part < 3; ++part) {
         shards.push_back(path("shard" + std::to_string(part) + ".db"));
         Library library = make_library(shards.back(), ids());
-        std::vector<PatternEntry> own;
+        std::vector<pattern::NamedPattern> own;
         const auto all = library.patterns();
         for (std::size_t i = part; i < all.size(); i += 3) own.push_back(all[i]);
         EXPECT_EQ(fill(library, own, quick(static_cast<int>(part) + 1)).done, own.size());

@@ -195,10 +195,10 @@ TEST_F(LibraryTest, ASampleIsThatOfAllPatternsInOrder) {
     }
     Library library = Library::create(path(), layout, reduction::paper_setting());
     library.add_patterns(patterns);
-    const std::vector<PatternEntry> all = library.patterns();
+    const std::vector<pattern::NamedPattern> all = library.patterns();
     EXPECT_TRUE(std::ranges::is_sorted(all, comes_before));
     std::vector<int> strata;
-    for (const PatternEntry& entry : all) strata.push_back(entry.pattern.edge_count());
+    for (const pattern::NamedPattern& entry : all) strata.push_back(entry.pattern.edge_count());
     for (const std::size_t size : {1U, 7U, 40U, 1000U}) {
         std::vector<std::string> expected;
         for (const std::size_t i : reduction::stratified_sample(strata, size)) expected.push_back(all[i].id);
@@ -209,15 +209,15 @@ TEST_F(LibraryTest, ASampleIsThatOfAllPatternsInOrder) {
 TEST_F(LibraryTest, TheOrderOfIdsIsThatOfTheirEdges) {
     const pattern::NodeLayout layout = pattern::find_node_layout("quarters10");
     const auto edges = layout.candidate_edges();
-    std::vector<PatternEntry> entries;
+    std::vector<pattern::NamedPattern> entries;
     for (std::size_t a = 0; a < edges.size(); ++a) {
         for (std::size_t b = a + 1; b < edges.size(); ++b) {
             const pattern::Pattern pattern(pattern::Pattern::Bits().set(a).set(b));
             entries.push_back({pattern_id(layout, pattern), pattern});
         }
     }
-    for (const PatternEntry& left : entries) {
-        for (const PatternEntry& right : entries) {
+    for (const pattern::NamedPattern& left : entries) {
+        for (const pattern::NamedPattern& right : entries) {
             EXPECT_EQ(detail::id_comes_before(left.id, right.id),
                       left.pattern.edges() < right.pattern.edges());
             EXPECT_EQ(comes_before(left, right), left.pattern.edges() < right.pattern.edges());

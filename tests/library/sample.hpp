@@ -86,9 +86,9 @@ inline Library make_library(const std::filesystem::path& path,
     return library;
 }
 
-inline std::vector<std::string> ids_of(const std::vector<PatternEntry>& entries) {
+inline std::vector<std::string> ids_of(const std::vector<pattern::NamedPattern>& entries) {
     std::vector<std::string> ids;
-    for (const PatternEntry& entry : entries) ids.push_back(entry.id);
+    for (const pattern::NamedPattern& entry : entries) ids.push_back(entry.id);
     return ids;
 }
 

@@ -33,7 +33,7 @@ Surface sheet(const pattern::NodeLayout& layout) {
     surface.setting.divisions = 1;
     surface.setting.magnitudes = 2;
     surface.calibrations.clear();
-    for (const pattern::Pattern& pattern : surface.patterns) {
+    for (const auto& [id, pattern] : surface.tessellation.patterns) {
         const auto responses = reduction::compute_responses(layout, pattern, surface.setting);
         surface.calibrations.push_back({reduction::calibrate(reduction::find_tile_model("paper6"),
                                                              {layout, pattern, surface.setting, responses},

@@ -29,14 +29,14 @@ class PointSet {
 
 /// `columns` x `rows` regular hexagons of the paper's size, all painted with the first of `patterns`, the
 /// next with the second, and so on. `first_vertex` turns every tile's pattern by so many sectors.
-inline simulation::Project honeycomb(int columns, int rows, std::vector<std::string> patterns,
+inline simulation::Project honeycomb(int columns, int rows, const std::vector<std::string>& patterns,
                                      int first_vertex = 0) {
     const double side = 0.015 * std::sqrt(3.0);
     const geometry::Polygon hexagon = geometry::regular_polygon(6, side);
     simulation::Project project;
     tiling::Tessellation& tessellation = project.tessellation;
     tessellation.layout = "paper7";
-    tessellation.patterns = std::move(patterns);
+    tessellation.patterns = pattern::parse_named_patterns(project.layout, patterns);
     PointSet vertices;
     PointSet interface_nodes;
     for (int row = 0; row < rows; ++row) {

@@ -189,7 +189,7 @@ TEST(Session, FailsAgainWhereASolveFailed) {
     calibration.model = "paper6";
     calibration.parameters = {{"A", 4e-6},  {"I2", 1e-12},  {"I3", 1e-12},
                               {"J", 1e-12}, {"theta", 0.1}, {"R", 0.01}};
-    surface.calibrations.assign(surface.patterns.size(), {calibration});
+    surface.calibrations.assign(surface.tessellation.patterns.size(), {calibration});
     Session session(surface, cantilever({0, 0, -0.1}), {.model = "paper6"});
     (void)session.solve();
     EXPECT_THAT(complaint_of([&] { session.set_calibrations({{}, {}, {}}); }), HasSubstr("no calibration"));
@@ -197,8 +197,8 @@ TEST(Session, FailsAgainWhereASolveFailed) {
     EXPECT_EQ(session.last_work().factors, Session::Work::Factors::Kept)
         << "what was refused changed nothing";
     calibration.parameters[0].value = 0.0;
-    session.set_calibrations(
-        std::vector<std::vector<reduction::Calibration>>(surface.patterns.size(), {calibration}));
+    session.set_calibrations(std::vector<std::vector<reduction::Calibration>>(
+        surface.tessellation.patterns.size(), {calibration}));
     EXPECT_THROW((void)session.solve(), base::InputError) << "beams without an area";
     EXPECT_THROW((void)session.solve(), base::InputError) << "not the answer before the edit";
     reduction::Setting setting = surface.setting;

@@ -44,7 +44,7 @@ Surface with_parameters(Surface surface) {
             calibration.parameters.push_back({parameter.name, value});
         }
     }
-    surface.calibrations.assign(surface.patterns.size(), calibrations);
+    surface.calibrations.assign(surface.tessellation.patterns.size(), calibrations);
     return surface;
 }
 

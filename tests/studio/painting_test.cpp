@@ -32,7 +32,7 @@ std::vector<std::string> patterns_of(const Project& project) {
     std::vector<std::string> ids;
     for (const tiling::Tile& tile : project.tessellation.tiles)
         ids.push_back(
-            tile.pattern < 0 ? "" : project.tessellation.patterns[static_cast<std::size_t>(tile.pattern)]);
+            tile.pattern < 0 ? "" : project.tessellation.patterns[static_cast<std::size_t>(tile.pattern)].id);
     return ids;
 }
 
@@ -123,7 +123,7 @@ TEST(StudioPainting, ByChanceIsOneStepThatKeepsAllElse) {
     ASSERT_TRUE(client.ask("paint", request)["ok"].get<bool>());
     const Json changed = client.event({"changed"});
     EXPECT_EQ(changed["history"]["undo"], "paint 5 tiles");
-    EXPECT_EQ(changed["palette"][2], project.tessellation.patterns[2]) << "what was in the palette stays";
+    EXPECT_EQ(changed["palette"][2], project.tessellation.patterns[2].id) << "what was in the palette stays";
     const Project after = shown(client);
     EXPECT_NE(patterns_of(after), patterns_of(project));
     EXPECT_EQ(after.load_cases.size(), project.load_cases.size());

@@ -44,7 +44,7 @@ std::vector<TileIndex> all(const Tessellation& tessellation) {
     return tiles;
 }
 
-const std::vector<GradedPattern> kSoftAndStiff = {{"soft", 1.0}, {"stiff", 3.0}};
+const std::vector<GradedPattern> kSoftAndStiff = {{{"soft"}, 1.0}, {{"stiff"}, 3.0}};
 
 TEST(GradedPainting, TakesThePatternWhoseValueIsNearest) {
     const Tessellation row = row_of_squares(4);
@@ -129,7 +129,7 @@ TEST(Field, AGreyRampIsReadFromWhiteToBlackAcrossTheBox) {
         EXPECT_NEAR(values[i], (static_cast<double>(i) + 0.5) / 40, 2.0 / 255) << i;
 }
 
-const std::vector<GradedPattern> kFromLightToDark = {{"a", 0.0}, {"b", 0.4}, {"c", 0.6}, {"d", 1.0}};
+const std::vector<GradedPattern> kFromLightToDark = {{{"a"}, 0.0}, {{"b"}, 0.4}, {{"c"}, 0.6}, {{"d"}, 1.0}};
 
 TEST(GradedPainting, AGreyRampGivesThePatternsInTheirOrder) {
     const TemporaryFolder folder;
@@ -148,7 +148,7 @@ TEST(GradedPainting, ADitheredGreyRampHasTheMeanOfTheImageInEveryPart) {
     constexpr int kPart = 40;
     const Tessellation row = row_of_squares(kTiles);
     const auto values = image_values(grey_ramp(folder, 256), {{0, 0}, {kTiles, 1}}, middles(row));
-    const std::vector<GradedPattern> two = {{"light", 0.0}, {"dark", 1.0}};
+    const std::vector<GradedPattern> two = {{{"light"}, 0.0}, {{"dark"}, 1.0}};
     const Painting painting = graded_painting(row, all(row), two, values, Dithering::ErrorDiffusion);
     for (int from = 0; from < kTiles; from += kPart) {
         const double dark =
@@ -176,18 +176,18 @@ TEST(TileChoice, ATileLiesWhereItsMiddleDoes) {
 
 TEST(Painting, SomeTilesArePaintedAndTheOthersKeepTheirs) {
     Tessellation row = row_of_squares(4);
-    paint_uniformly(row, "a");
-    paint_tiles(row, std::vector{TileIndex(1), TileIndex(2)}, {{"b", "c"}, {1, 0}});
-    EXPECT_THAT(row.patterns, ElementsAre("a", "b", "c"));
-    paint_tiles(row, std::vector{TileIndex(0), TileIndex(3)}, {{"b"}, {0, 0}});
-    EXPECT_THAT(row.patterns, ElementsAre("b", "c")) << "no tile has a any more";
+    paint_uniformly(row, {"a"});
+    paint_tiles(row, std::vector{TileIndex(1), TileIndex(2)}, {{{"b"}, {"c"}}, {1, 0}});
+    EXPECT_THAT(pattern::ids_of(row.patterns), ElementsAre("a", "b", "c"));
+    paint_tiles(row, std::vector{TileIndex(0), TileIndex(3)}, {{{"b"}}, {0, 0}});
+    EXPECT_THAT(pattern::ids_of(row.patterns), ElementsAre("b", "c")) << "no tile has a any more";
     EXPECT_EQ(row.tiles[1].pattern, 1);
     EXPECT_EQ(row.tiles[3].pattern, 0);
 }
 
 TEST(Painting, WeightsAreChances) {
     const Painting painting =
-        random_painting(20'000, std::vector<WeightedPattern>{{"a", 3.0}, {"b", 1.0}}, 5);
+        random_painting(20'000, std::vector<WeightedPattern>{{{"a"}, 3.0}, {{"b"}, 1.0}}, 5);
     const double share = std::accumulate(painting.tiles.begin(), painting.tiles.end(), 0.0) / 20'000;
     // Five standard deviations of a share of 1/4 among 20,000.
     EXPECT_NEAR(share, 0.25, 5 * 0.0031);

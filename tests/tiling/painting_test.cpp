@@ -32,8 +32,15 @@ std::vector<int> colours(const Tessellation& tessellation) {
     return list;
 }
 
+/// Patterns of which only the names count.
+std::vector<pattern::NamedPattern> named(const std::vector<std::string>& ids) {
+    std::vector<pattern::NamedPattern> patterns;
+    for (const std::string& id : ids) patterns.push_back({id});
+    return patterns;
+}
+
 TEST(Painting, ChanceIsTheSameForTheSameSeedAndAnotherForAnother) {
-    const std::vector<std::string> palette = {"0-1+1-6", "0-6+1-6", "1-6+5-6"};
+    const auto palette = named({"0-1+1-6", "0-6+1-6", "1-6+5-6"});
     Tessellation a = blank(100);
     Tessellation b = blank(100);
     paint_randomly(a, palette, 7);
@@ -47,7 +54,7 @@ TEST(Painting, ChanceIsTheSameForTheSameSeedAndAnotherForAnother) {
 TEST(Painting, ChanceIsTheSameOnEveryMachine) {
     // SplitMix64 with seed 1 begins 10451216379200822465, 13757245211066428519, 17911839290282890590 (Vigna's
     // reference implementation); modulo 3.
-    const std::vector<std::string> palette = {"a", "b", "c"};
+    const auto palette = named({"a", "b", "c"});
     Tessellation tessellation = blank(3);
     paint_randomly(tessellation, palette, 1);
     EXPECT_THAT(colours(tessellation),
@@ -55,7 +62,7 @@ TEST(Painting, ChanceIsTheSameOnEveryMachine) {
 }
 
 TEST(Painting, ChanceFavoursNoPattern) {
-    const std::vector<std::string> palette = {"a", "b", "c"};
+    const auto palette = named({"a", "b", "c"});
     Tessellation tessellation = blank(9000);
     paint_randomly(tessellation, palette, 1);
     const std::vector<int> list = colours(tessellation);
@@ -72,14 +79,14 @@ TEST(Painting, WithoutPatternsNothingCanBePainted) {
 
 TEST(Painting, OnePatternPaintsAll) {
     Tessellation tessellation = blank(4);
-    paint_uniformly(tessellation, "0-1+1-6");
+    paint_uniformly(tessellation, {"0-1+1-6"});
     EXPECT_THAT(colours(tessellation), Each(0));
-    EXPECT_THAT(tessellation.patterns, ElementsAre("0-1+1-6"));
+    EXPECT_THAT(pattern::ids_of(tessellation.patterns), ElementsAre("0-1+1-6"));
 }
 
 TEST(Painting, APaletteHasValidPatternsOnceEach) {
     const auto palette = [](const std::vector<std::string>& ids) {
-        return make_palette(paper_layout(), ids);
+        return pattern::ids_of(make_palette(paper_layout(), ids));
     };
     EXPECT_THAT(palette({"1-6+0-1", "0-5+5-6"}), ElementsAre("0-1+1-6", "0-5+5-6"));
     EXPECT_THAT(complaint_of([&] {
@@ -93,7 +100,8 @@ TEST(PaintingFile, ReadsBackWhatWasWritten) {
     const TemporaryFolder folder;
     const auto layout = paper_layout();
     for (const std::vector<int>& tiles : {std::vector<int>{}, std::vector<int>{1, 0, 1}}) {
-        const Painting painting{{"0-1+1-6", "0-5+5-6"}, tiles};
+        const Painting painting{
+            pattern::parse_named_patterns(layout, std::vector<std::string>{"0-1+1-6", "0-5+5-6"}), tiles};
         write_painting(painting, layout, folder.path() / "p.json");
         const Painting read = read_painting(folder.path() / "p.json", layout);
         EXPECT_EQ(read.patterns, painting.patterns);
@@ -103,14 +111,14 @@ TEST(PaintingFile, ReadsBackWhatWasWritten) {
 
 TEST(PaintingFile, APaintingIsForAsManyTiles) {
     Tessellation tessellation = blank(3);
-    paint(tessellation, {{"0-1+1-6", "0-6+1-6"}, {1, 0, 1}});
+    paint(tessellation, {{{"0-1+1-6"}, {"0-6+1-6"}}, {1, 0, 1}});
     EXPECT_THAT(colours(tessellation), ElementsAre(1, 0, 1));
     EXPECT_THAT(complaint_of([&] {
-                    paint(tessellation, {{"0-1+1-6"}, {0, 0}});
+                    paint(tessellation, {{{"0-1+1-6"}}, {0, 0}});
                 }),
                 AllOf(HasSubstr("2 tiles"), HasSubstr("has 3")));
     EXPECT_THAT(complaint_of([&] {
-                    paint(tessellation, {{"0-1+1-6"}, {0, 1, 0}});
+                    paint(tessellation, {{{"0-1+1-6"}}, {0, 1, 0}});
                 }),
                 HasSubstr("no pattern 1"));
 }

@@ -46,7 +46,7 @@ TEST(TessellationCheck, EachFlawNamesItsTile) {
                 HasSubstr("tile 0 names the interface node -1"));
     EXPECT_THAT(complaint_after([](Tessellation& t) { t.tiles[1].pattern = 0; }),
                 HasSubstr("tile 1 names the pattern 0"));
-    EXPECT_THAT(complaint_after([](Tessellation& t) { t.patterns = {"0-99"}; }), HasSubstr("0-99"));
+    EXPECT_THAT(complaint_after([](Tessellation& t) { t.patterns = {{"0-99"}}; }), HasSubstr("0-99"));
     EXPECT_THAT(complaint_after([](Tessellation& t) { t.tiles[0].interface_nodes.pop_back(); }),
                 HasSubstr("tile 0 has 3 interface nodes, where 4"));
     EXPECT_THAT(complaint_after([](Tessellation& t) { t.tiles[0].vertices.resize(2); }),
@@ -81,9 +81,12 @@ TEST(TessellationCheck, NothingIsThereTwiceOrForNothing) {
                 }),
                 HasSubstr("vertex 6 is on no tile"));
     EXPECT_THAT(complaint_after([](Tessellation& t) {
-                    t.patterns = {"0-1+1-6", "0-5+5-6", "1-6+0-1"};
+                    t.patterns = pattern::parse_named_patterns(
+                        pattern::paper_layout(), std::vector<std::string>{"0-1+1-6", "0-5+5-6", "1-6+0-1"});
                 }),
                 HasSubstr("pattern 2 is pattern 0 again: '0-1+1-6'"));
+    EXPECT_THAT(complaint_after([](Tessellation& t) { t.patterns = {{"0-1+1-6"}}; }),
+                HasSubstr("pattern 0 is not the one that its id '0-1+1-6' names"));
 }
 
 TEST(TessellationCheck, AnInterfaceNodeIsOnOneSideOnly) {

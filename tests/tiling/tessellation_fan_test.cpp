@@ -24,7 +24,7 @@ Tessellation painted_rectangle() {
         tessellate(outlines::make_outline({{0, 0}, {0.3, 0}, {0.3, 0.2}, {0, 0.2}}, {}), paper_layout(),
                    options)
             .tessellation;
-    paint_randomly(tessellation, kPalette, 3);
+    paint_randomly(tessellation, pattern::parse_named_patterns(paper_layout(), kPalette), 3);
     return tessellation;
 }
 

@@ -11,7 +11,7 @@
 namespace fretwork::app {
 namespace {
 
-using library::PatternEntry;
+using pattern::NamedPattern;
 
 std::size_t parse_count(std::string_view text, const char* option, const char* what) {
     if (const auto number = base::read_number<std::size_t>(text); number && *number > 0) return *number;
@@ -20,21 +20,23 @@ std::size_t parse_count(std::string_view text, const char* option, const char* w
 
 }  // namespace
 
-std::vector<PatternEntry> wanted_patterns(const library::Library& library, const std::string& choice) {
+std::vector<pattern::NamedPattern> wanted_patterns(const library::Library& library,
+                                                   const std::string& choice) {
     if (choice == "all") return library.patterns();
     if (choice.starts_with("sample:")) {
         return library.sample(
             parse_count(std::string_view(choice).substr(7), "--patterns", "number of patterns"));
     }
-    std::vector<PatternEntry> chosen;
+    std::vector<pattern::NamedPattern> chosen;
     for (const std::string& id : base::split(choice, ',')) chosen.push_back(library.find_pattern(id));
     std::ranges::sort(chosen, library::comes_before);
-    const auto repeated = std::ranges::unique(chosen, {}, &PatternEntry::id);
+    const auto repeated = std::ranges::unique(chosen, {}, &pattern::NamedPattern::id);
     chosen.erase(repeated.begin(), repeated.end());
     return chosen;
 }
 
-std::vector<PatternEntry> in_shard(std::vector<PatternEntry> patterns, const std::string& shard) {
+std::vector<pattern::NamedPattern> in_shard(std::vector<pattern::NamedPattern> patterns,
+                                            const std::string& shard) {
     if (shard.empty()) return patterns;
     const auto parts = base::split(shard, '/');
     if (parts.size() != 2)
@@ -42,7 +44,7 @@ std::vector<PatternEntry> in_shard(std::vector<PatternEntry> patterns, const std
     const std::size_t number = parse_count(parts[0], "--shard", "number of a shard");
     const std::size_t count = parse_count(parts[1], "--shard", "number of shards");
     if (number > count) throw base::InputError("--shard", "", "there is no shard " + shard);
-    std::vector<PatternEntry> kept;
+    std::vector<pattern::NamedPattern> kept;
     for (std::size_t i = number - 1; i < patterns.size(); i += count) kept.push_back(std::move(patterns[i]));
     return kept;
 }

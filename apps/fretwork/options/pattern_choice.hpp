@@ -10,11 +10,11 @@ namespace fretwork::app {
 
 /// The patterns that --patterns asks for, in the library's order: "all", ids joined by commas, or "sample:N"
 /// for N of them spread over the numbers of edges. Throws InputError.
-std::vector<library::PatternEntry> wanted_patterns(const library::Library& library,
+std::vector<pattern::NamedPattern> wanted_patterns(const library::Library& library,
                                                    const std::string& choice);
 
 /// Every N-th of them, beginning with the I-th, for --shard I/N; all of them for "". Throws InputError.
-std::vector<library::PatternEntry> in_shard(std::vector<library::PatternEntry> patterns,
+std::vector<pattern::NamedPattern> in_shard(std::vector<pattern::NamedPattern> patterns,
                                             const std::string& shard);
 
 }  // namespace fretwork::app

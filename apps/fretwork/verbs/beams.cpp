@@ -69,7 +69,7 @@ void print(const simulation::BeamTable& table, const simulation::Surface& surfac
         const std::size_t worse = row.stress[0] >= row.stress[1] ? 0 : 1;
         const Eigen::Vector3d& place = row.places[worse];
         std::printf("%6zu %6d  %-20s %9.1f %9.1f %10.4g %10.4g", row.beam, row.tile.value,
-                    tessellation.patterns[static_cast<std::size_t>(pattern)].c_str(), 1e3 * place.x(),
+                    tessellation.patterns[static_cast<std::size_t>(pattern)].id.c_str(), 1e3 * place.x(),
                     1e3 * place.y(), row.forces[worse].N, 1e-6 * row.stress[worse]);
         if (const auto share = table.utilization(row)) std::printf("   %.1f %%", 100.0 * *share);
         std::puts("");

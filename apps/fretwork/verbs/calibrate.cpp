@@ -102,10 +102,10 @@ void tell_doubts(const reduction::Setting& setting) {
 
 /// Why patterns lack this calibration, of those that were asked for.
 std::vector<FailureReason> failure_reasons(const Library& library,
-                                           std::span<const library::PatternEntry> patterns,
+                                           std::span<const pattern::NamedPattern> patterns,
                                            const library::CalibrationKey& key) {
     std::set<std::string_view> wanted;
-    for (const library::PatternEntry& entry : patterns) wanted.insert(entry.id);
+    for (const pattern::NamedPattern& entry : patterns) wanted.insert(entry.id);
     std::vector<FailureReason> reasons;
     for (const library::Failure& failure : library.failures()) {
         const bool is_stage =
@@ -199,11 +199,11 @@ void refuse_ignored_options(const CLI::App& verb, const CalibrateOptions& option
 }
 
 /// Warns of searches that did not end by themselves: their results may be far from the best.
-void warn_of_spent_budgets(const Library& library, std::span<const library::PatternEntry> patterns,
+void warn_of_spent_budgets(const Library& library, std::span<const pattern::NamedPattern> patterns,
                            const library::CalibrationKey& key) {
     std::size_t spent = 0;
     std::size_t all = 0;
-    for (const library::PatternEntry& entry : patterns) {
+    for (const pattern::NamedPattern& entry : patterns) {
         for (const library::CalibrationRecord& record : library.calibrations(entry.id)) {
             if (record.key() != key) continue;
             ++all;

@@ -121,13 +121,13 @@ void list(const LibraryOptions& options) {
 
 // ---- show ----
 
-exports::ReducedPattern reduced_pattern(const Library& library, const library::PatternEntry& entry) {
+exports::ReducedPattern reduced_pattern(const Library& library, const pattern::NamedPattern& entry) {
     return {entry.pattern, library.best_fit(entry.id)};
 }
 
 void show(const LibraryOptions& options) {
     const Library library = open_library(options);
-    const library::PatternEntry entry = library.find_pattern(options.pattern);
+    const pattern::NamedPattern entry = library.find_pattern(options.pattern);
     if (!options.svg.empty()) {
         const exports::ReducedPattern drawn = reduced_pattern(library, entry);
         base::write_file_atomically(
@@ -158,10 +158,10 @@ void merge(const LibraryOptions& options) {
     }
 }
 
-std::string pattern_sheet(const Library& library, std::span<const library::PatternEntry> wanted,
+std::string pattern_sheet(const Library& library, std::span<const pattern::NamedPattern> wanted,
                           const base::Control& control) {
     std::vector<exports::ReducedPattern> patterns;
-    for (const library::PatternEntry& entry : wanted) {
+    for (const pattern::NamedPattern& entry : wanted) {
         control.check();
         patterns.push_back(reduced_pattern(library, entry));
     }
@@ -170,7 +170,7 @@ std::string pattern_sheet(const Library& library, std::span<const library::Patte
 
 std::string property_chart(const Library& library, const base::Control& control) {
     std::vector<exports::PatternProperties> patterns;
-    for (const library::PatternEntry& entry : library.patterns()) {
+    for (const pattern::NamedPattern& entry : library.patterns()) {
         control.check();
         const auto properties = library.properties(entry.id);
         if (!properties.empty()) patterns.push_back({entry.pattern, {properties.begin(), properties.end()}});
@@ -199,7 +199,7 @@ void write_files(const LibraryOptions& options) {
     LongWork work;
     const Library library = open_library(options);
     const base::Control control = work.control();
-    const std::vector<library::PatternEntry> wanted = wanted_patterns(library, options.patterns);
+    const std::vector<pattern::NamedPattern> wanted = wanted_patterns(library, options.patterns);
     base::FileBatch drawings;
     if (!options.svg.empty()) drawings.add(options.svg, pattern_sheet(library, wanted, control));
     if (!options.chart.empty()) drawings.add(options.chart, property_chart(library, control));

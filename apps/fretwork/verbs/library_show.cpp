@@ -62,13 +62,13 @@ Json calibration_json(const CalibrationRecord& record) {
     return document;
 }
 
-std::vector<library::Failure> failures_of(const Library& library, const library::PatternEntry& entry) {
+std::vector<library::Failure> failures_of(const Library& library, const pattern::NamedPattern& entry) {
     std::vector<library::Failure> failures = library.failures();
     std::erase_if(failures, [&](const library::Failure& failure) { return failure.pattern != entry.id; });
     return failures;
 }
 
-Json show_json(const Library& library, const library::PatternEntry& entry) {
+Json show_json(const Library& library, const pattern::NamedPattern& entry) {
     Json document = {{"id", entry.id},
                      {"layout", library.layout().name()},
                      {"edges", entry.pattern.edge_count()},
@@ -155,11 +155,11 @@ std::string_view unit_of(std::string_view property) {
 
 }  // namespace
 
-void print_pattern_json(const Library& library, const library::PatternEntry& entry) {
+void print_pattern_json(const Library& library, const pattern::NamedPattern& entry) {
     std::fputs(base::json_text(show_json(library, entry)).c_str(), stdout);
 }
 
-void print_pattern(const Library& library, const library::PatternEntry& entry) {
+void print_pattern(const Library& library, const pattern::NamedPattern& entry) {
     // All is read before anything is printed: a damaged library gives no half of a page.
     const auto responses = library.responses(entry.id);
     const auto calibrations = library.calibrations(entry.id);

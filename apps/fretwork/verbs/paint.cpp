@@ -136,7 +136,7 @@ std::map<std::string, int> pattern_counts(const tiling::Tessellation& tessellati
     std::map<std::string, int> counts;
     for (const TileIndex tile : tiles) {
         const int pattern = tessellation.tiles[static_cast<std::size_t>(tile)].pattern;
-        if (pattern >= 0) ++counts[tessellation.patterns[static_cast<std::size_t>(pattern)]];
+        if (pattern >= 0) ++counts[tessellation.patterns[static_cast<std::size_t>(pattern)].id];
     }
     return counts;
 }

@@ -58,7 +58,7 @@ void add_ground(const State& state, Json& event) {
 }
 
 void add_painting(const State& state, Json& event) {
-    event["palette"] = state.painting->palette;
+    event["palette"] = pattern::ids_of(state.painting->palette);
     event["painting"] = state.painting->patterns;
     event["turns"] = state.painting->turns;
 }

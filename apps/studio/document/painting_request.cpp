@@ -27,19 +27,18 @@ class PaletteWriter {
     int place_of(const JsonReader& json) {
         const std::string text = json.string();
         const auto [known, is_new] = places_.try_emplace(text, 0);
-        if (is_new) known->second = place_of_id(checked(json, text));
+        if (is_new) known->second = place_of(checked(json, text));
         return known->second;
     }
-    /// For a pattern's id that the layout has.
-    int place_of_id(const std::string& id) {
-        const auto found = std::ranges::find(painting_.palette, id);
+    int place_of(const pattern::NamedPattern& pattern) {
+        const auto found = std::ranges::find(painting_.palette, pattern);
         const auto place = found - painting_.palette.begin();
-        if (found == painting_.palette.end()) painting_.palette.push_back(id);
+        if (found == painting_.palette.end()) painting_.palette.push_back(pattern);
         return static_cast<int>(place);
     }
 
   private:
-    [[nodiscard]] std::string checked(const JsonReader& json, const std::string& text) const {
+    [[nodiscard]] pattern::NamedPattern checked(const JsonReader& json, const std::string& text) const {
         try {
             return tiling::make_palette(layout_, std::vector{text}).front();
         } catch (const base::InputError& error) {
@@ -104,8 +103,7 @@ Painted by_choice(const State& state, const std::vector<TileIndex>& tiles, const
     PaletteWriter palette(result.painting, state.ground->layout);
     for (const TileIndex tile : done) {
         const auto t = static_cast<std::size_t>(tile);
-        const auto pattern = static_cast<std::size_t>(tessellation.tiles[t].pattern);
-        result.painting.patterns[t] = palette.place_of_id(tessellation.patterns[pattern]);
+        result.painting.patterns[t] = palette.place_of(*tiling::pattern_of(tessellation, tile));
     }
     return result;
 }

@@ -13,9 +13,9 @@ namespace fretwork::studio {
 
 /// Which pattern lies in each tile, and how it is turned.
 struct Painting {
-    std::vector<std::string> palette;  ///< pattern ids
-    std::vector<int> patterns;         ///< of each tile: an index into the palette; -1: not painted
-    std::vector<int> turns;            ///< for each tile: turned by this many vertices from the ground
+    std::vector<pattern::NamedPattern> palette;
+    std::vector<int> patterns;  ///< of each tile: an index into the palette; -1: not painted
+    std::vector<int> turns;     ///< for each tile: turned by this many vertices from the ground
     friend bool operator==(const Painting&, const Painting&) = default;
 };
 

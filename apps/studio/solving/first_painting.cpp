@@ -16,32 +16,28 @@
 namespace fretwork::studio {
 namespace {
 
+using pattern::NamedPattern;
 using simulation::Project;
 
 /// Patterns with few bars have the widest gaps: if this many of them cannot be made, none with more bars can.
 constexpr std::size_t kMostTried = 200;
 
-struct Candidate {
-    std::size_t bars = 0;
-    std::string id;
-};
-
 /// Fewest bars first, then by name.
-std::vector<Candidate> candidates(const pattern::NodeLayout& layout, const base::Control& control) {
+std::vector<NamedPattern> candidates(const pattern::NodeLayout& layout, const base::Control& control) {
     pattern::EnumerationOptions options;
     options.edges = pattern::default_edge_range(layout);
     options.control = control;
-    std::vector<Candidate> all;
+    std::vector<NamedPattern> all;
     for (const pattern::Pattern& one : pattern::enumerate_patterns(layout, options))
-        all.push_back({static_cast<std::size_t>(one.edge_count()), pattern::pattern_id(layout, one)});
-    std::ranges::sort(all, [](const Candidate& a, const Candidate& b) {
-        return std::tie(a.bars, a.id) < std::tie(b.bars, b.id);
+        all.push_back(pattern::named(layout, one));
+    std::ranges::sort(all, {}, [](const NamedPattern& one) {
+        return std::pair<int, const std::string&>(one.pattern.edge_count(), one.id);
     });
     all.resize(std::min(all.size(), kMostTried));
     return all;
 }
 
-void paint(Project& project, const std::string& pattern) {
+void paint(Project& project, const NamedPattern& pattern) {
     project.tessellation.patterns = {pattern};
     for (tiling::Tile& tile : project.tessellation.tiles) tile.pattern = 0;
 }
@@ -101,9 +97,9 @@ std::string paint_to_be_made(Project& project, const base::Control& control) {
     const double clearance = fabrication::FactsOptions().clearance;
     Project trial = project;
     Trials trials(control);
-    for (const Candidate& candidate : candidates(project.layout, control)) {
+    for (const NamedPattern& candidate : candidates(project.layout, control)) {
         control.check();
-        paint(trial, candidate.id);
+        paint(trial, candidate);
         if (!trials.can_be_made(trial, clearance)) continue;
         project = std::move(trial);
         return "";

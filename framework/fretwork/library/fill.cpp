@@ -20,7 +20,7 @@ double seconds_since(Clock::time_point start) {
 }
 
 struct Task {
-    PatternEntry entry;
+    pattern::NamedPattern entry;
     bool needs_responses;
 };
 
@@ -30,10 +30,10 @@ struct Outcome {
 };
 
 /// The patterns that lack a calibration, and whether they lack responses, too.
-std::vector<Task> open_tasks(const Library& library, std::span<const PatternEntry> patterns,
+std::vector<Task> open_tasks(const Library& library, std::span<const pattern::NamedPattern> patterns,
                              const CalibrationKey& key) {
     std::vector<Task> tasks;
-    for (const PatternEntry& entry : patterns) {
+    for (const pattern::NamedPattern& entry : patterns) {
         if (library.lacks_calibration(entry.id, key))
             tasks.push_back({entry, library.lacks_responses(entry.id)});
     }
@@ -43,7 +43,7 @@ std::vector<Task> open_tasks(const Library& library, std::span<const PatternEntr
 /// Threads compute; the calling thread stores their results.
 class Filling {
   public:
-    Filling(Library& library, std::span<const PatternEntry> patterns, const FillOptions& options)
+    Filling(Library& library, std::span<const pattern::NamedPattern> patterns, const FillOptions& options)
         : library_(library),
           options_(options),
           calibration_options_(options.calibration),
@@ -205,7 +205,8 @@ CalibrationKey FillOptions::key() const {
     return calibration_key(calibration, tile_model());
 }
 
-FillReport fill(Library& library, std::span<const PatternEntry> patterns, const FillOptions& options) {
+FillReport fill(Library& library, std::span<const pattern::NamedPattern> patterns,
+                const FillOptions& options) {
     options.validate();
     return Filling(library, patterns, options).run();
 }

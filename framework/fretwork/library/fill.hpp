@@ -39,6 +39,7 @@ struct FillReport {
 /// new run goes on there. The result does not depend on threads, interruptions and shards. A failed
 /// computation is recorded with its reason, and does not stop the rest. Memory does not grow with the number
 /// of patterns. Throws as Library::store; then all that was stored before is there.
-FillReport fill(Library& library, std::span<const PatternEntry> patterns, const FillOptions& options);
+FillReport fill(Library& library, std::span<const pattern::NamedPattern> patterns,
+                const FillOptions& options);
 
 }  // namespace fretwork::library

@@ -23,13 +23,8 @@ namespace fretwork::library {
 enum class Access { ReadOnly, ReadWrite };
 
 /// A pattern of a library.
-struct PatternEntry {
-    std::string id;  ///< without the layout's name: "0-1+1-6"
-    pattern::Pattern pattern;
-};
-
 /// The order of Library::patterns(): by number of edges, then by the edges.
-bool comes_before(const PatternEntry& left, const PatternEntry& right);
+bool comes_before(const pattern::NamedPattern& left, const pattern::NamedPattern& right);
 
 /// The key of a calibration among those of one pattern.
 struct CalibrationKey {
@@ -126,27 +121,29 @@ class Library {
     [[nodiscard]] std::size_t pattern_count() const;
     /// All patterns by number of edges, then by their edges: the order of the enumeration, however they came
     /// in.
-    [[nodiscard]] std::vector<PatternEntry> patterns() const;
+    [[nodiscard]] std::vector<pattern::NamedPattern> patterns() const;
     /// Up to `size` of patterns(), spread over the numbers of edges as by reduction::stratified_sample(). It
     /// reads what it takes, not all that there is.
-    [[nodiscard]] std::vector<PatternEntry> sample(std::size_t size) const;
+    [[nodiscard]] std::vector<pattern::NamedPattern> sample(std::size_t size) const;
     /// One row for each of patterns().
     [[nodiscard]] std::vector<PatternSummary> summaries() const;
     /// One row for each of these, in their order.
-    [[nodiscard]] std::vector<PatternSummary> summaries(std::span<const PatternEntry> patterns) const;
+    [[nodiscard]] std::vector<PatternSummary> summaries(
+        std::span<const pattern::NamedPattern> patterns) const;
     /// The patterns that have a calibration of a model to which something is fitted, in the order of
     /// patterns().
-    [[nodiscard]] std::vector<PatternEntry> fitted_patterns() const;
+    [[nodiscard]] std::vector<pattern::NamedPattern> fitted_patterns() const;
     /// The objectives of all calibrations of a key, ascending.
     [[nodiscard]] std::vector<double> objectives(const CalibrationKey& key) const;
     /// The pattern of an id, given as pattern::parse_pattern_id takes it. Throws InputError that names the
     /// nearest id.
-    [[nodiscard]] PatternEntry find_pattern(std::string_view id) const;
+    [[nodiscard]] pattern::NamedPattern find_pattern(std::string_view id) const;
 
     /// The patterns, in the order of patterns(), whose responses are neither stored nor recorded as failed.
-    [[nodiscard]] std::vector<PatternEntry> patterns_without_responses() const;
+    [[nodiscard]] std::vector<pattern::NamedPattern> patterns_without_responses() const;
     /// The same for a calibration; patterns whose responses failed are left out.
-    [[nodiscard]] std::vector<PatternEntry> patterns_without_calibration(const CalibrationKey& key) const;
+    [[nodiscard]] std::vector<pattern::NamedPattern> patterns_without_calibration(
+        const CalibrationKey& key) const;
     /// The same for one pattern.
     [[nodiscard]] bool lacks_responses(std::string_view pattern_id) const;
     [[nodiscard]] bool lacks_calibration(std::string_view pattern_id, const CalibrationKey& key) const;

@@ -56,7 +56,7 @@ SummariesById collect_summaries(const Database& database) {
     return by_id;
 }
 
-PatternSummary named(PatternSummary summary, const PatternEntry& entry) {
+PatternSummary named(PatternSummary summary, const pattern::NamedPattern& entry) {
     summary.pattern = entry.id;
     summary.edges = entry.pattern.edge_count();
     return summary;
@@ -77,18 +77,18 @@ std::size_t Library::pattern_count() const {
         detail::query_integer(impl_->database, "SELECT count(*) FROM pattern").value_or(0));
 }
 
-std::vector<PatternEntry> Library::patterns() const {
+std::vector<pattern::NamedPattern> Library::patterns() const {
     Statement ids(impl_->database, "SELECT id FROM pattern");
     return impl_->select_patterns(ids);
 }
 
-std::vector<PatternEntry> Library::sample(std::size_t size) const {
+std::vector<pattern::NamedPattern> Library::sample(std::size_t size) const {
     const Transaction snapshot(impl_->database, Transaction::Kind::Read);
     const std::map<int, std::size_t> counts = edge_counts(impl_->database);
     std::vector<int> strata;  // of patterns(), whose order begins with the number of edges
     for (const auto& [edges, count] : counts) strata.insert(strata.end(), count, edges);
     const std::vector<std::size_t> chosen = reduction::stratified_sample(strata, size);
-    std::vector<PatternEntry> entries;
+    std::vector<pattern::NamedPattern> entries;
     std::size_t first = 0;
     auto next = chosen.begin();
     for (const auto& [edges, count] : counts) {
@@ -105,20 +105,20 @@ std::vector<PatternSummary> Library::summaries() const {
     const Transaction snapshot(impl_->database, Transaction::Kind::Read);
     const SummariesById by_id = collect_summaries(impl_->database);
     std::vector<PatternSummary> list;
-    for (const PatternEntry& entry : patterns()) {
+    for (const pattern::NamedPattern& entry : patterns()) {
         const auto known = by_id.find(entry.id);
         list.push_back(named(known == by_id.end() ? PatternSummary{} : known->second, entry));
     }
     return list;
 }
 
-std::vector<PatternSummary> Library::summaries(std::span<const PatternEntry> patterns) const {
+std::vector<PatternSummary> Library::summaries(std::span<const pattern::NamedPattern> patterns) const {
     const Transaction snapshot(impl_->database, Transaction::Kind::Read);
     Statement samples(impl_->database, std::string(kCountSamples) + "WHERE pattern_id = ?");
     Statement calibrations(impl_->database, std::string(kCountCalibrations) + "WHERE pattern_id = ?");
     Statement failures(impl_->database, "SELECT count(*) FROM failure WHERE pattern_id = ?");
     std::vector<PatternSummary> list;
-    for (const PatternEntry& entry : patterns) {
+    for (const pattern::NamedPattern& entry : patterns) {
         PatternSummary summary;
         if (samples.bind_all(entry.id).step()) read_samples(samples, summary);
         if (calibrations.bind_all(entry.id).step()) read_calibrations(calibrations, summary);
@@ -128,7 +128,7 @@ std::vector<PatternSummary> Library::summaries(std::span<const PatternEntry> pat
     return list;
 }
 
-std::vector<PatternEntry> Library::fitted_patterns() const {
+std::vector<pattern::NamedPattern> Library::fitted_patterns() const {
     Statement ids(impl_->database, "SELECT DISTINCT pattern_id FROM calibration_parameter");
     return impl_->select_patterns(ids);
 }
@@ -143,14 +143,14 @@ std::vector<double> Library::objectives(const CalibrationKey& key) const {
     return values;
 }
 
-PatternEntry Library::find_pattern(std::string_view id) const {
+pattern::NamedPattern Library::find_pattern(std::string_view id) const {
     const pattern::Pattern pattern = pattern::parse_pattern_id(layout(), id);
-    PatternEntry entry{pattern_id(layout(), pattern), pattern};
+    pattern::NamedPattern entry{pattern_id(layout(), pattern), pattern};
     impl_->require_pattern(entry.id);
     return entry;
 }
 
-std::vector<PatternEntry> Library::patterns_without_responses() const {
+std::vector<pattern::NamedPattern> Library::patterns_without_responses() const {
     Statement ids(impl_->database, kWithoutResponses);
     ids.bind_all(responses_stage());
     return impl_->select_patterns(ids);
@@ -161,7 +161,7 @@ bool Library::lacks_responses(std::string_view pattern_id) const {
     return ids.bind_all(responses_stage(), pattern_id).step();
 }
 
-std::vector<PatternEntry> Library::patterns_without_calibration(const CalibrationKey& key) const {
+std::vector<pattern::NamedPattern> Library::patterns_without_calibration(const CalibrationKey& key) const {
     Statement ids(impl_->database, kWithoutCalibration);
     ids.bind_all(key.model, key.optimizer, static_cast<std::int64_t>(key.seed), key.starts, key.budget,
                  responses_stage(), calibration_stage(key));

@@ -40,7 +40,8 @@ double far_above_limit(std::vector<double> objectives) {
     return median * std::max(kLeastRatio, std::exp(kDeviations * deviation));
 }
 
-CalibrationStatistics calibration_statistics(const Library& library, std::span<const PatternEntry> patterns,
+CalibrationStatistics calibration_statistics(const Library& library,
+                                             std::span<const pattern::NamedPattern> patterns,
                                              const CalibrationKey& key) {
     const std::vector<PatternSummary> summaries = library.summaries(patterns);
     CalibrationStatistics result;

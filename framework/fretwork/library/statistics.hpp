@@ -39,7 +39,8 @@ struct CalibrationStatistics {
     std::size_t unstable = 0;    ///< of those that converged
 };
 
-CalibrationStatistics calibration_statistics(const Library& library, std::span<const PatternEntry> patterns,
+CalibrationStatistics calibration_statistics(const Library& library,
+                                             std::span<const pattern::NamedPattern> patterns,
                                              const CalibrationKey& key);
 
 }  // namespace fretwork::library

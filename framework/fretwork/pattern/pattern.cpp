@@ -86,4 +86,24 @@ Pattern parse_pattern_id(const NodeLayout& layout, std::string_view id) {
     return Pattern(chosen);
 }
 
+NamedPattern named(const NodeLayout& layout, const Pattern& pattern) {
+    return {pattern_id(layout, pattern), pattern};
+}
+
+NamedPattern parse_named_pattern(const NodeLayout& layout, std::string_view id) {
+    return named(layout, parse_pattern_id(layout, id));
+}
+
+std::vector<NamedPattern> parse_named_patterns(const NodeLayout& layout, std::span<const std::string> ids) {
+    std::vector<NamedPattern> patterns;
+    for (const std::string& id : ids) patterns.push_back(parse_named_pattern(layout, id));
+    return patterns;
+}
+
+std::vector<std::string> ids_of(std::span<const NamedPattern> patterns) {
+    std::vector<std::string> ids;
+    for (const NamedPattern& pattern : patterns) ids.push_back(pattern.id);
+    return ids;
+}
+
 }  // namespace fretwork::pattern

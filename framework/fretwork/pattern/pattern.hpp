@@ -4,6 +4,7 @@
 #include <fretwork/pattern/node_layout.hpp>
 
 #include <bitset>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -41,5 +42,18 @@ std::string pattern_id(const NodeLayout& layout, const Pattern& pattern);
 /// any order. Throws InputError if the text is no id, or names another layout or an edge that is no
 /// candidate.
 Pattern parse_pattern_id(const NodeLayout& layout, std::string_view id);
+
+/// A pattern and its id in its layout.
+struct NamedPattern {
+    std::string id;
+    Pattern pattern{};
+    friend bool operator==(const NamedPattern&, const NamedPattern&) = default;
+};
+NamedPattern named(const NodeLayout& layout, const Pattern& pattern);
+/// As parse_pattern_id; the id becomes the one that pattern_id gives.
+NamedPattern parse_named_pattern(const NodeLayout& layout, std::string_view id);
+std::vector<NamedPattern> parse_named_patterns(const NodeLayout& layout, std::span<const std::string> ids);
+/// The ids alone.
+std::vector<std::string> ids_of(std::span<const NamedPattern> patterns);
 
 }  // namespace fretwork::pattern

@@ -30,7 +30,7 @@ std::vector<double> tile_parameters(const Surface& surface, tiling::TileIndex ti
     if (pattern < 0)
         throw base::InputError("tile " + std::to_string(tile.value) + " is not painted with a pattern");
     const auto index = static_cast<std::size_t>(pattern);
-    return detail::calibrated_parameters(surface.calibrations[index], surface.tessellation.patterns[index],
+    return detail::calibrated_parameters(surface.calibrations[index], surface.tessellation.patterns[index].id,
                                          model);
 }
 

@@ -10,11 +10,10 @@ namespace fretwork::simulation {
 
 Surface make_surface(const Project& project, const library::Library* library) {
     if (library != nullptr) library->check_layout(project.layout);
-    Surface surface{project.layout,         project.tessellation, {}, setting_of(project, library), {},
-                    models_by_tile(project)};
-    for (const std::string& id : project.tessellation.patterns) {
-        surface.patterns.push_back(pattern::parse_pattern_id(project.layout, id));
-        surface.calibrations.push_back(library != nullptr ? library->best_calibrations(id)
+    Surface surface{
+        project.layout, project.tessellation, setting_of(project, library), {}, models_by_tile(project)};
+    for (const pattern::NamedPattern& pattern : project.tessellation.patterns) {
+        surface.calibrations.push_back(library != nullptr ? library->best_calibrations(pattern.id)
                                                           : std::vector<reduction::Calibration>{});
     }
     return surface;

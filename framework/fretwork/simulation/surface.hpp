@@ -17,9 +17,9 @@ namespace fretwork::simulation {
 struct Surface {
     pattern::NodeLayout layout;
     tiling::Tessellation tessellation;
-    std::vector<pattern::Pattern> patterns;  ///< those of Tessellation::patterns
-    reduction::Setting setting;              ///< material and section of the beams
-    /// For each of the patterns its best calibration of each tile model, as far as a library has them.
+    reduction::Setting setting;  ///< material and section of the beams
+    /// For each of Tessellation::patterns its best calibration of each tile model, as far as a library has
+    /// them.
     std::vector<std::vector<reduction::Calibration>> calibrations;
     /// The tile model of each tile; "" where it is that of the simulation. Empty: of all tiles.
     std::vector<std::string> tile_models{};

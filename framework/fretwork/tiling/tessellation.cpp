@@ -15,6 +15,11 @@ void turn(Tile& tile, int vertices) {
     std::ranges::rotate(tile.interface_nodes, tile.interface_nodes.begin() + by * interface_nodes_a_side);
 }
 
+const pattern::NamedPattern* pattern_of(const Tessellation& tessellation, TileIndex tile) {
+    const int place = tessellation.tiles[static_cast<std::size_t>(tile)].pattern;
+    return place < 0 ? nullptr : &tessellation.patterns[static_cast<std::size_t>(place)];
+}
+
 geometry::Polygon tile_polygon(const Tessellation& tessellation, TileIndex tile) {
     geometry::Polygon polygon;
     for (const VertexIndex vertex : tessellation.tiles[static_cast<std::size_t>(tile.value)].vertices) {

@@ -3,6 +3,7 @@
 
 #include <fretwork/base/index.hpp>
 #include <fretwork/pattern/fan.hpp>
+#include <fretwork/pattern/pattern.hpp>
 
 #include <array>
 #include <string>
@@ -33,11 +34,14 @@ struct Tessellation {
     std::vector<geometry::Point2> vertices;  ///< metres
     std::vector<Tile> tiles;
     std::vector<geometry::Point2> interface_nodes;  ///< places, metres
-    std::vector<std::string> patterns;              ///< pattern ids, the palette in use
+    std::vector<pattern::NamedPattern> patterns;    ///< the palette in use
 };
 
 /// Turn a tile's pattern: its first vertex moves on by `vertices`, counterclockwise, back if below zero.
 void turn(Tile& tile, int vertices);
+
+/// The pattern of a tile; null if it is not painted.
+const pattern::NamedPattern* pattern_of(const Tessellation& tessellation, TileIndex tile);
 
 /// The polygon of a tile.
 geometry::Polygon tile_polygon(const Tessellation& tessellation, TileIndex tile);

@@ -64,8 +64,11 @@ class Checker {
     void check_patterns() const {
         std::map<std::string, std::size_t> first_uses;
         for (std::size_t i = 0; i < tessellation_.patterns.size(); ++i) {
-            const auto pattern = pattern::parse_pattern_id(layout_, tessellation_.patterns[i]);
-            const auto [entry, is_new] = first_uses.try_emplace(pattern::pattern_id(layout_, pattern), i);
+            const pattern::NamedPattern& pattern = tessellation_.patterns[i];
+            if (pattern::parse_named_pattern(layout_, pattern.id) != pattern)
+                throw base::InputError("pattern " + std::to_string(i) + " is not the one that its id '" +
+                                       pattern.id + "' names");
+            const auto [entry, is_new] = first_uses.try_emplace(pattern.id, i);
             if (!is_new)
                 throw base::InputError("pattern " + std::to_string(i) + " is pattern " +
                                        std::to_string(entry->second) + " again: '" + entry->first + "'");

@@ -12,9 +12,6 @@ class FanAssembler {
   public:
     FanAssembler(const pattern::NodeLayout& layout, const Tessellation& tessellation)
         : layout_(layout), tessellation_(tessellation) {
-        for (const std::string& id : tessellation.patterns) {
-            patterns_.push_back(pattern::parse_pattern_id(layout, id));
-        }
         result_.nodes = tessellation.interface_nodes;
         result_.interface_node_count = static_cast<int>(tessellation.interface_nodes.size());
     }
@@ -29,13 +26,12 @@ class FanAssembler {
     /// Fans depend on a tile only by its pattern and its number of sides.
     const pattern::Fan& fan_of(TileIndex index) {
         const Tile& tile = tessellation_.tiles[static_cast<std::size_t>(index.value)];
-        if (tile.pattern < 0 || tile.pattern >= static_cast<int>(patterns_.size()))
+        if (tile.pattern < 0 || tile.pattern >= static_cast<int>(tessellation_.patterns.size()))
             throw base::InputError("tile " + std::to_string(index.value) + " is not painted with a pattern");
         const auto sides = static_cast<int>(tile.vertices.size());
         const auto [entry, is_new] = fans_.try_emplace({tile.pattern, sides});
         if (is_new)
-            entry->second =
-                pattern::make_fan(layout_, patterns_[static_cast<std::size_t>(tile.pattern)], sides);
+            entry->second = pattern::make_fan(layout_, pattern_of(tessellation_, index)->pattern, sides);
         return entry->second;
     }
 
@@ -65,7 +61,6 @@ class FanAssembler {
 
     const pattern::NodeLayout& layout_;
     const Tessellation& tessellation_;
-    std::vector<pattern::Pattern> patterns_;
     std::map<std::pair<int, int>, pattern::Fan> fans_;  // by pattern and number of sides
     TessellationFan result_;
 };

@@ -47,8 +47,8 @@ Surface tile_surface(const pattern::NodeLayout& layout, const pattern::Pattern& 
         .vertices = polygon,
         .tiles = {tile},
         .interface_nodes = {places.begin(), places.begin() + fan.interface_node_count},
-        .patterns = {pattern_id(layout, pattern)}};
-    return {layout, std::move(tessellation), {pattern}, setting, {{}}};
+        .patterns = {pattern::named(layout, pattern)}};
+    return {layout, std::move(tessellation), setting, {{}}};
 }
 
 Conditions conditions_of(const mechanics::Frame& loaded) {

@@ -18,7 +18,7 @@ LineSet pattern_lines(const pattern::NodeLayout& layout, const pattern::Pattern&
     return lines;
 }
 
-std::size_t export_meshes(const library::Library& library, std::span<const library::PatternEntry> patterns,
+std::size_t export_meshes(const library::Library& library, std::span<const pattern::NamedPattern> patterns,
                           const std::filesystem::path& folder, const MeshOptions& options) {
     base::FolderBatch files(folder);
     const std::size_t count = add_meshes(library, patterns, options, files);
@@ -26,7 +26,7 @@ std::size_t export_meshes(const library::Library& library, std::span<const libra
     return count;
 }
 
-std::size_t add_meshes(const library::Library& library, std::span<const library::PatternEntry> patterns,
+std::size_t add_meshes(const library::Library& library, std::span<const pattern::NamedPattern> patterns,
                        const MeshOptions& options, base::FolderBatch& batch) {
     const std::string ending = options.kind == MeshKind::Obj ? ".obj" : ".ply";
     const base::Task task(options.control, "meshes", patterns.size());
@@ -38,7 +38,7 @@ std::size_t add_meshes(const library::Library& library, std::span<const library:
     for (std::size_t i = 0; i < patterns.size(); ++i) {
         options.control.check();
         task.update(i);
-        const library::PatternEntry& entry = patterns[i];
+        const pattern::NamedPattern& entry = patterns[i];
         write(entry.id, pattern_lines(library.layout(), entry.pattern, library.setting()));
         for (const reduction::Calibration& best : library.best_calibrations(entry.id)) {
             if (best.parameters.empty()) continue;  // its beams, if it has any, are the pattern's

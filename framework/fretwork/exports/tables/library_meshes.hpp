@@ -28,10 +28,10 @@ struct MeshOptions {
 /// Write patterns of a library, each as an edge mesh in the setting's polygon (`<id>.obj`), and, where it is
 /// calibrated, the geometry of its best reduced model of the paper (`<id>.paper6.obj`). The folder is made if
 /// it is missing. Returns the number of files. Throws IoError.
-std::size_t export_meshes(const library::Library& library, std::span<const library::PatternEntry> patterns,
+std::size_t export_meshes(const library::Library& library, std::span<const pattern::NamedPattern> patterns,
                           const std::filesystem::path& folder, const MeshOptions& options = {});
 /// The same as part of a batch, which its caller commits.
-std::size_t add_meshes(const library::Library& library, std::span<const library::PatternEntry> patterns,
+std::size_t add_meshes(const library::Library& library, std::span<const pattern::NamedPattern> patterns,
                        const MeshOptions& options, base::FolderBatch& batch);
 
 }  // namespace fretwork::exports

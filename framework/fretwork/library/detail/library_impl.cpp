@@ -59,7 +59,7 @@ void Library::Impl::require_pattern(std::string_view id) const {
         "has no pattern " + std::string(id) + (near ? "; did you mean " + *near + "?" : ""));
 }
 
-PatternEntry Library::Impl::entry(std::string id) const {
+pattern::NamedPattern Library::Impl::entry(std::string id) const {
     try {
         const pattern::Pattern pattern = pattern::parse_pattern_id(layout, id);
         return {std::move(id), pattern};
@@ -68,19 +68,20 @@ PatternEntry Library::Impl::entry(std::string id) const {
     }
 }
 
-std::vector<PatternEntry> Library::Impl::select_patterns(Statement& ids) const {
-    std::vector<PatternEntry> entries;
+std::vector<pattern::NamedPattern> Library::Impl::select_patterns(Statement& ids) const {
+    std::vector<pattern::NamedPattern> entries;
     while (ids.step()) entries.push_back(entry(std::string(ids.text(0))));
     std::sort(entries.begin(), entries.end(), comes_before);
     return entries;
 }
 
-std::vector<PatternEntry> Library::Impl::patterns_at(int edges, std::span<const std::size_t> places) const {
+std::vector<pattern::NamedPattern> Library::Impl::patterns_at(int edges,
+                                                              std::span<const std::size_t> places) const {
     Statement rows(database, "SELECT id FROM pattern WHERE edges = ?");
     rows.bind_all(edges);
     std::vector<std::string> ids;
     while (rows.step()) ids.emplace_back(rows.text(0));
-    std::vector<PatternEntry> entries;
+    std::vector<pattern::NamedPattern> entries;
     auto begin = ids.begin();
     for (const std::size_t place : places) {
         const auto wanted = ids.begin() + static_cast<std::ptrdiff_t>(place);

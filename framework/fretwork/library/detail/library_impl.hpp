@@ -29,11 +29,12 @@ struct Library::Impl {
     /// Throws InputError that names the nearest id.
     void require_pattern(std::string_view id) const;
     /// The pattern of a stored id. Throws InputError that names the file if the id is invalid.
-    [[nodiscard]] PatternEntry entry(std::string id) const;
+    [[nodiscard]] pattern::NamedPattern entry(std::string id) const;
     /// The patterns whose ids a statement gives, in the order of the enumeration.
-    [[nodiscard]] std::vector<PatternEntry> select_patterns(detail::Statement& ids) const;
+    [[nodiscard]] std::vector<pattern::NamedPattern> select_patterns(detail::Statement& ids) const;
     /// The patterns with this number of edges at these places (ascending), in their order.
-    [[nodiscard]] std::vector<PatternEntry> patterns_at(int edges, std::span<const std::size_t> places) const;
+    [[nodiscard]] std::vector<pattern::NamedPattern> patterns_at(int edges,
+                                                                 std::span<const std::size_t> places) const;
 
     void store(const PatternData& data);
     void store(const Failure& failure);

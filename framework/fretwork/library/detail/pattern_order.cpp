@@ -40,7 +40,7 @@ bool id_comes_before(std::string_view left, std::string_view right) {
 
 }  // namespace detail
 
-bool comes_before(const PatternEntry& left, const PatternEntry& right) {
+bool comes_before(const pattern::NamedPattern& left, const pattern::NamedPattern& right) {
     const int left_count = left.pattern.edge_count();
     const int right_count = right.pattern.edge_count();
     if (left_count != right_count) return left_count < right_count;

@@ -11,21 +11,23 @@
 namespace fretwork::simulation::detail {
 namespace {
 
+using pattern::NamedPattern;
+
 const std::string kPaletteEntry = "palette";
 
-std::vector<std::string> calibrated_patterns(const library::Library* library) {
+std::vector<NamedPattern> calibrated_patterns(const library::Library* library) {
     if (library == nullptr)
         throw base::InputError(kPaletteEntry, "", "has no patterns to choose from: name some, or a library");
-    std::vector<std::string> palette;
-    for (const library::PatternEntry& entry : library->fitted_patterns()) {
-        if (library->best_fit(entry.id)) palette.push_back(entry.id);
+    std::vector<NamedPattern> palette;
+    for (const pattern::NamedPattern& entry : library->fitted_patterns()) {
+        if (library->best_fit(entry.id)) palette.push_back({entry.id, entry.pattern});
     }
     if (palette.empty())
         throw base::InputError("library", "", "has no calibrated pattern; name patterns in the palette");
     return palette;
 }
 
-std::vector<std::string> palette_ids(const PaletteChoice& palette, const PaintingGround& ground) {
+std::vector<NamedPattern> palette_of(const PaletteChoice& palette, const PaintingGround& ground) {
     if (!palette.ids.empty()) return checked_palette(kPaletteEntry, ground.layout, palette.ids);
     if (!palette.file.empty()) return tiling::read_painting(palette.file, ground.layout).patterns;
     return calibrated_patterns(ground.library);
@@ -34,22 +36,22 @@ std::vector<std::string> palette_ids(const PaletteChoice& palette, const Paintin
 using Properties = std::vector<std::pair<std::string, double>>;
 
 /// Those that the library keeps; else they are computed.
-Properties properties_of(const std::string& id, const PaintingGround& ground) {
+Properties properties_of(const NamedPattern& pattern, const PaintingGround& ground) {
     if (ground.library != nullptr) {
         try {
-            Properties known = ground.library->properties(id);
+            Properties known = ground.library->properties(pattern.id);
             if (!known.empty()) return known;
         } catch (const base::InputError&) {
             // The library does not have the pattern.
         }
     }
-    return reduction::property_values(reduction::effective_properties(
-        ground.layout, pattern::parse_pattern_id(ground.layout, id), ground.setting));
+    return reduction::property_values(
+        reduction::effective_properties(ground.layout, pattern.pattern, ground.setting));
 }
 
-double property_of(const std::string& id, const std::string& property, const PaintingGround& ground) {
+double property_of(const NamedPattern& pattern, const std::string& property, const PaintingGround& ground) {
     std::vector<std::string> names;
-    for (const auto& [name, value] : properties_of(id, ground)) {
+    for (const auto& [name, value] : properties_of(pattern, ground)) {
         if (name == property) return value;
         names.push_back(name);
     }
@@ -58,8 +60,8 @@ double property_of(const std::string& id, const std::string& property, const Pai
 
 }  // namespace
 
-std::vector<std::string> checked_palette(const std::string& entry, const pattern::NodeLayout& layout,
-                                         const std::vector<std::string>& ids) {
+std::vector<NamedPattern> checked_palette(const std::string& entry, const pattern::NodeLayout& layout,
+                                          const std::vector<std::string>& ids) {
     try {
         return tiling::make_palette(layout, ids);
     } catch (const base::InputError& error) {
@@ -69,37 +71,38 @@ std::vector<std::string> checked_palette(const std::string& entry, const pattern
 
 std::vector<tiling::WeightedPattern> weighted_palette(const PaintAtRandom& choice,
                                                       const PaintingGround& ground) {
-    std::vector<std::string> ids = palette_ids(choice.palette, ground);
-    if (!choice.weights.empty() && choice.weights.size() != ids.size())
+    std::vector<NamedPattern> patterns = palette_of(choice.palette, ground);
+    if (!choice.weights.empty() && choice.weights.size() != patterns.size())
         throw base::InputError(kPaletteEntry, "",
                                std::to_string(choice.weights.size()) + " weights for " +
-                                   std::to_string(ids.size()) + " patterns");
+                                   std::to_string(patterns.size()) + " patterns");
     std::vector<tiling::WeightedPattern> weighted;
-    for (std::string& id : ids) {
+    for (NamedPattern& pattern : patterns) {
         const double weight = choice.weights.empty() ? 1.0 : choice.weights[weighted.size()];
-        weighted.push_back({std::move(id), weight});
+        weighted.push_back({std::move(pattern), weight});
     }
     return weighted;
 }
 
 std::vector<tiling::GradedPattern> graded_palette(const PaintByField& choice, const PaintingGround& ground) {
-    const std::vector<std::string> ids = palette_ids(choice.palette, ground);
+    const std::vector<NamedPattern> patterns = palette_of(choice.palette, ground);
     std::vector<tiling::GradedPattern> graded;
     // In equal parts of 0 to 1 the middle of a pattern's part is nearest; dithering needs both ends.
-    const auto count = static_cast<double>(ids.size());
-    const bool reaches_ends = choice.dithering != tiling::Dithering::None && ids.size() > 1;
-    for (std::size_t i = 0; i < ids.size(); ++i) {
+    const auto count = static_cast<double>(patterns.size());
+    const bool reaches_ends = choice.dithering != tiling::Dithering::None && patterns.size() > 1;
+    for (std::size_t i = 0; i < patterns.size(); ++i) {
         const auto place = static_cast<double>(i);
         const double even = reaches_ends ? place / (count - 1.0) : (place + 0.5) / count;
-        graded.push_back(
-            {ids[i], choice.property.empty() ? even : property_of(ids[i], choice.property, ground)});
+        graded.push_back({patterns[i], choice.property.empty()
+                                           ? even
+                                           : property_of(patterns[i], choice.property, ground)});
     }
     return graded;
 }
 
-std::vector<std::pair<std::string, std::string>> coloured_palette(const PaintByColours& choice,
-                                                                  const PaintingGround& ground) {
-    std::vector<std::pair<std::string, std::string>> palette;
+std::vector<std::pair<std::string, NamedPattern>> coloured_palette(const PaintByColours& choice,
+                                                                   const PaintingGround& ground) {
+    std::vector<std::pair<std::string, NamedPattern>> palette;
     for (const auto& [colour, id] : choice.palette)
         palette.emplace_back(colour, checked_palette(kPaletteEntry, ground.layout, {id}).front());
     return palette;

@@ -10,18 +10,19 @@
 
 namespace fretwork::simulation::detail {
 
-/// Check the ids of patterns; an error names `entry` of the choice.
-std::vector<std::string> checked_palette(const std::string& entry, const pattern::NodeLayout& layout,
-                                         const std::vector<std::string>& ids);
+/// The patterns of these ids; an error names `entry` of the choice.
+std::vector<pattern::NamedPattern> checked_palette(const std::string& entry,
+                                                   const pattern::NodeLayout& layout,
+                                                   const std::vector<std::string>& ids);
 
-/// The ids that are chosen from, with their weights.
+/// The patterns that are chosen from, with their weights.
 std::vector<tiling::WeightedPattern> weighted_palette(const PaintAtRandom& choice,
                                                       const PaintingGround& ground);
 /// The same with their values: of the property, else evenly from 0 to 1.
 std::vector<tiling::GradedPattern> graded_palette(const PaintByField& choice, const PaintingGround& ground);
 /// Colours as "#rrggbb", each with a pattern.
-std::vector<std::pair<std::string, std::string>> coloured_palette(const PaintByColours& choice,
-                                                                  const PaintingGround& ground);
+std::vector<std::pair<std::string, pattern::NamedPattern>> coloured_palette(const PaintByColours& choice,
+                                                                            const PaintingGround& ground);
 
 /// The property's values that the field's 0 and 1 stand for.
 std::pair<double, double> wanted_range(const PaintByField& choice,

@@ -38,24 +38,23 @@ Conditions Session::Impl::resolved(const LoadCase& load_case) {
 }
 
 /// The place of a pattern in the palette, or that behind its end.
-std::size_t Session::Impl::palette_entry(const std::string& id) const {
-    const std::vector<std::string>& palette = surface_.tessellation.patterns;
-    return static_cast<std::size_t>(std::ranges::find(palette, id) - palette.begin());
+std::size_t Session::Impl::palette_entry(const pattern::NamedPattern& pattern) const {
+    const std::vector<pattern::NamedPattern>& palette = surface_.tessellation.patterns;
+    return static_cast<std::size_t>(std::ranges::find(palette, pattern) - palette.begin());
 }
 
 void Session::Impl::paint(std::span<const TileIndex> tiles, const std::string& wanted) {
     require_tiles(surface_, tiles);
-    const std::string id = tiling::make_palette(surface_.layout, std::vector{wanted}).front();
-    const std::size_t entry = palette_entry(id);
-    const bool is_new = entry == surface_.patterns.size();
+    const pattern::NamedPattern pattern = tiling::make_palette(surface_.layout, std::vector{wanted}).front();
+    const std::size_t entry = palette_entry(pattern);
+    const bool is_new = entry == surface_.tessellation.patterns.size();
     const auto calibrations = !is_new               ? surface_.calibrations[entry]
-                              : calibration_source_ ? calibration_source_(id)
+                              : calibration_source_ ? calibration_source_(pattern.id)
                                                     : std::vector<reduction::Calibration>{};
     for (const TileIndex tile : tiles)
-        (void)detail::calibrated_parameters(calibrations, id, tile_model(surface_, choice(), tile));
+        (void)detail::calibrated_parameters(calibrations, pattern.id, tile_model(surface_, choice(), tile));
     if (is_new) {
-        surface_.tessellation.patterns.push_back(id);
-        surface_.patterns.push_back(pattern::parse_pattern_id(surface_.layout, id));
+        surface_.tessellation.patterns.push_back(pattern);
         surface_.calibrations.push_back(calibrations);
     }
     for (const TileIndex tile : tiles)
@@ -113,10 +112,10 @@ void Session::Impl::set_setting(const reduction::Setting& setting) {
 }
 
 void Session::Impl::set_calibrations(std::vector<std::vector<reduction::Calibration>> calibrations) {
-    if (calibrations.size() != surface_.patterns.size())
+    if (calibrations.size() != surface_.tessellation.patterns.size())
         throw base::InputError("there are calibrations of " + std::to_string(calibrations.size()) +
                                " patterns, where the surface has " +
-                               std::to_string(surface_.patterns.size()));
+                               std::to_string(surface_.tessellation.patterns.size()));
     std::swap(surface_.calibrations, calibrations);
     try {
         require_calibrations(surface_, choice());

@@ -35,11 +35,10 @@ struct TileBuilder::Request {
 };
 
 const pattern::Fan& TileBuilder::fan_of(const Surface& surface, const tiling::Tile& tile) {
-    const auto pattern = static_cast<std::size_t>(tile.pattern);
+    const auto& pattern = surface.tessellation.patterns[static_cast<std::size_t>(tile.pattern)];
     const std::size_t sides = tile.vertices.size();
-    const auto [entry, is_new] = fans_.try_emplace({surface.tessellation.patterns[pattern], sides});
-    if (is_new)
-        entry->second = pattern::make_fan(surface.layout, surface.patterns[pattern], static_cast<int>(sides));
+    const auto [entry, is_new] = fans_.try_emplace({pattern.id, sides});
+    if (is_new) entry->second = pattern::make_fan(surface.layout, pattern.pattern, static_cast<int>(sides));
     return entry->second;
 }
 
@@ -57,7 +56,7 @@ TileBuilder::Request TileBuilder::request(const TilesToBuild& wanted, tiling::Ti
     if (model.sharing == reduction::Sharing::None) return request;
     OwnAxes axes = own_axes(request.polygon, grid);
     if (!geometry::is_convex(axes.polygon)) return request;
-    request.key = key_of(model, surface.tessellation.patterns[static_cast<std::size_t>(tile.pattern)], axes);
+    request.key = key_of(model, tiling::pattern_of(surface.tessellation, index)->id, axes);
     request.polygon = std::move(axes.polygon);
     request.tile.turn = axes.turn;
     request.tile.origin = axes.origin;

@@ -13,6 +13,7 @@
 namespace fretwork::simulation {
 namespace {
 
+using pattern::NamedPattern;
 using tiling::Painting;
 using tiling::Tessellation;
 using tiling::TileIndex;
@@ -36,7 +37,7 @@ Painting part_of(const Painting& painting, std::span<const TileIndex> tiles, std
 }
 
 /// The place of a pattern in a list that has each once; added if it is new.
-int place_in(std::vector<std::string>& patterns, const std::string& pattern) {
+int place_in(std::vector<NamedPattern>& patterns, const NamedPattern& pattern) {
     const auto known = std::ranges::find(patterns, pattern);
     const auto place = static_cast<int>(known - patterns.begin());
     if (known == patterns.end()) patterns.push_back(pattern);
@@ -116,7 +117,7 @@ class Painter {
         }
     }
 
-    static void check_colours(const std::vector<std::pair<std::string, std::string>>& palette,
+    static void check_colours(const std::vector<std::pair<std::string, NamedPattern>>& palette,
                               const outlines::ColouredDrawing& drawing, const std::string& file) {
         std::vector<std::string> there = drawing.colours();
         std::erase(there, "");
@@ -158,16 +159,16 @@ std::vector<TileIndex> paint(Tessellation& tessellation, std::span<const TileInd
 void mirror(Tessellation& tessellation, std::span<const TileIndex> tiles, const pattern::NodeLayout& layout) {
     const pattern::Mirror mirror(layout);
     Painting painting;
-    for (const std::string& id : tessellation.patterns) {
-        const auto image = mirror.image(pattern::parse_pattern_id(layout, id));
-        painting.patterns.push_back(image ? pattern::pattern_id(layout, *image) : "");
+    for (const NamedPattern& own : tessellation.patterns) {
+        const auto image = mirror.image(own.pattern);
+        painting.patterns.push_back(image ? pattern::named(layout, *image) : NamedPattern{});
     }
     for (const TileIndex tile : tiles) {
         const int now = tessellation.tiles[static_cast<std::size_t>(tile)].pattern;
         if (now < 0) throw base::InputError("tile " + std::to_string(tile) + " is not painted");
-        if (painting.patterns[static_cast<std::size_t>(now)].empty())
+        if (painting.patterns[static_cast<std::size_t>(now)].id.empty())
             throw base::InputError("the layout '" + layout.name() + "' has no mirror image of " +
-                                   tessellation.patterns[static_cast<std::size_t>(now)]);
+                                   tessellation.patterns[static_cast<std::size_t>(now)].id);
         painting.tiles.push_back(now);
     }
     tiling::paint_tiles(tessellation, tiles, painting);

@@ -61,19 +61,29 @@ Json tile_json(const Tile& tile) {
             {"pattern", tile.pattern}};
 }
 
-Tessellation read_tessellation(const JsonReader& json) {
+pattern::NamedPattern read_pattern(const JsonReader& id, const pattern::NodeLayout& layout) {
+    try {
+        return pattern::parse_named_pattern(layout, id.string());
+    } catch (const base::InputError& error) {
+        id.fail(error);
+    }
+}
+
+Tessellation read_tessellation(const JsonReader& json, const pattern::NodeLayout& layout) {
     json.allow_only({"vertices", "interface_nodes", "tiles", "patterns"});
     Tessellation tessellation;
+    tessellation.layout = layout.name();
     tessellation.vertices = read_points(json.at("vertices"));
     tessellation.interface_nodes = read_points(json.at("interface_nodes"));
     for (const JsonReader& tile : json.at("tiles").elements()) tessellation.tiles.push_back(read_tile(tile));
-    for (const JsonReader& id : json.at("patterns").elements()) tessellation.patterns.push_back(id.string());
+    for (const JsonReader& id : json.at("patterns").elements())
+        tessellation.patterns.push_back(read_pattern(id, layout));
     return tessellation;
 }
 
 Json tessellation_json(const Tessellation& tessellation) {
     Json json;
-    json["patterns"] = tessellation.patterns;
+    json["patterns"] = pattern::ids_of(tessellation.patterns);
     json["tiles"] = Json::array();
     for (const Tile& tile : tessellation.tiles) json["tiles"].push_back(tile_json(tile));
     json["vertices"] = points_json(tessellation.vertices);
@@ -119,17 +129,6 @@ void read_library_link(const JsonReader& json, Project& project) {
     json.allow_only({"path", "hash"});
     project.library_path = json.at("path").string();
     project.library_hash = json.at("hash").string();
-}
-
-/// Every id of the palette must be a pattern of the project's layout.
-void check_patterns(const JsonReader& json, const Project& project) {
-    for (const JsonReader& id : json.at("tessellation").at("patterns").elements()) {
-        try {
-            (void)pattern::parse_pattern_id(project.layout, id.string());
-        } catch (const base::InputError& error) {
-            id.fail(error);
-        }
-    }
 }
 
 /// Other stages check without knowing the file: add file and place to their errors.
@@ -184,9 +183,7 @@ Project project_from_json(const JsonReader& json) {
     project.outline = std::move(outlines.front());
     project.further_outlines.assign(std::make_move_iterator(outlines.begin() + 1),
                                     std::make_move_iterator(outlines.end()));
-    project.tessellation = read_tessellation(json.at("tessellation"));
-    project.tessellation.layout = project.layout.name();
-    check_patterns(json, project);
+    project.tessellation = read_tessellation(json.at("tessellation"), project.layout);
     in_place<base::InputError>(json.at("tessellation"), [&](const JsonReader&) {
         tiling::validate(project.tessellation, project.layout);
     });

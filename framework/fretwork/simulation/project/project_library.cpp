@@ -102,8 +102,7 @@ void check_calibrations(const std::string& file, const Project& project, const S
         try {
             const auto& model = tile_model(surface, choice, tile);
             const std::vector<double> values = tile_parameters(surface, tile, model);
-            const auto pattern = static_cast<std::size_t>(surface.tessellation.tiles[t].pattern);
-            check_values(values, surface.tessellation.patterns[pattern], model);
+            check_values(values, tiling::pattern_of(surface.tessellation, tile)->id, model);
         } catch (const base::InputError& error) {
             throw base::within(file, place_of_model(project, tile), error);
         }

@@ -14,9 +14,8 @@ using base::format_number;
 using mechanics::SectionForces;
 
 std::string pattern_of(const BeamRow& row, const Surface& surface) {
-    const auto& tessellation = surface.tessellation;
-    const int pattern = tessellation.tiles[static_cast<std::size_t>(row.tile)].pattern;
-    return pattern < 0 ? "" : tessellation.patterns[static_cast<std::size_t>(pattern)];
+    const pattern::NamedPattern* pattern = tiling::pattern_of(surface.tessellation, row.tile);
+    return pattern == nullptr ? "" : pattern->id;
 }
 
 double length_of(const BeamRow& row) {

@@ -46,7 +46,7 @@ std::vector<double> reaches_of(const Surface& surface, std::span<const TileIndex
         const int pattern = surface.tessellation.tiles[static_cast<std::size_t>(tile)].pattern;
         auto& fan = fans[{pattern, polygon.size()}];
         if (fan.nodes.empty())
-            fan = pattern::make_fan(surface.layout, surface.patterns[static_cast<std::size_t>(pattern)],
+            fan = pattern::make_fan(surface.layout, tiling::pattern_of(surface.tessellation, tile)->pattern,
                                     static_cast<int>(polygon.size()));
         const auto own = reduction::joint_reaches(fan, pattern::place_fan(surface.layout, fan, polygon));
         reaches.insert(reaches.end(), own.begin(), own.end());

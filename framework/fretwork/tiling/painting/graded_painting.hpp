@@ -4,14 +4,13 @@
 #include <fretwork/tiling/painting/painting.hpp>
 
 #include <span>
-#include <string>
 #include <vector>
 
 namespace fretwork::tiling {
 
 /// A pattern and a number that belongs to it, such as its mass.
 struct GradedPattern {
-    std::string pattern;  ///< id
+    pattern::NamedPattern pattern;
     double value = 0.0;
 };
 

@@ -16,6 +16,8 @@
 namespace fretwork::tiling {
 namespace {
 
+using pattern::NamedPattern;
+
 /// The filters that make a graph a pattern in every tile. The paper's other two filters have numbers, which
 /// are a matter of choice.
 std::vector<pattern::Filter> structural_filters(const pattern::NodeLayout& layout) {
@@ -34,25 +36,24 @@ class Palette {
 
     /// Throws InputError that names the pattern and the rule which it breaks.
     void add(std::string_view text) {
-        const pattern::Pattern pattern = pattern::parse_pattern_id(layout_, text);
-        const std::string id = pattern::pattern_id(layout_, pattern);
-        const pattern::Verdict verdict = pattern::judge(layout_, filters_, pattern);
+        pattern::NamedPattern pattern = pattern::parse_named_pattern(layout_, text);
+        const pattern::Verdict verdict = pattern::judge(layout_, filters_, pattern.pattern);
         if (!verdict.accepted)
-            throw base::InputError("'" + id + "' is not a valid pattern (" + verdict.filter +
+            throw base::InputError("'" + pattern.id + "' is not a valid pattern (" + verdict.filter +
                                    "): " + verdict.reason);
-        if (!known_.insert(id).second) throw base::InputError("names the pattern " + id + " twice");
-        ids_.push_back(id);
+        if (std::ranges::find(patterns_, pattern) != patterns_.end())
+            throw base::InputError("names the pattern " + pattern.id + " twice");
+        patterns_.push_back(std::move(pattern));
     }
-    [[nodiscard]] std::vector<std::string> ids() const { return ids_; }
+    [[nodiscard]] const std::vector<NamedPattern>& patterns() const { return patterns_; }
 
   private:
     const pattern::NodeLayout& layout_;
     std::vector<pattern::Filter> filters_;
-    std::set<std::string> known_;
-    std::vector<std::string> ids_;
+    std::vector<NamedPattern> patterns_;
 };
 
-std::vector<std::string> read_patterns(const base::JsonReader& list, const pattern::NodeLayout& layout) {
+std::vector<NamedPattern> read_patterns(const base::JsonReader& list, const pattern::NodeLayout& layout) {
     Palette palette(layout);
     for (const base::JsonReader& element : list.elements()) {
         const std::string id = element.string();
@@ -62,26 +63,26 @@ std::vector<std::string> read_patterns(const base::JsonReader& list, const patte
             element.fail(error);
         }
     }
-    if (palette.ids().empty()) list.fail("is empty, where at least one pattern is needed");
-    return palette.ids();
+    if (palette.patterns().empty()) list.fail("is empty, where at least one pattern is needed");
+    return palette.patterns();
 }
 
 }  // namespace
 
-std::vector<std::string> make_palette(const pattern::NodeLayout& layout, std::span<const std::string> ids) {
+std::vector<NamedPattern> make_palette(const pattern::NodeLayout& layout, std::span<const std::string> ids) {
     Palette palette(layout);
     for (const std::string& id : ids) palette.add(id);
-    return palette.ids();
+    return palette.patterns();
 }
 
-void paint_randomly(Tessellation& tessellation, std::span<const std::string> patterns, std::uint64_t seed) {
+void paint_randomly(Tessellation& tessellation, std::span<const NamedPattern> patterns, std::uint64_t seed) {
     if (patterns.empty()) throw base::InputError("there is no pattern to paint with");
     tessellation.patterns.assign(patterns.begin(), patterns.end());
     base::SplitMix64 random(seed);
     for (Tile& tile : tessellation.tiles) tile.pattern = static_cast<int>(random.below(patterns.size()));
 }
 
-void paint_uniformly(Tessellation& tessellation, const std::string& pattern) {
+void paint_uniformly(Tessellation& tessellation, const NamedPattern& pattern) {
     tessellation.patterns = {pattern};
     for (Tile& tile : tessellation.tiles) tile.pattern = 0;
 }
@@ -107,7 +108,7 @@ std::string painting_text(const Painting& painting, const pattern::NodeLayout& l
     base::Json json;
     json["format"] = "fretwork/painting/1";
     json["layout"] = layout.name();
-    json["patterns"] = painting.patterns;
+    json["patterns"] = pattern::ids_of(painting.patterns);
     if (!painting.tiles.empty()) json["tiles"] = painting.tiles;
     return base::json_text(json);
 }
@@ -140,7 +141,7 @@ Painting random_painting(std::size_t tiles, std::span<const WeightedPattern> pat
     std::vector<double> shares;  // up to and with each pattern
     for (const WeightedPattern& choice : patterns) {
         if (!(choice.weight > 0.0) || !std::isfinite(choice.weight))
-            throw base::InputError("the weight of " + choice.pattern + " is not above zero");
+            throw base::InputError("the weight of " + choice.pattern.id + " is not above zero");
         painting.patterns.push_back(choice.pattern);
         shares.push_back((shares.empty() ? 0.0 : shares.back()) + choice.weight);
     }
@@ -162,7 +163,7 @@ void paint_tiles(Tessellation& tessellation, std::span<const TileIndex> tiles, c
         throw base::InputError("the painting is for " + std::to_string(painting.tiles.size()) +
                                " tiles, and " + std::to_string(tiles.size()) + " are to be painted");
     const std::size_t before = tessellation.patterns.size();
-    std::vector<std::string> all = tessellation.patterns;
+    std::vector<NamedPattern> all = tessellation.patterns;
     std::ranges::copy(painting.patterns, std::back_inserter(all));
     for (std::size_t i = 0; i < tiles.size(); ++i)
         tessellation.tiles[static_cast<std::size_t>(tiles[i])].pattern =
@@ -171,7 +172,7 @@ void paint_tiles(Tessellation& tessellation, std::span<const TileIndex> tiles, c
     std::vector<int> place(all.size(), -1);
     std::set<int> used;
     for (const Tile& tile : tessellation.tiles) used.insert(tile.pattern);
-    std::vector<std::string> kept;
+    std::vector<NamedPattern> kept;
     for (std::size_t i = 0; i < all.size(); ++i) {
         if (!used.contains(static_cast<int>(i))) continue;
         const auto known = std::ranges::find(kept, all[i]);

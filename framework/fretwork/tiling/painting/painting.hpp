@@ -16,19 +16,21 @@ namespace fretwork::tiling {
 /// The patterns of these ids, in their order, as a painting may have them. Throws InputError that names the
 /// pattern and the rule if one crosses itself, misses an interface node, falls apart or has a part that bears
 /// nothing, or is named twice.
-std::vector<std::string> make_palette(const pattern::NodeLayout& layout, std::span<const std::string> ids);
+std::vector<pattern::NamedPattern> make_palette(const pattern::NodeLayout& layout,
+                                                std::span<const std::string> ids);
 
-/// Paint every tile with one of the patterns, uniformly at random. `patterns` are ids; the same seed gives
-/// the same painting on every machine. Throws InputError if there is no pattern to choose from.
-void paint_randomly(Tessellation& tessellation, std::span<const std::string> patterns, std::uint64_t seed);
+/// Paint every tile with one of the patterns, uniformly at random; the same seed gives the same painting on
+/// every machine. Throws InputError if there is no pattern to choose from.
+void paint_randomly(Tessellation& tessellation, std::span<const pattern::NamedPattern> patterns,
+                    std::uint64_t seed);
 
 /// Paint every tile with the same pattern.
-void paint_uniformly(Tessellation& tessellation, const std::string& pattern);
+void paint_uniformly(Tessellation& tessellation, const pattern::NamedPattern& pattern);
 
 /// The content of a painting file: the patterns in use, and for each tile one of them (an index into
 /// `patterns`). A file without tiles is a palette.
 struct Painting {
-    std::vector<std::string> patterns;
+    std::vector<pattern::NamedPattern> patterns;
     std::vector<int> tiles;
 };
 
@@ -55,7 +57,7 @@ void paint(Tessellation& tessellation, const Painting& painting);
 
 /// A pattern and its weight against those of the others.
 struct WeightedPattern {
-    std::string pattern;  ///< id
+    pattern::NamedPattern pattern;
     double weight = 1.0;
 };
 

@@ -46,7 +46,7 @@ class PatternLegend {
         : surface_(&surface), used_(tiling::used_patterns(surface.tessellation)), text_(text_height(width)) {
         std::size_t longest = 1;
         for (const std::size_t pattern : used_) {
-            ids_.push_back(id_lines(surface.tessellation.patterns[pattern], kLineLength));
+            ids_.push_back(id_lines(surface.tessellation.patterns[pattern].id, kLineLength));
             most_lines_ = std::max(most_lines_, static_cast<int>(ids_.back().size()));
             for (const std::string& line : ids_.back()) longest = std::max(longest, line.size());
         }
@@ -88,7 +88,8 @@ class PatternLegend {
             return points;
         };
         const geometry::Polygon hexagon = geometry::regular_polygon(6, side);
-        const pattern::Fan fan = pattern::make_fan(surface_->layout, surface_->patterns[pattern], 6);
+        const pattern::Fan fan =
+            pattern::make_fan(surface_->layout, surface_->tessellation.patterns[pattern].pattern, 6);
         const auto nodes = move(pattern::place_fan(surface_->layout, fan, hexagon));
         canvas.polygon(move(hexagon), {pattern_colour(static_cast<int>(pattern)), "none", 0.0, 1.0});
         std::vector<std::array<Point2, 2>> beams;
