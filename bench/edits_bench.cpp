@@ -94,7 +94,7 @@ const Lattice& lattice_of(int tiles) {
     assembly.loads = NodeValues::Zero(assembly.reported_nodes, kDofsPerNode);
     const double right = kApothem * std::sqrt(3.0) * (columns - 1);
     for (int i = 0; i < assembly.reported_nodes; ++i) {
-        const double x = assembly.nodes[static_cast<std::size_t>(i)].x();
+        const double x = assembly.nodes[i].x();
         if (x < 0.0) assembly.supports.push_back({NodeIndex(i), DofSet::all()});
         if (x > right) assembly.loads.row(i) << 1e-3, 0.0, 1e-3, 0.0, 0.0, 0.0;
     }

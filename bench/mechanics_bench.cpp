@@ -92,8 +92,7 @@ Frame hexagon() {
         std::array<int, 6> nodes{};
         for (int i = 0; i < 6; ++i) {
             const double angle = (degrees + 60.0 * i) * std::numbers::pi / 180.0;
-            nodes[static_cast<std::size_t>(i)] =
-                builder.node(radius * std::cos(angle), radius * std::sin(angle));
+            nodes[i] = builder.node(radius * std::cos(angle), radius * std::sin(angle));
         }
         return nodes;
     };

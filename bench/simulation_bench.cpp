@@ -70,7 +70,7 @@ void place_interface_nodes(tiling::Tessellation& tessellation) {
     Points nodes;
     for (tiling::Tile& tile : tessellation.tiles) {
         for (std::size_t k = 0; k < 6; ++k) {
-            const auto& a = tessellation.vertices[static_cast<std::size_t>(tile.vertices[k])];
+            const auto& a = tessellation.vertices[tile.vertices[k]];
             const auto& b = tessellation.vertices[static_cast<std::size_t>(tile.vertices[(k + 1) % 6])];
             tile.interface_nodes.emplace_back(nodes.number({(a.x + b.x) / 2, (a.y + b.y) / 2}));
         }

@@ -41,10 +41,9 @@ simulation::Project irregular(int tiles) {
     }
     for (const tiling::Tile& tile : tessellation.tiles) {
         for (std::size_t k = 0; k < 6; ++k) {
-            const auto& a = tessellation.vertices[static_cast<std::size_t>(tile.vertices[k])];
+            const auto& a = tessellation.vertices[tile.vertices[k]];
             const auto& b = tessellation.vertices[static_cast<std::size_t>(tile.vertices[(k + 1) % 6])];
-            tessellation.interface_nodes[static_cast<std::size_t>(tile.interface_nodes[k].value)] = {
-                (a.x + b.x) / 2, (a.y + b.y) / 2};
+            tessellation.interface_nodes[tile.interface_nodes[k]] = {(a.x + b.x) / 2, (a.y + b.y) / 2};
         }
     }
     project.setting = reduction::paper_setting();

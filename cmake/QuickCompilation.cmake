@@ -40,7 +40,7 @@ function(fretwork_share_compilation target precompiled options)
   # GCC takes a class that is private to one source, and is the member of another class, for one that several
   # sources see. In large sources it also believes that texts may have a negative length.
   target_compile_options(${target} PRIVATE -fPIC ${options}
-    $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage -Wno-stringop-overflow -Wno-array-bounds>)
+    $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage -Wno-stringop-overflow -Wno-array-bounds -Wno-maybe-uninitialized>)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${FRETWORK_SOURCES_AT_ONCE}
                                              CXX_EXTENSIONS OFF)
   target_precompile_headers(${target} REUSE_FROM ${precompiled})

@@ -38,7 +38,7 @@ std::shared_ptr<const reduction::TileStructure> turning_tile(const TileModel& li
     const auto places = pattern::place_fan(input.layout, input.fan, input.polygon);
     mechanics::CorotationalBody::Parts parts;
     for (int i = 0; i < input.fan->interface_node_count; ++i) {
-        const geometry::Point2& place = places[static_cast<std::size_t>(i)];
+        const geometry::Point2& place = places[i];
         parts.nodes.emplace_back(place.x, place.y, 0.0);
     }
     parts.stiffness = mechanics::condense(assemble(tile_parts(*tile, parts.nodes)),

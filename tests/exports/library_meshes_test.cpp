@@ -49,7 +49,7 @@ TEST(LibraryMeshes, LieInTheSettingsHexagon) {
         // Interface node i at angle 270 + 60 i degrees, on the middle of a side.
         const double angle = (270.0 + 60.0 * i) * std::acos(-1.0) / 180.0;
         const Eigen::Vector3d place(inradius * std::cos(angle), inradius * std::sin(angle), 0.0);
-        EXPECT_LT((lines.nodes[static_cast<std::size_t>(i)] - place).norm(), 1e-15);
+        EXPECT_LT((lines.nodes[i] - place).norm(), 1e-15);
     }
 }
 

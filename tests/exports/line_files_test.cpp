@@ -183,7 +183,7 @@ TEST(SolutionLines, ShowADividedBeamAsItBends) {
     for (const Eigen::Vector3d& place : displaced_nodes(lines))
         EXPECT_NEAR((place - Eigen::Vector3d(0.0, radius, 0.0)).norm(), radius, 1e-6);
     for (const auto& [from, to] : lines.lines) {
-        const auto at = [&](int node) { return lines.nodes[static_cast<std::size_t>(node)]; };
+        const auto at = [&](int node) { return lines.nodes[node]; };
         EXPECT_NEAR((at(from) - at(to)).norm(), 1.0 / 8.0, 1e-15);
     }
     ASSERT_EQ(lines.fields.size(), 1U);

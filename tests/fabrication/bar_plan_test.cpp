@@ -25,8 +25,8 @@ TEST(BarPlan, AFrameRunsAlongTheRimAndNowhereElse) {
     double length = 0.0;
     for (const Bar& bar : plan.bars) {
         if (bar.width != 0.004) continue;
-        const Point2& a = plan.nodes[static_cast<std::size_t>(bar.nodes[0])];
-        const Point2& b = plan.nodes[static_cast<std::size_t>(bar.nodes[1])];
+        const Point2& a = plan.nodes[bar.nodes[0]];
+        const Point2& b = plan.nodes[bar.nodes[1]];
         length += std::hypot(b.x - a.x, b.y - a.y);
     }
     EXPECT_NEAR(length, 10.0 * kSide, 1e-12);  // two hexagons with one side in common

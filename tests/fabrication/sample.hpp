@@ -108,8 +108,8 @@ inline BarPlan star(int bars, double length) {
 inline double area_of_bars(const BarPlan& plan) {
     double sum = 0.0;
     for (const Bar& bar : plan.bars) {
-        const Point2& a = plan.nodes[static_cast<std::size_t>(bar.nodes[0])];
-        const Point2& b = plan.nodes[static_cast<std::size_t>(bar.nodes[1])];
+        const Point2& a = plan.nodes[bar.nodes[0]];
+        const Point2& b = plan.nodes[bar.nodes[1]];
         sum += bar.width * std::hypot(b.x - a.x, b.y - a.y) + 0.25 * kPi * bar.width * bar.width;
     }
     return sum;

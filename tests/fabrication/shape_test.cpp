@@ -183,8 +183,11 @@ TEST(Shape, OpeningsAreThoseOfTheGraphWhereBarsAreThin) {
 TEST(Shape, DoesNotDependOnWhereTheSurfaceLies) {
     simulation::Surface surface = honeycomb(3, 3, sample_patterns(9));
     const Shape here = make_shape(surface);
-    for (auto* points : {&surface.tessellation.vertices, &surface.tessellation.interface_nodes})
-        for (Point2& point : *points) point = {point.x + 1.2345678, point.y - 2.3456789};
+    const auto move = [](auto& points) {
+        for (Point2& point : points) point = {point.x + 1.2345678, point.y - 2.3456789};
+    };
+    move(surface.tessellation.vertices);
+    move(surface.tessellation.interface_nodes);
     const Shape there = make_shape(surface);
     EXPECT_NEAR(area(here), area(there), kAreaTolerance);
     EXPECT_EQ(opening_count(here), opening_count(there));

@@ -62,8 +62,8 @@ std::string deck_of(const Frame& frame) {
     int label = static_cast<int>(frame.nodes.size());
     int element = 0;
     for (const Beam& beam : frame.beams) {
-        const Eigen::Vector3d& from = frame.nodes[static_cast<std::size_t>(beam.nodes[0].value)];
-        const Eigen::Vector3d& to = frame.nodes[static_cast<std::size_t>(beam.nodes[1].value)];
+        const Eigen::Vector3d& from = frame.nodes[beam.nodes[0]];
+        const Eigen::Vector3d& to = frame.nodes[beam.nodes[1]];
         std::vector<int> along{beam.nodes[0].value + 1};
         for (int k = 1; k < 2 * kElements; ++k) {
             nodes += line(++label, from + (to - from) * k / (2.0 * kElements));

@@ -101,10 +101,7 @@ TEST(Condensation, MassInRigidMotionsIsThatOfTheBeams) {
     const Eigen::MatrixXd mass = condense_mass(assemble(frame), tips());
     double total = 0.0;
     for (const Beam& beam : frame.beams)
-        total += 1240.0 * 4e-6 *
-                 (frame.nodes[static_cast<std::size_t>(beam.nodes[1].value)] -
-                  frame.nodes[static_cast<std::size_t>(beam.nodes[0].value)])
-                     .norm();
+        total += 1240.0 * 4e-6 * (frame.nodes[beam.nodes[1]] - frame.nodes[beam.nodes[0]]).norm();
     for (int c = 0; c < 3; ++c) {
         Eigen::VectorXd motion = Eigen::VectorXd::Zero(36);
         for (Eigen::Index i = c; i < 36; i += 6) motion[i] = 1.0;

@@ -228,8 +228,7 @@ TEST(Equilibrium, ReactionsBalanceTheLoadsInTheDeformedShape) {
     Vector3d force = Vector3d::Zero();
     Vector3d moment = Vector3d::Zero();
     for (Eigen::Index i = 0; i < 12; ++i) {
-        const Vector3d at = frame.nodes[static_cast<std::size_t>(i)] +
-                            Vector3d(solution.displacements.row(i).head<3>().transpose());
+        const Vector3d at = frame.nodes[i] + Vector3d(solution.displacements.row(i).head<3>().transpose());
         const Vector3d f = (assembly.loads.row(i) + solution.reactions.row(i)).head<3>().transpose();
         force += f;
         moment +=

@@ -172,7 +172,7 @@ TEST(LinearSolver, PatchTestOfUnequalBeamsGivesConstantStrains) {
     frame.loads.push_back({NodeIndex(1), {1e5, 0, 0}, {100.0, 200.0, 300.0}});
     const Solution solution = solve_linear(assemble(frame));
     for (Eigen::Index i = 0; i < 4; ++i) {
-        const double x = frame.nodes[static_cast<std::size_t>(i)].x();
+        const double x = frame.nodes[i].x();
         EXPECT_NEAR(solution.displacements(i, 0), 1e-2 * x, 1e-12);
         EXPECT_NEAR(solution.displacements(i, 3), 100.0 / (5e8 * 2.5e-6) * x, 1e-12);
         EXPECT_NEAR(solution.displacements(i, 2), -0.1 * x * x, 1e-11);

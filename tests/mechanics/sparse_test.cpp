@@ -82,8 +82,7 @@ class RandomSystem {
     }
 
     [[nodiscard]] int equation(std::span<const int> nodes, Eigen::Index place) const {
-        return layout_->equation(nodes[static_cast<std::size_t>(place / kBlockSize)],
-                                 static_cast<int>(place % kBlockSize));
+        return layout_->equation(nodes[place / kBlockSize], static_cast<int>(place % kBlockSize));
     }
 
     void add_node(int node) {

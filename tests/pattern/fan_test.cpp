@@ -66,7 +66,7 @@ TEST(Fan, NeighbouringSectorsShareTheirRadialNodes) {
     const Fan fan = paper7_fan("1-3+1-6");
     EXPECT_EQ(fan.nodes.size(), 12u);  // 6 interface nodes and a ring of 6
     for (const Fan::Node& node : fan.nodes)
-        EXPECT_NE(paper7().nodes()[static_cast<std::size_t>(node.layout_node)].region, Region::RightRadial);
+        EXPECT_NE(paper7().nodes()[node.layout_node].region, Region::RightRadial);
     // The ring's edge of sector t joins node 1 of sector t with node 1 of sector t + 1.
     for (int t = 0; t < 6; ++t) {
         const FanNodeIndex a(6 + t);
@@ -80,8 +80,8 @@ TEST(Fan, NeighbouringSectorsShareTheirRadialNodes) {
 TEST(Fan, ABeamToTheRightRadialNodeEndsAtTheNextSectorsLeftOne) {
     const Fan fan = paper7_fan("3-6");
     for (const auto& [first, second] : fan.edges) {
-        const Fan::Node& outer = fan.nodes[static_cast<std::size_t>(first)];
-        const Fan::Node& inner = fan.nodes[static_cast<std::size_t>(second)];
+        const Fan::Node& outer = fan.nodes[first];
+        const Fan::Node& inner = fan.nodes[second];
         EXPECT_EQ(inner, (Fan::Node{LayoutNodeIndex(1), (outer.sector + 1) % 6}));
     }
 }

@@ -42,7 +42,7 @@ std::vector<Beam> beams_of(const NodeLayout& layout) {
     std::vector<Beam> beams;
     for (int t = 0; t < kSides; ++t) {
         const auto place = [&](LayoutNodeIndex node) {
-            const auto& b = layout.nodes()[static_cast<std::size_t>(node)].place;
+            const auto& b = layout.nodes()[node].place;
             return b[1].to_double() * std::polar(1.0, t * std::numbers::pi / 3) +
                    b[2].to_double() * std::polar(1.0, (t + 1) * std::numbers::pi / 3);
         };

@@ -253,7 +253,7 @@ TEST(AnyLayout, MembraneStiffnessIsThatOfThePeriodicTile) {
         MatrixXd strained = MatrixXd::Zero(36, 3);
         for (int n = 0; n < 12; ++n) {
             for (const int dof : {0, 1, 5}) dofs.push_back(6 * n + dof);
-            const Vector3d& p = nodes[static_cast<std::size_t>(n)];
+            const Vector3d& p = nodes[n];
             strained.middleRows<3>(3 * n) << p.x(), 0, p.y() / 2, 0, p.y(), p.x() / 2, 0, 0, 0;
         }
         const MatrixXd membrane = K(dofs, dofs);

@@ -140,7 +140,7 @@ TEST(StiffJoints, LetATileMoveAsARigidBody) {
     const Eigen::MatrixXd stiffness = condensed_frame(frame, 6);
     Eigen::MatrixXd motions = Eigen::MatrixXd::Zero(36, 6);
     for (Eigen::Index i = 0; i < 6; ++i) {
-        const Eigen::Vector3d& place = frame.nodes[static_cast<std::size_t>(i)];
+        const Eigen::Vector3d& place = frame.nodes[i];
         motions.block<6, 6>(6 * i, 0).setIdentity();
         for (Eigen::Index axis = 0; axis < 3; ++axis)
             motions.block<3, 1>(6 * i, 3 + axis) = Eigen::Vector3d::Unit(axis).cross(place);

@@ -27,7 +27,7 @@ TEST(PatternFrame, HasTheInterfaceNodesOfTheReferenceHexagonFirst) {
     for (int i = 0; i < 6; ++i) {
         const double angle = (270.0 + 60.0 * i) * std::numbers::pi / 180.0;
         const Eigen::Vector3d expected(0.0225 * std::cos(angle), 0.0225 * std::sin(angle), 0.0);
-        EXPECT_LT((frame.nodes[static_cast<std::size_t>(i)] - expected).norm(), 1e-15);
+        EXPECT_LT((frame.nodes[i] - expected).norm(), 1e-15);
     }
     EXPECT_EQ(frame.beams.size(), 12U) << "two edges, six sectors";
 }

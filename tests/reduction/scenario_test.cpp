@@ -43,7 +43,7 @@ Eigen::Matrix<double, 6, 1> resultant(const mechanics::NodeValues& loads, const 
         const Eigen::Vector3d force = loads.row(node).head<3>();
         const Eigen::Vector3d moment = loads.row(node).tail<3>();
         sum.head<3>() += force;
-        sum.tail<3>() += moment + frame.nodes[static_cast<std::size_t>(node)].cross(force);
+        sum.tail<3>() += moment + frame.nodes[node].cross(force);
     }
     return sum;
 }

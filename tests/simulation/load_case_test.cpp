@@ -49,7 +49,7 @@ TEST(SelectNodes, AtASidePicksRimNodesThere) {
     double lowest = 1.0;
     for (const auto& node : project.tessellation.interface_nodes) lowest = std::min(lowest, node.x);
     for (const auto node : left) {
-        EXPECT_LE(project.tessellation.interface_nodes[static_cast<std::size_t>(node)].x, lowest + 0.026);
+        EXPECT_LE(project.tessellation.interface_nodes[node].x, lowest + 0.026);
     }
     EXPECT_NE(numbers(left), numbers(select_nodes(NodesAtSide{Side::Right}, project.tessellation)));
 }
@@ -94,8 +94,8 @@ TEST(Conditions, GravityIsTheWeightOfAllBeams) {
     double length = 0.0;
     const tiling::TessellationFan fan = surface_fan(surface);
     for (const auto& edge : fan.edges) {
-        const auto& a = fan.nodes[static_cast<std::size_t>(edge.nodes[0])];
-        const auto& b = fan.nodes[static_cast<std::size_t>(edge.nodes[1])];
+        const auto& a = fan.nodes[edge.nodes[0]];
+        const auto& b = fan.nodes[edge.nodes[1]];
         length += std::hypot(a.x - b.x, a.y - b.y);
     }
     double weight = 0.0;
@@ -264,8 +264,8 @@ TEST(LineLoad, BetweenTwoPointsRunsTheShorterWayAlongTheRim) {
     const Surface surface = make_surface(test::honeycomb(4, 3, {"0-1+1-6"}), nullptr);
     const auto& vertices = surface.tessellation.vertices;
     const tiling::Tile& corner = surface.tessellation.tiles.front();  // its first side faces down
-    const geometry::Point2 a = vertices[static_cast<std::size_t>(corner.vertices[0])];
-    const geometry::Point2 b = vertices[static_cast<std::size_t>(corner.vertices[1])];
+    const geometry::Point2 a = vertices[corner.vertices[0]];
+    const geometry::Point2 b = vertices[corner.vertices[1]];
     const geometry::Point2 middle{(a.x + b.x) / 2, (a.y + b.y) / 2 - 0.01};
     LoadCase load_case;
     load_case.name = "rail";

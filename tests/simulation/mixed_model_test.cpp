@@ -81,12 +81,10 @@ TEST(MixedModel, PutsNoTileInFullThatHasAModelOfItsOwn) {
     const auto free = solved("mixed:0.1");
     Surface painted = surface();
     painted.tile_models.assign(12, "");
-    for (const int tile : free.subject->full_tiles)
-        painted.tile_models[static_cast<std::size_t>(tile)] = "condensed";
+    for (const int tile : free.subject->full_tiles) painted.tile_models[tile] = "condensed";
     const auto result = simulate(painted, heavy(), {.model = "mixed:0.1"});
     EXPECT_EQ(result.subject->full_tiles.size(), free.subject->full_tiles.size());
-    for (const int tile : result.subject->full_tiles)
-        EXPECT_EQ(painted.tile_models[static_cast<std::size_t>(tile)], "") << tile;
+    for (const int tile : result.subject->full_tiles) EXPECT_EQ(painted.tile_models[tile], "") << tile;
     EXPECT_EQ(result.subject->model, "mixed:0.1; condensed (2 tiles)");
 }
 

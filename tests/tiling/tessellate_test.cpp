@@ -54,7 +54,7 @@ std::vector<Polygon> rims_of(const Tessellation& tessellation) {
     while (!next.empty()) {
         rims.emplace_back();
         for (auto at = next.begin(); at != next.end();) {
-            rims.back().push_back(tessellation.vertices[static_cast<std::size_t>(at->first)]);
+            rims.back().push_back(tessellation.vertices[at->first]);
             const int to = at->second;
             next.erase(at);
             at = next.find(to);

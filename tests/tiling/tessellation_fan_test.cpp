@@ -52,7 +52,7 @@ TEST(TessellationFan, EveryTileHasTheFanOfItsPatternInItsPolygon) {
         const auto places = pattern::place_fan(layout, fan, tile_polygon(tessellation, TileIndex(t)));
         ASSERT_EQ(all.tile_nodes[t].size(), places.size());
         for (std::size_t i = 0; i < places.size(); ++i) {
-            const Point2 there = all.nodes[static_cast<std::size_t>(all.tile_nodes[t][i].value)];
+            const Point2 there = all.nodes[all.tile_nodes[t][i]];
             EXPECT_NEAR(there.x, places[i].x, 1e-15);
             EXPECT_NEAR(there.y, places[i].y, 1e-15);
         }

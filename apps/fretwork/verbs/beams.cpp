@@ -65,7 +65,7 @@ void print(const simulation::BeamTable& table, const simulation::Surface& surfac
     std::printf("%6s %6s  %-20s %9s %9s %10s %10s%s\n", "beam", "tile", "pattern", "x mm", "y mm", "N", "MPa",
                 table.strength ? "   share of strength" : "");
     for (const simulation::BeamRow& row : simulation::most_stressed(table, top)) {
-        const int pattern = tessellation.tiles[static_cast<std::size_t>(row.tile)].pattern;
+        const int pattern = tessellation.tiles[row.tile].pattern;
         const std::size_t worse = row.stress[0] >= row.stress[1] ? 0 : 1;
         const Eigen::Vector3d& place = row.places[worse];
         std::printf("%6zu %6d  %-20s %9.1f %9.1f %10.4g %10.4g", row.beam, row.tile.value,

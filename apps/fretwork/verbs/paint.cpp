@@ -125,8 +125,7 @@ std::vector<TileIndex> paint_project(Project& project, std::vector<TileIndex> ti
         }
     }
     if (options.mirror) simulation::mirror(tessellation, tiles, project.layout);
-    for (const TileIndex tile : tiles)
-        tiling::turn(tessellation.tiles[static_cast<std::size_t>(tile)], options.turn);
+    for (const TileIndex tile : tiles) tiling::turn(tessellation.tiles[tile], options.turn);
     return tiles;
 }
 
@@ -135,7 +134,7 @@ std::map<std::string, int> pattern_counts(const tiling::Tessellation& tessellati
                                           const std::vector<TileIndex>& tiles) {
     std::map<std::string, int> counts;
     for (const TileIndex tile : tiles) {
-        const int pattern = tessellation.tiles[static_cast<std::size_t>(tile)].pattern;
+        const int pattern = tessellation.tiles[tile].pattern;
         if (pattern >= 0) ++counts[tessellation.patterns[static_cast<std::size_t>(pattern)].id];
     }
     return counts;

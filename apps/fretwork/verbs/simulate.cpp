@@ -105,7 +105,7 @@ base::Json stability_losses_json(const simulation::SurfaceResult& result) {
     base::Json losses = base::Json::array();
     for (const mechanics::StabilityLoss& loss : result.solution.stability_losses)
         losses.push_back({{"load_factor", loss.load_factor},
-                          {"node", result.nodes[static_cast<std::size_t>(loss.node.value)].id},
+                          {"node", result.nodes[loss.node].id},
                           {"component", mechanics::kDofNames[static_cast<std::size_t>(loss.dof)]},
                           {"pushed", loss.pushed}});
     return losses;

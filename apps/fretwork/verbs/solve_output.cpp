@@ -82,7 +82,7 @@ std::string ending_text(const mechanics::Result& result, mechanics::Branch branc
 }  // namespace
 
 std::string component_text(const mechanics::Result& result, const mechanics::StabilityLoss& loss) {
-    return "node " + std::to_string(result.nodes[static_cast<std::size_t>(loss.node.value)].id) + " along " +
+    return "node " + std::to_string(result.nodes[loss.node].id) + " along " +
            std::string(mechanics::kDofNames[static_cast<std::size_t>(loss.dof)]);
 }
 

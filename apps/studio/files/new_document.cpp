@@ -31,9 +31,11 @@ void add_remarks(const simulation::NewProject& made, std::vector<std::string>& r
 }
 
 void scale(tiling::Tessellation& tessellation, double factor) {
-    for (auto* points : {&tessellation.vertices, &tessellation.interface_nodes}) {
-        for (geometry::Point2& point : *points) point = {factor * point.x, factor * point.y};
-    }
+    const auto scale_all = [factor](auto& points) {
+        for (geometry::Point2& point : points) point = {factor * point.x, factor * point.y};
+    };
+    scale_all(tessellation.vertices);
+    scale_all(tessellation.interface_nodes);
 }
 
 /// The faces of a mesh are read from its file, and scaled as its outline was.

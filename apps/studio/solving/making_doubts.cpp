@@ -23,8 +23,7 @@ void add_overlaps(const simulation::Surface& surface, const base::Control& contr
     for (const simulation::CloseBars& pair : close) {
         if (doubts.places.size() == MakingDoubts::kMostPlaces) return;
         const auto& ends = beams.ends[pair.bars[0]];
-        const Eigen::Vector3d middle = 0.5 * (beams.nodes[static_cast<std::size_t>(ends[0])] +
-                                              beams.nodes[static_cast<std::size_t>(ends[1])]);
+        const Eigen::Vector3d middle = 0.5 * (beams.nodes[ends[0]] + beams.nodes[ends[1]]);
         doubts.places.push_back({"overlap", {middle.x(), middle.y()}, pair.gap});
     }
 }

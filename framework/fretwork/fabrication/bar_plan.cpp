@@ -57,7 +57,7 @@ void join_coincident_nodes(BarPlan& plan) {
             node = TessellationNodeIndex(first[static_cast<std::size_t>(node)]);
         if (bar.nodes[0] == bar.nodes[1])
             throw base::GeometryError("tile " + std::to_string(bar.tile) + " has a beam without length at " +
-                                      place_text(plan.nodes[static_cast<std::size_t>(bar.nodes[0])]));
+                                      place_text(plan.nodes[bar.nodes[0]]));
     }
 }
 

@@ -134,7 +134,7 @@ class FactFinder {
         for (const BarAngle& one : angles) {
             if (one.angle >= options_.sharp_angle) break;
             if (++count > kMostOfOneKind) continue;
-            const Point2& place = plan_.nodes[static_cast<std::size_t>(one.node)];
+            const Point2& place = plan_.nodes[one.node];
             warn(where(one.tile, one.node, place) + "two beams meet at " +
                      short_number(one.angle * 180.0 / std::numbers::pi) + " degrees",
                  place);
@@ -198,7 +198,7 @@ class FactFinder {
         else if (loads.load_case != nullptr)
             estimate_stress(*loads.load_case);
         if (!facts_.stress || !facts_.strength || facts_.stress->value <= *facts_.strength) return;
-        const Point2& place = plan_.nodes[static_cast<std::size_t>(facts_.stress->node)];
+        const Point2& place = plan_.nodes[facts_.stress->node];
         warn(where(facts_.stress->tile, facts_.stress->node, place) + "a stress of " +
                  short_number(facts_.stress->value * 1e-6) + " MPa, above the strength of " +
                  short_number(*facts_.strength * 1e-6) + " MPa",

@@ -138,9 +138,7 @@ std::vector<NarrowPlace> narrow_openings(const Shape& shape, double clearance, c
 void name_places(std::vector<NarrowPlace>& places, const BarPlan& plan, const base::Control& control) {
     if (places.empty()) return;
     std::vector<Box> boxes;
-    const auto end = [&](const Bar& bar, std::size_t i) {
-        return plan.nodes[static_cast<std::size_t>(bar.nodes[i])];
-    };
+    const auto end = [&](const Bar& bar, std::size_t i) { return plan.nodes[bar.nodes[i]]; };
     for (const Bar& bar : plan.bars) boxes.push_back(box_of(std::array{end(bar, 0), end(bar, 1)}));
     const geometry::BoxGrid grid(boxes);
     for (NarrowPlace& narrow : places) {

@@ -76,9 +76,7 @@ class ShapeMaker {
     }
 
   private:
-    [[nodiscard]] Point2 place(TessellationNodeIndex node) const {
-        return plan_.nodes[static_cast<std::size_t>(node)];
-    }
+    [[nodiscard]] Point2 place(TessellationNodeIndex node) const { return plan_.nodes[node]; }
 
     [[nodiscard]] std::vector<Patch> make_patches() const {
         std::vector<Patch> patches = bar_patches(plan_, options_.kerf);

@@ -124,7 +124,7 @@ class SheetCutter {
         const bool knob_first = part_of_tile_[first] < part_of_tile_[second];
         for (std::size_t i = 0; i < per_side; ++i) {
             const auto node = tile.interface_nodes[side * per_side + i];
-            const Point2 place = surface_.tessellation.interface_nodes[static_cast<std::size_t>(node)];
+            const Point2 place = surface_.tessellation.interface_nodes[node];
             require_room(place, {from, to}, node);
             joints_.push_back({joints_.size() + 1, place, knob_first ? outward : -1.0 * outward,
                                part_of_tile_[knob_first ? first : second],
@@ -218,7 +218,7 @@ class SheetCutter {
     void add_bolts(JointCut& cut) const {
         if (options_.bolt_diameter == 0.0) return;
         for (const TessellationNodeIndex node : options_.bolts) {
-            const Point2& place = plan_.nodes[static_cast<std::size_t>(node)];
+            const Point2& place = plan_.nodes[node];
             cut.discs.push_back({place, options_.eye_radius()});
             cut.discs.push_back({place, options_.hole_radius()});
         }

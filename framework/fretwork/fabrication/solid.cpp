@@ -106,9 +106,9 @@ Solid make_solid(const Shape& shape, const SolidOptions& options) {
 double volume(const Solid& solid) {
     double sum = 0.0;
     for (const auto& [a, b, c] : solid.triangles) {
-        const auto& p = solid.vertices[static_cast<std::size_t>(a)];
-        const auto& q = solid.vertices[static_cast<std::size_t>(b)];
-        const auto& r = solid.vertices[static_cast<std::size_t>(c)];
+        const auto& p = solid.vertices[a];
+        const auto& q = solid.vertices[b];
+        const auto& r = solid.vertices[c];
         sum += p[0] * (q[1] * r[2] - q[2] * r[1]) + p[1] * (q[2] * r[0] - q[0] * r[2]) +
                p[2] * (q[0] * r[1] - q[1] * r[0]);
     }

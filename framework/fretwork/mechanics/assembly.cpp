@@ -58,9 +58,7 @@ class Assembler {
 
     NodeLoad& load_of(NodeIndex node) { return loads_[static_cast<std::size_t>(node.value)]; }
 
-    const Eigen::Vector3d& position(NodeIndex node) const {
-        return assembly_.nodes[static_cast<std::size_t>(node.value)];
-    }
+    const Eigen::Vector3d& position(NodeIndex node) const { return assembly_.nodes[node]; }
 
     NodeIndex add_node(const Eigen::Vector3d& at) {
         assembly_.nodes.push_back(at);

@@ -46,7 +46,7 @@ CorotationalBody::CorotationalBody(Parts parts)
     if (parts.nodes.size() < 2)
         throw base::InputError("a corotational element needs two nodes or more, not " +
                                std::to_string(parts.nodes.size()));
-    for (Eigen::Index i = 0; i < arms_.cols(); ++i) arms_.col(i) = parts.nodes[static_cast<std::size_t>(i)];
+    for (Eigen::Index i = 0; i < arms_.cols(); ++i) arms_.col(i) = parts.nodes[i];
     arms_.colwise() -= arms_.rowwise().mean().eval();
     require_size("stiffness", stiffness_, arms_.cols());
     const double square = arms_.squaredNorm() / static_cast<double>(arms_.cols());

@@ -55,7 +55,7 @@ class FanBuilder {
 
     /// One node of the fan may be seen from several sectors; this is its one name.
     [[nodiscard]] Fan::Node canonical(LayoutNodeIndex node, int sector) const {
-        switch (layout_.nodes()[static_cast<std::size_t>(node)].region) {
+        switch (layout_.nodes()[node].region) {
             case Region::Center:
                 return {node, 0};
             case Region::RightRadial:
@@ -68,7 +68,7 @@ class FanBuilder {
     template <class Visit>
     void for_each_copy(const Pattern& pattern, const Visit& visit) const {
         for (const EdgeIndex index : pattern.edges()) {
-            const Edge& edge = layout_.candidate_edges()[static_cast<std::size_t>(index)];
+            const Edge& edge = layout_.candidate_edges()[index];
             for (int t = 0; t < fan_.sides; ++t) visit(canonical(edge.first, t), canonical(edge.second, t));
         }
     }
@@ -99,8 +99,8 @@ Fan make_fan(const NodeLayout& layout, const Pattern& pattern, int sides) {
     return builder.take();
 }
 
-std::vector<geometry::Point2> place_fan(const NodeLayout& layout, const Fan& fan,
-                                        const geometry::Polygon& polygon) {
+base::IndexVector<FanNodeIndex, geometry::Point2> place_fan(const NodeLayout& layout, const Fan& fan,
+                                                            const geometry::Polygon& polygon) {
     if (polygon.size() != static_cast<std::size_t>(fan.sides)) {
         throw base::InputError("a fan of " + std::to_string(fan.sides) +
                                " sectors does not fit into a polygon of " + std::to_string(polygon.size()) +
@@ -115,7 +115,7 @@ std::vector<geometry::Point2> place_fan(const NodeLayout& layout, const Fan& fan
         const auto t = static_cast<std::size_t>(node.sector);
         const std::array<geometry::Point2, 3> sector = {center, polygon[t],
                                                         polygon[(t + 1) % polygon.size()]};
-        const LayoutNode& layout_node = layout.nodes()[static_cast<std::size_t>(node.layout_node)];
+        const LayoutNode& layout_node = layout.nodes()[node.layout_node];
         places.push_back(barycentric_point(layout_node.place, sector));
     }
     return places;

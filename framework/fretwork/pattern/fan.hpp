@@ -27,7 +27,7 @@ struct Fan {
     };
     int sides = 0;
     int interface_node_count = 0;  ///< in all: sides times the interface nodes of a side
-    std::vector<Node> nodes{};
+    base::IndexVector<FanNodeIndex, Node> nodes{};
     std::vector<std::array<FanNodeIndex, 2>> edges{};  ///< each once, sorted, smaller node first
 };
 
@@ -42,7 +42,7 @@ Fan make_fan(const NodeLayout& layout, const Pattern& pattern, int sides);
 /// vertex t and vertex t + 1, and a node keeps its barycentric coordinates in it. Paper, Section 4.1. Throws
 /// GeometryError if the polygon is not convex and counterclockwise; InputError if it has another number of
 /// sides.
-std::vector<geometry::Point2> place_fan(const NodeLayout& layout, const Fan& fan,
-                                        const geometry::Polygon& polygon);
+base::IndexVector<FanNodeIndex, geometry::Point2> place_fan(const NodeLayout& layout, const Fan& fan,
+                                                            const geometry::Polygon& polygon);
 
 }  // namespace fretwork::pattern

@@ -24,8 +24,7 @@ std::vector<EdgeIndex> edges_of_beams(const NodeLayout& layout, const Pattern& p
         alone.set(static_cast<std::size_t>(edge));
         const Fan copies = make_fan(layout, Pattern(alone), fan.sides);
         const auto in_fan = [&](FanNodeIndex node) {
-            const auto place =
-                std::find(fan.nodes.begin(), fan.nodes.end(), copies.nodes[static_cast<std::size_t>(node)]);
+            const auto place = std::find(fan.nodes.begin(), fan.nodes.end(), copies.nodes[node]);
             return FanNodeIndex(place - fan.nodes.begin());
         };
         const bool is_guilty = std::any_of(copies.edges.begin(), copies.edges.end(), [&](const auto& beam) {
@@ -116,7 +115,7 @@ class Judge {
         if (points.empty()) return {};
         std::set<std::array<FanNodeIndex, 2>> dangling;
         for (const std::size_t beam : detail::dangling_beams(fan)) dangling.insert(fan.edges[beam]);
-        const LayoutNodeIndex node = fan.nodes[static_cast<std::size_t>(points.front())].layout_node;
+        const LayoutNodeIndex node = fan.nodes[points.front()].layout_node;
         return rejected("a part hangs on node n" + std::to_string(node.value) + " alone",
                         edges_of_beams(layout_, pattern_, dangling, fan));
     }

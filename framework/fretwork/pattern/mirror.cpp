@@ -7,7 +7,7 @@ namespace fretwork::pattern {
 namespace {
 
 std::optional<LayoutNodeIndex> twin_of(const NodeLayout& layout, LayoutNodeIndex node) {
-    const auto& place = layout.nodes()[static_cast<std::size_t>(node)].place;
+    const auto& place = layout.nodes()[node].place;
     const std::array<Rational, 3> reflected{place[0], place[2], place[1]};
     const auto nodes = layout.nodes();
     const auto twin = std::find_if(nodes.begin(), nodes.end(),
@@ -19,7 +19,7 @@ std::optional<LayoutNodeIndex> twin_of(const NodeLayout& layout, LayoutNodeIndex
 /// An edge along the right radial side is no candidate; the left one gives the same fan.
 Edge moved_to_left_side(const NodeLayout& layout, const Edge& edge) {
     const auto is_on_right_side = [&](LayoutNodeIndex node) {
-        return layout.nodes()[static_cast<std::size_t>(node)].place[1] == Rational(0);
+        return layout.nodes()[node].place[1] == Rational(0);
     };
     if (!is_on_right_side(edge.first) || !is_on_right_side(edge.second)) return edge;
     return {layout.left_partner(edge.first), layout.left_partner(edge.second)};

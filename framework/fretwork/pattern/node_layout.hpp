@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <fretwork/base/index.hpp>
+#include <fretwork/base/index_vector.hpp>
 #include <fretwork/pattern/rational.hpp>
 
 #include <array>
@@ -58,8 +58,8 @@ class NodeLayout {
 
     [[nodiscard]] const NodeLayoutDescription& description() const { return description_; }
     [[nodiscard]] const std::string& name() const { return description_.name; }
-    [[nodiscard]] std::span<const LayoutNode> nodes() const { return nodes_; }
-    [[nodiscard]] std::span<const Edge> candidate_edges() const { return edges_; }
+    [[nodiscard]] const base::IndexVector<LayoutNodeIndex, LayoutNode>& nodes() const { return nodes_; }
+    [[nodiscard]] const base::IndexVector<EdgeIndex, Edge>& candidate_edges() const { return edges_; }
     /// The interface nodes, from v1 to v2.
     [[nodiscard]] std::vector<LayoutNodeIndex> interface_nodes() const;
     /// For a node on v0 v2 its partner on v0 v1: the same node of the fan, one sector further. Any other
@@ -68,8 +68,8 @@ class NodeLayout {
 
   private:
     NodeLayoutDescription description_;
-    std::vector<LayoutNode> nodes_;
-    std::vector<Edge> edges_;
+    base::IndexVector<LayoutNodeIndex, LayoutNode> nodes_;
+    base::IndexVector<EdgeIndex, Edge> edges_;
 };
 
 /// Read a layout file. Throws InputError with file and place.

@@ -68,7 +68,7 @@ EdgeIndex find_edge(const NodeLayout& layout, std::string_view text) {
 std::string pattern_id(const NodeLayout& layout, const Pattern& pattern) {
     std::string id;
     for (const EdgeIndex edge : pattern.edges()) {
-        id += (id.empty() ? "" : "+") + edge_text(layout.candidate_edges()[static_cast<std::size_t>(edge)]);
+        id += (id.empty() ? "" : "+") + edge_text(layout.candidate_edges()[edge]);
     }
     return id;
 }

@@ -69,9 +69,7 @@ std::vector<Eigen::Index> dofs_of(int nodes, const std::array<Eigen::Index, 3>& 
 double beam_length(const mechanics::Frame& frame) {
     double sum = 0.0;
     for (const mechanics::Beam& beam : frame.beams) {
-        sum += (frame.nodes[static_cast<std::size_t>(beam.nodes[0].value)] -
-                frame.nodes[static_cast<std::size_t>(beam.nodes[1].value)])
-                   .norm();
+        sum += (frame.nodes[beam.nodes[0]] - frame.nodes[beam.nodes[1]]).norm();
     }
     return sum;
 }
@@ -123,8 +121,8 @@ EffectiveProperties effective_properties(const pattern::NodeLayout& layout, cons
     MatrixXd membrane(3 * nodes, 3);
     MatrixXd bending(3 * nodes, 3);
     for (int node = 0; node < nodes; ++node) {
-        membrane.middleRows<3>(3 * node) = strained(frame.nodes[static_cast<std::size_t>(node)]);
-        bending.middleRows<3>(3 * node) = curved(frame.nodes[static_cast<std::size_t>(node)]);
+        membrane.middleRows<3>(3 * node) = strained(frame.nodes[node]);
+        bending.middleRows<3>(3 * node) = curved(frame.nodes[node]);
     }
     const double area = geometry::signed_area(geometry::regular_polygon(setting.sides, setting.tile_side));
     const MatrixXd periodic = periodic_fluctuations(nodes, nodes_a_side);

@@ -81,10 +81,8 @@ mechanics::Frame fan_frame(const pattern::NodeLayout& layout, const pattern::Fan
     const auto places = pattern::place_fan(layout, fan, polygon);
     const std::vector<double> reaches = joint_reaches(fan, places);
     for (std::size_t i = 0; i < frame.beams.size(); ++i) {
-        const auto& [first, second] = fan.edges[i];
-        const double length =
-            (frame.nodes[static_cast<std::size_t>(second)] - frame.nodes[static_cast<std::size_t>(first)])
-                .norm();
+        const auto [first, second] = frame.beams[i].nodes;
+        const double length = (frame.nodes[second] - frame.nodes[first]).norm();
         const TileMaterial bar = bar_of(setting, {.length = length, .joint_reach = reaches[i]});
         frame.beams[i].section = bar.section;
         frame.beams[i].material = bar.material;

@@ -10,7 +10,7 @@ namespace fretwork::simulation {
 std::vector<tiling::TileIndex> worst_tiles(std::span<const TileDeformation> tiles, double share) {
     constexpr double kRounding = 1e-9;  // 0.07 of 100 tiles are 7
     const auto product = [&](tiling::TileIndex tile) {
-        const TileDeformation& deformation = tiles[static_cast<std::size_t>(tile)];
+        const TileDeformation& deformation = tiles[tile];
         return deformation.energy * deformation.rotation;
     };
     std::vector<tiling::TileIndex> worst;

@@ -26,7 +26,7 @@ reduction::Displacements displacements(const Surface& surface, const ModelChoice
 
 std::vector<double> tile_parameters(const Surface& surface, tiling::TileIndex tile,
                                     const reduction::TileModel& model) {
-    const int pattern = surface.tessellation.tiles[static_cast<std::size_t>(tile)].pattern;
+    const int pattern = surface.tessellation.tiles[tile].pattern;
     if (pattern < 0)
         throw base::InputError("tile " + std::to_string(tile.value) + " is not painted with a pattern");
     const auto index = static_cast<std::size_t>(pattern);

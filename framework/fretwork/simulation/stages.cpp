@@ -202,7 +202,7 @@ SurfaceResult simulate_stages(const Surface& surface, const StagePlan& plan, con
     const auto interface_count = static_cast<int>(surface.tessellation.interface_nodes.size());
     SurfaceResult result;
     for (int i = 0; i < assembly.reported_nodes; ++i)
-        result.nodes.push_back({i, assembly.nodes[static_cast<std::size_t>(i)], i < interface_count});
+        result.nodes.push_back({i, assembly.nodes[i], i < interface_count});
     Stages state(surface, plan.supports, plan.cases, assembly.nodes.size());
     mechanics::StagedPath path(assembly,
                                {.branch = options.branch, .threads = options.threads, .control = control});

@@ -23,14 +23,14 @@ tiling::TessellationFan surface_fan(const Surface& surface) {
     return tiling::assemble_fans(surface.layout, surface.tessellation);
 }
 
-std::vector<double> tile_masses(const Surface& surface) {
-    std::vector<double> masses(surface.tessellation.tiles.size(), 0.0);
+base::IndexVector<tiling::TileIndex, double> tile_masses(const Surface& surface) {
+    base::IndexVector<tiling::TileIndex, double> masses(surface.tessellation.tiles.size(), 0.0);
     const double mass_per_length = surface.setting.material.density * surface.setting.section.area;
     const tiling::TessellationFan fan = surface_fan(surface);
     for (const tiling::TessellationFan::Edge& edge : fan.edges) {
-        const geometry::Point2& a = fan.nodes[static_cast<std::size_t>(edge.nodes[0])];
-        const geometry::Point2& b = fan.nodes[static_cast<std::size_t>(edge.nodes[1])];
-        masses[static_cast<std::size_t>(edge.tile)] += mass_per_length * std::hypot(b.x - a.x, b.y - a.y);
+        const geometry::Point2& a = fan.nodes[edge.nodes[0]];
+        const geometry::Point2& b = fan.nodes[edge.nodes[1]];
+        masses[edge.tile] += mass_per_length * std::hypot(b.x - a.x, b.y - a.y);
     }
     return masses;
 }

@@ -22,7 +22,7 @@ struct Surface {
     /// them.
     std::vector<std::vector<reduction::Calibration>> calibrations;
     /// The tile model of each tile; "" where it is that of the simulation. Empty: of all tiles.
-    std::vector<std::string> tile_models{};
+    base::IndexVector<tiling::TileIndex, std::string> tile_models{};
 };
 
 /// Gather a project's surface. `library` may be null; then there are no calibrations. The setting is the
@@ -34,6 +34,6 @@ Surface make_surface(const Project& project, const library::Library* library);
 tiling::TessellationFan surface_fan(const Surface& surface);
 
 /// The mass of every tile's beams, kg: what gravity is applied to.
-std::vector<double> tile_masses(const Surface& surface);
+base::IndexVector<tiling::TileIndex, double> tile_masses(const Surface& surface);
 
 }  // namespace fretwork::simulation

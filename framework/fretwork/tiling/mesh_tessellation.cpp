@@ -47,7 +47,7 @@ class MeshTiles {
         throw base::GeometryError(path_.string(), "face " + std::to_string(face), message);
     }
     [[nodiscard]] std::string place_of(int vertex) const {
-        return geometry::place_text(dual_.vertices[static_cast<std::size_t>(vertex)].place);
+        return geometry::place_text(dual_.vertices[vertex].place);
     }
 
     void check_sides() {
@@ -74,7 +74,7 @@ class MeshTiles {
                  "touches another face at " + place_of(rim.knots.front()) + " in this vertex alone");
         for (std::size_t line = 0; line < rim.lines.size(); ++line) {
             for (const int v : rim.lines[line])  // any loop: it is on the rim
-                dual_.vertices[static_cast<std::size_t>(v)].loop = static_cast<int>(line);
+                dual_.vertices[v].loop = static_cast<int>(line);
         }
         const std::vector<Polygon> loops = detail::loops_of(dual_, rim);
         const auto crossings = outlines::places_of_crossings(loops, {});
@@ -90,8 +90,8 @@ class MeshTiles {
     /// The face whose side on the rim has its middle nearest to a place.
     [[nodiscard]] std::size_t face_at(Point2 place) const {
         const auto off = [&](const detail::CellSide& side) {
-            const Point2 from = dual_.vertices[static_cast<std::size_t>(side.from)].place;
-            const Point2 to = dual_.vertices[static_cast<std::size_t>(side.to)].place;
+            const Point2 from = dual_.vertices[side.from].place;
+            const Point2 to = dual_.vertices[side.to].place;
             return geometry::distance(geometry::between(from, to, 0.5), place);
         };
         return std::ranges::min_element(rim_sides_, {}, off)->cell;

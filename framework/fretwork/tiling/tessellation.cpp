@@ -16,14 +16,14 @@ void turn(Tile& tile, int vertices) {
 }
 
 const pattern::NamedPattern* pattern_of(const Tessellation& tessellation, TileIndex tile) {
-    const int place = tessellation.tiles[static_cast<std::size_t>(tile)].pattern;
+    const int place = tessellation.tiles[tile].pattern;
     return place < 0 ? nullptr : &tessellation.patterns[static_cast<std::size_t>(place)];
 }
 
 geometry::Polygon tile_polygon(const Tessellation& tessellation, TileIndex tile) {
     geometry::Polygon polygon;
-    for (const VertexIndex vertex : tessellation.tiles[static_cast<std::size_t>(tile.value)].vertices) {
-        polygon.push_back(tessellation.vertices[static_cast<std::size_t>(vertex.value)]);
+    for (const VertexIndex vertex : tessellation.tiles[tile].vertices) {
+        polygon.push_back(tessellation.vertices[vertex]);
     }
     return polygon;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <fretwork/base/index.hpp>
+#include <fretwork/base/index_vector.hpp>
 #include <fretwork/pattern/fan.hpp>
 #include <fretwork/pattern/pattern.hpp>
 
@@ -30,11 +30,11 @@ struct Tile {
 /// A flat surface of polygons that share interface nodes, each painted with a pattern. `tessellate` numbers
 /// tiles from left to right by their centroids, and vertices and interface nodes as the tiles come to them.
 struct Tessellation {
-    std::string layout;                      ///< name of the node layout whose interface nodes it has
-    std::vector<geometry::Point2> vertices;  ///< metres
-    std::vector<Tile> tiles;
-    std::vector<geometry::Point2> interface_nodes;  ///< places, metres
-    std::vector<pattern::NamedPattern> patterns;    ///< the palette in use
+    std::string layout;  ///< name of the node layout whose interface nodes it has
+    base::IndexVector<VertexIndex, geometry::Point2> vertices;  ///< metres
+    base::IndexVector<TileIndex, Tile> tiles;
+    base::IndexVector<InterfaceIndex, geometry::Point2> interface_nodes;  ///< places, metres
+    std::vector<pattern::NamedPattern> patterns;                          ///< the palette in use
 };
 
 /// Turn a tile's pattern: its first vertex moves on by `vertices`, counterclockwise, back if below zero.

@@ -50,9 +50,7 @@ class Checker {
     [[noreturn]] static void fail(std::size_t tile, const std::string& message) {
         throw base::InputError("tile " + std::to_string(tile) + " " + message);
     }
-    [[nodiscard]] Point2 vertex(VertexIndex index) const {
-        return tessellation_.vertices[static_cast<std::size_t>(index.value)];
-    }
+    [[nodiscard]] Point2 vertex(VertexIndex index) const { return tessellation_.vertices[index]; }
 
     static void check_places(const std::vector<Point2>& places, const std::string& what) {
         for (std::size_t i = 0; i < places.size(); ++i) {
@@ -115,7 +113,7 @@ class Checker {
     void check_on_side(const Side& side, Point2 from, Point2 to) const {
         for (std::size_t k = 0; k < places_.size(); ++k) {
             const Point2 wanted = between(from, to, places_[k]);
-            const Point2 there = tessellation_.interface_nodes[static_cast<std::size_t>(side.nodes[k].value)];
+            const Point2 there = tessellation_.interface_nodes[side.nodes[k]];
             if (distance(wanted, there) > kPlaceTolerance * distance(from, to))
                 fail(side.tile, "has the interface node " + std::to_string(side.nodes[k].value) +
                                     " away from its place on the side, which is (" +

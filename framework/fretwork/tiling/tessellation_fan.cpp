@@ -25,7 +25,7 @@ class FanAssembler {
   private:
     /// Fans depend on a tile only by its pattern and its number of sides.
     const pattern::Fan& fan_of(TileIndex index) {
-        const Tile& tile = tessellation_.tiles[static_cast<std::size_t>(index.value)];
+        const Tile& tile = tessellation_.tiles[index];
         if (tile.pattern < 0 || tile.pattern >= static_cast<int>(tessellation_.patterns.size()))
             throw base::InputError("tile " + std::to_string(index.value) + " is not painted with a pattern");
         const auto sides = static_cast<int>(tile.vertices.size());
@@ -37,7 +37,7 @@ class FanAssembler {
 
     void add_tile(TileIndex index) {
         const pattern::Fan& fan = fan_of(index);
-        const Tile& tile = tessellation_.tiles[static_cast<std::size_t>(index.value)];
+        const Tile& tile = tessellation_.tiles[index];
         if (tile.interface_nodes.size() != static_cast<std::size_t>(fan.interface_node_count))
             throw base::InputError("tile " + std::to_string(index.value) + " has " +
                                    std::to_string(tile.interface_nodes.size()) +
@@ -52,9 +52,7 @@ class FanAssembler {
         }
         result_.first_edge.push_back(static_cast<int>(result_.edges.size()));
         for (const auto& [a, b] : fan.edges) {
-            result_.edges.push_back(
-                {{nodes[static_cast<std::size_t>(a.value)], nodes[static_cast<std::size_t>(b.value)]},
-                 index});
+            result_.edges.push_back({{nodes[a], nodes[b]}, index});
         }
         result_.tile_nodes.push_back(std::move(nodes));
     }

@@ -24,12 +24,12 @@ struct TessellationFan {
         friend bool operator==(const Edge&, const Edge&) = default;
     };
     int interface_node_count = 0;
-    std::vector<geometry::Point2> nodes;  ///< metres
+    base::IndexVector<TessellationNodeIndex, geometry::Point2> nodes;  ///< metres
     std::vector<Edge> edges;
     /// For each tile its nodes here, in the order of its pattern::Fan::nodes.
-    std::vector<std::vector<TessellationNodeIndex>> tile_nodes;
+    base::IndexVector<TileIndex, std::vector<TessellationNodeIndex>> tile_nodes;
     /// For each tile its first edge, and behind the last tile the number of edges.
-    std::vector<int> first_edge;
+    base::IndexVector<TileIndex, int> first_edge;
 };
 
 /// Repeat every tile's pattern around its polygon. Throws InputError if the tessellation is for another

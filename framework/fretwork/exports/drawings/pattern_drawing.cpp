@@ -35,8 +35,8 @@ void draw_base_triangle(SvgCanvas& canvas, const NodeLayout& layout, const std::
     canvas.polygon(triangle, {"#f4f6f8", detail::kRimColour, 0.008 * size, 1.0});
     std::vector<std::array<Point2, 2>> edges;
     for (const pattern::Edge& edge : layout.candidate_edges()) {
-        edges.push_back({at(layout.nodes()[static_cast<std::size_t>(edge.first)], triangle),
-                         at(layout.nodes()[static_cast<std::size_t>(edge.second)], triangle)});
+        edges.push_back(
+            {at(layout.nodes()[edge.first], triangle), at(layout.nodes()[edge.second], triangle)});
     }
     canvas.segments(edges, {"none", kEdgeColour, 0.006 * size, 1.0});
     for (std::size_t i = 0; i < layout.nodes().size(); ++i) {

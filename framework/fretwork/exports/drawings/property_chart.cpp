@@ -219,8 +219,8 @@ class Chart {
         const LineSet lines = pattern_lines(subject_.layout, entry.pattern, setting);
         std::string path;
         for (const auto& beam : lines.lines) {
-            const Eigen::Vector3d from = scale * lines.nodes[static_cast<std::size_t>(beam[0])];
-            const Eigen::Vector3d to = scale * lines.nodes[static_cast<std::size_t>(beam[1])];
+            const Eigen::Vector3d from = scale * lines.nodes[beam[0]];
+            const Eigen::Vector3d to = scale * lines.nodes[beam[1]];
             path +=
                 "M" + px(x + from.x()) + " " + px(y - from.y()) + "L" + px(x + to.x()) + " " + px(y - to.y());
         }

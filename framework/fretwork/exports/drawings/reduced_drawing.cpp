@@ -36,15 +36,13 @@ void draw_reduced(SvgCanvas& canvas, const ReducedTile& tile, const Setting& set
     for (const Eigen::Vector3d& node : lines.nodes)
         nodes.push_back({node.x() + center.x, node.y() + center.y});
     std::vector<std::array<Point2, 2>> beams;
-    for (const auto& line : lines.lines)
-        beams.push_back({nodes[static_cast<std::size_t>(line[0])], nodes[static_cast<std::size_t>(line[1])]});
+    for (const auto& line : lines.lines) beams.push_back({nodes[line[0]], nodes[line[1]]});
     const double width = std::sqrt(setting.section.area);
     canvas.polygon(moved(geometry::regular_polygon(setting.sides, setting.tile_side), center),
                    {"#f4f6f8", detail::kRimColour, 0.15 * width, 1.0});
     canvas.segments(beams, {"none", detail::kReducedColour, width, 1.0});
     for (int i = 0; i < interface_nodes; ++i)
-        canvas.circle(nodes[static_cast<std::size_t>(i)], 0.8 * width,
-                      {kInterfaceColour, "#ffffff", 0.2 * width, 1.0});
+        canvas.circle(nodes[i], 0.8 * width, {kInterfaceColour, "#ffffff", 0.2 * width, 1.0});
 }
 
 std::string facts(const std::optional<Calibration>& calibration,

@@ -144,9 +144,7 @@ class CellPen {
         auto places = projection_.all(displaced_nodes(lines, 1.0));
         for (Point2& place : places) place = moved(place, middle);
         std::vector<std::array<Point2, 2>> segments;
-        for (const auto& line : lines.lines)
-            segments.push_back(
-                {places[static_cast<std::size_t>(line[0])], places[static_cast<std::size_t>(line[1])]});
+        for (const auto& line : lines.lines) segments.push_back({places[line[0]], places[line[1]]});
         canvas_.segments(segments, style);
     }
 

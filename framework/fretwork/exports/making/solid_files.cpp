@@ -32,7 +32,7 @@ Vector normal(const Vector& a, const Vector& b, const Vector& c) {
 
 /// A vertex as a reader of STL finds it: millimetres in 32 bits.
 Vector in_file(const Solid& solid, int index) {
-    Vector place = solid.vertices[static_cast<std::size_t>(index)];
+    Vector place = solid.vertices[index];
     for (double& coordinate : place) coordinate = static_cast<float>(1e3 * coordinate);
     return place;
 }

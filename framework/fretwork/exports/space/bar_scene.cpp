@@ -159,7 +159,7 @@ std::vector<std::string> bar_field_names() {
 }
 
 Eigen::Vector3d place_of(const BarScene& scene, int node, double scale) {
-    return scene.nodes[static_cast<std::size_t>(node)] + scale * scene.motion.row(node).head<3>().transpose();
+    return scene.nodes[node] + scale * scene.motion.row(node).head<3>().transpose();
 }
 
 }  // namespace fretwork::exports

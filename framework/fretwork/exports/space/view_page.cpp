@@ -34,7 +34,7 @@ std::string packed_rim(const simulation::Surface& surface) {
     const LineSet rim = rim_lines(surface);
     std::vector<float> points;
     for (const auto& line : rim.lines) {
-        for (const int node : line) add_point(points, rim.nodes[static_cast<std::size_t>(node)]);
+        for (const int node : line) add_point(points, rim.nodes[node]);
     }
     return packed(points);
 }

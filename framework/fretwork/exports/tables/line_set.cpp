@@ -168,7 +168,7 @@ LineSet frame_lines(const mechanics::Frame& frame) {
 LineSet solution_lines(const mechanics::Assembly& assembly, const mechanics::Result& result) {
     const DrawnNodes drawn(assembly);
     LineSet set;
-    for (const int node : drawn.nodes) set.nodes.push_back(assembly.nodes[static_cast<std::size_t>(node)]);
+    for (const int node : drawn.nodes) set.nodes.push_back(assembly.nodes[node]);
     for (const auto& element : assembly.elements) {
         const auto ends = element->nodes();
         set.lines.push_back({drawn.place_of(ends[0]), drawn.place_of(ends[1])});

@@ -17,8 +17,7 @@ std::vector<BarAngle> bar_angles(const BarPlan& plan) {
     };
     std::map<int, std::vector<Direction>> directions;
     for (const Bar& bar : plan.bars) {
-        const Point2 along = plan.nodes[static_cast<std::size_t>(bar.nodes[1])] -
-                             plan.nodes[static_cast<std::size_t>(bar.nodes[0])];
+        const Point2 along = plan.nodes[bar.nodes[1]] - plan.nodes[bar.nodes[0]];
         directions[bar.nodes[0]].push_back({std::atan2(along.y, along.x), bar.tile});
         directions[bar.nodes[1]].push_back({std::atan2(-along.y, -along.x), bar.tile});
     }

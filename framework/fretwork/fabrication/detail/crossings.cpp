@@ -25,8 +25,7 @@ struct Segment {
 };
 
 Segment segment(const BarPlan& plan, const Bar& bar) {
-    return {plan.nodes[static_cast<std::size_t>(bar.nodes[0])],
-            plan.nodes[static_cast<std::size_t>(bar.nodes[1])]};
+    return {plan.nodes[bar.nodes[0]], plan.nodes[bar.nodes[1]]};
 }
 
 bool cross_properly(const Segment& a, const Segment& b) {
@@ -58,7 +57,7 @@ std::optional<Point2> overlap_at_common_node(const BarPlan& plan, const Bar& a, 
     for (std::size_t i = 0; i < 2; ++i) {
         for (std::size_t j = 0; j < 2; ++j) {
             if (a.nodes[i] != b.nodes[j]) continue;
-            const Point2 node = plan.nodes[static_cast<std::size_t>(a.nodes[i])];
+            const Point2 node = plan.nodes[a.nodes[i]];
             const Point2 along_a = unit(plan.nodes[static_cast<std::size_t>(a.nodes[1 - i])] - node);
             const Point2 along_b = unit(plan.nodes[static_cast<std::size_t>(b.nodes[1 - j])] - node);
             if (distance(along_a, along_b) < kSameDirection) return node;

@@ -46,8 +46,8 @@ using Directions = std::map<std::pair<int, double>, std::vector<double>>;  // by
 Directions directions(const BarPlan& plan) {
     Directions found;
     for (const Bar& bar : plan.bars) {
-        const Point2& from = plan.nodes[static_cast<std::size_t>(bar.nodes[0])];
-        const Point2& to = plan.nodes[static_cast<std::size_t>(bar.nodes[1])];
+        const Point2& from = plan.nodes[bar.nodes[0]];
+        const Point2& to = plan.nodes[bar.nodes[1]];
         const Point2 along = to - from;
         found[{bar.nodes[0], bar.width}].push_back(std::atan2(along.y, along.x));
         found[{bar.nodes[1], bar.width}].push_back(std::atan2(-along.y, -along.x));
@@ -71,11 +71,10 @@ void add_round_ends(std::vector<Patch>& patches, const Disc& disc, const std::ve
 std::vector<Patch> bar_patches(const BarPlan& plan, double growth) {
     std::vector<Patch> patches;
     for (const Bar& bar : plan.bars)
-        patches.push_back(rectangle(plan.nodes[static_cast<std::size_t>(bar.nodes[0])],
-                                    plan.nodes[static_cast<std::size_t>(bar.nodes[1])], bar.width + growth));
+        patches.push_back(rectangle(plan.nodes[bar.nodes[0]], plan.nodes[bar.nodes[1]], bar.width + growth));
     for (const auto& [place, angles] : directions(plan)) {
         const auto& [node, width] = place;
-        add_round_ends(patches, {plan.nodes[static_cast<std::size_t>(node)], 0.5 * (width + growth)}, angles);
+        add_round_ends(patches, {plan.nodes[node], 0.5 * (width + growth)}, angles);
     }
     return patches;
 }

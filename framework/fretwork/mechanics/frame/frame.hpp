@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <fretwork/base/index.hpp>
+#include <fretwork/base/index_vector.hpp>
 #include <fretwork/mechanics/frame/section.hpp>
 
 #include <Eigen/Core>
@@ -91,8 +91,8 @@ struct NodalLoad {
 
 /// A structure of beams.
 struct Frame {
-    std::vector<Eigen::Vector3d> nodes;  ///< rest positions, metres
-    std::vector<Beam> beams;
+    base::IndexVector<NodeIndex, Eigen::Vector3d> nodes;  ///< rest positions, metres
+    base::IndexVector<BeamIndex, Beam> beams;
     std::vector<Support> supports;
     std::vector<PrescribedDisplacement> prescribed;
     std::vector<NodalLoad> loads;
@@ -102,8 +102,8 @@ struct Frame {
 /// A frame from a file whose nodes have labels.
 struct LabelledFrame {
     Frame frame;
-    std::vector<int> labels;  ///< one for each node of the frame, in the file's order
-    std::string source{};     ///< the file, for messages
+    base::IndexVector<NodeIndex, int> labels;  ///< one for each node of the frame, in the file's order
+    std::string source{};                      ///< the file, for messages
 };
 
 /// Check what a frame must obey on its own: indices in range, finite numbers, positive sections, beams of

@@ -42,9 +42,7 @@ NodeValues internal_forces(const Assembly& assembly, const NodeValues& state) {
 double element_size(const Assembly& assembly) {
     double sum = 0.0;
     for (const auto& element : assembly.elements) {
-        const auto place = [&](std::size_t i) {
-            return assembly.nodes[static_cast<std::size_t>(element->nodes()[i])];
-        };
+        const auto place = [&](std::size_t i) { return assembly.nodes[element->nodes()[i]]; };
         sum += (place(1) - place(0)).norm();
     }
     return sum / static_cast<double>(assembly.elements.size());

@@ -47,7 +47,7 @@ void append_solution(Json& json, const Solution& solution, const std::vector<Res
     json["iterations"] = solution.iterations;
     for (const StabilityLoss& loss : solution.stability_losses)
         json["stability_losses"].push_back({{"load_factor", loss.load_factor},
-                                            {"node", nodes[static_cast<std::size_t>(loss.node.value)].id},
+                                            {"node", nodes[loss.node].id},
                                             {"component", kDofNames[static_cast<std::size_t>(loss.dof)]},
                                             {"pushed", loss.pushed}});
     json["displacements"] = rows_json(solution.displacements);

@@ -20,9 +20,9 @@ struct Result {
         Eigen::Vector3d rest_position = Eigen::Vector3d::Zero();
         bool is_interface = false;
     };
-    std::string solver;       ///< "linear", "newton", ...
-    std::string program{};    ///< the version that made it; empty: not read from a file
-    std::vector<Node> nodes;  ///< as many as the solution has rows
+    std::string solver;                        ///< "linear", "newton", ...
+    std::string program{};                     ///< the version that made it; empty: not read from a file
+    base::IndexVector<NodeIndex, Node> nodes;  ///< as many as the solution has rows
     Solution solution;
     std::vector<Solution> load_steps;                           ///< only where asked for
     std::vector<Mode> vibration_modes{};                        ///< only where asked for

@@ -164,7 +164,7 @@ std::vector<int> elimination_order(const NodeGraph& graph, std::span<const Compo
     std::vector<int> order = nodes.size() > kManyNodes && control.stop.stop_possible()
                                  ? permutation_unless_stopped(std::move(pattern), control)
                                  : permutation_of(pattern);
-    for (int& place : order) place = nodes[static_cast<std::size_t>(place)];
+    for (int& place : order) place = nodes[place];
     return order;
 }
 

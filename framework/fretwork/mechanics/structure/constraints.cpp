@@ -27,9 +27,7 @@ NodeIndex nearest_reported(const Assembly& assembly, NodeIndex node) {
     NodeIndex nearest;
     double least = std::numeric_limits<double>::max();
     for (int i = 0; i < assembly.reported_nodes; ++i) {
-        const double distance = (assembly.nodes[static_cast<std::size_t>(i)] -
-                                 assembly.nodes[static_cast<std::size_t>(node.value)])
-                                    .squaredNorm();
+        const double distance = (assembly.nodes[i] - assembly.nodes[node]).squaredNorm();
         if (distance < least) {
             least = distance;
             nearest = NodeIndex(i);
@@ -40,8 +38,7 @@ NodeIndex nearest_reported(const Assembly& assembly, NodeIndex node) {
 
 std::string node_text(const Assembly& assembly, NodeIndex node) {
     const auto name_of = [&](int reported) {
-        const int label =
-            assembly.labels.empty() ? reported : assembly.labels[static_cast<std::size_t>(reported)];
+        const int label = assembly.labels.empty() ? reported : assembly.labels[reported];
         return "node " + std::to_string(label);
     };
     if (node.value < assembly.reported_nodes) return name_of(node.value);
@@ -54,9 +51,7 @@ double characteristic_length(const Assembly& assembly) {
     for (const auto& element : assembly.elements) {
         const auto nodes = element->nodes();
         for (std::size_t i = 1; i < nodes.size(); ++i) {
-            const double distance = (assembly.nodes[static_cast<std::size_t>(nodes[i].value)] -
-                                     assembly.nodes[static_cast<std::size_t>(nodes[0].value)])
-                                        .norm();
+            const double distance = (assembly.nodes[nodes[i]] - assembly.nodes[nodes[0]]).norm();
             sum += distance;
             count += distance > 0 ? 1 : 0;
         }

@@ -239,11 +239,11 @@ void FactorizedStructure::keep_held_entries(const base::Control& control) {
 
 void FactorizedStructure::keep_row(std::span<const NodeIndex> nodes, Eigen::Index row,
                                    const Eigen::MatrixXd& stiffness) {
-    const int node = nodes[static_cast<std::size_t>(row / kDofsPerNode)].value;
+    const int node = nodes[row / kDofsPerNode].value;
     const int dof = static_cast<int>(row % kDofsPerNode);
     for (Eigen::Index j = 0; j < stiffness.cols(); ++j) {
         if (stiffness(row, j) == 0.0) continue;
-        const int other = nodes[static_cast<std::size_t>(j / kDofsPerNode)].value;
+        const int other = nodes[j / kDofsPerNode].value;
         held_entries_.push_back({node, dof, other, static_cast<int>(j % kDofsPerNode), stiffness(row, j)});
     }
 }

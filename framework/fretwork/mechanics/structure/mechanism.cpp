@@ -40,8 +40,7 @@ std::string place_text(const Eigen::Vector3d& place) {
 
 /// Most often nothing is held at all, or not a part that was forgotten: that is said first.
 [[noreturn]] void refuse(const Assembly& assembly, NodeIndex node) {
-    const std::string where =
-        node_text(assembly, node) + ", " + place_text(assembly.nodes[static_cast<std::size_t>(node.value)]);
+    const std::string where = node_text(assembly, node) + ", " + place_text(assembly.nodes[node]);
     const std::vector<bool> connected = connected_to(assembly, node);
     const auto is_beside = [&](const auto& held) {
         return connected[static_cast<std::size_t>(held.node.value)];

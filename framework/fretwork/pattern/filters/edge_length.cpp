@@ -22,8 +22,7 @@ ConflictRule forbid_by_length(const NodeLayout& layout, const FabricationScale& 
     ConflictRule rule{std::vector<Pattern::Bits>(layout.candidate_edges().size()), "", ""};
     for (std::size_t e = 0; e < layout.candidate_edges().size(); ++e) {
         const auto& [first, second] = layout.candidate_edges()[e];
-        const ExactVector along = exact_point(layout.nodes()[static_cast<std::size_t>(second)]) -
-                                  exact_point(layout.nodes()[static_cast<std::size_t>(first)]);
+        const ExactVector along = exact_point(layout.nodes()[second]) - exact_point(layout.nodes()[first]);
         const ExactNumber square = hexagon_dot(along, along) * side * side;
         rule.conflicts[e].set(e, is_wrong(square));
     }

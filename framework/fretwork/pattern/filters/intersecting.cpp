@@ -21,9 +21,7 @@ bool leave_alike(const ExactPoint& shared, const ExactPoint& first, const ExactP
 
 /// True if two edges meet anywhere but in a node that is an end of both.
 bool intersect(const NodeLayout& layout, const Edge& left, const Edge& right) {
-    const auto point = [&](LayoutNodeIndex node) {
-        return exact_point(layout.nodes()[static_cast<std::size_t>(node)]);
-    };
+    const auto point = [&](LayoutNodeIndex node) { return exact_point(layout.nodes()[node]); };
     if (left.first == right.first)
         return leave_alike(point(left.first), point(left.second), point(right.second));
     if (left.first == right.second)

@@ -14,7 +14,7 @@ ModelTile::ModelTile(base::Borrowed<TileModel> model, base::Borrowed<pattern::No
       fan_(pattern::make_fan(layout, pattern, setting->sides)) {
     const auto places = pattern::place_fan(layout, fan_, polygon_);
     for (int i = 0; i < fan_.interface_node_count; ++i) {
-        const geometry::Point2& place = places[static_cast<std::size_t>(i)];
+        const geometry::Point2& place = places[i];
         interface_nodes_.emplace_back(place.x, place.y, 0.0);
     }
 }

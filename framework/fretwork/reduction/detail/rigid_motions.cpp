@@ -72,7 +72,7 @@ void require_free_motion(const TileStructure& tile, const TileModel& model, cons
     const auto places = pattern::place_fan(input.layout, input.fan, input.polygon);
     std::vector<Eigen::Vector3d> interface_nodes;
     for (int i = 0; i < input.fan->interface_node_count; ++i) {
-        const geometry::Point2& place = places[static_cast<std::size_t>(i)];
+        const geometry::Point2& place = places[i];
         interface_nodes.emplace_back(place.x, place.y, 0.0);
     }
     const StructureParts parts = tile_parts(tile, interface_nodes);
@@ -81,8 +81,7 @@ void require_free_motion(const TileStructure& tile, const TileModel& model, cons
         const auto ends = element->nodes();
         Eigen::Matrix3Xd nodes(3, static_cast<Eigen::Index>(ends.size()));
         for (std::size_t i = 0; i < ends.size(); ++i)
-            nodes.col(static_cast<Eigen::Index>(i)) =
-                parts.beams.nodes[static_cast<std::size_t>(ends[i].value)];
+            nodes.col(static_cast<Eigen::Index>(i)) = parts.beams.nodes[ends[i]];
         element->rest_stiffness(stiffness);
         require_free(stiffness, nodes, model.name);
     }

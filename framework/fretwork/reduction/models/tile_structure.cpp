@@ -25,7 +25,7 @@ class BeamTile final : public TileStructure {
 
     void add_to(StructureParts& surface, const TilePlace& place) const override {
         for (mechanics::Beam beam : frame_.beams) {
-            for (NodeIndex& node : beam.nodes) node = place.nodes[static_cast<std::size_t>(node.value)];
+            for (NodeIndex& node : beam.nodes) node = place.nodes[node];
             if (beam.normal) beam.normal = place.turn * *beam.normal;
             surface.beams.beams.push_back(std::move(beam));
         }

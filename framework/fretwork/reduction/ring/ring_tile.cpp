@@ -20,7 +20,7 @@ using Place = std::array<double, 3>;
 std::vector<Place> interface_places(const pattern::NodeLayout& layout) {
     std::vector<Place> places;
     for (const pattern::LayoutNodeIndex node : layout.interface_nodes()) {
-        const auto& exact = layout.nodes()[static_cast<std::size_t>(node.value)].place;
+        const auto& exact = layout.nodes()[node].place;
         places.push_back({exact[0].to_double(), exact[1].to_double(), exact[2].to_double()});
     }
     return places;

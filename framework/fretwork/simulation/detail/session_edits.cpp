@@ -57,16 +57,14 @@ void Session::Impl::paint(std::span<const TileIndex> tiles, const std::string& w
         surface_.tessellation.patterns.push_back(pattern);
         surface_.calibrations.push_back(calibrations);
     }
-    for (const TileIndex tile : tiles)
-        surface_.tessellation.tiles[static_cast<std::size_t>(tile)].pattern = static_cast<int>(entry);
+    for (const TileIndex tile : tiles) surface_.tessellation.tiles[tile].pattern = static_cast<int>(entry);
     invalidate_tiles(tiles);
     weigh_anew();
 }
 
 void Session::Impl::turn(std::span<const TileIndex> tiles, int vertices) {
     require_tiles(surface_, tiles);
-    for (const TileIndex tile : tiles)
-        tiling::turn(surface_.tessellation.tiles[static_cast<std::size_t>(tile)], vertices);
+    for (const TileIndex tile : tiles) tiling::turn(surface_.tessellation.tiles[tile], vertices);
     invalidate_tiles(tiles);
     weigh_anew();
 }
@@ -78,7 +76,7 @@ void Session::Impl::set_tile_model(std::span<const TileIndex> tiles, const std::
     for (const TileIndex tile : tiles) (void)tile_parameters(surface_, tile, model);
     std::vector<std::string> before = surface_.tile_models;
     surface_.tile_models.resize(surface_.tessellation.tiles.size());
-    for (const TileIndex tile : tiles) surface_.tile_models[static_cast<std::size_t>(tile)] = name;
+    for (const TileIndex tile : tiles) surface_.tile_models[tile] = name;
     try {
         options_.validate(surface_);  // steps, say, of a surface that is linear now
     } catch (const base::Error&) {

@@ -101,7 +101,7 @@ SurfaceResult Session::Impl::make_result() const {
     SurfaceResult result;
     const auto interface_count = static_cast<int>(surface_.tessellation.interface_nodes.size());
     for (int i = 0; i < assembly_.reported_nodes; ++i)
-        result.nodes.push_back({i, assembly_.nodes[static_cast<std::size_t>(i)], i < interface_count});
+        result.nodes.push_back({i, assembly_.nodes[i], i < interface_count});
     return result;
 }
 
@@ -189,7 +189,7 @@ std::optional<reduction::BeamMotion> Session::Impl::beam_motion(TileIndex tile,
                                  .turn = tiles_[t].turn,
                                  .displacements = solved_in_};
     for (std::ptrdiff_t i = 0; i < count; ++i)
-        motion.nodes.row(i) = solution.displacements.row(interface_nodes[static_cast<std::size_t>(i)].value);
+        motion.nodes.row(i) = solution.displacements.row(interface_nodes[i].value);
     motion.nodes.bottomRows(inner) = solution.displacements.middleRows(first, inner);
     return tiles_[t].structure->beam_motion(motion);
 }

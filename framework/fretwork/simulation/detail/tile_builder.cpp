@@ -44,7 +44,7 @@ const pattern::Fan& TileBuilder::fan_of(const Surface& surface, const tiling::Ti
 
 TileBuilder::Request TileBuilder::request(const TilesToBuild& wanted, tiling::TileIndex index, double grid) {
     const Surface& surface = wanted.surface;
-    const tiling::Tile& tile = surface.tessellation.tiles[static_cast<std::size_t>(index)];
+    const tiling::Tile& tile = surface.tessellation.tiles[index];
     const reduction::TileModel& model = tile_model(surface, wanted.choice, index);
     std::vector<double> parameters = tile_parameters(surface, index, model);
     Request request{&model,

@@ -32,7 +32,7 @@ Painting part_of(const Painting& painting, std::span<const TileIndex> tiles, std
                                "the painting is for " + std::to_string(painting.tiles.size()) +
                                    " tiles, and the tessellation has " + std::to_string(count));
     Painting part{painting.patterns, {}};
-    for (const TileIndex tile : tiles) part.tiles.push_back(painting.tiles[static_cast<std::size_t>(tile)]);
+    for (const TileIndex tile : tiles) part.tiles.push_back(painting.tiles[tile]);
     return part;
 }
 
@@ -102,7 +102,7 @@ class Painter {
     [[nodiscard]] std::vector<geometry::Point2> places() const {
         const auto centers = tiling::tile_centers(tessellation_);
         std::vector<geometry::Point2> places;
-        for (const TileIndex tile : tiles_) places.push_back(centers[static_cast<std::size_t>(tile)]);
+        for (const TileIndex tile : tiles_) places.push_back(centers[tile]);
         return places;
     }
 
@@ -164,7 +164,7 @@ void mirror(Tessellation& tessellation, std::span<const TileIndex> tiles, const 
         painting.patterns.push_back(image ? pattern::named(layout, *image) : NamedPattern{});
     }
     for (const TileIndex tile : tiles) {
-        const int now = tessellation.tiles[static_cast<std::size_t>(tile)].pattern;
+        const int now = tessellation.tiles[tile].pattern;
         if (now < 0) throw base::InputError("tile " + std::to_string(tile) + " is not painted");
         if (painting.patterns[static_cast<std::size_t>(now)].id.empty())
             throw base::InputError("the layout '" + layout.name() + "' has no mirror image of " +

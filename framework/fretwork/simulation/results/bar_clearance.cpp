@@ -67,9 +67,7 @@ class PlaneBars {
 
   private:
     [[nodiscard]] Segment segment_of(std::size_t bar) const {
-        const auto place = [&](mechanics::NodeIndex node) -> Place {
-            return beams_.nodes[static_cast<std::size_t>(node)].head<2>();
-        };
+        const auto place = [&](mechanics::NodeIndex node) -> Place { return beams_.nodes[node].head<2>(); };
         return {place(beams_.ends[bar][0]), place(beams_.ends[bar][1])};
     }
 

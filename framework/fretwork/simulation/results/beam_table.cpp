@@ -55,7 +55,7 @@ BeamTable beam_table(const Surface& surface, const SurfaceResult& result,
             const auto f = state.forces.row(static_cast<Eigen::Index>(2 * b + end));
             const auto node = beams.ends[b][end];
             row.nodes[end] = node.value;
-            row.places[end] = beams.nodes[static_cast<std::size_t>(node)];
+            row.places[end] = beams.nodes[node];
             row.forces[end] = {f[0], f[1], f[2], f[3], f[4], f[5]};
             row.stress[end] = f[6];
         }

@@ -115,11 +115,10 @@ Errors collect(const SurfaceResult& full, const SurfaceResult& reduced) {
             throw base::InputError("interface node " + std::to_string(id) +
                                    " is missing in the reduced result");
         }
-        require_same_place(full.nodes[static_cast<std::size_t>(row)],
-                           reduced.nodes[static_cast<std::size_t>(match->second)]);
+        require_same_place(full.nodes[row], reduced.nodes[match->second]);
         const Eigen::Matrix<double, 6, 1> truth = full.solution.displacements.row(row);
         const Eigen::Matrix<double, 6, 1> guess = reduced.solution.displacements.row(match->second);
-        errors.add(full.nodes[static_cast<std::size_t>(row)].rest_position, truth, guess);
+        errors.add(full.nodes[row].rest_position, truth, guess);
     }
     return errors;
 }

@@ -32,8 +32,7 @@ tiling::TessellationFan painted_fan(const Surface& surface, std::span<const Tile
     if (painted.size() == surface.tessellation.tiles.size()) return surface_fan(surface);
     tiling::Tessellation part = surface.tessellation;
     part.tiles.clear();
-    for (const TileIndex tile : painted)
-        part.tiles.push_back(surface.tessellation.tiles[static_cast<std::size_t>(tile)]);
+    for (const TileIndex tile : painted) part.tiles.push_back(surface.tessellation.tiles[tile]);
     return tiling::assemble_fans(surface.layout, part);
 }
 
@@ -43,7 +42,7 @@ std::vector<double> reaches_of(const Surface& surface, std::span<const TileIndex
     std::vector<double> reaches;
     for (const TileIndex tile : painted) {
         const geometry::Polygon polygon = tiling::tile_polygon(surface.tessellation, tile);
-        const int pattern = surface.tessellation.tiles[static_cast<std::size_t>(tile)].pattern;
+        const int pattern = surface.tessellation.tiles[tile].pattern;
         auto& fan = fans[{pattern, polygon.size()}];
         if (fan.nodes.empty())
             fan = pattern::make_fan(surface.layout, tiling::pattern_of(surface.tessellation, tile)->pattern,
@@ -208,7 +207,7 @@ class ReadTiles {
             if (tile < 0 || static_cast<std::size_t>(tile) >= chosen.tile_models.size())
                 throw base::InputError("the result is not one of this project: it has a tile " +
                                        std::to_string(tile) + " in full");
-            chosen.tile_models[static_cast<std::size_t>(tile)] = reference_choice({.models = models_}).name;
+            chosen.tile_models[tile] = reference_choice({.models = models_}).name;
         }
         tiles_ =
             detail::TileBuilder().build_all(chosen, model_choice({.model = model, .models = models_}), {});
@@ -249,8 +248,7 @@ std::vector<mechanics::BeamSection> beam_sections(const SurfaceBeams& beams,
     sections.reserve(beams.ends.size());
     for (std::size_t i = 0; i < beams.ends.size(); ++i) {
         const auto& [a, b] = beams.ends[i];
-        const std::array ends{beams.nodes[static_cast<std::size_t>(a)],
-                              beams.nodes[static_cast<std::size_t>(b)]};
+        const std::array ends{beams.nodes[a], beams.nodes[b]};
         const reduction::TileMaterial bar = reduction::bar_of(
             setting, {.length = (ends[1] - ends[0]).norm(), .joint_reach = beams.joint_reaches[i]});
         sections.emplace_back(

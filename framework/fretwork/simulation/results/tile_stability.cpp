@@ -74,7 +74,7 @@ std::vector<tiling::TileIndex> buckled_tiles(const Surface& surface, const mecha
         std::vector<Eigen::Vector3d> places;
         std::vector<NodeState> own;
         for (const tiling::InterfaceIndex node : surface.tessellation.tiles[t].interface_nodes) {
-            const auto& place = surface.tessellation.interface_nodes[static_cast<std::size_t>(node)];
+            const auto& place = surface.tessellation.interface_nodes[node];
             places.emplace_back(place.x, place.y, 0.0);
             own.push_back(states[static_cast<std::size_t>(node)]);
         }

@@ -35,9 +35,7 @@ class Removal {
         CellSide side;
         std::size_t other;
     };
-    [[nodiscard]] const DualVertex& vertex(int v) const {
-        return dual_.vertices[static_cast<std::size_t>(v)];
-    }
+    [[nodiscard]] const DualVertex& vertex(int v) const { return dual_.vertices[v]; }
 
     /// One side joins it to the others, from the rim to the rim.
     [[nodiscard]] bool is_end() const {

@@ -67,9 +67,7 @@ class Comparison {
     }
 
   private:
-    [[nodiscard]] const DualVertex& vertex(int v) const {
-        return dual_.vertices[static_cast<std::size_t>(v)];
-    }
+    [[nodiscard]] const DualVertex& vertex(int v) const { return dual_.vertices[v]; }
     void note(DefectKind kind, Point2 place, std::vector<std::size_t> cells = {}) {
         shape_.defects.push_back({kind, place, std::move(cells)});
     }

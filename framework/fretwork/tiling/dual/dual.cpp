@@ -255,8 +255,7 @@ Dual dual_of(const Rim& rim, const Triangulation& triangulation, const Work& wor
 
 Polygon polygon_of(const Dual& dual, std::size_t cell) {
     Polygon polygon;
-    for (const int vertex : dual.cells[cell])
-        polygon.push_back(dual.vertices[static_cast<std::size_t>(vertex)].place);
+    for (const int vertex : dual.cells[cell]) polygon.push_back(dual.vertices[vertex].place);
     return polygon;
 }
 

@@ -39,8 +39,7 @@ class Spread {
 };
 
 bool is_at_rim(const Dual& dual, const std::vector<int>& cell) {
-    return std::ranges::any_of(
-        cell, [&](int vertex) { return dual.vertices[static_cast<std::size_t>(vertex)].loop >= 0; });
+    return std::ranges::any_of(cell, [&](int vertex) { return dual.vertices[vertex].loop >= 0; });
 }
 
 double smallest_angle(const Polygon& polygon) {
@@ -61,8 +60,8 @@ Spread measure_sides(const Dual& dual, const SizeField& field, const base::Contr
     report.smallest_side = std::numeric_limits<double>::infinity();
     const auto sides = sides_of_cells(dual, control);
     for_each_side(sides, control, [&](std::span<const CellSide> same) {
-        const Point2 from = dual.vertices[static_cast<std::size_t>(same.front().from)].place;
-        const Point2 to = dual.vertices[static_cast<std::size_t>(same.front().to)].place;
+        const Point2 from = dual.vertices[same.front().from].place;
+        const Point2 to = dual.vertices[same.front().to].place;
         const double side = distance(from, to);
         lengths.add(side);
         ratios.add(side / field.at(between(from, to, 0.5)));

@@ -36,7 +36,7 @@ class Merger {
     }
 
   private:
-    [[nodiscard]] Point2 place(int v) const { return dual_.vertices[static_cast<std::size_t>(v)].place; }
+    [[nodiscard]] Point2 place(int v) const { return dual_.vertices[v].place; }
 
     /// Each cell at most once, the smallest pairs first.
     bool merge_some() {
@@ -72,7 +72,7 @@ class Merger {
         std::vector<int> merged = union_of(dual_.cells[side.cell], dual_.cells[other], side);
         std::vector<int> superfluous{side.from, side.to};
         std::ranges::copy_if(merged, std::back_inserter(superfluous),
-                             [&](int v) { return dual_.vertices[static_cast<std::size_t>(v)].divides_side; });
+                             [&](int v) { return dual_.vertices[v].divides_side; });
         for (const int v : superfluous) {
             if (std::ranges::count(merged, v) != 1) return false;
             if (may_go(v, merged)) std::erase(merged, v);
@@ -95,7 +95,7 @@ class Merger {
     }
     /// On the rim, of these two cells alone, no corner, and nearly on the line between its neighbours.
     [[nodiscard]] bool may_go(int v, const std::vector<int>& cell) const {
-        const DualVertex& vertex = dual_.vertices[static_cast<std::size_t>(v)];
+        const DualVertex& vertex = dual_.vertices[v];
         if (vertex.loop < 0 || vertex.is_fixed || uses_[static_cast<std::size_t>(v)] > 2) return false;
         const auto i = static_cast<std::size_t>(std::ranges::find(cell, v) - cell.begin());
         const Point2 before = place(cell[(i + cell.size() - 1) % cell.size()]);

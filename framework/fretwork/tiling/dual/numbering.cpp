@@ -119,8 +119,8 @@ class Numberer {
             return nodes;
         }
         sides_[static_cast<std::size_t>(from)].push_back({to, result_.interface_nodes.size()});
-        const Point2 a = result_.vertices[static_cast<std::size_t>(from.value)];
-        const Point2 b = result_.vertices[static_cast<std::size_t>(to.value)];
+        const Point2 a = result_.vertices[from];
+        const Point2 b = result_.vertices[to];
         for (const double place : places_) {
             nodes.emplace_back(result_.interface_nodes.size());
             result_.interface_nodes.push_back(between(a, b, place));

@@ -124,8 +124,8 @@ class Regularizer {
     /// Each side pulls or pushes its ends to its wanted length.
     void pull_sides(std::size_t cell, const Polygon& polygon) {
         const std::vector<int>& vertices = dual_.cells[cell];
-        const bool is_at_rim = std::ranges::any_of(
-            vertices, [&](int v) { return dual_.vertices[static_cast<std::size_t>(v)].loop >= 0; });
+        const bool is_at_rim =
+            std::ranges::any_of(vertices, [&](int v) { return dual_.vertices[v].loop >= 0; });
         const double weight = is_at_rim ? kSidesAtRim : kSidesInside;
         for (std::size_t i = 0; i < polygon.size(); ++i) {
             const std::size_t next = (i + 1) % polygon.size();
@@ -158,15 +158,15 @@ class Regularizer {
     /// Its neighbours have moved, too.
     void keep_convex(std::size_t v) {
         DualVertex& vertex = dual_.vertices[v];
-        const auto place = [&](int other) { return dual_.vertices[static_cast<std::size_t>(other)].place; };
+        const auto place = [&](int other) { return dual_.vertices[other].place; };
         const ClosedCurve& curve = rim_.curves[static_cast<std::size_t>(vertex.loop)];
         vertex.place = convex_place(curve.at(vertex.along), {place(previous_[v]), place(next_[v])});
     }
     /// Along the outline from one vertex to another in front of it; 0 if it is not in front.
     [[nodiscard]] double way(int from, int to) const {
         if (from < 0 || to < 0) return 0.0;
-        const DualVertex& a = dual_.vertices[static_cast<std::size_t>(from)];
-        const DualVertex& b = dual_.vertices[static_cast<std::size_t>(to)];
+        const DualVertex& a = dual_.vertices[from];
+        const DualVertex& b = dual_.vertices[to];
         if (a.loop != b.loop) return 0.0;
         const ClosedCurve& curve = rim_.curves[static_cast<std::size_t>(a.loop)];
         const double forward = curve.way(a.along, b.along);

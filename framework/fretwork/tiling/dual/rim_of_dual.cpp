@@ -42,7 +42,7 @@ std::vector<geometry::Polygon> loops_of(const Dual& dual, const DualRim& rim) {
     std::vector<geometry::Polygon> loops;
     for (const std::vector<int>& line : rim.lines) {
         geometry::Polygon& loop = loops.emplace_back();
-        for (const int v : line) loop.push_back(dual.vertices[static_cast<std::size_t>(v)].place);
+        for (const int v : line) loop.push_back(dual.vertices[v].place);
     }
     std::iter_swap(loops.begin(), std::ranges::max_element(loops, {}, geometry::signed_area));
     return loops;

@@ -34,9 +34,7 @@ class Divider {
     }
 
   private:
-    [[nodiscard]] const DualVertex& vertex(int v) const {
-        return dual_.vertices[static_cast<std::size_t>(v)];
-    }
+    [[nodiscard]] const DualVertex& vertex(int v) const { return dual_.vertices[v]; }
 
     [[nodiscard]] bool is_to_be_divided(const CellSide& side) const {
         const DualVertex& from = vertex(side.from);

@@ -42,9 +42,7 @@ class Collapser {
     }
 
   private:
-    [[nodiscard]] const DualVertex& vertex(int v) const {
-        return dual_.vertices[static_cast<std::size_t>(v)];
-    }
+    [[nodiscard]] const DualVertex& vertex(int v) const { return dual_.vertices[v]; }
 
     [[nodiscard]] std::vector<ShortSide> short_sides() const {
         std::vector<ShortSide> result;
@@ -93,7 +91,7 @@ class Collapser {
         const int kept = keeps_to ? side.to : side.from;
         const int gone = keeps_to ? side.from : side.to;
         if (rank(kept) == rank(gone) && rank(kept) == 0) {
-            DualVertex& middle = dual_.vertices[static_cast<std::size_t>(kept)];
+            DualVertex& middle = dual_.vertices[kept];
             middle.place = between(vertex(kept).place, vertex(gone).place, 0.5);
         }
         for (const std::size_t c : cells_of_[static_cast<std::size_t>(gone)]) {

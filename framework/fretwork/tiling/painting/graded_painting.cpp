@@ -15,8 +15,7 @@ std::vector<std::vector<std::size_t>> neighbours_of(const Tessellation& tessella
     std::vector<std::vector<std::size_t>> neighbours(tiles.size());
     std::map<int, std::size_t> first_at;
     for (std::size_t i = 0; i < tiles.size(); ++i) {
-        for (const InterfaceIndex node :
-             tessellation.tiles[static_cast<std::size_t>(tiles[i])].interface_nodes) {
+        for (const InterfaceIndex node : tessellation.tiles[tiles[i]].interface_nodes) {
             const auto [known, is_new] = first_at.try_emplace(node.value, i);
             const std::size_t other = known->second;
             if (is_new || std::ranges::find(neighbours[i], other) != neighbours[i].end()) continue;

@@ -166,8 +166,7 @@ void paint_tiles(Tessellation& tessellation, std::span<const TileIndex> tiles, c
     std::vector<NamedPattern> all = tessellation.patterns;
     std::ranges::copy(painting.patterns, std::back_inserter(all));
     for (std::size_t i = 0; i < tiles.size(); ++i)
-        tessellation.tiles[static_cast<std::size_t>(tiles[i])].pattern =
-            static_cast<int>(before) + painting.tiles[i];
+        tessellation.tiles[tiles[i]].pattern = static_cast<int>(before) + painting.tiles[i];
     // Each pattern once, in the order of the palettes, and only those that a tile has.
     std::vector<int> place(all.size(), -1);
     std::set<int> used;

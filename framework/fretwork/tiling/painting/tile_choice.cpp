@@ -42,10 +42,10 @@ PlaneBox bounding_box(const Tessellation& tessellation) {
     return box;
 }
 
-std::vector<Point2> tile_centers(const Tessellation& tessellation) {
-    std::vector<Point2> centers;
-    for (std::size_t t = 0; t < tessellation.tiles.size(); ++t)
-        centers.push_back(geometry::centroid(tile_polygon(tessellation, TileIndex(t))));
+base::IndexVector<TileIndex, Point2> tile_centers(const Tessellation& tessellation) {
+    base::IndexVector<TileIndex, Point2> centers;
+    for (const TileIndex tile : tessellation.tiles.indices())
+        centers.push_back(geometry::centroid(tile_polygon(tessellation, tile)));
     return centers;
 }
 

@@ -17,7 +17,7 @@ struct PlaneBox {
 PlaneBox bounding_box(const Tessellation& tessellation);
 
 /// The centroid of each tile: a tile lies where its centroid does.
-std::vector<geometry::Point2> tile_centers(const Tessellation& tessellation);
+base::IndexVector<TileIndex, geometry::Point2> tile_centers(const Tessellation& tessellation);
 
 /// The tiles of numbers and ranges of numbers: "3,7-11". Each once, ascending. Throws InputError that names
 /// what there is.

@@ -67,7 +67,7 @@ Mesh surface_mesh(const Triangulation& triangulation, const Work& work) {
     for (const Point2& point : triangulation.points) {
         vertices.push_back(mesh.add_vertex(Kernel::Point_3(point.x, point.y, 0)));
     }
-    const auto vertex = [&](int point) { return vertices[static_cast<std::size_t>(point)]; };
+    const auto vertex = [&](int point) { return vertices[point]; };
     for (const auto& [a, b, c] : triangulation.triangles) {
         work.check();
         mesh.add_face(vertex(a), vertex(b), vertex(c));

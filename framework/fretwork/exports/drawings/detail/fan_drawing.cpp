@@ -25,7 +25,7 @@ void draw_beams(SvgCanvas& canvas, const NodeLayout& layout, const Pattern& patt
     const std::vector<Point2> nodes = pattern::place_fan(layout, fan, polygon);
     std::vector<std::array<Point2, 2>> beams;
     for (const auto& edge : fan.edges) {
-        beams.push_back({nodes[static_cast<std::size_t>(edge[0])], nodes[static_cast<std::size_t>(edge[1])]});
+        beams.push_back({nodes[edge[0]], nodes[edge[1]]});
     }
     canvas.segments(beams, style);
 }

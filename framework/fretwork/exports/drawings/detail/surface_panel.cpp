@@ -93,9 +93,7 @@ class PatternLegend {
         const auto nodes = move(pattern::place_fan(surface_->layout, fan, hexagon));
         canvas.polygon(move(hexagon), {pattern_colour(static_cast<int>(pattern)), "none", 0.0, 1.0});
         std::vector<std::array<Point2, 2>> beams;
-        for (const auto& edge : fan.edges)
-            beams.push_back(
-                {nodes[static_cast<std::size_t>(edge[0])], nodes[static_cast<std::size_t>(edge[1])]});
+        for (const auto& edge : fan.edges) beams.push_back({nodes[edge[0]], nodes[edge[1]]});
         canvas.segments(beams, {"none", kBeamColour, 0.06 * side, 1.0});
     }
 

@@ -18,8 +18,9 @@ using simulation::Surface;
 constexpr const char* kForceColour = "#20419a";
 constexpr const char* kMomentColour = "#7b3294";
 
+/// Of an interface node: they are the first nodes of every model.
 Point2 node_place(const Surface& surface, mechanics::NodeIndex node) {
-    return surface.tessellation.interface_nodes[static_cast<std::size_t>(node)];
+    return surface.tessellation.interface_nodes[tiling::InterfaceIndex(node.value)];
 }
 
 LoadMark load_mark(const Point2& place, const Eigen::Vector3d& arrow, const Projection& projection) {
@@ -115,8 +116,7 @@ void draw_beams(SvgCanvas& canvas, const Surface& surface, const Projection& pro
     std::vector<std::vector<std::array<Point2, 2>>> beams(surface.tessellation.tiles.size());
     for (std::size_t b = 0; b < drawn.ends.size(); ++b) {
         const auto& ends = drawn.ends[b];
-        beams[static_cast<std::size_t>(drawn.tiles[b])].push_back(
-            {nodes[static_cast<std::size_t>(ends[0])], nodes[static_cast<std::size_t>(ends[1])]});
+        beams[drawn.tiles[b]].push_back({nodes[ends[0]], nodes[ends[1]]});
     }
     const Style style{"none", kBeamColour, beam_width(surface), 1.0};
     for (std::size_t t = 0; t < beams.size(); ++t)

@@ -266,9 +266,7 @@ class Reader {
     }
 
     [[nodiscard]] bool lies_between(NodeIndex middle, NodeIndex start, NodeIndex end) const {
-        const auto at = [&](NodeIndex node) {
-            return result_.frame.nodes[static_cast<std::size_t>(node.value)];
-        };
+        const auto at = [&](NodeIndex node) { return result_.frame.nodes[node]; };
         return (at(middle) - at(start)).dot(at(end) - at(middle)) > 0.0;
     }
 

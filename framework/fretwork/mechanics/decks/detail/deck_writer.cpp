@@ -82,8 +82,7 @@ class Writer {
     void write_middle_nodes() {
         for (std::size_t i = 0; i < frame_.beams.size(); ++i) {
             const auto& [a, b] = frame_.beams[i].nodes;
-            const Eigen::Vector3d middle =
-                0.5 * (frame_.nodes[static_cast<std::size_t>(a)] + frame_.nodes[static_cast<std::size_t>(b)]);
+            const Eigen::Vector3d middle = 0.5 * (frame_.nodes[a] + frame_.nodes[b]);
             text_ += std::to_string(frame_.nodes.size() + i + 1) + "," + vector_text(middle) + "\n";
         }
     }

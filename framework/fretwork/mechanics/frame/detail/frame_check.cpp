@@ -65,9 +65,7 @@ class FrameCheck {
         return "/" + std::string(list) + "/" + std::to_string(i);
     }
     [[nodiscard]] std::string name_of(NodeIndex node) const {
-        const int label = names_.node_labels.empty()
-                              ? node.value
-                              : names_.node_labels[static_cast<std::size_t>(node.value)];
+        const int label = names_.node_labels.empty() ? node.value : names_.node_labels[node];
         return "node " + std::to_string(label);
     }
     [[nodiscard]] std::string node_place(NodeIndex node) const {
@@ -223,8 +221,8 @@ void check_frame(const Frame& frame, const FrameNames& names) {
 }
 
 Eigen::Matrix3d beam_axes(const Frame& frame, const Beam& beam) {
-    const Eigen::Vector3d& start = frame.nodes[static_cast<std::size_t>(beam.nodes[0].value)];
-    const Eigen::Vector3d& end = frame.nodes[static_cast<std::size_t>(beam.nodes[1].value)];
+    const Eigen::Vector3d& start = frame.nodes[beam.nodes[0]];
+    const Eigen::Vector3d& end = frame.nodes[beam.nodes[1]];
     constexpr double kParallel = 1e-6;
     const double size = std::max(start.lpNorm<Eigen::Infinity>(), end.lpNorm<Eigen::Infinity>());
     const double length = (end - start).norm();

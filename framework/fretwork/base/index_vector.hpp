@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/base/index.hpp>
+
+#include <ranges>
+#include <vector>
+
+namespace fretwork::base {
+
+/// A vector whose elements are counted by one role of index: `tiles[tile]` is an element, and
+/// `tiles[interface_node]` does not compile. A plain std::size_t, as loops have it, still counts.
+/// @tparam Role  an Index<..>
+template <class Role, class T>
+class IndexVector : public std::vector<T> {
+  public:
+    using std::vector<T>::vector;
+    using std::vector<T>::operator=;
+    using std::vector<T>::operator[];
+    IndexVector() = default;
+    IndexVector(std::vector<T> elements)  // NOLINT(google-explicit-constructor): the same elements
+        : std::vector<T>(std::move(elements)) {}
+
+    [[nodiscard]] T& operator[](Role index) { return (*this)[static_cast<std::size_t>(index.value)]; }
+    [[nodiscard]] const T& operator[](Role index) const {
+        return (*this)[static_cast<std::size_t>(index.value)];
+    }
+    template <class Tag>
+    void operator[](Index<Tag> other_role) = delete;
+    template <class Tag>
+    void operator[](Index<Tag> other_role) const = delete;
+
+    /// Whether there is an element of this index.
+    [[nodiscard]] bool has(Role index) const {
+        return index.is_valid() && static_cast<std::size_t>(index.value) < this->size();
+    }
+    /// The indices of all elements, ascending.
+    [[nodiscard]] auto indices() const {
+        return std::views::iota(std::int32_t{0}, static_cast<std::int32_t>(this->size())) |
+               std::views::transform([](std::int32_t number) { return Role(number); });
+    }
+};
+
+}  // namespace fretwork::base
