@@ -116,7 +116,7 @@ BENCHMARK(classify_paper7)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 void place_a_fan(benchmark::State& state) {
     const Fan fan = make_fan(paper7(), parse_pattern_id(paper7(), "0-1+1-5+2-6+4-6+5-6"), 6);
-    const Polygon hexagon = regular_polygon(6, 0.026);
+    const geometry::Polygon hexagon = geometry::regular_polygon(6, 0.026);
     for (auto _ : state) benchmark::DoNotOptimize(place_fan(paper7(), fan, hexagon));
 }
 BENCHMARK(place_a_fan);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The tiling stage on outlines of the sizes of the paper's examples.
+#include <fretwork/outlines/outline.hpp>
 #include <fretwork/tiling/tessellate.hpp>
 #include <fretwork/tiling/tessellation_fan.hpp>
 
@@ -30,11 +31,11 @@ TessellationOptions paper_options(int threads) {
 }
 
 void read_drawing(benchmark::State& state, const std::string& name) {
-    for (auto _ : state) benchmark::DoNotOptimize(read_outline(outline_file(name)));
+    for (auto _ : state) benchmark::DoNotOptimize(outlines::read_outline(outline_file(name)));
 }
 
 void tile_drawing(benchmark::State& state, const std::string& name) {
-    const Outline outline = read_outline(outline_file(name));
+    const outlines::Outline outline = outlines::read_outline(outline_file(name));
     const auto layout = pattern::find_node_layout("paper7");
     const TessellationOptions options = paper_options(static_cast<int>(state.range(0)));
     for (auto _ : state) {
@@ -45,7 +46,8 @@ void tile_drawing(benchmark::State& state, const std::string& name) {
 
 void assemble_drawing(benchmark::State& state, const std::string& name) {
     const auto layout = pattern::find_node_layout("paper7");
-    TessellationResult result = tessellate(read_outline(outline_file(name)), layout, paper_options(0));
+    TessellationResult result =
+        tessellate(outlines::read_outline(outline_file(name)), layout, paper_options(0));
     paint_uniformly(result.tessellation, pattern::parse_named_pattern(layout, "0-1+1-6"));
     for (auto _ : state) benchmark::DoNotOptimize(assemble_fans(layout, result.tessellation));
 }
@@ -53,7 +55,7 @@ void assemble_drawing(benchmark::State& state, const std::string& name) {
 /// From the request to stop to the return, after so many milliseconds of work on tiles of so many
 /// millimetres: 5 are 14,000 tiles, 2 are 86,000.
 void stop_tiling(benchmark::State& state) {
-    const Outline outline = read_outline(outline_file("example_b.svg"));
+    const outlines::Outline outline = outlines::read_outline(outline_file("example_b.svg"));
     const auto layout = pattern::find_node_layout("paper7");
     double longest = 0.0;
     for (auto _ : state) {

@@ -2,7 +2,6 @@
 # Every library that the project builds on, in one place. Versions, licences and reasons: third_party_notes.md.
 find_package(Threads REQUIRED)
 find_package(nlohmann_json 3.11 REQUIRED)                      # base: JSON
-find_package(simdjson 3.0 REQUIRED)                            # base: reads JSON quickly
 find_library(NETTLE_LIBRARY nettle REQUIRED)                   # base: SHA-256 (Debian ships no CMake package)
 find_path(NETTLE_INCLUDE_DIR nettle/sha2.h REQUIRED)
 if(NOT TARGET nettle::nettle)

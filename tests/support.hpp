@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What tests of every stage share.
+// Shared by the tests of every stage.
 #pragma once
 
 #include <fretwork/base/error.hpp>

@@ -62,7 +62,6 @@ const std::map<std::string, std::set<std::string>> kFences = {
     {"muParser", {"tiling"}},
     {"polyclipping/", {"fabrication"}},
     {"zip.h", {"exports"}},
-    {"simdjson", {"base"}},
     {"nlohmann/",
      {"base", "pattern", "mechanics", "optimization", "reduction", "library", "outlines", "tiling",
       "simulation", "fabrication", "exports"}},
@@ -143,7 +142,7 @@ struct SourceFile {
     std::vector<std::string> includes;
 };
 
-/// Of a file's path from its stage on: {"mechanics", "sparse", "ldlt.hpp"}.
+/// The parts of a file's path from its stage on: {"mechanics", "sparse", "ldlt.hpp"}.
 std::string room_of(const std::vector<std::string>& parts) {
     return parts.size() >= 3 ? parts[1] : "";
 }

@@ -40,7 +40,7 @@ std::vector<std::string> lines_of(const fs::path& page) {
     return lines;
 }
 
-/// Of a table's row; nothing for other lines. Bars within code are no borders.
+/// The cells of a table's row; nothing for other lines. Bars within code are no borders.
 std::optional<std::size_t> cell_count(const std::string& line) {
     static const std::regex code("`[^`]*`");
     if (!line.starts_with("|")) return std::nullopt;

@@ -7,7 +7,7 @@
 namespace fretwork::base {
 namespace THIS_TEST {
 
-/// What an action throws.
+/// The error that an action throws.
 template <class SomeError, class Action>
 ErrorData error_of(const Action& action) {
     try {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the verbs declare of their files, and what is refused before they run.
+// The files that verbs declare, and those that are refused before a verb runs.
 #include "cli/command.hpp"
 #include "program.hpp"
 #include "support.hpp"

@@ -63,7 +63,7 @@ TEST_F(FileLimit, ASeriesIsNoDevice) {
         folder_.path(), "/dev/full: is a device, which takes one file");
 }
 
-// What the thrower does not know is added: whose load cases, whose beams.
+// The verb adds what the thrower does not know: whose load cases, whose beams.
 TEST_F(FileLimit, MessagesNameTheFile) {
     ASSERT_EQ(
         run_command("fretwork case add p.json experiments/cases/own_weight.json", folder_.path()).exit_code,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What Ctrl-C leaves behind, and what it stores, in the middle of work.
+// Ctrl-C in the middle of work: what is stored, and that nothing else is left behind.
 #include "cli/command.hpp"
 #include "support.hpp"
 
@@ -163,7 +163,7 @@ TEST(Interrupt, ThatComesWhileTheInputIsReadStopsBeforeAnythingIsWritten) {
     const std::size_t before = files_in(folder.path()).size();
     Running program(folder.path(), {"solve", "f.json", "--out", "new.json", "--vtu", "new.vtu"});
     ASSERT_TRUE(comes_true([&] { return program.catches(SIGINT); }));
-    // What is written to a pipe that nobody has open yet is lost; and then the thread that waits is there,
+    // Bytes in a pipe that nobody has open yet are lost; and then the thread that waits is there,
     // too.
     ASSERT_TRUE(comes_true([&] { return program.has_open(folder.path() / "f.json"); }));
     program.signal(SIGINT);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the tests of cutting and printing share.
+// Shared by the tests of cutting and printing.
 #pragma once
 
 #include "cli/making_files.hpp"

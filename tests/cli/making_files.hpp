@@ -28,7 +28,7 @@ inline Box extents(const std::vector<Contour>& contours) {
     return box;
 }
 
-/// Of all arcs; those around an inner corner of the material turn right, the others left.
+/// The turns of all arcs; those around an inner corner of the material turn right, the others left.
 enum class Turn { Left, Right };
 inline std::vector<double> arc_radii(const std::vector<Contour>& contours, Turn turn) {
     std::vector<double> radii;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What `fretwork export` refuses to cut and to print.
+// Surfaces and options that `fretwork export` refuses to cut and to print.
 #include "cli/making.hpp"
 
 namespace fretwork::app {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What reaches the terminal: one short line for a mistake, and nothing that a terminal obeys.
+// The terminal gets one short line for a mistake, and nothing that it would obey.
 #include "cli/command.hpp"
 #include "support.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is told of results: beams, comparisons, the range of linear ones, stable paths, modes.
+// Verbs that read results: beams, comparisons, the range of linear ones, stable paths, modes.
 #include "cli/command.hpp"
 #include "support.hpp"
 
@@ -37,14 +37,15 @@ class ResultTools : public testing::Test {
 };
 
 TEST_F(ResultTools, BeamsListTheMostStressedFirst) {
-    const Outcome told = run("fretwork beams p.json full.json --top 3 --strength 40MPa --json --out b.csv");
-    ASSERT_EQ(told.exit_code, 0) << told.err;
-    const json beams = json::parse(told.out).at("beams");
+    const Outcome reported =
+        run("fretwork beams p.json full.json --top 3 --strength 40MPa --json --out b.csv");
+    ASSERT_EQ(reported.exit_code, 0) << reported.err;
+    const json beams = json::parse(reported.out).at("beams");
     ASSERT_EQ(beams.size(), 3U);
     const double worst = beams[0].at("largest_stress");
     EXPECT_GE(worst, beams[1].at("largest_stress").get<double>());
     EXPECT_NEAR(beams[0].at("utilization").get<double>(), worst / 40e6, 1e-12 * worst / 40e6);
-    // Of all beams in the table, none is worse.
+    // No beam of the table is worse.
     const auto lines = base::split(base::read_text_file(folder_.path() / "b.csv"), '\n');
     double largest = 0.0;
     for (std::size_t i = 1; i + 1 < lines.size(); ++i)
@@ -92,9 +93,9 @@ TEST_F(ResultTools, TheStrengthOfTheMaterialGivesUtilizationWithoutAnOption) {
     setting.strength = 40e6;
     project["setting"] = json::parse(reduction::setting_text(setting));
     folder_.file("p.json", project.dump());
-    const Outcome told = run("fretwork beams p.json full.json --top 1 --json");
-    ASSERT_EQ(told.exit_code, 0) << told.err << " (a strength makes no other setting of it)";
-    const json worst = json::parse(told.out).at("beams")[0];
+    const Outcome reported = run("fretwork beams p.json full.json --top 1 --json");
+    ASSERT_EQ(reported.exit_code, 0) << reported.err << " (a strength makes no other setting of it)";
+    const json worst = json::parse(reported.out).at("beams")[0];
     EXPECT_NEAR(worst.at("utilization").get<double>(), worst.at("largest_stress").get<double>() / 40e6,
                 1e-12);
     const json other =
@@ -137,10 +138,10 @@ TEST_F(ResultTools, StablePathsAndModesAreThereOnRequest) {
     const Outcome stable = run(
         "fretwork simulate p.json --branch stable --modes 2 --buckling 1 --json --out s.json --vtu s.vtu");
     ASSERT_EQ(stable.exit_code, 0) << stable.err;
-    const json told = json::parse(stable.out);
-    ASSERT_EQ(told.at("frequencies").size(), 2U);
-    EXPECT_GT(told.at("frequencies")[0].get<double>(), 0.0);
-    EXPECT_LE(told.at("buckling_load_factors").size(), 1U);
+    const json reported = json::parse(stable.out);
+    ASSERT_EQ(reported.at("frequencies").size(), 2U);
+    EXPECT_GT(reported.at("frequencies")[0].get<double>(), 0.0);
+    EXPECT_LE(reported.at("buckling_load_factors").size(), 1U);
     EXPECT_THAT(base::read_text_file(folder_.path() / "s.vtu"),
                 AllOf(HasSubstr("Name=\"stress\""), HasSubstr("Name=\"radius\""), HasSubstr("pattern_names"),
                       HasSubstr("vibration 2")));

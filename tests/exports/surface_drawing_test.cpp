@@ -213,7 +213,7 @@ TEST_F(SurfaceDrawing, TheFigureHoldsAllPanels) {
     const auto drawn = layers();
     const Svg svg(figure_svg(surface_, conditions_, drawn));
     EXPECT_EQ(children(svg.root(), "svg"), 3U);
-    // Of the document, and of each tile in both panels that show them.
+    // One title of the document, and one of each tile in both panels that show them.
     EXPECT_EQ(svg.count("title"), 1U + 2 * surface_.tessellation.tiles.size());
     EXPECT_EQ(lines_of_layer(svg.layer("deformed-paper6")), drawn[1].lines.lines.size());
     EXPECT_EQ(children(svg.layer("setup-supports"), "circle"), 2 * conditions_.supports.size());

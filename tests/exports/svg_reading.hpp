@@ -48,7 +48,7 @@ class Svg {
     pugi::xml_document document_;
 };
 
-/// What a label becomes as the id of a layer.
+/// The id of the layer that has this label.
 inline std::string identifier_of(std::string label) {
     for (char& c : label) {
         if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '-';

@@ -13,7 +13,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 
 constexpr double kLength = 0.02;  // m
-/// What the grid of a nanometre may change along some centimetres of contour, m2.
+/// The area by which the grid of a nanometre may change some centimetres of contour, m2.
 constexpr double kAreaTolerance = 1e-10;
 constexpr double kLengthTolerance = 1e-7;  // m
 
@@ -122,7 +122,7 @@ TEST(Shape, ABoltHasAnEyeAroundItsHole) {
     ASSERT_EQ(shape.pieces.at(0).openings.size(), 1U);
     EXPECT_NEAR(-signed_area(shape.pieces[0].openings[0]), 0.25 * kPi * 9e-6, 1e-15);
     const double eye = 0.25 * kPi * 49e-6;
-    // Of each bar what the eye does not cover: the bar from the eye's circle on.
+    // The part of each bar that the eye does not cover: the bar from the eye's circle on.
     const double radius = 3.5e-3, half = 0.5 * kWidth;
     const double covered =
         half * std::sqrt(radius * radius - half * half) + radius * radius * std::asin(half / radius);

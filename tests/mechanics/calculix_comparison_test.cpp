@@ -110,7 +110,8 @@ TEST(CalculixComparison, BentZigzagMatchesCalculix) {
     ASSERT_TRUE(solution.converged());
     const Eigen::Vector3d ours = solution.displacements.row(kLoaded).head<3>();
     EXPECT_GT(ours.norm(), 0.003);  // a quarter of a beam's length and more
-    // What remains are CalculiX's elements and its residual of half a percent of the mean force.
+    // The remaining difference comes from CalculiX's elements and its residual of half a percent of the mean
+    // force.
     EXPECT_LT((theirs - ours).norm(), 5e-4 * ours.norm()) << theirs.transpose() << " | " << ours.transpose();
 }
 

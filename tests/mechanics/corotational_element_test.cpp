@@ -155,7 +155,7 @@ TEST(CorotationalElement, TangentIsTheDerivativeOfTheForceAtLargeRotations) {
     }
 }
 
-/// What the tests of mixed responses check on a short element, on those of more nodes.
+/// The checks of the tests of mixed responses, on elements of more nodes.
 TEST(CorotationalElement, GivenStressesMeetTheSlopesOfItsStrains) {
     for (const Tile& tile : every_shape()) {
         Random random(3);

@@ -100,17 +100,17 @@ TEST(EquilibriumSolver, StartsFromTheLastEquilibriumWhereTheNodesAreTheSame) {
 TEST(EquilibriumSolver, TellsItsFirstIterateWhereItGoesOnFromAnEquilibrium) {
     Assembly assembly = bent_honeycomb();
     EquilibriumSolver solver;
-    std::vector<Solution> told;
-    const auto tell = [&](const Solution& solution) { told.push_back(solution); };
+    std::vector<Solution> received;
+    const auto tell = [&](const Solution& solution) { received.push_back(solution); };
     const Solution before = solver.solve(assembly, {}, StabilityCheck::Left, tell);
-    EXPECT_TRUE(told.empty()) << "there is nothing to go on from";
+    EXPECT_TRUE(received.empty()) << "there is nothing to go on from";
     assembly.loads *= 1.02;
     const Solution after = solver.solve(assembly, {}, StabilityCheck::Left, tell);
-    ASSERT_EQ(told.size(), 1U);
-    EXPECT_FALSE(told.front().converged());
+    ASSERT_EQ(received.size(), 1U);
+    EXPECT_FALSE(received.front().converged());
     EXPECT_TRUE(after.converged());
     // A tangent leaves an error that is quadratic in the move.
-    EXPECT_LT((told.front().displacements - after.displacements).norm(),
+    EXPECT_LT((received.front().displacements - after.displacements).norm(),
               0.2 * (before.displacements - after.displacements).norm());
 }
 

@@ -50,7 +50,7 @@ TEST(DenseLdlt, EliminationMatchesTextbookForEveryShapeOfFront) {
             // Far from singular, with pivots of both signs.
             for (int i = 0; i < size; ++i) a(i, i) += (i % 3 == 0 ? -3.0 : 3.0) * size;
             MatrixXd panel = a.leftCols(width);
-            // What is in the rest before does not count.
+            // Numbers that the rest held before do not count.
             MatrixXd rest = MatrixXd::Constant(rows, rows, std::numeric_limits<double>::quiet_NaN());
             a.bottomRightCorner(rows, rows).setZero();
             const VectorXd diagonal = a.diagonal();

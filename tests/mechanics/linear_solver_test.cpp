@@ -353,8 +353,8 @@ TEST(LinearSolver, ResidualThatRoundingExplainsIsConverged) {
     EXPECT_NEAR(solution.displacements(2, 2), 1.0 / (3.0 * 1e9 * std::pow(0.02, 4) / 12.0), 1e-6);
 }
 
-// What rounding leaves differs from one length and one compiler to the next; so many lengths are tried, down
-// to those at which the structure is refused as a mechanism.
+// The rest that rounding leaves differs from one length and one compiler to the next; so many lengths are
+// tried, down to those at which the structure is refused as a mechanism.
 TEST(LinearSolver, SolutionWithLargeResidualHasNotConverged) {
     int not_converged = 0;
     for (double length = 1e-4; length > 2.5e-5; length *= 0.98) {

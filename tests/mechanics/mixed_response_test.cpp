@@ -42,7 +42,7 @@ VectorXd stresses_at(const Element& element, const std::vector<NodeState>& state
     return ask(element, states, VectorXd::Zero(element.stress_count()), Demand::Force).stress;
 }
 
-/// Of the size of the element's own, but others.
+/// Displacements of the size of the element's own, but others.
 VectorXd other_stresses(const Element& element, const std::vector<NodeState>& states,
                         sample::Random& random) {
     VectorXd stresses = stresses_at(element, states);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What every row of the catalogue promises, and a method from outside the library with them.
+// Every row of the catalogue keeps its promises, and so does a method from outside the library.
 #include "analytic_problems.hpp"
 #include "evolution_strategy.hpp"
 
@@ -17,7 +17,7 @@
 
 namespace fretwork::optimization {
 
-/// What a failed test says of its row.
+/// Names the row in the message of a failed test.
 void PrintTo(const OptimizerRow& row, std::ostream* stream) {
     *stream << row.name;
 }
@@ -145,8 +145,8 @@ constexpr double kCoarse = 1e-1;
 
 /// How near to the optimum of a smooth function, whose value there is 0, a method of each class must come.
 double accuracy(const OptimizerRow& row) {
-    // Of 40,000 uniform points in a box of side 5 one is nearer to the center than sqrt(0.1), but for a
-    // probability of (1 - 4 pi 0.1^1.5 / 3 / 125)^40000 = 4e-19.
+    // One of 40,000 uniform points in a box of side 5 is nearer to the center than sqrt(0.1); the probability
+    // that none is, is (1 - 4 pi 0.1^1.5 / 3 / 125)^40000 = 4e-19.
     if (row.name == "random-search") return kCoarse;
     switch (row.kind) {
         // Descents end at steps of 1e-8 of the box: the value, which grows with their square, is off by 1e-16

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a browser would fill: fill rules, unions, clips, copies, switches, sizes.
+// The areas that a browser would fill: fill rules, unions, clips, copies, switches, sizes.
 #include "outlines/outlines.hpp"
 
 #include <fretwork/outlines/outline.hpp>

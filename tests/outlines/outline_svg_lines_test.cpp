@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What closed lines enclose where an SVG drawing fills nothing.
+// Closed lines of an SVG drawing that fills nothing: the areas that they enclose.
 #include "outlines/outlines.hpp"
 
 #include <fretwork/outlines/coloured_drawing.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What hides a shape, and where that may be said.
+// Properties that hide a shape, and the places where they may stand.
 #include "outlines/outlines.hpp"
 
 #include <fretwork/outlines/outline.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the tests of outlines share.
+// Shared by the tests of outlines.
 #pragma once
 
 #include "support.hpp"

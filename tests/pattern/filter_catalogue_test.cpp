@@ -181,7 +181,7 @@ TEST(EdgeGroups, RequiredAndForbiddenOnesAreKept) {
               "the edge 0-6 is forbidden");
 }
 
-// Of the 1,824 patterns, 210 do not use node 5.
+// 210 of the 1,824 patterns do not use node 5.
 TEST(EdgeGroups, RequiredAndForbiddenOnesTogetherGiveAllPatterns) {
     EnumerationOptions with;
     with.filters.required = {parse_edge_group(paper7(), "n5")};
@@ -204,7 +204,7 @@ TEST(FilterCatalogue, EveryFilterTakesItsDefaultAndRejectsNonsense) {
     }
 }
 
-// What a rule says it prunes by must hold: conflicts and loads stay broken when edges are added.
+// Rules prune by conflicts and loads: both must stay broken when edges are added.
 TEST(FilterCatalogue, RulesThatPruneAreMonotone) {
     FilterSettings settings;
     settings.choices = {{"short_edge", {}}, {"long_edge", {}}, {"tight_clearance", {}}};

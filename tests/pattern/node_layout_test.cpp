@@ -18,7 +18,7 @@ NodeLayoutDescription paper7_description() {
     return find_node_layout("paper7").description();
 }
 
-/// What a layout that is wrong in one point is refused with.
+/// The message that refuses a layout with one mistake.
 std::string refusal(const std::function<void(NodeLayoutDescription&)>& spoil) {
     NodeLayoutDescription description = paper7_description();
     spoil(description);
@@ -30,7 +30,7 @@ std::string refusal(const std::function<void(NodeLayoutDescription&)>& spoil) {
     return "accepted";
 }
 
-/// What a layout file with this text is refused with.
+/// The message that refuses a layout file with this text.
 std::string file_refusal(const std::string& text) {
     const test::TemporaryFolder folder;
     try {

@@ -212,7 +212,7 @@ TEST(Objective, StablePolicyLeavesOutEverySampleFromTheFirstUnstableOneOn) {
     stable.sample_policy = SamplePolicy::Stable;
     EXPECT_EQ(Objective(responses, stable).sample_count(), 45U);
     EXPECT_EQ(Objective(responses, example().setting).sample_count(), 49U);
-    // What is left out does not count.
+    // Components that are left out do not count.
     const Objective before(responses, stable);
     for (std::size_t k = 6; k < 10; ++k) responses[0].samples[k].displacements.setConstant(1.0);
     base::RandomStream random(5, 0);

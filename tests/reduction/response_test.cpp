@@ -44,7 +44,7 @@ TEST(Responses, UnderSmallLoadsAreThoseOfTheLinearModel) {
         for (const auto& sample : responses[s].samples) {
             EXPECT_TRUE(sample.converged);
             const mechanics::NodeValues expected = sample.step / 10.0 * linear.displacements.topRows(6);
-            // What is left is the nonlinear part, of second order: about 1e-6 of the displacements.
+            // The rest is the nonlinear part, of second order: about 1e-6 of the displacements.
             EXPECT_LT(relative_difference(sample.displacements, expected), 1e-5) << responses[s].scenario;
         }
     }

@@ -295,17 +295,17 @@ TEST(EntryMarks, SayOfEachLoadWhatTheSolverPutsOnItsNodes) {
     const EntryMarks marks = entry_marks(load_case, surface.tessellation);
     ASSERT_EQ(marks.loads.size(), 5U);
     const std::size_t nodes = surface.tessellation.interface_nodes.size();
-    mechanics::NodeValues told =
+    mechanics::NodeValues marked =
         mechanics::NodeValues::Zero(static_cast<Eigen::Index>(nodes), mechanics::kDofsPerNode);
     for (const EntryMarks::Load& load : marks.loads) {
         ASSERT_EQ(load.nodes.size(), load.shares.size());
         for (std::size_t i = 0; i < load.nodes.size(); ++i) {
-            told.row(load.nodes[i].value).head<3>() += load.shares[i] * load.force;
-            told.row(load.nodes[i].value).tail<3>() += load.shares[i] * load.moment;
+            marked.row(load.nodes[i].value).head<3>() += load.shares[i] * load.force;
+            marked.row(load.nodes[i].value).tail<3>() += load.shares[i] * load.moment;
         }
     }
     // Equal but for the order of sums.
-    EXPECT_LT((told - load_rows(resolve(load_case, surface), nodes)).norm(), 1e-12);
+    EXPECT_LT((marked - load_rows(resolve(load_case, surface), nodes)).norm(), 1e-12);
     EXPECT_EQ(marks.loads[1].extent, 0.0);
     EXPECT_NEAR(marks.loads[2].force.z(), -2 * marks.loads[2].extent, 1e-12);
 }
@@ -325,7 +325,7 @@ TEST(LineLoad, IsKeptByFilesOfTheThirdFormat) {
                 HasSubstr("one of side, between"));
 }
 
-// ---- what is told ----
+// ---- messages and marks ----
 
 TEST(LoadCaseText, TellsHowManyNodesEachEntryPicked) {
     const Surface surface = make_surface(test::honeycomb(4, 3, {"0-1+1-6"}), nullptr);

@@ -37,7 +37,7 @@ double largest_difference(const NodeValues& a, const NodeValues& b) {
     return (a - b).cwiseAbs().maxCoeff();
 }
 
-/// What the session's project gives when it is simulated from nothing.
+/// The result of the session's project when it is simulated from rest.
 simulation::SurfaceResult from_nothing(const Session& session) {
     return simulate(session.surface(), session.load_case(), session.options());
 }

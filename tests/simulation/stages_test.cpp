@@ -29,7 +29,7 @@ simulation::SurfaceResult staged(const std::vector<LoadCase>& cases, const char*
     return simulate_stages(strip(), {cases.front(), cases, parsed}, {.model = "corotational"});
 }
 
-/// What a stage applies is what the load case alone would.
+/// A stage applies the same loads as the load case alone.
 TEST(Stages, ApplyALoadCaseWhateverItIsCalled) {
     const std::vector<LoadCase> cases = {named("tip", -0.01), named("stage", -0.02)};
     const auto result = staged(cases, R"({"format": "fretwork/stages/1", "stages": [

@@ -188,7 +188,7 @@ class Client {
             if (!message.binary.empty()) return message.binary;
         }
     }
-    /// What came and was not asked for.
+    /// Messages that came unasked.
     void forget() { kept_.clear(); }
     void hello() { ASSERT_TRUE(ask("hello", {{"protocol", 1}})["ok"].get<bool>()); }
 

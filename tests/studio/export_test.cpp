@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a file shows is what the page shows, whatever was done before.
+// A file shows what the page shows, whatever was done before.
 #include "running_studio.hpp"
 
 #include <fretwork/base/text.hpp>
@@ -46,7 +46,8 @@ bool shows_answer(const WriterRow& writer) {
     return !writer.is_made() || writer.content == Content::Facts;
 }
 
-/// What the page shows: the document as it would be saved, with its live model and its selected load case.
+/// The state that the page shows: the document as it would be saved, with its live model and its selected
+/// load case.
 exports::Scene scene_of(Client& client, const std::string& model, std::size_t load_case) {
     const auto project =
         simulation::parse_project(client.ask("download")["text"].get<std::string>(), "the page");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the studio paints, and what `fretwork paint` does.
+// The studio paints as `fretwork paint` does.
 #include "running_studio.hpp"
 
 #include <fretwork/base/files/base64.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What was not saved, when a server ends or another document is opened.
+// Changes that were not saved, when a server ends or another document is opened.
 #include "running_studio.hpp"
 
 #include <fretwork/base/files/base64.hpp>

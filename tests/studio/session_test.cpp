@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What pages ask of a server, and what they are told.
+// Requests of pages, and the answers of the server.
 #include "running_studio.hpp"
 
 #include <fretwork/base/files/base64.hpp>
@@ -53,7 +53,7 @@ Json load_case_json(double force) {
     return Json::parse(simulation::load_case_text(test::cantilever({0, 0, force})));
 }
 
-/// What the page would save.
+/// The document as the page would save it.
 std::string text_of(Client& client) {
     return client.ask("download")["text"].get<std::string>();
 }
@@ -803,10 +803,11 @@ TEST(StudioFiles, BarsThatOverlapAreToldWithTheirPlacesAndInTheRemarkOfExports) 
     Json setting = client.event({"document"})["setting"];
     setting["section"]["I3"] = 36.0 * setting["section"]["I3"].get<double>();
     ASSERT_TRUE(client.ask("set_setting", {{"setting", setting}})["ok"].get<bool>());
-    Json told = client.event({"making"});
-    if (told["words"].empty()) told = client.event({"making"});  // that of the first setting, if it was sent
-    ASSERT_FALSE(told["words"].empty()) << told;
-    EXPECT_FALSE(told["places"].empty());
+    Json making = client.event({"making"});
+    if (making["words"].empty())
+        making = client.event({"making"});  // that of the first setting, if it was sent
+    ASSERT_FALSE(making["words"].empty()) << making;
+    EXPECT_FALSE(making["places"].empty());
     EXPECT_THAT(
         test::http(studio.port(), test::get_request("/export?token=" + studio.token() + "&to=solid.stl")),
         HasSubstr("Fretwork-Remark"));

@@ -26,7 +26,7 @@ int wanted_edits() {
     return wanted != nullptr ? std::atoi(wanted) : 2000;
 }
 
-/// What people do, by chance.
+/// Actions of people, in random order.
 class RandomEdits {
   public:
     RandomEdits(Client& client, std::size_t tiles) : client_(client), tiles_(tiles) {}

@@ -60,8 +60,8 @@ TEST(GradedPainting, DitheringKeepsTheMeanOfTheWantedValues) {
         const Painting painting = graded_painting(
             row, all(row), kSoftAndStiff, std::vector<double>(kTiles, wanted), Dithering::ErrorDiffusion);
         const double stiff = std::accumulate(painting.tiles.begin(), painting.tiles.end(), 0.0);
-        // What is handed on never exceeds half of the distance between two patterns, and the last tile keeps
-        // it.
+        // The error that is handed on never exceeds half of the distance between two patterns, and the last
+        // tile keeps it.
         EXPECT_NEAR(1.0 + 2.0 * stiff / kTiles, wanted, 1.0 / kTiles) << wanted;
     }
 }

@@ -107,7 +107,7 @@ double spread_at_rim(const Tessellation& tessellation) {
 
 class Rims : public testing::TestWithParam<std::pair<const char*, outlines::Outline>> {};
 
-/// Of a row of hexagons, an outline along it leaves pentagons with sides 1, 1, h, h, sqrt(3): their spread is
+/// An outline along a row of hexagons leaves pentagons with sides 1, 1, h, h, sqrt(3): their spread is
 /// 0.21 at least, whatever h. Divided, sqrt(3) becomes two sides of 0.87, and the spread can be 0.06; between
 /// the two, since rows of tiles seldom run along the rim everywhere.
 TEST_P(Rims, HaveMoreEvenSidesThanUndividedRowsOfHexagonsCan) {

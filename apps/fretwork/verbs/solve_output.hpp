@@ -16,7 +16,7 @@ void print_solution_json(const mechanics::Result& result);
 
 inline constexpr double kDegreesPerRadian = 180.0 / std::numbers::pi;
 
-/// What was asked for.
+/// The outputs that were asked for.
 struct Wanted {
     int vibration_modes = 0;
     int buckling_modes = 0;

@@ -36,9 +36,9 @@ struct ShapeOptions {
     /// The contours of a bolt's eye and of its hole, m; the cutter takes the kerf.
     [[nodiscard]] double eye_radius() const;
     [[nodiscard]] double hole_radius() const { return 0.5 * (bolt_diameter - kerf); }
-    /// Of the cutter's path, m.
+    /// Radius of the fillets of the cutter's path, m.
     [[nodiscard]] double contour_fillet() const;
-    /// Of the finished part, not of the cutter's path.
+    /// Options of the finished part, not of the cutter's path.
     [[nodiscard]] ShapeOptions without_kerf() const;
 };
 

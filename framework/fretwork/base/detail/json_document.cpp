@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <optional>
-#include <simdjson.h>
 #include <vector>
 
 namespace fretwork::base::detail {
@@ -131,78 +130,6 @@ class Builder final : public nlohmann::json_sax<JsonValue> {
     std::string key_;
 };
 
-/// The values that simdjson has parsed. simdjson compares no keys: an object with a repeated key is refused
-/// here.
-class QuickBuilder {
-  public:
-    [[nodiscard]] std::optional<JsonValue> build(const simdjson::dom::element& element) {
-        JsonValue value = converted(element);
-        return repeats_key_ ? std::nullopt : std::optional<JsonValue>(std::move(value));
-    }
-
-  private:
-    JsonValue converted(const simdjson::dom::element& element) {
-        using Type = simdjson::dom::element_type;
-        switch (element.type()) {
-            case Type::ARRAY:
-                return converted_array(element.get_array().value_unsafe());
-            case Type::OBJECT:
-                return converted_object(element.get_object().value_unsafe());
-            case Type::INT64:
-                return converted_integer(element.get_int64().value_unsafe());
-            case Type::UINT64:
-                return element.get_uint64().value_unsafe();
-            case Type::DOUBLE:
-                return element.get_double().value_unsafe();
-            case Type::STRING:
-                return std::string(element.get_string().value_unsafe());
-            case Type::BOOL:
-                return element.get_bool().value_unsafe();
-            case Type::NULL_VALUE:
-                return nullptr;
-        }
-        return nullptr;
-    }
-
-    /// As the careful parser does: without a sign a number is unsigned.
-    static JsonValue converted_integer(std::int64_t value) {
-        return value < 0 ? JsonValue(value) : JsonValue(static_cast<std::uint64_t>(value));
-    }
-
-    JsonValue converted_array(const simdjson::dom::array& array) {
-        JsonValue value = JsonValue::array();
-        auto& elements = value.get_ref<JsonValue::array_t&>();
-        elements.reserve(array.size());
-        for (const simdjson::dom::element element : array) elements.push_back(converted(element));
-        return value;
-    }
-
-    JsonValue converted_object(const simdjson::dom::object& object) {
-        JsonValue value = JsonValue::object();
-        auto& members = value.get_ref<JsonValue::object_t&>();
-        members.reserve(object.size());
-        for (const auto member : object) {
-            // Not operator[], which looks through all the keys that are there.
-            members.JsonValue::object_t::Container::emplace_back(std::string(member.key),
-                                                                 converted(member.value));
-        }
-        repeats_key_ = repeats_key_ || repeated_key(members).has_value();
-        return value;
-    }
-
-    bool repeats_key_ = false;
-};
-
-/// Nothing if anything is wrong with the text, or a number is too large for 64 bits: simdjson is several
-/// times as fast as the careful parser, but names no place.
-std::optional<JsonValue> parse_quickly(std::string_view text) {
-    simdjson::dom::parser parser;
-    if (parser.allocate(text.size(), kDeepest) != simdjson::SUCCESS) return std::nullopt;
-    simdjson::dom::element root;
-    if (parser.parse(text.data(), text.size()).get(root) != simdjson::SUCCESS) return std::nullopt;
-    return QuickBuilder().build(root);
-}
-
 std::string line_and_column(std::string_view text, std::size_t byte) {
     const std::string_view before = text.substr(0, std::min(byte == 0 ? 0 : byte - 1, text.size()));
     const auto line = std::count(before.begin(), before.end(), '\n') + 1;
@@ -233,7 +160,6 @@ bool append_pointer(const JsonValue& from, const JsonValue& wanted, std::string&
 }  // namespace
 
 JsonValue parse_json(std::string_view text, const std::string& source) {
-    if (auto root = parse_quickly(text)) return *std::move(root);
     if (text.starts_with("SQLite format 3"))
         throw InputError(source, "", "is a database, where JSON is needed");
     Builder builder;

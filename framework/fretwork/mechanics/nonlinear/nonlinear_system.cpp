@@ -215,8 +215,9 @@ void NonlinearSystem::add_answer(std::size_t index, const Answer& answer, const 
     if (unknowns_.has_prescribed()) add_prescribed_rate(nodes, answer.response.tangent);
 }
 
-/// What moments add to the tangent: at vector nodes the change of the map itself (it meets the out-of-balance
-/// moment, which the supports carry), at freely turning ones the skew part of moments of fixed direction.
+/// The part of moments in the tangent: at vector nodes the change of the map itself (it meets the
+/// out-of-balance moment, which the supports carry), at freely turning ones the skew part of moments of fixed
+/// direction.
 /// @param internal  forces of the stresses that stand in the tangent
 void NonlinearSystem::add_moment_terms(const Configuration& configuration, double load_factor,
                                        const NodeValues& internal) {

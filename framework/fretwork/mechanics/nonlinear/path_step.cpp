@@ -114,7 +114,7 @@ std::optional<PathStep> PathStepper::step(const PathState& from, const PathState
     if (correct_across(system_, newton_, guess.move, guess.load_factor, trial) < 0) return {};
     auto step = step_to(from, guess.load_factor, std::move(trial));
     if (!step) return {};
-    // Of so short a step rounding decides which way the load goes.
+    // Rounding decides which way the load goes along so short a step.
     if (step->state.load_rate < 0.0 && unknowns_.largest_component(step->move) <= kRoundedMove) return {};
     step->deviation = deviation_on_arc(from, *step);
     return step->deviation <= 1.0 ? std::move(step) : std::nullopt;

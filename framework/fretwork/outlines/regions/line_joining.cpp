@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/geometry/internal/segment_box.hpp>
 #include <fretwork/geometry/plane.hpp>
+#include <fretwork/geometry/point_grid.hpp>
 #include <fretwork/outlines/regions/line_joining.hpp>
 #include <fretwork/outlines/regions/map_parts.hpp>
 
@@ -11,7 +12,6 @@
 #include <numeric>
 #include <optional>
 #include <tuple>
-#include <unordered_map>
 
 namespace fretwork::outlines::detail {
 namespace {
@@ -19,70 +19,29 @@ namespace {
 using geometry::Point2;
 using geometry::Polygon;
 
-/// Points in square cells as wide as a distance: who is within that distance lies in a neighbouring cell.
-class Grid {
-  public:
-    explicit Grid(double width) : width_(width) {}
-
-    void add(Point2 point, std::size_t number) { cells_[cell(point)].push_back(number); }
-    template <class Visit>
-    void visit_near(Point2 point, Visit visit) const {
-        const Cell middle = cell(point);
-        for (long x = middle.x - 1; x <= middle.x + 1; ++x) {
-            for (long y = middle.y - 1; y <= middle.y + 1; ++y) {
-                const auto found = cells_.find({x, y});
-                if (found == cells_.end()) continue;
-                for (const std::size_t number : found->second) visit(number);
-            }
-        }
-    }
-
-  private:
-    struct Cell {
-        long x;
-        long y;
-        friend bool operator==(const Cell&, const Cell&) = default;
-    };
-    struct Hash {
-        std::size_t operator()(const Cell& cell) const {
-            return std::hash<long>()(cell.x * 73'856'093L ^ cell.y * 19'349'663L);
-        }
-    };
-    [[nodiscard]] Cell cell(Point2 point) const {
-        return {static_cast<long>(std::floor(point.x / width_)),
-                static_cast<long>(std::floor(point.y / width_))};
-    }
-    double width_;
-    std::unordered_map<Cell, std::vector<std::size_t>, Hash> cells_;
-};
-
 /// The two ends of each line as numbered points: ends nearer than the tolerance have one number.
 class Ends {
   public:
-    Ends(std::vector<Polygon>& lines, double same) : grid_(same), same_(same) {
+    Ends(std::vector<Polygon>& lines, double same) : places_(same), same_(same) {
         for (Polygon& line : lines) numbers_.push_back({number_of(line.front()), number_of(line.back())});
     }
     [[nodiscard]] std::array<std::size_t, 2> of(std::size_t line) const { return numbers_[line]; }
-    [[nodiscard]] std::size_t count() const { return places_.size(); }
+    [[nodiscard]] std::size_t count() const { return places_.points().size(); }
 
   private:
     /// The number of an end, which is moved to the place of its number.
     std::size_t number_of(Point2& end) {
         std::optional<std::size_t> found;
-        grid_.visit_near(end, [&](std::size_t other) {
-            if (distance(places_[other], end) <= same_ && (!found || other < *found)) found = other;
+        places_.any_around(end, [&](std::size_t other) {
+            if (distance(places_.points()[other], end) <= same_ && (!found || other < *found)) found = other;
+            return false;
         });
-        if (!found) {
-            found = places_.size();
-            places_.push_back(end);
-            grid_.add(end, *found);
-        }
-        end = places_[*found];
+        if (!found) found = places_.add(end);
+        end = places_.points()[*found];
         return *found;
     }
-    Grid grid_;
+    geometry::PointGrid places_;
     double same_;
-    std::vector<Point2> places_;
     std::vector<std::array<std::size_t, 2>> numbers_;
 };
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/geometry/plane.hpp>
+#include <fretwork/geometry/point_grid.hpp>
 #include <fretwork/tiling/remeshing/ears.hpp>
 #include <fretwork/tiling/remeshing/inside.hpp>
-#include <fretwork/tiling/remeshing/site_grid.hpp>
 #include <fretwork/tiling/remeshing/sites.hpp>
 #include <fretwork/tiling/remeshing/triangulation.hpp>
 
@@ -61,8 +61,8 @@ std::vector<EmptyCircle> large_empty_circles(const Triangulation& triangulation,
     return circles;
 }
 
-SiteGrid grid_of(const std::vector<Point2>& sites, const Spacing& spacing, const Work& work) {
-    SiteGrid grid(spacing.largest());
+geometry::PointGrid grid_of(const std::vector<Point2>& sites, const Spacing& spacing, const Work& work) {
+    geometry::PointGrid grid(spacing.largest());
     for (const Point2& site : sites) {
         work.check();
         grid.add(site);
@@ -74,7 +74,7 @@ SiteGrid grid_of(const std::vector<Point2>& sites, const Spacing& spacing, const
 
 void fill_empty_parts(const Rim& rim, const Spacing& spacing, std::vector<Point2>& sites, const Work& work) {
     const InsideTest is_inside(rim, kRimDistance * spacing.largest(), work.control());
-    SiteGrid grid = grid_of(sites, spacing, work);
+    geometry::PointGrid grid = grid_of(sites, spacing, work);
     for (int round = 0; round < kRounds; ++round) {
         const std::size_t before = sites.size();
         for (const EmptyCircle& circle : large_empty_circles(triangulate(rim, sites, work), spacing, work)) {
@@ -92,7 +92,7 @@ void fill_empty_parts(const Rim& rim, const Spacing& spacing, std::vector<Point2
 bool bridge_chords(const Rim& rim, const Spacing& spacing, std::vector<Point2>& sites, const Work& work) {
     Triangulation triangulation = triangulate(rim, sites, work);
     flip_ears(triangulation, work);
-    SiteGrid grid = grid_of(sites, spacing, work);
+    geometry::PointGrid grid = grid_of(sites, spacing, work);
     const std::size_t before = sites.size();
     for (const Chord& chord : chords_of(triangulation)) {
         work.check();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/geometry/plane.hpp>
+#include <fretwork/geometry/point_grid.hpp>
 #include <fretwork/tiling/remeshing/inside.hpp>
-#include <fretwork/tiling/remeshing/site_grid.hpp>
 #include <fretwork/tiling/remeshing/sites.hpp>
 
 #include <algorithm>
@@ -66,7 +66,7 @@ void for_each_lattice_point(const LatticeBox& box, const Work& work, const Body&
 /// Lattices as fine as the limits of the side ask for, each where it fits.
 void add_finer_lattices(const InsideTest& is_inside, const Spacing& spacing, double angle, const Work& work,
                         std::vector<Point2>& sites) {
-    SiteGrid grid(spacing.largest());
+    geometry::PointGrid grid(spacing.largest());
     for (const Point2& site : sites) {
         work.check();
         grid.add(site);

@@ -18,7 +18,7 @@ using simulation::Surface;
 constexpr const char* kForceColour = "#20419a";
 constexpr const char* kMomentColour = "#7b3294";
 
-/// Of an interface node: they are the first nodes of every model.
+/// The row of an interface node: these are the first nodes of every model.
 Point2 node_place(const Surface& surface, mechanics::NodeIndex node) {
     return surface.tessellation.interface_nodes[tiling::InterfaceIndex(node.value)];
 }

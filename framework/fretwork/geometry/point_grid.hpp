@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which of many points are near a place, while points are added.
+#pragma once
+
+#include <fretwork/geometry/plane.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <unordered_map>
+#include <vector>
+
+namespace fretwork::geometry {
+
+/// Points in square cells as wide as a distance: a point within that distance lies in the same cell or in one
+/// of the eight around it. Adding and searching take constant time where few points share a cell.
+class PointGrid {
+  public:
+    /// `width` in metres, positive: the largest distance at which points are found.
+    explicit PointGrid(double width) : width_(width) {}
+
+    /// Points are numbered in the order of their adding.
+    /// @return the number of this point
+    std::size_t add(Point2 point) {
+        cells_[cell(point)].push_back(points_.size());
+        points_.push_back(point);
+        return points_.size() - 1;
+    }
+    [[nodiscard]] const std::vector<Point2>& points() const { return points_; }
+
+    /// Calls `visit(number)` for each point of the nine cells around a place, in no order that means
+    /// anything, until one call returns true.
+    /// @return whether one did
+    template <class Visit>
+    bool any_around(Point2 place, Visit visit) const {
+        const Cell middle = cell(place);
+        for (std::int64_t x = middle.x - 1; x <= middle.x + 1; ++x) {
+            for (std::int64_t y = middle.y - 1; y <= middle.y + 1; ++y) {
+                const auto found = cells_.find({x, y});
+                if (found == cells_.end()) continue;
+                for (const std::size_t number : found->second)
+                    if (visit(number)) return true;
+            }
+        }
+        return false;
+    }
+
+    /// Whether a point is nearer to a place than `reach`, which is at most the width.
+    [[nodiscard]] bool has_near(Point2 place, double reach) const {
+        return any_around(place,
+                          [&](std::size_t number) { return distance(points_[number], place) < reach; });
+    }
+
+  private:
+    struct Cell {
+        std::int64_t x;
+        std::int64_t y;
+        friend bool operator==(const Cell&, const Cell&) = default;
+    };
+    struct Hash {
+        std::size_t operator()(const Cell& cell) const {
+            return std::hash<std::int64_t>()(cell.x * 73'856'093 ^ cell.y * 19'349'663);
+        }
+    };
+    [[nodiscard]] Cell cell(Point2 point) const {
+        return {static_cast<std::int64_t>(std::floor(point.x / width_)),
+                static_cast<std::int64_t>(std::floor(point.y / width_))};
+    }
+
+    double width_;
+    std::vector<Point2> points_;
+    std::unordered_map<Cell, std::vector<std::size_t>, Hash> cells_;
+};
+
+}  // namespace fretwork::geometry
