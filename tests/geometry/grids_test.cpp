@@ -37,10 +37,7 @@ TEST(PointGrid, NumbersPointsAsTheyCome) {
     EXPECT_EQ(grid.add({0.5, 0.5}), 0U);
     EXPECT_EQ(grid.add({-0.5, 0.5}), 1U);
     std::vector<std::size_t> seen;
-    EXPECT_FALSE(grid.any_around({0.1, 0.1}, [&](std::size_t number) {
-        seen.push_back(number);
-        return false;
-    }));
+    grid.visit_around({0.1, 0.1}, [&](std::size_t number) { seen.push_back(number); });
     EXPECT_THAT(seen, testing::UnorderedElementsAre(0U, 1U));
 }
 

@@ -46,6 +46,15 @@ class PointGrid {
         return false;
     }
 
+    /// Calls `visit(number)` for each point of these nine cells.
+    template <class Visit>
+    void visit_around(Point2 place, Visit visit) const {
+        any_around(place, [&](std::size_t number) {
+            visit(number);
+            return false;
+        });
+    }
+
     /// Whether a point is nearer to a place than `reach`, which is at most the width.
     [[nodiscard]] bool has_near(Point2 place, double reach) const {
         return any_around(place,

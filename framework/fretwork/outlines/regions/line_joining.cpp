@@ -32,9 +32,8 @@ class Ends {
     /// The number of an end, which is moved to the place of its number.
     std::size_t number_of(Point2& end) {
         std::optional<std::size_t> found;
-        places_.any_around(end, [&](std::size_t other) {
+        places_.visit_around(end, [&](std::size_t other) {
             if (distance(places_.points()[other], end) <= same_ && (!found || other < *found)) found = other;
-            return false;
         });
         if (!found) found = places_.add(end);
         end = places_.points()[*found];
@@ -105,11 +104,11 @@ struct Gap {
 };
 
 std::vector<Gap> gaps_between(const std::vector<LooseEnd>& loose, const JoinedLines& joined, double most) {
-    Grid grid(most);
-    for (std::size_t end = 0; end < loose.size(); ++end) grid.add(loose[end].place, end);
+    geometry::PointGrid grid(most);
+    for (const LooseEnd& end : loose) grid.add(end.place);
     std::vector<Gap> gaps;
     for (std::size_t end = 0; end < loose.size(); ++end) {
-        grid.visit_near(loose[end].place, [&](std::size_t other) {
+        grid.visit_around(loose[end].place, [&](std::size_t other) {
             if (other <= end) return;
             const double width = distance(loose[end].place, loose[other].place);
             const bool is_itself = loose[end].line == loose[other].line;
@@ -225,20 +224,20 @@ DistinctCurves distinct_curves(std::vector<Polygon> curves, double same) {
         return distance(a.box[0], b.box[0]) <= same && distance(a.box[1], b.box[1]) <= same &&
                std::abs(a.area - b.area) <= same * a.around;
     };
-    Grid corners(same);
+    geometry::PointGrid corners(same);
     std::vector<Measured> measured;
     DistinctCurves distinct;
     for (Polygon& curve : curves) {
         const Measured here{box_of({curve}), std::abs(geometry::signed_area(curve)), perimeter(curve)};
         bool is_doubled = false;
-        corners.visit_near(here.box[0], [&](std::size_t other) {
+        corners.visit_around(here.box[0], [&](std::size_t other) {
             is_doubled = is_doubled || is_same(measured[other], here);
         });
         if (is_doubled) {
             ++distinct.doubled;
             continue;
         }
-        corners.add(here.box[0], measured.size());
+        corners.add(here.box[0]);
         measured.push_back(here);
         distinct.curves.push_back(std::move(curve));
     }
