@@ -42,8 +42,8 @@ TEST_F(ResultTools, BeamsListTheMostStressedFirst) {
     ASSERT_EQ(reported.exit_code, 0) << reported.err;
     const json beams = json::parse(reported.out).at("beams");
     ASSERT_EQ(beams.size(), 3U);
-    const double worst = beams[0].at("largest_stress");
-    EXPECT_GE(worst, beams[1].at("largest_stress").get<double>());
+    const double worst = beams[0].at("largest_von_mises");
+    EXPECT_GE(worst, beams[1].at("largest_von_mises").get<double>());
     EXPECT_NEAR(beams[0].at("utilization").get<double>(), worst / 40e6, 1e-12 * worst / 40e6);
     // No beam of the table is worse.
     const auto lines = base::split(base::read_text_file(folder_.path() / "b.csv"), '\n');
@@ -96,7 +96,7 @@ TEST_F(ResultTools, TheStrengthOfTheMaterialGivesUtilizationWithoutAnOption) {
     const Outcome reported = run("fretwork beams p.json full.json --top 1 --json");
     ASSERT_EQ(reported.exit_code, 0) << reported.err << " (a strength makes no other setting of it)";
     const json worst = json::parse(reported.out).at("beams")[0];
-    EXPECT_NEAR(worst.at("utilization").get<double>(), worst.at("largest_stress").get<double>() / 40e6,
+    EXPECT_NEAR(worst.at("utilization").get<double>(), worst.at("largest_von_mises").get<double>() / 40e6,
                 1e-12);
     const json other =
         json::parse(run("fretwork beams p.json full.json --top 1 --json --strength 20MPa").out);

@@ -108,7 +108,7 @@ TEST_F(LibraryTest, AdoptsAStrengthAlsoAfterSomethingIsComputed) {
     EXPECT_EQ(library.setting(), other);
     EXPECT_EQ(library.content_hash(), hash) << "projects that name it still find it";
     EXPECT_EQ(Library::open(path()).setting(), other);
-    library.adopt_setting(reduction::without_strength(other));
+    library.adopt_setting(reduction::without_stresses(other));
     EXPECT_EQ(library.setting(), other) << "a setting without a strength says nothing of it";
 }
 

@@ -141,7 +141,7 @@ TEST_F(FrameFile, MissingKeysAreRefused) {
                 AllOf(HasSubstr("/materials/pla"), HasSubstr("young")));
     EXPECT_THAT(complaint("\"width\": 0.002, ", ""), AllOf(HasSubstr("/sections/bar"), HasSubstr("width")));
     EXPECT_THAT(complaint("\"node\": 1, ", ""), HasSubstr("/loads/0"));
-    EXPECT_THAT(complaint("fretwork/frame/1", "fretwork/frame/2"), HasSubstr("/format"));
+    EXPECT_THAT(complaint("fretwork/frame/1", "fretwork/frame/3"), HasSubstr("/format"));
 }
 
 TEST_F(FrameFile, WrongCountsAndTypesAreRefused) {

@@ -4,6 +4,7 @@
 #include <fretwork/mechanics/assembly.hpp>
 #include <fretwork/mechanics/node_states.hpp>
 #include <fretwork/mechanics/results/section_forces.hpp>
+#include <fretwork/mechanics/results/section_stress.hpp>
 #include <fretwork/mechanics/solve.hpp>
 
 #include <gtest/gtest.h>
@@ -99,7 +100,8 @@ TEST(SectionForces, StressOfARectangleIsThatOfItsWorstCorner) {
     const SectionForces forces{.N = -3.0, .M2 = 0.01, .M3 = -0.02};
     const double expected = 3.0 / (width * height) + 0.01 * 6.0 / (width * height * height) +
                             0.02 * 6.0 / (height * width * width);
-    EXPECT_NEAR(largest_normal_stress(forces, rectangle_section(width, height)), expected, 1e-9 * expected);
+    EXPECT_NEAR(SectionPoints(rectangle_section(width, height)).largest(forces).normal, expected,
+                1e-9 * expected);
 }
 
 TEST(SectionForces, ABeamOfNoLengthIsRefused) {

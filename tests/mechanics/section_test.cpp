@@ -39,7 +39,30 @@ TEST(Section, CircleAndTubeAreClosedForms) {
     EXPECT_NEAR(tube.area, std::numbers::pi / 4.0 * 7e-6, 1e-18);
 }
 
+TEST(Section, AnIIsTwoFlangesAndAWeb) {
+    const Section section = i_section({0.05, 0.1, 0.005, 0.004});
+    EXPECT_NEAR(section.area, 2 * 0.05 * 0.005 + 0.09 * 0.004, 1e-15);
+    // The rule of parallel axes.
+    EXPECT_NEAR(section.I2,
+                2 * (0.05 * std::pow(0.005, 3) / 12 + 0.05 * 0.005 * std::pow(0.0475, 2)) +
+                    0.004 * std::pow(0.09, 3) / 12,
+                1e-18);
+    EXPECT_NEAR(section.I3, 2 * 0.005 * std::pow(0.05, 3) / 12 + 0.09 * std::pow(0.004, 3) / 12, 1e-18);
+    EXPECT_EQ(section_width(section), 0.05);
+    EXPECT_EQ(section_height(section), 0.1);
+}
+
+TEST(Section, KeepsItsShape) {
+    EXPECT_STREQ(shape_name(shape_of(tube_section(0.004, 0.003))), "tube");
+    EXPECT_EQ(section_width(circle_section(0.002)), 0.002);
+    const SectionShape taken = shape_of(rectangle_section(0.002, 0.003));
+    EXPECT_STREQ(shape_name(taken), "rectangle");
+    EXPECT_NEAR(std::get<RectangleShape>(taken).height, 0.003, 1e-15);
+}
+
 TEST(Section, ImpossibleSizesAreRefused) {
+    EXPECT_THROW(i_section({0.05, 0.1, 0.05, 0.004}), base::InputError);
+    EXPECT_THROW(i_section({0.05, 0.1, 0.005, 0.06}), base::InputError);
     EXPECT_THROW(rectangle_section(0.0, 1.0), base::InputError);
     EXPECT_THROW(rectangle_section(1.0, std::numeric_limits<double>::quiet_NaN()), base::InputError);
     EXPECT_THROW(circle_section(-1.0), base::InputError);

@@ -72,7 +72,31 @@ TEST(SettingDifference, IsNotMadeByAStrengthForNoResponseDependsOnIt) {
     Setting strong = paper_setting();
     strong.strength = 4e7;
     EXPECT_EQ(setting_difference(strong, paper_setting()), "");
-    EXPECT_EQ(setting_text(without_strength(strong)), setting_text(paper_setting()));
+    EXPECT_EQ(setting_text(without_stresses(strong)), setting_text(paper_setting()));
+}
+
+TEST(SettingText, KeepsTheShapeOfTheSection) {
+    Setting setting = paper_setting();
+    setting.section = mechanics::tube_section(0.004, 0.003);
+    EXPECT_EQ(parse_setting(setting_text(setting), "round trip"), setting);
+    setting.section = mechanics::i_section({0.003, 0.004, 0.0005, 0.0004});
+    EXPECT_THAT(setting_text(setting), HasSubstr("fretwork/setting/3"));
+    EXPECT_EQ(parse_setting(setting_text(setting), "round trip"), setting);
+}
+
+TEST(SettingText, WritesNumbersThatAreNoLongerThoseOfTheShape) {
+    Setting setting = paper_setting();
+    setting.section = mechanics::circle_section(0.002);
+    setting.section.J *= 0.5;
+    EXPECT_EQ(parse_setting(setting_text(setting), "round trip").section.J, setting.section.J);
+}
+
+TEST(SettingDifference, IsNotMadeByAShapeOfTheSameNumbers) {
+    Setting round = paper_setting();
+    round.section = mechanics::circle_section(0.002);
+    Setting numbers = round;
+    numbers.section.shape.reset();
+    EXPECT_EQ(setting_difference(round, numbers), "");
 }
 
 TEST(SettingDifference, NamesThePlaceAndBothValues) {

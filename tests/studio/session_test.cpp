@@ -197,7 +197,7 @@ TEST(StudioMessages, PagesAreSentTheFieldsThatTheyShow) {
     Client all(studio.address());
     all.hello();
     const Solved everything = next_solution(all);
-    EXPECT_EQ(everything.event["fields"].size(), 7U);
+    EXPECT_EQ(everything.event["fields"].size(), 8U);
     Client some(studio.address());
     ASSERT_TRUE(some.ask("hello", {{"protocol", 1}, {"fields", Json::array()}})["ok"].get<bool>());
     const Solved bare = next_solution(some);
@@ -209,7 +209,7 @@ TEST(StudioMessages, PagesAreSentTheFieldsThatTheyShow) {
     const std::size_t motion = 6UL * header(everything.positions, 3);
     const std::size_t ends = 2UL * header(everything.positions, 4);
     const auto wanted = test::floats(two.positions, motion, 2 * ends);
-    const auto known = test::floats(everything.positions, motion, 7 * ends);
+    const auto known = test::floats(everything.positions, motion, 8 * ends);
     EXPECT_TRUE(std::equal(wanted.begin(), wanted.begin() + static_cast<std::ptrdiff_t>(ends),
                            known.begin() + static_cast<std::ptrdiff_t>(4 * ends)));
     EXPECT_TRUE(std::equal(wanted.begin() + static_cast<std::ptrdiff_t>(ends), wanted.end(),

@@ -62,18 +62,21 @@ void print_stages(const simulation::SurfaceResult& result) {
 
 void print(const simulation::BeamTable& table, const simulation::Surface& surface, std::size_t top) {
     const auto& tessellation = surface.tessellation;
-    std::printf("%6s %6s  %-20s %9s %9s %10s %10s%s\n", "beam", "tile", "pattern", "x mm", "y mm", "N", "MPa",
-                table.strength ? "   share of strength" : "");
+    std::printf("%6s %6s  %-20s %9s %9s %10s %10s %10s%s\n", "beam", "tile", "pattern", "x mm", "y mm", "N",
+                "normal MPa", "Mises MPa", table.strength ? "   share of strength" : "");
     for (const simulation::BeamRow& row : simulation::most_stressed(table, top)) {
         const int pattern = tessellation.tiles[row.tile].pattern;
-        const std::size_t worse = row.stress[0] >= row.stress[1] ? 0 : 1;
+        const std::size_t worse = row.von_mises[0] >= row.von_mises[1] ? 0 : 1;
         const Eigen::Vector3d& place = row.places[worse];
-        std::printf("%6zu %6d  %-20s %9.1f %9.1f %10.4g %10.4g", row.beam, row.tile.value,
+        std::printf("%6zu %6d  %-20s %9.1f %9.1f %10.4g %10.4g %10.4g", row.beam, row.tile.value,
                     tessellation.patterns[static_cast<std::size_t>(pattern)].id.c_str(), 1e3 * place.x(),
-                    1e3 * place.y(), row.forces[worse].N, 1e-6 * row.stress[worse]);
+                    1e3 * place.y(), row.forces[worse].N, 1e-6 * row.stress[worse],
+                    1e-6 * row.von_mises[worse]);
         if (const auto share = table.utilization(row)) std::printf("   %.1f %%", 100.0 * *share);
         std::puts("");
     }
+    if (table.strength)
+        std::printf("share of strength: %s\n", simulation::utilization_formula(table).c_str());
     if (table.unknown > 0) std::printf("%zu beams are not known with this result's model\n", table.unknown);
 }
 
@@ -118,7 +121,10 @@ void add_beams(CLI::App& app, ExitCode& exit_code) {
     declare_files(*verb,
                   {input("project"), input("result"), input("--library"), output("--out", kBeamTableFile)});
     verb->footer(
-        "Normal stress, largest over the rectangle with the section's area and second moments; SI in files.\n"
+        "Stresses are the largest over the section at each end: normal, and von Mises with shear and "
+        "torsion.\n"
+        "A section given by its numbers is taken as the rectangle of its area and second moments. SI in "
+        "files.\n"
         "Example: fretwork beams project.json full.json --strength 40MPa --out beams.csv");
     verb->callback([options, &exit_code] { exit_code = run(*options); });
 }

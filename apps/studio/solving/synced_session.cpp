@@ -24,7 +24,7 @@ bool have_same_ground(const State& a, const State& b) {
 
 /// The material's strength has no effect on the solution.
 bool is_solved_alike(const reduction::Setting& a, const reduction::Setting& b) {
-    return reduction::without_strength(a) == reduction::without_strength(b);
+    return reduction::without_stresses(a) == reduction::without_stresses(b);
 }
 
 /// The page needs a processor, too, to show what was solved before.

@@ -220,9 +220,8 @@ class FactFinder {
         const auto sections = simulation::beam_sections(beams, surface_.setting);
         const simulation::BeamState state =
             simulation::beam_state(surface_, result, beams, sections, options_.models);
-        constexpr Eigen::Index kStress = 6;
         for (Eigen::Index row = 0; row < state.forces.rows(); ++row) {
-            const double value = state.forces(row, kStress);
+            const double value = state.forces(row, simulation::kVonMisesField);
             if (!(value > (facts_.stress ? facts_.stress->value : -1.0))) continue;
             const auto beam = static_cast<std::size_t>(row / 2);
             const int node = beams.ends[beam][static_cast<std::size_t>(row % 2)];

@@ -66,9 +66,9 @@ std::vector<Row> rows(const Facts& facts) {
                  " (large displacements of corotational tiles; weight of the outline: all beams' times " +
                  shown(facts.mass / facts.beam_mass) + ")"});
     if (facts.stress)
-        table.push_back({"largest stress", shown(1e-6 * facts.stress->value) + " MPa, " +
-                                               facts.stress->source + ", " +
-                                               place_of(facts.stress->tile, facts.stress->node)});
+        table.push_back({"largest von Mises stress", shown(1e-6 * facts.stress->value) + " MPa, " +
+                                                         facts.stress->source + ", " +
+                                                         place_of(facts.stress->tile, facts.stress->node)});
     if (facts.stress && facts.strength)
         table.push_back({"share of strength", shown(100.0 * facts.stress->value / *facts.strength) +
                                                   " % of " + shown(1e-6 * *facts.strength) + " MPa"});

@@ -19,11 +19,14 @@ struct FieldRow {
     const char* title;
     const char* unit;
     double factor;
-    /// For the columns N V2 V3 T M2 M3 stress.
-    double (*value)(const Eigen::RowVector<double, 7>& forces);
+    /// For the columns of simulation::kBeamFields.
+    double (*value)(const Eigen::RowVector<double, 8>& forces);
 };
-constexpr std::array<FieldRow, 4> kForceFields = {{
-    {"stress", "Largest normal stress", "MPa", kMegapascals, [](const auto& f) { return f[6]; }},
+constexpr std::array<FieldRow, 5> kForceFields = {{
+    {"von_mises", "Largest von Mises stress", "MPa", kMegapascals,
+     [](const auto& f) { return f[simulation::kVonMisesField]; }},
+    {"stress", "Largest normal stress", "MPa", kMegapascals,
+     [](const auto& f) { return f[simulation::kStressField]; }},
     {"bending", "Bending moment", "N mm", kMillimetres, [](const auto& f) { return std::hypot(f[4], f[5]); }},
     {"torsion", "Torsion", "N mm", kMillimetres, [](const auto& f) { return f[3]; }},
     {"axial", "Axial force", "N", 1.0, [](const auto& f) { return f[0]; }},
@@ -36,8 +39,8 @@ class Builder {
 
     BarScene build() && {
         const mechanics::Section& section = scene_.surface.setting.section;
-        bars_.width = mechanics::rectangle_width(section);
-        bars_.height = mechanics::rectangle_height(section);
+        bars_.width = mechanics::section_width(section);
+        bars_.height = mechanics::section_height(section);
         bars_.nodes = beams_.nodes;
         if (!scene_.results.empty()) {
             const auto sections = simulation::beam_sections(beams_, scene_.surface.setting);
@@ -100,7 +103,7 @@ class Builder {
             bars_.fields.push_back(std::move(field));
         }
         if (!scene_.known_strength()) return;
-        BarScene::Field field = bars_.fields[1];  // the stress
+        BarScene::Field field = bars_.fields[1];  // the von Mises stress
         field.name = kUtilization;
         field.title = "Share of the strength";
         field.unit = "%";

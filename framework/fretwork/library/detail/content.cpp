@@ -54,7 +54,7 @@ void update(base::Sha256& hash, const Database& database, std::string_view table
     }
 }
 
-/// As a table, but without the strength, on which no result depends.
+/// As a table, but without what only stresses depend on.
 void update_setting(base::Sha256& hash, const Database& database) {
     update(hash, "setting");
     Statement row(database, "SELECT id, json FROM setting");
@@ -62,8 +62,9 @@ void update_setting(base::Sha256& hash, const Database& database) {
     update(hash, row, 0);
     const reduction::Setting setting = reduction::parse_setting(row.text(1), "setting");
     hash.update("t");
-    update(hash, setting.strength ? reduction::setting_text(reduction::without_strength(setting))
-                                  : std::string(row.text(1)));
+    update(hash, setting.strength || setting.section.shape
+                     ? reduction::setting_text(reduction::without_stresses(setting))
+                     : std::string(row.text(1)));
 }
 
 std::string csv_cell(const Statement& row, int column) {

@@ -5,6 +5,7 @@
 #include <fretwork/base/text.hpp>
 #include <fretwork/mechanics/frame/detail/frame_check.hpp>
 #include <fretwork/mechanics/frame/frame_file.hpp>
+#include <fretwork/mechanics/internal/section_json.hpp>
 
 #include <algorithm>
 #include <map>
@@ -45,43 +46,6 @@ Material read_material(const JsonReader& reader) {
     return material;
 }
 
-Section read_tube(const JsonReader& reader) {
-    const JsonReader inner = reader.at("inner_diameter");
-    if (inner.positive_number() >= reader.at("outer_diameter").positive_number())
-        inner.fail("is " + inner.text() + ", which is not below the outer diameter");
-    return tube_section(reader.at("outer_diameter").number(), inner.number());
-}
-
-Section read_shape(const JsonReader& reader) {
-    const std::string type = reader.at("type").choice({"rectangle", "circle", "tube"});
-    if (type == "rectangle") {
-        reader.allow_only({"type", "width", "height", "shear_area2", "shear_area3"});
-        return rectangle_section(reader.at("width").positive_number(), reader.at("height").positive_number());
-    }
-    if (type == "circle") {
-        reader.allow_only({"type", "diameter", "shear_area2", "shear_area3"});
-        return circle_section(reader.at("diameter").positive_number());
-    }
-    reader.allow_only({"type", "outer_diameter", "inner_diameter", "shear_area2", "shear_area3"});
-    return read_tube(reader);
-}
-
-Section read_section(const JsonReader& reader) {
-    Section section;
-    if (reader.find("type")) {
-        section = read_shape(reader);
-    } else {
-        reader.allow_only({"area", "I2", "I3", "J", "shear_area2", "shear_area3"});
-        section.area = reader.at("area").positive_number();
-        section.I2 = reader.at("I2").positive_number();
-        section.I3 = reader.at("I3").positive_number();
-        section.J = reader.at("J").positive_number();
-    }
-    if (const auto area = reader.find("shear_area2")) section.shear_area2 = area->positive_number();
-    if (const auto area = reader.find("shear_area3")) section.shear_area3 = area->positive_number();
-    return section;
-}
-
 template <class Value>
 std::map<std::string, Value> read_table(const JsonReader& reader, Value (*read)(const JsonReader&)) {
     std::map<std::string, Value> table;
@@ -104,7 +68,7 @@ class FrameReader {
     explicit FrameReader(const JsonReader& document) : document_(document) {}
 
     Frame read() {
-        document_.expect_format("frame");
+        document_.expect_format("frame", 2);
         document_.allow_only({"format", "nodes", "materials", "sections", "beams", "supports", "prescribed",
                               "loads", "gravity"});
         for (const JsonReader& node : document_.at("nodes").elements())
@@ -206,13 +170,6 @@ Json material_json(const Material& material) {
     return json;
 }
 
-Json section_json(const Section& section) {
-    Json json = {{"area", section.area}, {"I2", section.I2}, {"I3", section.I3}, {"J", section.J}};
-    if (section.shear_area2) json["shear_area2"] = *section.shear_area2;
-    if (section.shear_area3) json["shear_area3"] = *section.shear_area3;
-    return json;
-}
-
 /// The different values of a list, in order of appearance, with the names that the file gives them.
 template <class Value>
 class NameTable {
@@ -283,7 +240,9 @@ Frame read_frame(const std::filesystem::path& path) {
 }
 
 std::string frame_text(const Frame& frame) {
-    Json document = {{"format", "fretwork/frame/1"}};
+    const bool is_newer =
+        std::ranges::any_of(frame.beams, [](const Beam& beam) { return is_of_newer_format(beam.section); });
+    Json document = {{"format", is_newer ? "fretwork/frame/2" : "fretwork/frame/1"}};
     const double* const places = frame.nodes.empty() ? nullptr : frame.nodes.front().data();
     document["nodes"] = base::number_rows({places, 3 * frame.nodes.size()}, 3);
     append_beams(document, frame);

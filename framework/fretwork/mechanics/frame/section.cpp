@@ -4,6 +4,7 @@
 #include <fretwork/mechanics/frame/section.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -56,7 +57,8 @@ Section circle_section(double diameter) {
     return {.area = std::numbers::pi * diameter * diameter / 4.0,
             .I2 = inertia,
             .I3 = inertia,
-            .J = 2.0 * inertia};
+            .J = 2.0 * inertia,
+            .shape = CircleShape{diameter}};
 }
 
 Section tube_section(double outer_diameter, double inner_diameter) {
@@ -72,7 +74,66 @@ Section tube_section(double outer_diameter, double inner_diameter) {
     return {.area = outer.area - inner.area,
             .I2 = outer.I2 - inner.I2,
             .I3 = outer.I3 - inner.I3,
-            .J = outer.J - inner.J};
+            .J = outer.J - inner.J,
+            .shape = TubeShape{outer_diameter, inner_diameter}};
+}
+
+Section i_section(const IShape& shape) {
+    require_positive(shape.width, "the width of an I");
+    require_positive(shape.height, "the height of an I");
+    require_positive(shape.flange_thickness, "the flange thickness of an I");
+    require_positive(shape.web_thickness, "the web thickness of an I");
+    const double clear = shape.height - 2.0 * shape.flange_thickness;  // between the flanges
+    if (!(clear > 0.0))
+        throw base::InputError("the two flanges of an I fill its height of " +
+                               base::format_number(shape.height) + " m");
+    if (shape.web_thickness > shape.width)
+        throw base::InputError("the web thickness of an I is " + base::format_number(shape.web_thickness) +
+                               " m, which is above its width, " + base::format_number(shape.width) + " m");
+    const double beside = shape.width - shape.web_thickness;
+    return {.area = shape.width * shape.height - beside * clear,
+            .I2 = (shape.width * std::pow(shape.height, 3) - beside * std::pow(clear, 3)) / 12.0,
+            .I3 = (2.0 * shape.flange_thickness * std::pow(shape.width, 3) +
+                   clear * std::pow(shape.web_thickness, 3)) /
+                  12.0,
+            .J = (2.0 * shape.width * std::pow(shape.flange_thickness, 3) +
+                  (shape.height - shape.flange_thickness) * std::pow(shape.web_thickness, 3)) /
+                 3.0,
+            .shape = shape};
+}
+
+Section section_of(const SectionShape& shape) {
+    if (const auto* rectangle = std::get_if<RectangleShape>(&shape))
+        return rectangle_section(rectangle->width, rectangle->height);
+    if (const auto* circle = std::get_if<CircleShape>(&shape)) return circle_section(circle->diameter);
+    if (const auto* tube = std::get_if<TubeShape>(&shape))
+        return tube_section(tube->outer_diameter, tube->inner_diameter);
+    return i_section(std::get<IShape>(shape));
+}
+
+SectionShape shape_of(const Section& section) {
+    return section.shape.value_or(RectangleShape{rectangle_width(section), rectangle_height(section)});
+}
+
+const char* shape_name(const SectionShape& shape) {
+    constexpr std::array<const char*, std::variant_size_v<SectionShape>> kNames = {"rectangle", "circle",
+                                                                                   "tube", "I"};
+    return kNames[shape.index()];
+}
+
+double section_width(const Section& section) {
+    const SectionShape shape = shape_of(section);
+    if (const auto* circle = std::get_if<CircleShape>(&shape)) return circle->diameter;
+    if (const auto* tube = std::get_if<TubeShape>(&shape)) return tube->outer_diameter;
+    if (const auto* profile = std::get_if<IShape>(&shape)) return profile->width;
+    return std::get<RectangleShape>(shape).width;
+}
+
+double section_height(const Section& section) {
+    const SectionShape shape = shape_of(section);
+    if (const auto* profile = std::get_if<IShape>(&shape)) return profile->height;
+    if (const auto* rectangle = std::get_if<RectangleShape>(&shape)) return rectangle->height;
+    return section_width(section);
 }
 
 }  // namespace fretwork::mechanics

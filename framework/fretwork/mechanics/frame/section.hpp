@@ -2,11 +2,37 @@
 #pragma once
 
 #include <optional>
+#include <variant>
 
 namespace fretwork::mechanics {
 
+/// Shapes of cross-sections; lengths in metres. Widths lie along local axis 2, heights along axis 3.
+struct RectangleShape {
+    double width = 0.0;
+    double height = 0.0;
+    friend bool operator==(const RectangleShape&, const RectangleShape&) = default;
+};
+struct CircleShape {
+    double diameter = 0.0;
+    friend bool operator==(const CircleShape&, const CircleShape&) = default;
+};
+struct TubeShape {
+    double outer_diameter = 0.0;
+    double inner_diameter = 0.0;
+    friend bool operator==(const TubeShape&, const TubeShape&) = default;
+};
+/// Two flanges, joined by a web in the middle that stands along axis 3.
+struct IShape {
+    double width = 0.0;   ///< of the flanges
+    double height = 0.0;  ///< over all
+    double flange_thickness = 0.0;
+    double web_thickness = 0.0;
+    friend bool operator==(const IShape&, const IShape&) = default;
+};
+using SectionShape = std::variant<RectangleShape, CircleShape, TubeShape, IShape>;
+
 /// The cross-section of a beam. Local axis 1 runs along the beam, axis 3 is the beam's normal, axis 2 = axis
-/// 3 x axis 1.
+/// 3 x axis 1. A beam bends by the numbers alone; its stress depends on the shape, too.
 struct Section {
     double area = 0.0;  ///< m^2
     double I2 = 0.0;    ///< m^4; bends about axis 2: out of plane, for a beam in a flat pattern
@@ -15,16 +41,34 @@ struct Section {
     std::optional<double>
         shear_area2{};  ///< m^2, for shear along axis 2; none: shear-rigid (Euler-Bernoulli)
     std::optional<double> shear_area3{};  ///< m^2, for shear along axis 3; none: shear-rigid
+    /// None: taken as the rectangle of the same area and second moments. Files keep it where it is no
+    /// rectangle.
+    std::optional<SectionShape> shape{};
     friend bool operator==(const Section&, const Section&) = default;
 };
+
+/// The shape of a section, or the rectangle that has its area and second moments.
+SectionShape shape_of(const Section& section);
+/// "rectangle", "circle", "tube" or "I".
+const char* shape_name(const SectionShape& shape);
+
+/// The sides of the box around a section's shape, metres.
+double section_width(const Section& section);   ///< along local axis 2
+double section_height(const Section& section);  ///< along local axis 3
 
 /// The sides of the rectangle that has a section's area and second moments, metres.
 double rectangle_width(const Section& section);   ///< along local axis 2
 double rectangle_height(const Section& section);  ///< along local axis 3
 
-/// `width` lies along local axis 2, `height` along local axis 3 (metres); J is Saint-Venant's series.
+/// A rectangle of `width` along local axis 2 and `height` along local axis 3 (metres); J is Saint-Venant's
+/// series. It needs no shape beside its numbers.
 Section rectangle_section(double width, double height);
 Section circle_section(double diameter);
 Section tube_section(double outer_diameter, double inner_diameter);
+/// J is that of three thin plates without the curves between them, a third of the sum of length times
+/// thickness cubed; warping is free.
+Section i_section(const IShape& shape);
+/// The section of a shape. Throws InputError if a length is not positive, or parts do not fit.
+Section section_of(const SectionShape& shape);
 
 }  // namespace fretwork::mechanics

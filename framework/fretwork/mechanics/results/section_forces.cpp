@@ -4,8 +4,6 @@
 #include <fretwork/mechanics/frame/detail/frame_check.hpp>
 #include <fretwork/mechanics/results/section_forces.hpp>
 
-#include <cmath>
-
 namespace fretwork::mechanics {
 
 using namespace elements;
@@ -64,13 +62,6 @@ BeamSection::Ends BeamSection::large(const NodeState& start, const NodeState& en
     const std::array<NodeState, 2> states{start, end};
     const BeamVector d = BeamDeformation(axes_, length_, states).values();
     return from_gradient(BeamEnergy(beam_stiffness(section_, material_), length_).evaluate(d).gradient);
-}
-
-double largest_normal_stress(const SectionForces& forces, const Section& section) {
-    const double half_height = std::sqrt(3.0 * section.I2 / section.area);  // along axis 3
-    const double half_width = std::sqrt(3.0 * section.I3 / section.area);
-    return std::abs(forces.N) / section.area + std::abs(forces.M2) * half_height / section.I2 +
-           std::abs(forces.M3) * half_width / section.I3;
 }
 
 }  // namespace fretwork::mechanics

@@ -48,8 +48,4 @@ class BeamSection {
     Deformations stiffness_;  ///< at rest
 };
 
-/// The largest normal stress over a section, Pa, without its sign. The section is taken as the rectangle of
-/// the same area and second moments; shear and torsion are left out.
-double largest_normal_stress(const SectionForces& forces, const Section& section);
-
 }  // namespace fretwork::mechanics

@@ -37,7 +37,8 @@ struct TileMaterial {
 struct Setting {
     mechanics::Material material;
     /// Pa; the stress that the material bears. No response depends on it: with another strength a setting is
-    /// the same to libraries and results. "material/strength" in files.
+    /// the same to libraries and results, and so with a section of another shape and the same numbers.
+    /// "material/strength" in files.
     std::optional<double> strength{};
     mechanics::Section section;
     double tile_side = 0.0;  ///< m; side of the regular polygon, a hexagon

@@ -2,6 +2,7 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/files/file.hpp>
 #include <fretwork/base/text.hpp>
+#include <fretwork/mechanics/internal/section_json.hpp>
 #include <fretwork/reduction/detail/scenario_json.hpp>
 #include <fretwork/reduction/internal/setting_json.hpp>
 #include <fretwork/reduction/scenarios/setting_file.hpp>
@@ -29,36 +30,6 @@ mechanics::Material read_material(const JsonReader& json) {
     if (const auto given = json.find("shear_modulus"))
         material.given_shear_modulus = given->positive_number();
     return material;
-}
-
-mechanics::Section read_shape(const JsonReader& json) {
-    const std::string type = json.at("type").choice({"rectangle", "circle", "tube"});
-    if (type == "rectangle") {
-        json.allow_only({"type", "width", "height"});
-        return mechanics::rectangle_section(json.at("width").positive_number(),
-                                            json.at("height").positive_number());
-    }
-    if (type == "circle") {
-        json.allow_only({"type", "diameter"});
-        return mechanics::circle_section(json.at("diameter").positive_number());
-    }
-    json.allow_only({"type", "outer_diameter", "inner_diameter"});
-    const double outer = json.at("outer_diameter").positive_number();
-    const double inner = json.at("inner_diameter").positive_number();
-    if (inner >= outer) json.at("inner_diameter").fail("must be less than the outer diameter");
-    return mechanics::tube_section(outer, inner);
-}
-
-mechanics::Section read_section(const JsonReader& json) {
-    if (json.find("type")) return read_shape(json);
-    json.allow_only({"area", "I2", "I3", "J", "shear_area2", "shear_area3"});
-    mechanics::Section section{.area = json.at("area").positive_number(),
-                               .I2 = json.at("I2").positive_number(),
-                               .I3 = json.at("I3").positive_number(),
-                               .J = json.at("J").positive_number()};
-    if (const auto area = json.find("shear_area2")) section.shear_area2 = area->positive_number();
-    if (const auto area = json.find("shear_area3")) section.shear_area3 = area->positive_number();
-    return section;
 }
 
 Scenario named_scenario(const JsonReader& json) {
@@ -118,13 +89,6 @@ Json material_json(const mechanics::Material& material) {
     return json;
 }
 
-Json section_json(const mechanics::Section& section) {
-    Json json = {{"area", section.area}, {"I2", section.I2}, {"I3", section.I3}, {"J", section.J}};
-    if (section.shear_area2) json["shear_area2"] = *section.shear_area2;
-    if (section.shear_area3) json["shear_area3"] = *section.shear_area3;
-    return json;
-}
-
 /// All of a setting, whatever its file leaves out.
 Json comparable_json(const Setting& setting) {
     Json json = setting_json(setting);
@@ -141,13 +105,13 @@ std::string value_text(const Json& json, const Json::json_pointer& pointer) {
 }  // namespace
 
 Setting read_setting(const JsonReader& json) {
-    json.expect_format("setting", 2);
+    json.expect_format("setting", 3);
     json.allow_only({"format", "material", "section", "tile_side", "sides", "divisions", "magnitudes",
                      "branch", "joints", "scenarios"});
     Setting setting = paper_setting();
     if (const auto material = json.find("material")) setting.material = read_material(*material);
     setting.strength = read_strength(json);
-    if (const auto section = json.find("section")) setting.section = read_section(*section);
+    if (const auto section = json.find("section")) setting.section = mechanics::read_section(*section);
     if (const auto side = json.find("tile_side")) setting.tile_side = side->positive_number();
     read_choices(json, setting);
     if (const auto scenarios = json.find("scenarios")) {
@@ -163,7 +127,7 @@ Setting read_setting(const JsonReader& json) {
 Json setting_json(const Setting& setting) {
     Json json = {{"format", setting.strength ? "fretwork/setting/2" : "fretwork/setting/1"},
                  {"material", material_json(setting.material)},
-                 {"section", section_json(setting.section)},
+                 {"section", mechanics::section_json(setting.section)},
                  {"tile_side", setting.tile_side},
                  {"sides", setting.sides},
                  {"divisions", setting.divisions},
@@ -175,6 +139,7 @@ Json setting_json(const Setting& setting) {
         json["format"] = "fretwork/setting/2";
         json["joints"] = joints_name(setting.joints);
     }
+    if (mechanics::is_of_newer_format(setting.section)) json["format"] = "fretwork/setting/3";
     for (const Scenario& scenario : setting.scenarios) {
         json["scenarios"].push_back(detail::scenario_json(scenario));
     }
@@ -198,14 +163,15 @@ std::string setting_text(const Setting& setting) {
     return base::json_text(setting_json(setting));
 }
 
-Setting without_strength(Setting setting) {
+Setting without_stresses(Setting setting) {
     setting.strength.reset();
+    setting.section.shape.reset();
     return setting;
 }
 
 std::string setting_difference(const Setting& wanted, const Setting& present) {
-    const Json left = comparable_json(without_strength(wanted));
-    const Json right = comparable_json(without_strength(present));
+    const Json left = comparable_json(without_stresses(wanted));
+    const Json right = comparable_json(without_stresses(present));
     const Json patch = Json::diff(right, left);
     if (patch.empty()) return "";
     const Json::json_pointer place(patch.front().at("path").get<std::string>());

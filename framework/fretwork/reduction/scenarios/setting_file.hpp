@@ -22,11 +22,11 @@ std::string setting_text(const Setting& setting);
 /// The inverse of setting_text; `source` names the text in messages.
 Setting parse_setting(std::string_view text, std::string source);
 
-/// All that responses depend on: its text identifies a setting.
-Setting without_strength(Setting setting);
+/// All that responses depend on, without strength and shape of the section: its text identifies a setting.
+Setting without_stresses(Setting setting);
 
 /// In one line, the first difference between two settings ("/section/J: 2.25e-12, where the library
-/// has 2.3e-12"), or "". Strengths do not count.
+/// has 2.3e-12"), or "". Strengths and shapes of equal numbers do not count.
 std::string setting_difference(const Setting& wanted, const Setting& present);
 
 }  // namespace fretwork::reduction

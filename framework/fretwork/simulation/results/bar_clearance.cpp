@@ -96,7 +96,7 @@ class PlaneBars {
 }  // namespace
 
 std::vector<CloseBars> close_bars(const Surface& surface, double clearance, const base::Control& control) {
-    const double width = mechanics::rectangle_width(surface.setting.section);
+    const double width = mechanics::section_width(surface.setting.section);
     // Bars exactly as far apart as allowed are not reported, whatever the rounding.
     constexpr double kRounding = 1e-9;
     const SurfaceBeams beams = surface_beams(surface);

@@ -33,14 +33,15 @@ base::Json end_json(const BeamRow& row, std::size_t end) {
             {"T", f.T},
             {"M2", f.M2},
             {"M3", f.M3},
-            {"stress", row.stress[end]}};
+            {"stress", row.stress[end]},
+            {"von_mises", row.von_mises[end]}};
 }
 
 }  // namespace
 
 std::optional<double> BeamTable::utilization(const BeamRow& row) const {
     if (!strength) return std::nullopt;
-    return row.largest_stress() / *strength;
+    return row.largest_von_mises() / *strength;
 }
 
 BeamTable beam_table(const Surface& surface, const SurfaceResult& result,
@@ -49,6 +50,8 @@ BeamTable beam_table(const Surface& surface, const SurfaceResult& result,
     const BeamState state = beam_state(surface, result, beams, beam_sections(beams, surface.setting), models);
     BeamTable table;
     table.strength = surface.setting.strength;
+    table.shape = mechanics::shape_of(surface.setting.section);
+    table.is_shape_given = surface.setting.section.shape.has_value();
     for (std::size_t b = 0; b < beams.ends.size(); ++b) {
         BeamRow row{.beam = b, .tile = beams.tiles[b]};
         for (std::size_t end = 0; end < 2; ++end) {
@@ -57,7 +60,8 @@ BeamTable beam_table(const Surface& surface, const SurfaceResult& result,
             row.nodes[end] = node.value;
             row.places[end] = beams.nodes[node];
             row.forces[end] = {f[0], f[1], f[2], f[3], f[4], f[5]};
-            row.stress[end] = f[6];
+            row.stress[end] = f[kStressField];
+            row.von_mises[end] = f[kVonMisesField];
         }
         if (std::isnan(row.stress[0]) || std::isnan(row.stress[1]))
             ++table.unknown;
@@ -69,9 +73,17 @@ BeamTable beam_table(const Surface& surface, const SurfaceResult& result,
 
 std::vector<BeamRow> most_stressed(const BeamTable& table, std::size_t count) {
     std::vector<BeamRow> rows = table.rows;
-    std::ranges::stable_sort(rows, std::ranges::greater{}, &BeamRow::largest_stress);
+    std::ranges::stable_sort(rows, std::ranges::greater{}, &BeamRow::largest_von_mises);
     rows.resize(std::min(rows.size(), count));
     return rows;
+}
+
+std::string utilization_formula(const BeamTable& table) {
+    return std::string(
+               "largest von Mises stress of bending, axial force, shear and torsion over the strength; "
+               "section: ") +
+           mechanics::shape_name(table.shape) +
+           (table.is_shape_given ? "" : " of its area and second moments");
 }
 
 std::string beam_table_csv(const BeamTable& table, const Surface& surface) {
@@ -79,9 +91,9 @@ std::string beam_table_csv(const BeamTable& table, const Surface& surface) {
     for (const char* end : {"a", "b"}) {
         for (const char* name : {"N", "V2", "V3"}) text += std::string(",") + name + end + "_N";
         for (const char* name : {"T", "M2", "M3"}) text += std::string(",") + name + end + "_Nm";
-        text += std::string(",stress_") + end + "_Pa";
+        text += std::string(",stress_") + end + "_Pa,von_mises_" + end + "_Pa";
     }
-    text += ",largest_stress_Pa,utilization\n";
+    text += ",largest_stress_Pa,largest_von_mises_Pa,utilization\n";
     for (const BeamRow& row : table.rows) {
         text += std::to_string(row.beam) + "," + std::to_string(row.tile.value) + "," +
                 pattern_of(row, surface) + "," + std::to_string(row.nodes[0]) + "," +
@@ -91,12 +103,12 @@ std::string beam_table_csv(const BeamTable& table, const Surface& surface) {
         text += "," + format_number(length_of(row));
         for (std::size_t end = 0; end < 2; ++end) {
             const SectionForces& f = row.forces[end];
-            for (const double value : {f.N, f.V2, f.V3, f.T, f.M2, f.M3, row.stress[end]})
+            for (const double value : {f.N, f.V2, f.V3, f.T, f.M2, f.M3, row.stress[end], row.von_mises[end]})
                 text += "," + format_number(value);
         }
         const auto utilization = table.utilization(row);
-        text += "," + format_number(row.largest_stress()) + "," +
-                (utilization ? format_number(*utilization) : "") + "\n";
+        text += "," + format_number(row.largest_stress()) + "," + format_number(row.largest_von_mises()) +
+                "," + (utilization ? format_number(*utilization) : "") + "\n";
     }
     return text;
 }
@@ -111,10 +123,12 @@ std::string beam_table_json(const BeamTable& table, const Surface& surface) {
                         {"length", length_of(row)},
                         {"ends", {end_json(row, 0), end_json(row, 1)}},
                         {"largest_stress", row.largest_stress()},
+                        {"largest_von_mises", row.largest_von_mises()},
                         {"utilization", utilization ? base::Json(*utilization) : base::Json(nullptr)}});
     }
     return base::json_text({{"format", "fretwork/beams/1"},
                             {"strength", table.strength ? base::Json(*table.strength) : base::Json(nullptr)},
+                            {"utilization_formula", utilization_formula(table)},
                             {"unknown_beams", table.unknown},
                             {"beams", std::move(rows)}});
 }

@@ -5,6 +5,7 @@
 #include <fretwork/simulation/results/surface_result.hpp>
 #include <fretwork/simulation/surface.hpp>
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <span>
@@ -21,8 +22,10 @@ struct BeamRow {
     std::array<int, 2> nodes{};               ///< numbers in the full model; interface nodes come first
     std::array<Eigen::Vector3d, 2> places{};  ///< of its ends at rest, m
     std::array<mechanics::SectionForces, 2> forces{};
-    std::array<double, 2> stress{};  ///< Pa, the largest normal stress at each end
-    [[nodiscard]] double largest_stress() const { return stress[0] > stress[1] ? stress[0] : stress[1]; }
+    std::array<double, 2> stress{};     ///< Pa, the largest normal stress at each end
+    std::array<double, 2> von_mises{};  ///< Pa, the largest von Mises stress at each end
+    [[nodiscard]] double largest_stress() const { return std::max(stress[0], stress[1]); }
+    [[nodiscard]] double largest_von_mises() const { return std::max(von_mises[0], von_mises[1]); }
 };
 
 /// The beams of a surface in a result.
@@ -30,7 +33,9 @@ struct BeamTable {
     std::vector<BeamRow> rows;         ///< over the beams whose tile model gives their motions
     std::size_t unknown = 0;           ///< beams of other tiles
     std::optional<double> strength{};  ///< Pa, the reference of utilizations
-    /// The largest stress over the strength; none without a strength.
+    mechanics::SectionShape shape{};   ///< of the section, over which stresses are taken
+    bool is_shape_given = false;       ///< else the rectangle of the section's area and second moments
+    /// The largest von Mises stress over the strength; none without a strength.
     [[nodiscard]] std::optional<double> utilization(const BeamRow& row) const;
 };
 
@@ -39,12 +44,15 @@ struct BeamTable {
 BeamTable beam_table(const Surface& surface, const SurfaceResult& result,
                      std::span<const reduction::TileModel> models = reduction::tile_models());
 
-/// The rows with the largest stress first; `count` of them at most.
+/// The rows with the largest von Mises stress first; `count` of them at most.
 std::vector<BeamRow> most_stressed(const BeamTable& table, std::size_t count);
 
-/// CSV with LF: beam, tile, pattern, nodes, places, and section forces and stress at both ends, in SI.
+/// By which formula utilizations are computed, in one line.
+std::string utilization_formula(const BeamTable& table);
+
+/// CSV with LF: beam, tile, pattern, nodes, places, and section forces and stresses at both ends, in SI.
 std::string beam_table_csv(const BeamTable& table, const Surface& surface);
-/// The same as JSON: `{"strength", "unknown_beams", "beams": [..]}`.
+/// The same as JSON: `{"strength", "utilization_formula", "unknown_beams", "beams": [..]}`.
 std::string beam_table_json(const BeamTable& table, const Surface& surface);
 
 }  // namespace fretwork::simulation

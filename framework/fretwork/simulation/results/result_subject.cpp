@@ -155,7 +155,7 @@ SurfaceIdentity surface_identity(const Surface& surface) {
     return {
         .tessellation_hash = tessellation_hash(surface),
         .painting_hash = painting_hash(surface.tessellation),
-        .setting_hash = base::sha256(reduction::setting_text(reduction::without_strength(surface.setting))),
+        .setting_hash = base::sha256(reduction::setting_text(reduction::without_stresses(surface.setting))),
         .tiles = surface.tessellation.tiles.size()};
 }
 

@@ -2,6 +2,7 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/parallel.hpp>
 #include <fretwork/mechanics/node_states.hpp>
+#include <fretwork/mechanics/results/section_stress.hpp>
 #include <fretwork/reduction/scenarios/joints.hpp>
 #include <fretwork/simulation/detail/tile_builder.hpp>
 #include <fretwork/simulation/results/result_subject.hpp>
@@ -76,7 +77,7 @@ class StateWriter {
     StateWriter(const Surface& surface, const SurfaceBeams& beams,
                 std::span<const mechanics::BeamSection> sections, BeamState& state)
         : tessellation_(surface.tessellation),
-          bar_(surface.setting.section),
+          bar_(surface.setting.section),  // with which stiff joints have nothing to do
           beams_(beams),
           sections_(sections),
           state_(state) {}
@@ -124,14 +125,15 @@ class StateWriter {
                                   : sections_[b].linear(rows.row(from).transpose(), rows.row(to).transpose());
             for (std::size_t end = 0; end < 2; ++end) {
                 const mechanics::SectionForces& f = ends[end];
+                const mechanics::SectionStress stress = bar_.largest(f);
                 state_.forces.row(static_cast<Eigen::Index>(2 * b + end)) << f.N, f.V2, f.V3, f.T, f.M2, f.M3,
-                    mechanics::largest_normal_stress(f, bar_);
+                    stress.normal, stress.von_mises;
             }
         }
     }
 
     const tiling::Tessellation& tessellation_;
-    const mechanics::Section& bar_;  ///< with which stiff joints have nothing to do
+    mechanics::SectionPoints bar_;
     const SurfaceBeams& beams_;
     std::span<const mechanics::BeamSection> sections_;
     BeamState& state_;
@@ -152,7 +154,8 @@ BeamState state_of(const StateRequest& request, const mechanics::Solution& solut
     const auto interface_nodes = static_cast<Eigen::Index>(beams.interface_nodes);
     state.nodes.setConstant(static_cast<Eigen::Index>(beams.nodes.size()), kDofsPerNode, kUnknown);
     state.nodes.topRows(interface_nodes) = solution.displacements.topRows(interface_nodes);
-    state.forces.setConstant(static_cast<Eigen::Index>(2 * request.sections.size()), 7, kUnknown);
+    state.forces.setConstant(static_cast<Eigen::Index>(2 * request.sections.size()), std::ssize(kBeamFields),
+                             kUnknown);
     const StateWriter writer(request.surface, beams, request.sections, state);
     base::parallel_for(beams.starts.size() - 1, request.threads,
                        [&](std::size_t t) { writer.write(TileIndex(t), motion_of(TileIndex(t))); });

@@ -38,10 +38,15 @@ std::vector<mechanics::BeamSection> beam_sections(const SurfaceBeams& beams,
 /// How the beams of a surface are displaced and strained. NaN where a tile model does not give it.
 struct BeamState {
     mechanics::NodeValues nodes;  ///< a row for each node of the beams
-    /// N V2 V3 T M2 M3 (N and N m) and the largest normal stress (Pa), two rows for each beam: its ends.
-    Eigen::Matrix<double, Eigen::Dynamic, 7> forces;
+    /// The columns of kBeamFields, two rows for each beam: its ends.
+    Eigen::Matrix<double, Eigen::Dynamic, 8> forces;
 };
-inline constexpr std::array<const char*, 7> kBeamFields = {"N", "V2", "V3", "T", "M2", "M3", "stress"};
+/// Section forces (N and N m), the largest normal stress and the largest von Mises stress over the section
+/// (Pa).
+inline constexpr std::array<const char*, 8> kBeamFields = {"N",  "V2", "V3",     "T",
+                                                           "M2", "M3", "stress", "von_mises"};
+inline constexpr Eigen::Index kStressField = 6;
+inline constexpr Eigen::Index kVonMisesField = 7;
 
 /// The beams in a solution that the session gave since its last edit.
 ///

@@ -5,12 +5,12 @@ import { computed, signal } from '@preact/signals';
 import { probed } from './ui';
 
 export type FieldName =
-  | 'plain' | 'displacement' | 'uz' | 'rotation' | 'N' | 'T' | 'M2' | 'M3' | 'V2' | 'V3' | 'stress' | 'utilization' | 'error';
+  | 'plain' | 'displacement' | 'uz' | 'rotation' | 'N' | 'T' | 'M2' | 'M3' | 'V2' | 'V3' | 'von_mises' | 'stress' | 'utilization' | 'error';
 
 export const field = signal<FieldName>('displacement');
-const ON_BARS: Partial<Record<FieldName, string>> = { N: 'N', T: 'T', M2: 'M2', M3: 'M3', V2: 'V2', V3: 'V3', stress: 'stress', utilization: 'stress' };
+const ON_BARS: Partial<Record<FieldName, string>> = { N: 'N', T: 'T', M2: 'M2', M3: 'M3', V2: 'V2', V3: 'V3', von_mises: 'von_mises', stress: 'stress', utilization: 'von_mises' };
 /** The values shown for the bar under the pointer. */
-export const ALL_ON_BARS = ['N', 'V2', 'V3', 'T', 'M2', 'M3', 'stress'];
+export const ALL_ON_BARS = ['N', 'V2', 'V3', 'T', 'M2', 'M3', 'stress', 'von_mises'];
 const isBarProbed = computed(() => probed.value?.kind === 'beam');
 /** The fields of bars, by the server's names, that the present colours need, or the bar that is pointed at. */
 export const beamFields = computed<string[]>(() => {

@@ -5,6 +5,7 @@ import { computed, signal } from '@preact/signals';
 import type { Beams, Solution } from '../protocol/binary';
 import type { Hello, Making, PatternTable, Recoverable, SentLoadCase, Solved, StudioDocument } from '../protocol/messages';
 import type { LineState } from '../protocol/connection';
+import { sizeOf } from './section';
 
 export interface SolvedModel {
   info: Solved;
@@ -70,7 +71,4 @@ export const setting = computed(() => documentNow.value?.setting ?? null);
 /** What the material bears, N/m2; null where the document does not say it. */
 export const strength = computed<number | null>(() => setting.value?.material.strength ?? null);
 /** The section of the bars, in metres: across in the plane, and out of it. */
-export const barSection = computed(() => {
-  const { area, I2, I3 } = setting.value?.section ?? { area: 4e-6, I2: 4e-12 / 3, I3: 4e-12 / 3 };
-  return { width: Math.sqrt((12 * I3) / area), height: Math.sqrt((12 * I2) / area) };
-});
+export const barSection = computed(() => (setting.value ? sizeOf(setting.value.section) : { width: 0.002, height: 0.002 }));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 import { setSetting } from '../document/edits';
+import { sizeOf } from '../document/section';
 import { documentNow } from '../document/store';
 import type { Setting } from '../protocol/messages';
 import { Choice } from '../widgets/widgets';
@@ -34,10 +35,10 @@ export function MaterialFields() {
   const setting = documentNow.value?.setting;
   if (!setting) return null;
   const { material } = setting;
-  const { area, I2, I3 } = setting.section;
-  const [width, height] = [Math.sqrt((12 * I3) / area), Math.sqrt((12 * I2) / area)];
-  // The format that has joints and strength; the server keeps the first that a setting needs.
-  const change = (part: Partial<Setting>) => setSetting({ ...setting, format: 'fretwork/setting/2', ...part });
+  const { width, height } = sizeOf(setting.section);
+  const isRectangle = setting.section.type === undefined;
+  // The newest format; the server keeps the first that a setting needs.
+  const change = (part: Partial<Setting>) => setSetting({ ...setting, format: 'fretwork/setting/3', ...part });
   const bears = (strength: number | undefined) => change({ material: { ...material, strength } });
   const preset = PRESETS.find((row) => row.young_modulus === material.young_modulus && row.density === material.density);
   return (
@@ -56,6 +57,7 @@ export function MaterialFields() {
       <label class="field" title="The stress that the material bears: utilization is a share of it"><span>Strength</span>
         <NumberField label="Strength of the material" least={1} value={material.strength} quantity="stress" onChange={bears} onClear={() => bears(undefined)} />
       </label>
+      {!isRectangle && <p class="hint">The bars are of type {setting.section.type}; a width or height given here makes them rectangles.</p>}
       <label class="field"><span>Bar width, in the plane</span>
         <NumberField label="Bar width" least={1e-5} value={width} quantity="length" onChange={(value) => change({ section: section(value, height) })} />
       </label>

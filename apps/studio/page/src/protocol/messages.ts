@@ -68,9 +68,15 @@ export interface Tile {
   vertices: number[];
   interface: number[];
 }
+/** By its numbers (a rectangle), or by the lengths of its type. */
+export type Section =
+  | { type?: undefined; area: number; I2: number; I3: number; J: number }
+  | { type: 'circle'; diameter: number }
+  | { type: 'tube'; outer_diameter: number; inner_diameter: number }
+  | { type: 'I'; width: number; height: number; flange_thickness: number; web_thickness: number };
 export interface Setting {
   material: { young_modulus: number; poisson_ratio: number; density: number; strength?: number };
-  section: { area: number; I2: number; I3: number; J: number };
+  section: Section;
   tile_side: number;
   joints?: string;
   [other: string]: unknown;

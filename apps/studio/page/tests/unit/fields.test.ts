@@ -11,8 +11,8 @@ const solution = (values: number[]): Solution => ({
 const taken = (values: number[]) => new FieldValues().take(fieldRow('stress'), solution(values), ['stress'], { error: null, strength: 1 });
 
 test('utilization is the share of the strength at each end of a bar; without a strength there is none', () => {
-  expect([...(utilization(solution([-20e6, 10e6]), ['stress'], 40e6) ?? [])]).toEqual([0.5, 0.25]);
-  expect(utilization(solution([1, 2]), ['stress'], null)).toBeNull();
+  expect([...(utilization(solution([20e6, 10e6]), ['von_mises'], 40e6) ?? [])]).toEqual([0.5, 0.25]);
+  expect(utilization(solution([1, 2]), ['von_mises'], null)).toBeNull();
   expect(utilization(solution([1, 2]), ['M2'], 40e6)).toBeNull();
 });
 

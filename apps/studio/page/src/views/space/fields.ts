@@ -26,7 +26,8 @@ export const FIELDS: FieldRow[] = [
   { name: 'T', title: 'Torsion', quantity: 'moment', map: 'signed', on: 'bars' },
   { name: 'V2', title: 'Shear force, in plane', quantity: 'force', map: 'signed', on: 'bars' },
   { name: 'V3', title: 'Shear force, out of plane', quantity: 'force', map: 'signed', on: 'bars' },
-  { name: 'stress', title: 'Largest stress', quantity: 'stress', map: 'sizes', on: 'bars' },
+  { name: 'von_mises', title: 'Von Mises stress', quantity: 'stress', map: 'sizes', on: 'bars' },
+  { name: 'stress', title: 'Normal stress', quantity: 'stress', map: 'sizes', on: 'bars' },
   { name: 'utilization', title: 'Utilization', quantity: 'share', map: 'sizes', on: 'bars' },
   { name: 'error', title: 'Error against the full model', quantity: 'length', map: 'sizes', on: 'nodes' },
 ];
@@ -52,7 +53,7 @@ function lengths(vectors: Float32Array, into: Float32Array): void {
 
 /** How much of its strength the material bears at both ends of each bar; null where one of both is not known. */
 export function utilization(solution: Solution, names: readonly string[], strength: number | null): Float32Array | null {
-  const stress = solution.beamFields[names.indexOf('stress')];
+  const stress = solution.beamFields[names.indexOf('von_mises')];
   return stress && strength !== null ? stress.map((value) => Math.abs(value) / strength) : null;
 }
 

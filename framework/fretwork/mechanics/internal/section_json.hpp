@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A cross-section as JSON inside frames and settings.
+#pragma once
+
+#include <fretwork/base/internal/json_text.hpp>
+#include <fretwork/base/json_reader.hpp>
+#include <fretwork/mechanics/frame/section.hpp>
+
+namespace fretwork::mechanics {
+
+/// A section by its type and lengths, or by its numbers. Throws InputError with source and JSON pointer.
+Section read_section(const base::JsonReader& json);
+/// The inverse of read_section: the type of what is no rectangle, else the numbers.
+base::Json section_json(const Section& section);
+/// Whether files of the first formats do not know this section: an I.
+bool is_of_newer_format(const Section& section);
+
+}  // namespace fretwork::mechanics
