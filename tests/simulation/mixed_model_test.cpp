@@ -3,8 +3,10 @@
 #include "honeycomb.hpp"
 
 #include <fretwork/simulation/mixed_model.hpp>
+#include <fretwork/simulation/results/beam_table.hpp>
 #include <fretwork/simulation/results/comparison.hpp>
 #include <fretwork/simulation/results/model_error.hpp>
+#include <fretwork/simulation/results/stress_refinement.hpp>
 #include <fretwork/simulation/results/tile_stability.hpp>
 #include <fretwork/simulation/session.hpp>
 #include <fretwork/simulation/simulate.hpp>
@@ -131,6 +133,43 @@ TEST(ModelError, IsEstimatedForEveryReducedModelThatHasOne) {
         const double mean = truth.mean_translation_error / truth.max_displacement;
         EXPECT_NEAR(result.model_error->mean, mean, 0.5 * mean) << model;
         EXPECT_EQ(result.solution.displacements, solved(model).solution.displacements) << model;
+    }
+}
+
+TEST(StressRefinement, EndsWithTheTilesAroundTheWorstBeamInFull) {
+    Session session(surface(), heavy(), {.model = "corotational"});
+    const RefinedStress refined = refine_stress(session, {});
+    ASSERT_TRUE(refined.is_settled);
+    EXPECT_GT(refined.solutions, 1);
+    EXPECT_LT(refined.full_tiles.size(), surface().tessellation.tiles.size());
+    const BeamRow worst = most_stressed(refined.table, 1).front();
+    for (const TileIndex tile : tiles_around(surface(), worst))
+        EXPECT_TRUE(std::ranges::binary_search(refined.full_tiles, tile)) << tile.value;
+    const auto largest = [](const BeamTable& table) {
+        return most_stressed(table, 1).front().largest_von_mises();
+    };
+    const double truth = largest(beam_table(surface(), solved("full")));
+    const double before = largest(beam_table(surface(), solved("corotational")));
+    EXPECT_LT(std::abs(largest(refined.table) - truth), std::abs(before - truth));
+}
+
+TEST(StressRefinement, IsOfNonlinearReducedResults) {
+    EXPECT_THAT(complaint_of([] { (void)refine_stress(surface(), solved("full")); }),
+                HasSubstr("model 'full'"));
+    const SurfaceResult read = solved("mixed:0.1");
+    EXPECT_TRUE(refine_stress(surface(), read).is_settled);
+}
+
+TEST(ModelError, CoversTheLargestStress) {
+    const auto largest = [](const SurfaceResult& result) {
+        return most_stressed(beam_table(surface(), result), 1).front().largest_von_mises();
+    };
+    const double truth = largest(solved("full"));
+    for (const char* model : {"corotational", "condensed"}) {
+        const auto result = simulate(surface(), heavy(), {.model = model, .estimate_model_error = true});
+        ASSERT_TRUE(result.model_error && result.model_error->largest_stress) << model;
+        const double error = std::abs(largest(result) - truth) / truth;
+        EXPECT_NEAR(*result.model_error->largest_stress, error, 0.5 * error + 1e-3) << model;
     }
 }
 

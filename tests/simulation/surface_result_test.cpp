@@ -29,7 +29,7 @@ SurfaceResult some_result() {
                                    .stages_text = R"({"stages":[{"name":"press"}]})",
                                    .stage_load_cases = {R"({"name":"a"})", R"({"name":"b"})"}};
     result.linear_range = mechanics::LinearRange{0.125, true};
-    result.model_error = ModelError{0.001, 1.0 / 3.0, 0.02};
+    result.model_error = ModelError{0.001, 1.0 / 3.0, 0.02, 0.03};
     result.buckled_tiles = {5};
     result.seconds = 0.25;
     return result;

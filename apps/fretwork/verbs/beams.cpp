@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fretwork beams: what the beams of a surface bear in a result.
 #include "bar_checks.hpp"
+#include "interrupt.hpp"
 #include "options/file_options.hpp"
 #include "surface_result.hpp"
 #include "verbs/beams.hpp"
@@ -12,6 +13,7 @@
 #include <fretwork/simulation/project/project_library.hpp>
 #include <fretwork/simulation/results/beam_table.hpp>
 #include <fretwork/simulation/results/result_subject.hpp>
+#include <fretwork/simulation/results/stress_refinement.hpp>
 #include <fretwork/simulation/stages.hpp>
 
 #include <algorithm>
@@ -29,6 +31,7 @@ struct BeamsOptions {
     std::string strength;
     std::string out;
     std::size_t top = 10;
+    bool refine = false;
     bool json = false;
 };
 
@@ -80,11 +83,26 @@ void print(const simulation::BeamTable& table, const simulation::Surface& surfac
     if (table.unknown > 0) std::printf("%zu beams are not known with this result's model\n", table.unknown);
 }
 
+/// Of the result with the tiles around its most stressed beam in full.
+simulation::BeamTable refined_table(const simulation::Surface& surface,
+                                    const simulation::SurfaceResult& result, const BeamsOptions& options) {
+    LongWork work;
+    const simulation::RefinedStress refined = simulation::refine_stress(surface, result, work.control());
+    if (!refined.is_settled)
+        throw base::NumericalError(
+            "no equilibrium was found with the tiles around the most stressed beam in full");
+    if (!options.json)
+        std::printf("%zu tiles in full, those around the most stressed beam among them; %d solutions\n",
+                    refined.full_tiles.size(), refined.solutions);
+    return refined.table;
+}
+
 ExitCode run(const BeamsOptions& options) {
     const simulation::SurfaceResult result = read_surface_result(options.result);
     const simulation::Surface surface = read_surface(options, result);
     check_own_result(result, surface, options.result);
-    simulation::BeamTable table = simulation::beam_table(surface, result);
+    simulation::BeamTable table =
+        options.refine ? refined_table(surface, result, options) : simulation::beam_table(surface, result);
     if (!options.strength.empty()) table.strength = parse_strength(options.strength);
     const bool is_known = !table.rows.empty();
     if (!options.out.empty()) {
@@ -115,6 +133,10 @@ void add_beams(CLI::App& app, ExitCode& exit_code) {
             "--strength", options->strength,
             "Stress that the material bears, such as 40MPa (default: that of the setting's material)")
         ->type_name("STRESS");
+    verb->add_flag(
+        "--refine", options->refine,
+        "Solve again with the tiles around the most stressed beam in full, until the worst one lies among "
+        "them (nonlinear results of corotational and mixed tiles)");
     verb->add_option("--library", options->library, "Library with the setting (default: the project's)");
     verb->add_option("--out", options->out, "Table of all beams to write: .csv or .json");
     verb->add_flag("--json", options->json, "Print JSON");

@@ -80,11 +80,23 @@ std::string numbers_text(const std::vector<int>& numbers) {
     return base::join(texts, ", ");
 }
 
+void print_model_error(const simulation::ModelError& error) {
+    std::printf(
+        "error of the model, estimated: %.2g %% of the largest displacement on average, %.2g %% at most",
+        100.0 * error.mean, 100.0 * error.largest);
+    if (error.largest_stress) std::printf("; %.2g %% of the largest stress", 100.0 * *error.largest_stress);
+    std::puts("");
+}
+
 /// Null if it was not asked for, or is not known.
 base::Json model_error_json(const simulation::SurfaceResult& result) {
     const auto& error = result.model_error;
     if (!error) return nullptr;
-    return {{"mean", error->mean}, {"largest", error->largest}, {"relative_l2", error->relative_l2}};
+    return {
+        {"mean", error->mean},
+        {"largest", error->largest},
+        {"relative_l2", error->relative_l2},
+        {"largest_stress", error->largest_stress ? base::Json(*error->largest_stress) : base::Json(nullptr)}};
 }
 
 base::Json linear_range_json(const simulation::SurfaceResult& result) {
@@ -167,11 +179,7 @@ void print(const simulation::SurfaceResult& result, const Wanted& wanted) {
         std::printf("%s\n", discretization_text(*error).c_str());
     if (!subject.full_tiles.empty())
         std::printf("tiles in full: %s\n", numbers_text(subject.full_tiles).c_str());
-    if (const auto& error = result.model_error)
-        std::printf(
-            "error of the model, estimated: %.2g %% of the largest displacement on average, %.2g %% at "
-            "most\n",
-            100.0 * error->mean, 100.0 * error->largest);
+    if (const auto& error = result.model_error) print_model_error(*error);
     if (result.buckled_tiles && !result.buckled_tiles->empty())
         std::printf("tiles whose beams buckle between their interface nodes: %s\n",
                     numbers_text(*result.buckled_tiles).c_str());

@@ -59,6 +59,14 @@ class Simulation {
         const SurfaceResult mixed = session.solve(control_);
         if (is_corotational(surface_, options_)) result = *session.corotational_result();
         result.model_error = model_error(result, mixed);
+        if (result.model_error) {
+            better.model = kMixedTiles;
+            Session refining(surface_, load_case_, better);
+            const RefinedStress refined = refine_stress(refining, session.full_tiles(), control_);
+            result.subject = result_subject(surface_, load_case_, plain);
+            result.model_error->largest_stress =
+                stress_error(beam_table(surface_, result, options_.models), refined);
+        }
         if (result.solution.converged())
             result.buckled_tiles = numbers(buckled_tiles(surface_, result.solution, options_, control_));
         return result;

@@ -12,11 +12,13 @@
 namespace fretwork::mechanics {
 
 inline constexpr const char* kResultFormat = "fretwork/result/4";
+/// With the error of the largest stress.
+inline constexpr const char* kNewerResultFormat = "fretwork/result/5";
 
 /// Append everything but the format and the program.
 void append_result(const Result& result, base::Json& json);
 
-/// Throws InputError unless the document is a result of the format that is written, with no keys but those of
+/// Throws InputError unless the document is a result of a format that is written, with no keys but those of
 /// a structure and `more_keys`.
 void check_result_format(const base::JsonReader& document, std::span<const std::string_view> more_keys = {});
 

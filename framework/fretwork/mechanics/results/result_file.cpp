@@ -20,7 +20,8 @@ using base::Json;
 using base::JsonReader;
 
 /// Older formats were written by unreleased versions only.
-constexpr int kResultVersion = 4;
+constexpr int kNewestVersion = 5;
+constexpr int kOldestVersion = 4;
 constexpr std::string_view kResultKeys[] = {
     "format",     "program",          "solver",          "load_factor",    "converged",
     "stable",     "stability",        "termination",     "energy",         "residual",
@@ -234,7 +235,7 @@ void append_result(const Result& result, Json& json) {
 }
 
 void check_result_format(const JsonReader& document, std::span<const std::string_view> more_keys) {
-    document.expect_format("result", kResultVersion, kResultVersion);
+    document.expect_format("result", kNewestVersion, kOldestVersion);
     std::vector<std::string_view> keys(std::begin(kResultKeys), std::end(kResultKeys));
     keys.insert(keys.end(), more_keys.begin(), more_keys.end());
     document.allow_only(keys);

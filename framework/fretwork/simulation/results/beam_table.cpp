@@ -37,17 +37,7 @@ base::Json end_json(const BeamRow& row, std::size_t end) {
             {"von_mises", row.von_mises[end]}};
 }
 
-}  // namespace
-
-std::optional<double> BeamTable::utilization(const BeamRow& row) const {
-    if (!strength) return std::nullopt;
-    return row.largest_von_mises() / *strength;
-}
-
-BeamTable beam_table(const Surface& surface, const SurfaceResult& result,
-                     std::span<const reduction::TileModel> models) {
-    const SurfaceBeams beams = surface_beams(surface);
-    const BeamState state = beam_state(surface, result, beams, beam_sections(beams, surface.setting), models);
+BeamTable table_of(const Surface& surface, const SurfaceBeams& beams, const BeamState& state) {
     BeamTable table;
     table.strength = surface.setting.strength;
     table.shape = mechanics::shape_of(surface.setting.section);
@@ -69,6 +59,27 @@ BeamTable beam_table(const Surface& surface, const SurfaceResult& result,
             table.rows.push_back(row);
     }
     return table;
+}
+
+}  // namespace
+
+std::optional<double> BeamTable::utilization(const BeamRow& row) const {
+    if (!strength) return std::nullopt;
+    return row.largest_von_mises() / *strength;
+}
+
+BeamTable beam_table(const Surface& surface, const SurfaceResult& result,
+                     std::span<const reduction::TileModel> models) {
+    const SurfaceBeams beams = surface_beams(surface);
+    return table_of(surface, beams,
+                    beam_state(surface, result, beams, beam_sections(beams, surface.setting), models));
+}
+
+BeamTable beam_table(const Session& session, const mechanics::Solution& solution) {
+    const Surface& surface = session.surface();
+    const SurfaceBeams beams = surface_beams(surface);
+    return table_of(surface, beams,
+                    beam_state(session, solution, beams, beam_sections(beams, surface.setting)));
 }
 
 std::vector<BeamRow> most_stressed(const BeamTable& table, std::size_t count) {

@@ -3,6 +3,7 @@
 
 #include <fretwork/mechanics/results/section_forces.hpp>
 #include <fretwork/simulation/results/surface_result.hpp>
+#include <fretwork/simulation/session.hpp>
 #include <fretwork/simulation/surface.hpp>
 
 #include <algorithm>
@@ -43,6 +44,9 @@ struct BeamTable {
 /// the surface, or its models are no rows of `models`.
 BeamTable beam_table(const Surface& surface, const SurfaceResult& result,
                      std::span<const reduction::TileModel> models = reduction::tile_models());
+
+/// The same of a solution that the session gave since its last edit.
+BeamTable beam_table(const Session& session, const mechanics::Solution& solution);
 
 /// The rows with the largest von Mises stress first; `count` of them at most.
 std::vector<BeamRow> most_stressed(const BeamTable& table, std::size_t count);

@@ -2,6 +2,8 @@
 #include <fretwork/simulation/results/comparison.hpp>
 #include <fretwork/simulation/results/model_error.hpp>
 
+#include <cmath>
+
 namespace fretwork::simulation {
 
 std::optional<ModelError> model_error(const SurfaceResult& result, const SurfaceResult& better) {
@@ -11,6 +13,13 @@ std::optional<ModelError> model_error(const SurfaceResult& result, const Surface
     return ModelError{.mean = comparison.mean_translation_error / comparison.max_displacement,
                       .largest = comparison.max_translation_error / comparison.max_displacement,
                       .relative_l2 = comparison.relative_l2_error};
+}
+
+std::optional<double> stress_error(const BeamTable& table, const RefinedStress& refined) {
+    if (!refined.is_settled || table.rows.empty() || table.unknown > 0) return std::nullopt;
+    const auto largest = [](const BeamTable& of) { return most_stressed(of, 1).front().largest_von_mises(); };
+    const double reference = largest(refined.table);
+    return reference == 0.0 ? 0.0 : std::abs(largest(table) - reference) / reference;
 }
 
 }  // namespace fretwork::simulation

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <fretwork/simulation/mixed_model.hpp>
+#include <fretwork/simulation/results/stress_refinement.hpp>
 
 #include <optional>
 
@@ -13,8 +14,12 @@ namespace fretwork::simulation {
 inline constexpr double kEstimatingShare = 0.3;
 
 /// The error of a solution of reduced tiles against the full model, estimated as its difference from a better
-/// solution: corotational tiles with the worst kEstimatingShare in full. None if the better one has not
+/// solution: corotational tiles with the worst kEstimatingShare in full. None if one of both has not
 /// converged.
 std::optional<ModelError> model_error(const SurfaceResult& result, const SurfaceResult& better);
+
+/// The error of the largest von Mises stress of a table, as a share of it: against a refined solution, which
+/// began with the tiles of that better one. None where a stress is not known.
+std::optional<double> stress_error(const BeamTable& table, const RefinedStress& refined);
 
 }  // namespace fretwork::simulation

@@ -21,14 +21,19 @@ constexpr std::string_view kSurfaceKeys[] = {"subject", "linear_range", "model_e
                                              "buckled_tiles"};
 
 Json model_error_json(const ModelError& error) {
-    return {{"mean", error.mean}, {"largest", error.largest}, {"relative_l2", error.relative_l2}};
+    Json json = {{"mean", error.mean}, {"largest", error.largest}, {"relative_l2", error.relative_l2}};
+    if (error.largest_stress) json["largest_stress"] = *error.largest_stress;
+    return json;
 }
 
 ModelError read_model_error(const JsonReader& reader) {
-    reader.allow_only({"mean", "largest", "relative_l2"});
-    return {mechanics::read_not_negative(reader.at("mean")),
-            mechanics::read_not_negative(reader.at("largest")),
-            mechanics::read_not_negative(reader.at("relative_l2"))};
+    reader.allow_only({"mean", "largest", "relative_l2", "largest_stress"});
+    ModelError error{mechanics::read_not_negative(reader.at("mean")),
+                     mechanics::read_not_negative(reader.at("largest")),
+                     mechanics::read_not_negative(reader.at("relative_l2"))};
+    if (const auto stress = reader.find("largest_stress"))
+        error.largest_stress = mechanics::read_not_negative(*stress);
+    return error;
 }
 
 Json range_json(const LinearRange& range) {
@@ -108,7 +113,9 @@ void check_load_factor(const JsonReader& document, double factor) {
 
 std::string surface_result_text(const SurfaceResult& result) {
     if (!result.subject) throw base::InputError("a result of a surface without its subject is not written");
-    Json json = {{"format", mechanics::kResultFormat}, {"program", base::version()}};
+    const bool is_newer = result.model_error && result.model_error->largest_stress;
+    Json json = {{"format", is_newer ? mechanics::kNewerResultFormat : mechanics::kResultFormat},
+                 {"program", base::version()}};
     json["subject"] = subject_json(*result.subject);
     if (result.linear_range) json["linear_range"] = range_json(*result.linear_range);
     if (result.model_error) json["model_error_estimate"] = model_error_json(*result.model_error);

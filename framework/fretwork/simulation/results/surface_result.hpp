@@ -28,11 +28,15 @@ struct ResultSubject {
     friend bool operator==(const ResultSubject&, const ResultSubject&) = default;
 };
 
-/// Estimated distance of a surface's solution from the full model's: translations of the interface nodes.
+/// Estimated distance of a surface's solution from the full model's: translations of the interface nodes, and
+/// the largest von Mises stress.
 struct ModelError {
     double mean = 0.0;         ///< the mean error, as a share of the largest displacement
     double largest = 0.0;      ///< the largest error, as a share of the largest displacement
     double relative_l2 = 0.0;  ///< of all translations
+    /// The error of the largest von Mises stress over all beams, as a share of it, and so that of the largest
+    /// utilization; none where the model does not give the motions of all beams.
+    std::optional<double> largest_stress{};
     friend bool operator==(const ModelError&, const ModelError&) = default;
 };
 
