@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # One helper for each kind of target, so that a stage's own CMakeLists.txt says only what is its own.
 
-# fretwork_add_stage(<stage> SOURCES a.cpp.. HEADERS a.hpp.. [PUBLIC targets..] [PRIVATE targets..])
-# The target is fretwork_<stage>, with the alias fretwork::<stage>; headers lie beside sources.
+# fretwork_add_stage(<stage> [NO_INNER_LOOPS] SOURCES a.cpp.. HEADERS a.hpp.. [PUBLIC targets..] [PRIVATE targets..])
+# The target is fretwork_<stage>, with the alias fretwork::<stage>; headers lie beside sources. NO_INNER_LOOPS: see
+# fretwork_compile_quickly.
 function(fretwork_add_stage stage)
-  cmake_parse_arguments(ARG "" "" "SOURCES;HEADERS;PUBLIC;PRIVATE" ${ARGN})
+  cmake_parse_arguments(ARG "NO_INNER_LOOPS" "" "SOURCES;HEADERS;PUBLIC;PRIVATE" ${ARGN})
   set(target fretwork_${stage})
   add_library(${target} STATIC)
   add_library(fretwork::${stage} ALIAS ${target})
@@ -15,7 +16,11 @@ function(fretwork_add_stage stage)
   target_compile_features(${target} PUBLIC cxx_std_20)
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${stage} POSITION_INDEPENDENT_CODE ON CXX_EXTENSIONS OFF)
   target_link_libraries(${target} PUBLIC ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE} $<BUILD_INTERFACE:fretwork_flags>)
-  fretwork_compile_quickly(${target})
+  if(ARG_NO_INNER_LOOPS)
+    fretwork_compile_quickly(${target} NO_INNER_LOOPS)
+  else()
+    fretwork_compile_quickly(${target})
+  endif()
   set_property(GLOBAL APPEND PROPERTY FRETWORK_STAGES ${target})
 endfunction()
 

@@ -46,9 +46,13 @@ function(fretwork_share_compilation target precompiled options)
   target_precompile_headers(${target} REUSE_FROM ${precompiled})
 endfunction()
 
-# fretwork_compile_quickly(<target>): a library, or the program of an experiment.
+# fretwork_compile_quickly(<target> [NO_INNER_LOOPS]): a library, or the program of an experiment. NO_INNER_LOOPS: its
+# time goes into calls of other stages and of libraries, or into reading and writing.
 function(fretwork_compile_quickly target)
-  if(FRETWORK_QUICK_COMPILATION)
+  cmake_parse_arguments(ARG "NO_INNER_LOOPS" "" "" ${ARGN})
+  if(FRETWORK_QUICK_COMPILATION AND ARG_NO_INNER_LOOPS)
+    fretwork_share_compilation(${target} fretwork_precompiled_programs -O1)
+  elseif(FRETWORK_QUICK_COMPILATION)
     fretwork_share_compilation(${target} fretwork_precompiled "")
   endif()
 endfunction()

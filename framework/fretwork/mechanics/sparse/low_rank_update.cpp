@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/geometry/symmetric_eigen.hpp>
 #include <fretwork/mechanics/sparse/low_rank_update.hpp>
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 
 #include <cmath>
 
@@ -38,12 +38,12 @@ LowRankUpdate::Modes LowRankUpdate::modes_of(const Ldlt& factors, const MatrixCh
         scale[i] = std::sqrt(factors.diagonal(change.equations[static_cast<std::size_t>(i)]));
     const Eigen::VectorXd inverse = scale.cwiseInverse();
     const Eigen::MatrixXd scaled = inverse.asDiagonal() * change.values * inverse.asDiagonal();
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(scaled);
-    const Eigen::ArrayXd values = eigen.eigenvalues();  // ascending
+    const geometry::SymmetricEigen eigen = geometry::symmetric_eigen(scaled);
+    const Eigen::ArrayXd values = eigen.values;  // ascending
     const Eigen::Index minus = (values < -kRounding).count();
     const Eigen::Index plus = (values > kRounding).count();
     const Eigen::MatrixXd modes =
-        scale.asDiagonal() * eigen.eigenvectors() * values.abs().sqrt().matrix().asDiagonal();
+        scale.asDiagonal() * eigen.vectors * values.abs().sqrt().matrix().asDiagonal();
     return {modes.rightCols(plus), modes.leftCols(minus)};
 }
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/text.hpp>
+#include <fretwork/geometry/symmetric_eigen.hpp>
 #include <fretwork/mechanics/sparse/arbitrary.hpp>
 #include <fretwork/mechanics/structure/subspace_iteration.hpp>
-
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -212,19 +211,20 @@ SubspaceIteration::Pairs SubspaceIteration::project(MatrixXd vectors, double shi
     const VectorXd scale = energies.cwiseMax(kNothing).cwiseSqrt().cwiseInverse();
     vectors *= scale.asDiagonal();
     images *= scale.asDiagonal();
-    const Eigen::SelfAdjointEigenSolver<MatrixXd> span(vectors.transpose() * images);
-    const Eigen::Index rank = (span.eigenvalues().array() > kDependent).count();
+    const geometry::SymmetricEigen span = geometry::symmetric_eigen(vectors.transpose() * images);
+    const Eigen::Index rank = (span.values.array() > kDependent).count();
     // Eigen does not take matrices without rows.
     if (rank == 0) return {VectorXd(0), MatrixXd(vectors.rows(), 0)};
-    const MatrixXd basis = vectors * span.eigenvectors().rightCols(rank) *
-                           span.eigenvalues().tail(rank).cwiseSqrt().cwiseInverse().asDiagonal();
-    const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(basis.transpose() * times(operand_, basis));
-    const VectorXd& values = solver.eigenvalues();
+    const MatrixXd basis = vectors * span.vectors.rightCols(rank) *
+                           span.values.tail(rank).cwiseSqrt().cwiseInverse().asDiagonal();
+    const geometry::SymmetricEigen solver =
+        geometry::symmetric_eigen(basis.transpose() * times(operand_, basis));
+    const VectorXd& values = solver.values;
     std::vector<Eigen::Index> order(static_cast<std::size_t>(rank));
     std::iota(order.begin(), order.end(), Eigen::Index{0});
     const auto growth = [&](Eigen::Index i) { return std::abs(values[i] / (1.0 - shift * values[i])); };
     std::ranges::stable_sort(order, [&](auto a, auto b) { return growth(a) > growth(b); });
-    return {values(order), basis * solver.eigenvectors()(Eigen::all, order)};
+    return {values(order), basis * solver.vectors(Eigen::all, order)};
 }
 
 }  // namespace fretwork::mechanics::structure

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/disjoint_sets.hpp>
 #include <fretwork/base/text.hpp>
+#include <fretwork/geometry/symmetric_eigen.hpp>
 #include <fretwork/mechanics/frame/detail/rigid_motion.hpp>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -76,11 +76,10 @@ Eigen::Matrix<double, 6, 6> held_motion_form(const Frame& frame, const std::vect
 
 std::optional<FreeMotion> free_motion(const Frame& frame, const std::vector<std::size_t>& part,
                                       const std::vector<DofSet>& held) {
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> eigen(
-        held_motion_form(frame, part, held));
+    const geometry::SymmetricEigen eigen = geometry::symmetric_eigen(held_motion_form(frame, part, held));
     constexpr double kZero = 1e-12;  // squares of ratios of lengths: supports a millionth of the size apart
-    if (eigen.eigenvalues()[0] > kZero) return std::nullopt;
-    return FreeMotion{NodeIndex(part.front()), part.size() > 1, motion_text(eigen.eigenvectors().col(0))};
+    if (eigen.values[0] > kZero) return std::nullopt;
+    return FreeMotion{NodeIndex(part.front()), part.size() > 1, motion_text(eigen.vectors.col(0))};
 }
 
 }  // namespace
