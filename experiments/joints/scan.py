@@ -26,7 +26,7 @@ def centrelines(program, pattern):
     with tempfile.TemporaryDirectory() as name:
         fretwork = study.Fretwork(program.resolve(), pathlib.Path(name))
         (fretwork.folder / "patch.obj").write_text(outline.patch_obj(study.SIDE / 1e3))
-        fretwork("tile", "patch.obj", "--keep-mesh", "--layout", study.LAYOUT, "--patterns", pattern, "--out", "patch.json")
+        fretwork("tile", "patch.obj", "--keep-mesh", "--layout", study.LAYOUT, "--setting", "paper", "--patterns", pattern, "--out", "patch.json")
         fretwork("export", "patch.json", "--to", "lines.obj")
         return geometry.bars_of((fretwork.folder / "lines.obj").read_text(), study.SIDE)
 
