@@ -86,7 +86,7 @@ def make_surface(fretwork, surface, patterns, folder):
     rng = random.Random(surface["painting"])
     write(folder / "outline.json", surface["outline"])
     tiled = json.loads(fretwork("tile", "outline.json", "--patterns", f"random:{surface['painting'] % 10000}", "--palette",
-                                ",".join(rng.sample(patterns, 8)), "--out", "project.json", "--json"))
+                                ",".join(rng.sample(patterns, 8)), "--setting", "paper", "--out", "project.json", "--json"))
     find_load(fretwork, surface, folder)
     return tiled
 

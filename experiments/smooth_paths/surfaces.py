@@ -36,7 +36,7 @@ def tile(fretwork, length, width, patterns):
     (fretwork.folder / "outline.json").write_text(json.dumps({"format": "fretwork/outline/1", "boundary": [
         [0, 0], [length, 0], [length, width], [0, width]]}))
     (fretwork.folder / "project.json").unlink(missing_ok=True)
-    fretwork("tile", "outline.json", "--patterns", *patterns, "--edge-length", "25mm", "--out", "project.json")
+    fretwork("tile", "outline.json", "--patterns", *patterns, "--edge-length", "25mm", "--setting", "paper", "--out", "project.json")
 
 
 def simulate(fretwork, options):

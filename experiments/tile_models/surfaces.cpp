@@ -112,8 +112,9 @@ Surface make_surface(const reduction::Setting& setting, const std::vector<Calibr
     const auto outline = outlines::make_outline(
         {{0.0, 0.0}, {shape.width, 0.0}, {shape.width, shape.height}, {0.0, shape.height}}, {});
     auto made = simulation::make_project(
-        outline, {.painting = simulation::PaintAtRandom{.seed = seed, .palette = {.ids = ids}}}, nullptr);
-    made.project.setting = setting;
+        outline,
+        {.setting = setting, .painting = simulation::PaintAtRandom{.seed = seed, .palette = {.ids = ids}}},
+        nullptr);
     Surface surface = simulation::make_surface(made.project, nullptr);
     for (std::size_t i = 0; i < surface.tessellation.patterns.size(); ++i) {
         const auto own =

@@ -9,6 +9,7 @@ namespace fretwork::exports::detail {
 namespace THIS_TEST {
 
 const BarScene::Field kField{"displacement", "Displacement", "mm", 1e3, {0.0, 0.25, 1.0}};
+const std::string kNote = "joints: stiff";
 
 TEST(PictureLegend, StandsBelowThePictureOnTransparentGround) {
     constexpr PixelSize kSize{400, 300};
@@ -16,7 +17,7 @@ TEST(PictureLegend, StandsBelowThePictureOnTransparentGround) {
     ASSERT_GT(height, 0);
     const std::vector<std::uint8_t> picture(std::size_t{4} * 400 * static_cast<std::size_t>(300 - height),
                                             77);
-    const auto whole = with_legend(picture, kSize, kField);
+    const auto whole = with_legend(picture, kSize, {kField, kNote});
     ASSERT_EQ(whole.size(), std::size_t{4} * 400 * 300);
     EXPECT_TRUE(std::equal(picture.begin(), picture.end(), whole.begin())) << "it covers the surface";
     std::size_t opaque = 0;
@@ -31,7 +32,7 @@ TEST(PictureLegend, StandsBelowThePictureOnTransparentGround) {
 TEST(PictureLegend, IsLeftOutOfSmallPictures) {
     const std::vector<std::uint8_t> picture(std::size_t{4} * 200 * 100, 77);
     EXPECT_EQ(legend_height({200, 100}), 0);
-    EXPECT_EQ(with_legend(picture, {200, 100}, kField), picture);
+    EXPECT_EQ(with_legend(picture, {200, 100}, {kField, kNote}), picture);
 }
 
 }  // namespace THIS_TEST

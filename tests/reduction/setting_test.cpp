@@ -36,6 +36,32 @@ TEST(PaperSetting, IsTheFileOfTheExperiments) {
     EXPECT_EQ(from_file, paper_setting());
 }
 
+TEST(MadeSetting, IsThePapersWithStiffJointsAndAFileOfTheExperiments) {
+    Setting expected = paper_setting();
+    expected.joints = Joints::Stiff;
+    EXPECT_EQ(made_setting(), expected);
+    EXPECT_EQ(read_setting(std::string(FRETWORK_SOURCE_DIR) + "/experiments/settings/made.json"), expected);
+}
+
+TEST(FindSetting, TakesANameOrAFile) {
+    EXPECT_EQ(find_setting("paper"), paper_setting());
+    EXPECT_EQ(find_setting("made"), made_setting());
+    const test::TemporaryFolder folder;
+    const auto file = folder.file("plain.json", R"({"format": "fretwork/setting/1", "tile_side": 0.03})");
+    EXPECT_EQ(find_setting(file.string()).tile_side, 0.03);
+    EXPECT_EQ(find_setting(file.string()).joints, Joints::Centreline) << "a file that does not name them";
+    EXPECT_THROW((void)find_setting("built"), base::InputError);
+}
+
+TEST(SettingName, IsThatOfAnEqualSetting) {
+    EXPECT_EQ(setting_name(paper_setting()), "paper");
+    Setting setting = made_setting();
+    setting.strength = 4e7;
+    EXPECT_EQ(setting_name(setting), "made");
+    setting.tile_side *= 2;
+    EXPECT_EQ(setting_name(setting), "own");
+}
+
 TEST(SettingText, ReadsBackAsTheSameSetting) {
     Setting setting = paper_setting();
     setting.sample_policy = SamplePolicy::Stable;

@@ -4,6 +4,7 @@
 
 #include <fretwork/base/text.hpp>
 #include <fretwork/simulation/load_cases/load_case_file.hpp>
+#include <fretwork/simulation/project/new_project.hpp>
 #include <fretwork/simulation/project/project_file.hpp>
 
 #include <regex>
@@ -64,6 +65,16 @@ TEST(ProjectFile, KeepsItsSettingAndTheModelsOfItsTiles) {
 }
 
 /// A project that a program of the first format made, with a library.
+TEST(NewProject, HasStiffJointsUnlessAnotherSettingIsAskedFor) {
+    const auto outline = outlines::make_outline({{0, 0}, {0.2, 0}, {0.2, 0.1}, {0, 0.1}}, {});
+    EXPECT_EQ(make_project(outline, {}, nullptr).project.setting, reduction::made_setting());
+    reduction::Setting wanted = reduction::paper_setting();
+    wanted.tile_side = 0.05;
+    const NewProject made = make_project(outline, {.setting = wanted}, nullptr);
+    EXPECT_EQ(made.project.setting, wanted);
+    EXPECT_EQ(made.edge_length, 0.05);
+}
+
 TEST(ProjectFile, RefusesModelsOfTilesThatAreNotThereOrAreChosenTwice) {
     const auto complaint = [](std::vector<tiling::TileIndex> tiles) {
         Project project = example();

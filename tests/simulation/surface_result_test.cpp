@@ -25,6 +25,7 @@ SurfaceResult some_result() {
                                    .tessellation_hash = std::string(64, 'a'),
                                    .painting_hash = std::string(64, 'b'),
                                    .setting_hash = std::string(64, 'c'),
+                                   .joints = reduction::Joints::Stiff,
                                    .full_tiles = {3, 14},
                                    .stages_text = R"({"stages":[{"name":"press"}]})",
                                    .stage_load_cases = {R"({"name":"a"})", R"({"name":"b"})"}};

@@ -42,7 +42,7 @@ Examples:
 /// The options of the verb.
 struct CalibrateOptions {
     std::string library_path;
-    std::string setting_path;
+    std::string setting;  ///< a name or a file
     std::string policy;
     std::string patterns = "all";
     std::string shard;
@@ -71,9 +71,9 @@ struct Result {
 };
 
 void adopt_setting(Library& library, const CalibrateOptions& options) {
-    if (options.setting_path.empty() && options.policy.empty()) return;
+    if (options.setting.empty() && options.policy.empty()) return;
     reduction::Setting setting =
-        options.setting_path.empty() ? library.setting() : reduction::read_setting(options.setting_path);
+        options.setting.empty() ? library.setting() : reduction::find_setting(options.setting);
     if (!options.policy.empty())
         setting.sample_policy =
             options.policy == "paper" ? reduction::SamplePolicy::Paper : reduction::SamplePolicy::Stable;
@@ -294,8 +294,10 @@ void add_calibrate(CLI::App& app, ExitCode& exit_code) {
     CLI::App* verb = app.add_subcommand(
         "calibrate", "Compute the responses of a library's patterns, and fit a reduced model to each.");
     verb->add_option("--library", options->library_path, "The library: patterns in, results out")->required();
-    verb->add_option("--setting", options->setting_path,
-                     "Material, section, tile side and scenarios, for a library that has no results yet");
+    verb->add_option("--setting", options->setting,
+                     "Material, section, joints, tile side and scenarios, for a library that has no results "
+                     "yet: paper, made (the paper's with stiff joints), or a setting file (default: the "
+                     "library's, which begins as paper)");
     verb->add_option("--policy", options->policy,
                      "What becomes of samples past the first loss of stability, for a library that has no "
                      "results yet:\npaper: they are fitted, too\nstable: they are left out\n(default: as the "

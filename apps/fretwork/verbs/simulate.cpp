@@ -132,6 +132,7 @@ void print_json(const simulation::SurfaceResult& result) {
     const simulation::ResultSubject& subject = result.subject.value();
     const base::Json json = {{"model", subject.model},
                              {"load_case", subject.load_case},
+                             {"joints", reduction::joints_name(subject.joints.value())},
                              {"solver", result.solver},
                              {"converged", solution.converged()},
                              {"stable", solution.stable},
@@ -166,7 +167,8 @@ void print_steps(const simulation::SurfaceResult& result) {
 void print(const simulation::SurfaceResult& result, const Wanted& wanted) {
     const auto& solution = result.solution;
     const simulation::ResultSubject& subject = result.subject.value();
-    std::printf("%s model, load case '%s', %s: %s%s\n", base::printable(subject.model).c_str(),
+    std::printf("%s model, joints: %s, load case '%s', %s: %s%s\n", base::printable(subject.model).c_str(),
+                std::string(reduction::joints_name(subject.joints.value())).c_str(),
                 base::printable(subject.load_case).c_str(), result.solver.c_str(),
                 std::string(mechanics::termination_name(solution.termination)).c_str(),
                 solution.stable ? "" : ", unstable");

@@ -12,6 +12,7 @@
 #include <fretwork/base/quantity.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/library/library.hpp>
+#include <fretwork/reduction/scenarios/setting_file.hpp>
 #include <fretwork/simulation/load_cases/conditions.hpp>
 #include <fretwork/simulation/project/new_project.hpp>
 #include <fretwork/simulation/project/project.hpp>
@@ -38,6 +39,7 @@ struct TileOptions {
     std::optional<std::string> edge_length;
     typed::PaintingText painting;
     std::string library;
+    std::string setting;
     std::string layout;
     std::string out;
     std::string narrow = "refine";
@@ -89,10 +91,18 @@ std::optional<Library> open_library(const TileOptions& options) {
     return simulation::open_project_library(options.out, simulation::read_project(options.out), "");
 }
 
+/// The setting that is named; else that of the project which is tiled again, unless it gets another library;
+/// else none: that of the library, or that of things that are made.
+std::optional<reduction::Setting> wanted_setting(const TileOptions& options, const Library* library) {
+    if (!options.setting.empty()) return reduction::find_setting(options.setting);
+    if (!options.library.empty() || !std::filesystem::exists(options.out)) return std::nullopt;
+    return simulation::setting_of(simulation::read_project(options.out), library);
+}
+
 const std::map<std::string, tiling::Narrow> kNarrow = {
     {"refine", tiling::Narrow::Refine}, {"merge", tiling::Narrow::Merge}, {"refuse", tiling::Narrow::Refuse}};
 
-/// The library of a project is named relative to the project file. Its setting goes into the project.
+/// The library of a project is named relative to the project file.
 void name_library(Project& project, const TileOptions& options, const Library* library) {
     project.library_path.clear();
     project.library_hash.clear();
@@ -101,7 +111,6 @@ void name_library(Project& project, const TileOptions& options, const Library* l
     project.library_path =
         std::filesystem::absolute(library->path()).lexically_relative(folder).generic_string();
     project.library_hash = library->content_hash();
-    project.setting = library->setting();
 }
 
 /// The parts of a project that stay when it is tiled again must fit the new tiles.
@@ -161,6 +170,7 @@ Project write(Project tiled, const TileOptions& options, const Library* library)
     project.outline = std::move(tiled.outline);
     project.further_outlines = std::move(tiled.further_outlines);
     project.tessellation = std::move(tiled.tessellation);
+    project.setting = std::move(tiled.setting);
     name_library(project, options, library);
     check_what_stays(project, options);
     simulation::write_project(project, options.out);
@@ -205,6 +215,8 @@ void print_json(const tiling::TessellationReport& report, const Project& project
         {"outside_share", report.outside_share},
         {"refined_share", report.refined_share},
         {"library", project.library_path},
+        {"setting", reduction::setting_name(project.setting.value())},
+        {"joints", reduction::joints_name(project.setting->joints)},
         {"load_cases_kept", names_of(project.load_cases)}};
     std::fputs(base::json_text(json).c_str(), stdout);
 }
@@ -227,6 +239,8 @@ void print(const tiling::TessellationReport& report, const Project& project, con
         std::printf("the project keeps its load cases: %zu\n", project.load_cases.size());
     if (options.library.empty() && !project.library_path.empty())
         std::printf("the project keeps its library: %s\n", base::printable(project.library_path).c_str());
+    std::printf("setting: %s, joints: %s\n", reduction::setting_name(project.setting.value()).c_str(),
+                std::string(reduction::joints_name(project.setting->joints)).c_str());
     std::printf("%s\n", options.out.c_str());
 }
 
@@ -257,6 +271,7 @@ void run(const TileOptions& options) {
     const std::optional<double> width = wanted_width(options);
     const std::optional<Library> opened = open_library(options);
     const Library* library = opened ? &*opened : nullptr;
+    wanted.setting = wanted_setting(options, library);
     const outlines::OutlineFile file = read_outline(options, width);
     tell(file, options);
     // Ctrl-C asks to stop only while files may be half-written: before and behind it ends the program.
@@ -288,9 +303,9 @@ void add_tile(CLI::App& app, ExitCode&) {
         verb->add_option("--width", options->width,
                          "Scale the outline to this width, such as 400mm (default: the drawing's own)")
             ->type_name("LENGTH");
-    CLI::Option* edge_length = verb->add_option(
-        "--edge-length", options->edge_length,
-        "Wanted mean side of the tiles, such as 26mm (default: the library's tile side, or the paper's)");
+    CLI::Option* edge_length =
+        verb->add_option("--edge-length", options->edge_length,
+                         "Wanted mean side of the tiles, such as 26mm (default: the setting's tile side)");
     verb->add_option("--narrow", options->narrow,
                      "Where the outline is narrower than a tile: refine makes smaller tiles, merge makes few "
                      "and long ones "
@@ -305,14 +320,19 @@ void add_tile(CLI::App& app, ExitCode&) {
     add_clearance_option(*verb, options->clearance);
     verb->add_option("--library", options->library,
                      "Pattern library that the project is to use (default: that of the project at --out)");
+    verb->add_option("--setting", options->setting,
+                     "Material, section and joints: paper (bars deform along all of their centrelines), made "
+                     "(stiff joints), or a setting file (default: that of the project at --out, or the "
+                     "library's, or made)");
     verb->add_option("--layout", options->layout,
                      "Node layout: a name or a file (default: the library's, or paper7)");
-    verb->add_option("--out", options->out,
-                     "Project file to write; one that is there keeps its load cases and its library")
+    verb->add_option(
+            "--out", options->out,
+            "Project file to write; one that is there keeps its load cases, its library and its setting")
         ->required();
     verb->add_flag("--json", options->json, "Print JSON");
     declare_files(*verb, {input("outline"), input("--patterns"), input("--palette"), input("--library"),
-                          input("--layout"), update("--out", kProjectFile)});
+                          input("--setting"), input("--layout"), update("--out", kProjectFile)});
     verb->footer(
         "Example: fretwork tile experiments/outlines/example_a.svg --patterns random:1 --palette "
         "0-1+1-6,0-5+5-6 "

@@ -88,7 +88,7 @@ pattern::NodeLayout wanted_layout(const std::string& name, const State* state) {
 
 Json pattern_list(const std::string& layout_name, const State* state, const base::Control& control) {
     const pattern::NodeLayout layout = wanted_layout(layout_name, state);
-    const reduction::Setting setting = state != nullptr ? *state->setting : reduction::paper_setting();
+    const reduction::Setting setting = state != nullptr ? *state->setting : reduction::made_setting();
     const auto patterns = all_patterns(layout, control);
     const auto sameness = pattern::find_sameness(layout, patterns, {.threads = 1, .control = control});
     const auto properties = all_properties(layout, patterns, setting, control);

@@ -31,6 +31,7 @@ std::string layer_colour(std::size_t index) {
 std::string svg_text(const Scene& scene) {
     DeformedViewOptions options;
     options.scale = scene.displacement_scale;
+    options.joints = scene.surface.setting.joints;
     if (scene.view) options.view = *scene.view;
     options.rest = rim_lines(scene.surface);
     options.labels = scene.labels;

@@ -85,6 +85,7 @@ class FactFinder {
     void measure() {
         facts_.tiles = surface_.tessellation.tiles.size();
         facts_.bars = plan_.bars.size();
+        facts_.joints = surface_.setting.joints;
         facts_.pieces = shape_.pieces.size();
         facts_.openings = opening_count(shape_);
         facts_.box = box_of(shape_);

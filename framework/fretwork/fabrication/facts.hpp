@@ -39,6 +39,7 @@ struct Warning {
 /// eyes for bolts is thus spread over the tiles; their stiffness is ignored.
 struct Facts {
     std::size_t tiles = 0, bars = 0, pieces = 0, openings = 0;
+    reduction::Joints joints = reduction::Joints::Centreline;  ///< of the beams that give sag and stress
     geometry::Box box{};
     double height = 0.0;
     double area = 0.0;                       ///< m2, of the true outline

@@ -38,7 +38,8 @@ struct DeformedLayer {
 };
 
 struct DeformedViewOptions {
-    double scale = 1.0;  ///< of the displacements; the drawing says it
+    double scale = 1.0;                                        ///< of the displacements; the drawing says it
+    reduction::Joints joints = reduction::Joints::Centreline;  ///< of the surface; the drawing says it
     ViewOptions view{};
     LineSet rest{};        ///< drawn dashed below everything, such as rim_lines()
     DrawnLabels labels{};  ///< on the surface from above

@@ -44,6 +44,7 @@ std::vector<Row> rows(const Facts& facts) {
     const auto mm = [](double metres) { return shown(1e3 * metres) + " mm"; };
     std::vector<Row> table = {
         {"tiles, bars", std::to_string(facts.tiles) + ", " + std::to_string(facts.bars)},
+        {"joints of the model", std::string(reduction::joints_name(facts.joints))},
         {"pieces, openings", std::to_string(facts.pieces) + ", " + std::to_string(facts.openings)},
         {"size", mm(facts.box.width()) + " x " + mm(facts.box.height()) + " x " + mm(facts.height)},
         {"area of material", shown(1e4 * facts.area) + " cm2"},
@@ -118,7 +119,8 @@ std::string facts_text(const Facts& facts) {
 }
 
 std::string facts_json(const Facts& facts) {
-    Json document = {{"format", "fretwork/facts/1"},
+    Json document = {{"format", "fretwork/facts/2"},
+                     {"joints", reduction::joints_name(facts.joints)},
                      {"tiles", facts.tiles},
                      {"bars", facts.bars},
                      {"pieces", facts.pieces},

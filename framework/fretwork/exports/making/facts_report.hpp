@@ -10,7 +10,7 @@ namespace fretwork::exports {
 
 /// A table for people, in millimetres, grams and megapascals; then the warnings, one a line.
 std::string facts_text(const fabrication::Facts& facts);
-/// "fretwork/facts/1", SI.
+/// "fretwork/facts/2", SI.
 std::string facts_json(const fabrication::Facts& facts);
 /// Facts, and the outline that pictures show.
 struct FactsOfScene {

@@ -41,6 +41,7 @@ class Builder {
         const mechanics::Section& section = scene_.surface.setting.section;
         bars_.width = mechanics::section_width(section);
         bars_.height = mechanics::section_height(section);
+        bars_.joints = scene_.surface.setting.joints;
         bars_.nodes = beams_.nodes;
         if (!scene_.results.empty()) {
             const auto sections = simulation::beam_sections(beams_, scene_.surface.setting);

@@ -45,7 +45,8 @@ struct BarScene {
         Eigen::Vector3d moment = Eigen::Vector3d::Zero();  ///< N m
     };
     std::vector<Load> loads;
-    std::string title;  ///< "92 tiles, full, bridge"
+    std::string title;                                         ///< "92 tiles, full, bridge"
+    reduction::Joints joints = reduction::Joints::Centreline;  ///< of the surface's setting
 };
 
 /// The bars of a scene as its first result moves them. Inner nodes of condensed tiles are recovered; a tile

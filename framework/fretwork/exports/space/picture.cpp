@@ -3,6 +3,7 @@
 #include <fretwork/base/parallel.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/exports/colours.hpp>
+#include <fretwork/exports/drawings/detail/panels.hpp>
 #include <fretwork/exports/space/detail/picture_legend.hpp>
 #include <fretwork/exports/space/detail/png_text.hpp>
 #include <fretwork/exports/space/detail/raster.hpp>
@@ -179,6 +180,7 @@ class Picture {
     Picture(const Scene& scene, const BarScene& bars)
         : whole_(scene.picture.size),
           field_(shown_field(bars, scene.picture.colour)),
+          note_(detail::joints_note(bars.joints)),
           size_{whole_.width, whole_.height - (field_ == nullptr ? 0 : detail::legend_height(whole_))},
           mesh_(make_mesh(bars, scene)),
           places_(places_of(mesh_)),
@@ -192,8 +194,8 @@ class Picture {
     std::string text() && {
         draw_bars();
         draw_ground();
-        return detail::png_text(whole_,
-                                field_ == nullptr ? bytes() : detail::with_legend(bytes(), whole_, *field_));
+        return detail::png_text(
+            whole_, field_ == nullptr ? bytes() : detail::with_legend(bytes(), whole_, {*field_, note_}));
     }
 
   private:
@@ -320,6 +322,7 @@ class Picture {
 
     PixelSize whole_;
     const BarScene::Field* field_;  ///< that is shown; null: none
+    std::string note_;              ///< below the legend
     PixelSize size_;                ///< of the surface's picture, above the legend
     Mesh mesh_;
     std::vector<Vector3d> places_;

@@ -4,6 +4,7 @@
 #include <fretwork/exports/colours.hpp>
 #include <fretwork/exports/detail/view_template.hpp>
 #include <fretwork/exports/drawings/detail/furniture.hpp>
+#include <fretwork/exports/drawings/detail/panels.hpp>
 #include <fretwork/exports/drawings/surface_drawing.hpp>
 #include <fretwork/exports/space/detail/start_view.hpp>
 #include <fretwork/exports/space/view_page.hpp>
@@ -71,22 +72,23 @@ Json scene_json(const Scene& scene) {
         for (const int node : bar) ends.push_back(static_cast<std::uint32_t>(node));
     }
     const ViewOptions view = detail::start_view(bars, scene);
-    Json json = {{"title", bars.title},
-                 {"subtitle", std::to_string(bars.bars.size()) + " bars of " +
-                                  detail::millimetres(bars.width) + " x " + detail::millimetres(bars.height)},
-                 {"place", packed(place)},
-                 {"motion", packed(motion)},
-                 {"ends", packed(ends)},
-                 {"rim", packed_rim(scene.surface)},
-                 {"width", bars.width},
-                 {"height", bars.height},
-                 {"scale", scene.displacement_scale},
-                 {"view", {view.azimuth, view.elevation}},
-                 {"colour", scene.picture.colour},
-                 {"beyond", kBeyondColour},
-                 {"fields", Json::array()},
-                 {"supports", Json::array()},
-                 {"loads", Json::array()}};
+    Json json = {
+        {"title", bars.title},
+        {"subtitle", std::to_string(bars.bars.size()) + " bars of " + detail::millimetres(bars.width) +
+                         " x " + detail::millimetres(bars.height) + ", " + detail::joints_note(bars.joints)},
+        {"place", packed(place)},
+        {"motion", packed(motion)},
+        {"ends", packed(ends)},
+        {"rim", packed_rim(scene.surface)},
+        {"width", bars.width},
+        {"height", bars.height},
+        {"scale", scene.displacement_scale},
+        {"view", {view.azimuth, view.elevation}},
+        {"colour", scene.picture.colour},
+        {"beyond", kBeyondColour},
+        {"fields", Json::array()},
+        {"supports", Json::array()},
+        {"loads", Json::array()}};
     for (const BarScene::Field& field : bars.fields) json["fields"].push_back(field_json(field));
     for (const BarScene::Support& support : bars.supports)
         json["supports"].push_back({support.node, static_cast<int>(support.kind)});

@@ -12,7 +12,7 @@
 namespace fretwork::mechanics {
 
 inline constexpr const char* kResultFormat = "fretwork/result/4";
-/// With the error of the largest stress.
+/// With the error of the largest stress, or the joints of a surface.
 inline constexpr const char* kNewerResultFormat = "fretwork/result/5";
 
 /// Append everything but the format and the program.

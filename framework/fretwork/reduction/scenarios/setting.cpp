@@ -116,4 +116,10 @@ Setting paper_setting() {
     return setting;
 }
 
+Setting made_setting() {
+    Setting setting = paper_setting();
+    setting.joints = Joints::Stiff;
+    return setting;
+}
+
 }  // namespace fretwork::reduction

@@ -62,4 +62,8 @@ std::vector<std::string> doubts_about(const Setting& setting);
 /// scenarios; but two elements a beam, where the paper takes one.
 Setting paper_setting();
 
+/// The paper's with stiff joints: of things that are made, whose bars merge where they meet. New projects
+/// without a library have it. How near it is to solids: experiments/joints.
+Setting made_setting();
+
 }  // namespace fretwork::reduction

@@ -8,12 +8,19 @@
 #include <fretwork/reduction/scenarios/setting_file.hpp>
 
 #include <algorithm>
+#include <array>
 
 namespace fretwork::reduction {
 namespace {
 
 using base::Json;
 using base::JsonReader;
+
+struct NamedSetting {
+    std::string_view name;
+    Setting (*make)();
+};
+constexpr std::array<NamedSetting, 2> kNamedSettings = {{{"paper", paper_setting}, {"made", made_setting}}};
 
 mechanics::Material read_material(const JsonReader& json) {
     json.allow_only({"young_modulus", "poisson_ratio", "density", "shear_modulus", "strength"});
@@ -65,10 +72,7 @@ void read_choices(const JsonReader& json, Setting& setting) {
         setting.sample_policy =
             branch->choice({"paper", "stable"}) == "paper" ? SamplePolicy::Paper : SamplePolicy::Stable;
     }
-    if (const auto joints = json.find("joints")) {
-        setting.joints =
-            joints->choice({"centreline", "stiff"}) == "stiff" ? Joints::Stiff : Joints::Centreline;
-    }
+    if (const auto joints = json.find("joints")) setting.joints = read_joints(*joints);
 }
 
 /// The first format did not have it yet.
@@ -103,6 +107,10 @@ std::string value_text(const Json& json, const Json::json_pointer& pointer) {
 }
 
 }  // namespace
+
+Joints read_joints(const JsonReader& json) {
+    return json.choice({"centreline", "stiff"}) == "stiff" ? Joints::Stiff : Joints::Centreline;
+}
 
 Setting read_setting(const JsonReader& json) {
     json.expect_format("setting", 3);
@@ -153,6 +161,24 @@ Setting read_setting(const std::filesystem::path& path) {
 
 Setting parse_setting(std::string_view text, std::string source) {
     return read_setting(JsonReader::from_text(text, std::move(source)));
+}
+
+Setting find_setting(const std::string& name_or_path) {
+    for (const NamedSetting& known : kNamedSettings) {
+        if (known.name == name_or_path) return known.make();
+    }
+    std::error_code unknown;
+    if (!std::filesystem::exists(name_or_path, unknown))
+        throw base::InputError("setting '" + name_or_path +
+                               "': expected paper, made, or the path of a setting file");
+    return read_setting(std::filesystem::path(name_or_path));
+}
+
+std::string setting_name(const Setting& setting) {
+    for (const NamedSetting& known : kNamedSettings) {
+        if (setting_difference(known.make(), setting).empty()) return std::string(known.name);
+    }
+    return "own";
 }
 
 void write_setting(const Setting& setting, const std::filesystem::path& path) {

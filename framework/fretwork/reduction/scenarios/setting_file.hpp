@@ -14,6 +14,12 @@ namespace fretwork::reduction {
 /// pointer.
 Setting read_setting(const std::filesystem::path& path);
 
+/// The setting called "paper" or "made", or that of a file ("./paper": of a file called so). Throws as
+/// read_setting.
+Setting find_setting(const std::string& name_or_path);
+/// "paper" or "made"; "own" for any other. Strengths and shapes of equal numbers do not count.
+std::string setting_name(const Setting& setting);
+
 /// Throws IoError; then the file is as it was.
 void write_setting(const Setting& setting, const std::filesystem::path& path);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
 #include <fretwork/simulation/project/new_project.hpp>
+#include <fretwork/simulation/project/project_library.hpp>
 #include <fretwork/tiling/mesh_tessellation.hpp>
 #include <fretwork/tiling/tessellate_parts.hpp>
 
@@ -55,7 +56,10 @@ NewProject make_project(const std::vector<outlines::Outline>& parts, const NewPr
     made.project.layout = chosen_layout(options, library);
     made.project.outline = parts.front();
     made.project.further_outlines.assign(parts.begin() + 1, parts.end());
-    const reduction::Setting setting = library ? library->setting() : reduction::paper_setting();
+    made.project.setting = options.setting;
+    if (!options.setting && !library) made.project.setting = reduction::made_setting();
+    const reduction::Setting setting = setting_of(made.project, library);
+    made.project.setting = setting;
     const bool is_mesh = options.tiles == TilesFrom::Mesh;
     tiling::TessellationResult result =
         is_mesh ? tiling::read_mesh_tessellation(options.outline_name, made.project.layout)

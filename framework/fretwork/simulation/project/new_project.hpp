@@ -22,11 +22,13 @@ enum class TilesFrom {
 /// How an outline becomes a project.
 struct NewProjectOptions {
     std::string outline_name{};           ///< its file; begins what is said of the outline, if not empty
-    std::optional<double> edge_length{};  ///< m, wanted mean side of the tiles; none: the library's tile
-                                          ///< side, or the paper's
+    std::optional<double> edge_length{};  ///< m, wanted mean side of the tiles; none: the setting's tile
+                                          ///< side
     TilesFrom tiles = TilesFrom::Outline;
     tiling::Narrow narrow = tiling::Narrow::Refine;  ///< what to do where the outline is narrower than a tile
     std::string layout{};                            ///< a name or a file; empty: the library's, or paper7
+    /// Material, section and joints; none: the library's, or reduction::made_setting().
+    std::optional<reduction::Setting> setting{};
     PaintingChoice painting{};
     base::Control control{};
 };
@@ -39,9 +41,9 @@ struct NewProject {
 };
 
 /// Tile an outline and paint it. No side of a tile is shorter than the setting's bars are wide in the plane,
-/// or than a quarter of the wanted side if that is less. `library` may be null; the project is not linked
-/// with it. Throws as tiling::tessellate, with the outline's name, and paint; InputError if the library is
-/// one of another layout.
+/// or than a quarter of the wanted side if that is less. `library` may be null; the project has its setting,
+/// but is not linked with it. Throws as tiling::tessellate, with the outline's name, and paint; InputError if
+/// the library is one of another layout or setting.
 NewProject make_project(const outlines::Outline& outline, const NewProjectOptions& options,
                         const library::Library* library);
 /// The same for outlines that lie apart: one tessellation, part after part.

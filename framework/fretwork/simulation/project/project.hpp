@@ -20,8 +20,9 @@ struct Project {
     std::vector<outlines::Outline> further_outlines{};  ///< of a surface of several parts, the others
     tiling::Tessellation tessellation;                  ///< with its painting
     std::vector<LoadCase> load_cases;
-    /// The setting of the patterns' library when the project was made: so the project means the same without
-    /// it. None: that of the library as it is, or the paper's.
+    /// The setting of the patterns' library when the project was made, or that it was made with: so the
+    /// project means the same without a library. None, as in older files: that of the library as it is, or
+    /// the paper's.
     std::optional<reduction::Setting> setting{};
     /// Tiles with their own tile model.
     struct TileModelChoice {

@@ -104,7 +104,8 @@ ResultSubject result_subject(const Surface& surface, const LoadCase& load_case,
             .load_case_text = load_case_text(load_case),
             .tessellation_hash = std::move(identity.tessellation_hash),
             .painting_hash = std::move(identity.painting_hash),
-            .setting_hash = std::move(identity.setting_hash)};
+            .setting_hash = std::move(identity.setting_hash),
+            .joints = surface.setting.joints};
 }
 
 std::string main_model(const ResultSubject& subject) {

@@ -4,6 +4,7 @@
 #include <fretwork/base/files/provenance.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/mechanics/internal/result_json.hpp>
+#include <fretwork/reduction/internal/setting_json.hpp>
 #include <fretwork/simulation/results/surface_result.hpp>
 
 #include <algorithm>
@@ -62,6 +63,7 @@ Json subject_json(const ResultSubject& subject) {
                  {"tessellation", subject.tessellation_hash},
                  {"painting", subject.painting_hash},
                  {"setting", subject.setting_hash}};
+    if (subject.joints) json["joints"] = reduction::joints_name(*subject.joints);
     if (!subject.full_tiles.empty()) json["full_tiles"] = subject.full_tiles;
     if (subject.stages_text.empty()) return json;
     json["stages"] = Json::parse(subject.stages_text);
@@ -80,8 +82,13 @@ std::string read_hash(const JsonReader& reader) {
     return hash;
 }
 
+std::optional<reduction::Joints> read_joints(const JsonReader& subject) {
+    const auto joints = subject.find("joints");
+    return joints ? std::optional(reduction::read_joints(*joints)) : std::nullopt;
+}
+
 ResultSubject read_subject(const JsonReader& reader) {
-    reader.allow_only({"model", "is_reference", "load_case", "tessellation", "painting", "setting",
+    reader.allow_only({"model", "is_reference", "load_case", "tessellation", "painting", "setting", "joints",
                        "full_tiles", "stages", "stage_load_cases"});
     const auto full_tiles = reader.find("full_tiles");
     const auto stages = reader.find("stages");
@@ -97,6 +104,7 @@ ResultSubject read_subject(const JsonReader& reader) {
             .tessellation_hash = read_hash(reader.at("tessellation")),
             .painting_hash = read_hash(reader.at("painting")),
             .setting_hash = read_hash(reader.at("setting")),
+            .joints = read_joints(reader),
             .full_tiles = full_tiles ? read_tiles(*full_tiles) : std::vector<int>{},
             .stages_text = stages ? stages->text() : "",
             .stage_load_cases = std::move(cases)};
@@ -113,7 +121,8 @@ void check_load_factor(const JsonReader& document, double factor) {
 
 std::string surface_result_text(const SurfaceResult& result) {
     if (!result.subject) throw base::InputError("a result of a surface without its subject is not written");
-    const bool is_newer = result.model_error && result.model_error->largest_stress;
+    const bool is_newer =
+        result.subject->joints || (result.model_error && result.model_error->largest_stress);
     Json json = {{"format", is_newer ? mechanics::kNewerResultFormat : mechanics::kResultFormat},
                  {"program", base::version()}};
     json["subject"] = subject_json(*result.subject);

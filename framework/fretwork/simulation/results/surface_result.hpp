@@ -3,6 +3,7 @@
 
 #include <fretwork/mechanics/paths/linear_range.hpp>
 #include <fretwork/mechanics/results/result_file.hpp>
+#include <fretwork/reduction/scenarios/setting.hpp>
 
 #include <filesystem>
 #include <optional>
@@ -22,6 +23,7 @@ struct ResultSubject {
     std::string tessellation_hash;  ///< SHA-256, as the others
     std::string painting_hash;
     std::string setting_hash;
+    std::optional<reduction::Joints> joints{};  ///< of that setting; none: the file is older and does not say
     std::vector<int> full_tiles{};  ///< of a mixed model: those with all of their beams, ascending
     std::string stages_text{};      ///< the stages that were followed, as a file; empty: none
     std::vector<std::string> stage_load_cases{};  ///< the load case files that stages name, by name

@@ -100,7 +100,8 @@ void draw_notes(SvgCanvas& canvas, const DeformedViewOptions& options, int line)
             draw_line_sample(canvas, legend_place(canvas.box(), line++), rest_style(canvas.box()));
         canvas.text(place, "rim at rest", text);
     }
-    canvas.text(legend_place(canvas.box(), line), scale_note(options.scale), text);
+    canvas.text(legend_place(canvas.box(), line),
+                scale_note(options.scale) + ", " + joints_note(options.joints), text);
     draw_scale_bar(canvas, {canvas.box().xmin + text, canvas.box().ymin + text});
 }
 
@@ -197,6 +198,10 @@ void draw_coloured_lines(SvgCanvas& canvas, const LineSet& lines, const View& vi
 }
 
 }  // namespace
+
+std::string joints_note(reduction::Joints joints) {
+    return "joints: " + std::string(reduction::joints_name(joints));
+}
 
 std::string scale_note(double scale) {
     return scale == 1.0 ? "displacements at true scale"

@@ -14,6 +14,8 @@ SvgCanvas setup_panel(const simulation::Surface& surface, const simulation::Cond
 SvgCanvas deformed_panel(std::span<const DeformedLayer> layers, const DeformedViewOptions& options);
 SvgCanvas displacement_panel(const DeformedLayer& layer, const DeformedViewOptions& options);
 
+/// "joints: stiff"
+std::string joints_note(reduction::Joints joints);
 /// "displacements at true scale", "displacements 5 times as large"
 std::string scale_note(double scale);
 

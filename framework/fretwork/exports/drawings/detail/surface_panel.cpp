@@ -230,6 +230,8 @@ SvgCanvas surface_panel(const Surface& surface, const Conditions* conditions, co
             .draw(canvas, {box.xmin + text, foot - 2.0 * text});
     canvas.layer("scale");
     draw_scale_bar(canvas, {box.xmin + text, foot + 0.6 * text});
+    const double behind_bar = box.xmin + 2.0 * text + 0.2 * box.width();  // a bar is at most so long
+    canvas.text({behind_bar, foot + 0.6 * text}, joints_note(surface.setting.joints), text);
     return canvas;
 }
 
