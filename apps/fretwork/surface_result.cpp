@@ -2,6 +2,7 @@
 #include "surface_result.hpp"
 
 #include <fretwork/base/text.hpp>
+#include <fretwork/simulation/results/model_doubt.hpp>
 #include <fretwork/simulation/results/result_subject.hpp>
 #include <fretwork/simulation/results/surface_linear_range.hpp>
 
@@ -12,9 +13,12 @@ namespace fretwork::app {
 simulation::SurfaceResult read_surface_result(const std::string& file) {
     simulation::SurfaceResult result = simulation::read_surface_result(file);
     simulation::check_subject(*result.subject, file);
-    if (result.linear_range && simulation::is_exceeded(*result.linear_range))
-        std::fprintf(stderr, "fretwork: %s: %s\n", base::printable(file).c_str(),
-                     simulation::linear_range_text(*result.linear_range).c_str());
+    const auto warn = [&](const std::string& warning) {
+        if (!warning.empty())
+            std::fprintf(stderr, "fretwork: %s: %s\n", base::printable(file).c_str(), warning.c_str());
+    };
+    if (simulation::is_out_of_range(result)) warn(simulation::linear_doubt_text(result));
+    warn(simulation::model_warning(result));
     return result;
 }
 

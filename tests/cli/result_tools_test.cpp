@@ -87,6 +87,26 @@ TEST_F(ResultTools, LinearResultsSayWhenTheyAreOutOfTheirRange) {
         json::parse(run("fretwork simulate p.json --json --out x.json").out).at("linear_range").is_null());
 }
 
+TEST_F(ResultTools, ReducedResultsSayByThemselvesThatTheyAreFarOff) {
+    folder_.file("far.json", R"({"format": "fretwork/load-case/1", "name": "far",
+        "supports": [{"side": "left", "fixed": ["ux", "uy", "uz"]}, {"side": "right", "fixed": ["ux", "uy", "uz"]}],
+        "loads": [{"box": [0.06, -1, 0.12, 1], "force": [0, 0, -100], "amount": "total"}]})");
+    for (const std::string model : {"corotational", "mixed:0.05"}) {
+        const Outcome far =
+            run("fretwork simulate p.json --case ./far.json --model " + model + " --json --out far_r.json");
+        EXPECT_EQ(far.exit_code, 0) << far.err;
+        EXPECT_THAT(far.err, HasSubstr("this model is off by about")) << model;
+        const json told = json::parse(far.out);
+        EXPECT_TRUE(told.at("model_doubt").at("is_large")) << model;
+        EXPECT_GT(told.at("model_error_estimate").at("largest").get<double>(), 0.03) << model;
+        EXPECT_EQ(told.at("warnings").size(), 1U) << model;
+        EXPECT_THAT(run("fretwork beams p.json far_r.json").err, HasSubstr("this model is off by about"));
+    }
+    const Outcome plain = run("fretwork simulate p.json --model corotational --json --out near.json");
+    EXPECT_EQ(plain.err, "");
+    EXPECT_EQ(json::parse(plain.out).at("warnings").size(), 0U);
+}
+
 TEST_F(ResultTools, TheStrengthOfTheMaterialGivesUtilizationWithoutAnOption) {
     json project = json::parse(base::read_text_file(folder_.path() / "p.json"));
     reduction::Setting setting = reduction::paper_setting();

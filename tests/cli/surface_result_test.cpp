@@ -116,7 +116,7 @@ TEST_F(SurfaceResults, AreHeldAgainstFiniteTolerancesOnly) {
 }
 
 TEST_F(SurfaceResults, OfUnreleasedFormatsAreRefusedWithFileAndPlace) {
-    ASSERT_EQ(run("sed -e 's#result/4#result/1#' condensed.json > old.json").exit_code, 0);
+    ASSERT_EQ(run("sed -e 's#result/5#result/1#' condensed.json > old.json").exit_code, 0);
     const Outcome outcome = run("fretwork export p.json --result old.json --to x.svg");
     EXPECT_EQ(outcome.exit_code, 2);
     EXPECT_THAT(outcome.err,

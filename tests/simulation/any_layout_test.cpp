@@ -64,8 +64,14 @@ TEST_P(EveryLayout, IsCalibratedTiledSolvedAndCompared) {
     const auto turning = simulate(surface, load_case, {.model = "corotational"});
     ASSERT_TRUE(turning.solution.converged());
     EXPECT_LT(compare(full, turning).relative_l2_error, 0.05);
-    const auto ring = simulate(surface, load_case, {.model = "paper6"});
+    const auto ring = simulate(surface, load_case, {.model = "paper6", .estimate_linear_range = true});
     EXPECT_TRUE(std::isfinite(compare(full, ring).relative_l2_error));
+    const Comparison fit = compare(exact, ring);
+    ASSERT_TRUE(ring.fit_error);
+    EXPECT_NEAR(*ring.fit_error, fit.max_translation_error / fit.max_displacement, 1e-6);
+    EXPECT_FALSE(
+        simulate(surface, load_case, {.model = "condensed", .estimate_linear_range = true}).fit_error)
+        << "nothing is fitted";
 }
 
 INSTANTIATE_TEST_SUITE_P(Layouts, EveryLayout, testing::ValuesIn(pattern::layout_names()),

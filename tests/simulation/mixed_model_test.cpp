@@ -5,6 +5,7 @@
 #include <fretwork/simulation/mixed_model.hpp>
 #include <fretwork/simulation/results/beam_table.hpp>
 #include <fretwork/simulation/results/comparison.hpp>
+#include <fretwork/simulation/results/model_doubt.hpp>
 #include <fretwork/simulation/results/model_error.hpp>
 #include <fretwork/simulation/results/stress_refinement.hpp>
 #include <fretwork/simulation/results/tile_stability.hpp>
@@ -179,7 +180,88 @@ TEST(ModelError, IsRefusedWhereThereIsNoBetterModel) {
             [&] { simulate(surface(), heavy(), {.model = model, .estimate_model_error = true}); });
     };
     EXPECT_THAT(complaint("full"), HasSubstr("is the reference"));
-    EXPECT_THAT(complaint("mixed:0.05"), HasSubstr("cannot be estimated"));
+}
+
+TEST(ModelError, OfAMixedModelIsThatFromMoreTilesInFull) {
+    EXPECT_EQ(better_model("corotational"), "mixed:0.3");
+    EXPECT_EQ(better_model("mixed:0.1"), "mixed:0.7");
+    EXPECT_EQ(better_model("mixed:0.8"), "mixed:1");
+    const auto result = simulate(surface(), heavy(), {.model = "mixed:0.1", .estimate_model_error = true});
+    ASSERT_TRUE(result.model_error);
+    EXPECT_EQ(result.solution.displacements, solved("mixed:0.1").solution.displacements);
+    EXPECT_EQ(result.subject->full_tiles, solved("mixed:0.1").subject->full_tiles);
+    const Comparison truth = compare(solved("full"), result);
+    EXPECT_NEAR(result.model_error->relative_l2, truth.relative_l2_error, 0.5 * truth.relative_l2_error);
+}
+
+SurfaceResult doubted(const std::string& model, const LoadCase& load_case,
+                      mechanics::Branch branch = mechanics::Branch::Primary) {
+    return simulate(surface(), load_case,
+                    {.model = model, .estimate_where_doubtful = true, .branch = branch});
+}
+
+TEST(ModelDoubt, IsTheLargestTurnInATile) {
+    const auto result = doubted("corotational", heavy());
+    Session session(surface(), heavy(), {.model = "corotational"});
+    double largest = 0.0;
+    for (const TileDeformation& tile : session.tile_deformations(session.solve().solution))
+        largest = std::max(largest, tile.rotation);
+    ASSERT_TRUE(result.model_doubt);
+    EXPECT_EQ(result.model_doubt->tile_rotation, largest);
+    EXPECT_EQ(result.model_doubt->change, 0.0);
+}
+
+TEST(ModelDoubt, OfAMixedModelIsAlsoTheChangeByItsTilesInFull) {
+    const auto result = doubted("mixed:0.1", heavy());
+    const Comparison change = compare(solved("mixed:0.1"), solved("corotational"));
+    ASSERT_TRUE(result.model_doubt);
+    EXPECT_DOUBLE_EQ(result.model_doubt->change, change.max_translation_error / change.max_displacement);
+}
+
+TEST(ModelDoubt, HasTheErrorEstimatedWhereItIsLarge) {
+    const LoadCase light = cantilever({0, 0, -0.01});
+    const LoadCase far = cantilever({0, 0, -3.0});
+    for (const char* model : {"corotational", "mixed:0.1"}) {
+        const auto plain = doubted(model, light);
+        ASSERT_TRUE(plain.model_doubt) << model;
+        EXPECT_FALSE(is_doubtful(plain)) << model;
+        EXPECT_FALSE(plain.model_error) << model;
+        EXPECT_EQ(model_warning(plain), "") << model;
+        const auto result = doubted(model, far);
+        ASSERT_TRUE(is_doubtful(result)) << model;
+        const auto asked = simulate(surface(), far, {.model = model, .estimate_model_error = true});
+        ASSERT_TRUE(result.model_error && asked.model_error) << model;
+        EXPECT_EQ(result.model_error->largest, asked.model_error->largest) << model;
+        EXPECT_EQ(result.solution.displacements, asked.solution.displacements) << model;
+    }
+    EXPECT_FALSE(doubted("full", far).model_doubt) << "the reference";
+    EXPECT_FALSE(doubted("condensed", far).model_doubt) << "a linear solution has a range";
+}
+
+TEST(ModelDoubt, IsWarnedOfWhereNoErrorIsEstimated) {
+    const auto result = doubted("corotational", cantilever({0, 0, -3.0}), mechanics::Branch::Stable);
+    ASSERT_TRUE(result.solution.converged());
+    EXPECT_FALSE(result.model_error);
+    EXPECT_THAT(model_warning(result), HasSubstr("not known"));
+}
+
+TEST(ModelDoubt, IsLargeWhereThePathTookManySolves) {
+    SurfaceResult result;
+    result.solution.iterations = 1000;
+    EXPECT_FALSE(is_doubtful(result)) << "a result without a doubt, as of the full model";
+    result.model_doubt = ModelDoubt{};
+    EXPECT_TRUE(is_doubtful(result));
+    result.solution.iterations = 10;
+    EXPECT_FALSE(is_doubtful(result));
+}
+
+TEST(ModelWarning, NamesAnErrorThatMayBeFivePercent) {
+    SurfaceResult result;
+    result.solution.termination = mechanics::Termination::Converged;
+    result.model_error = ModelError{.mean = 0.01, .largest = 0.029};
+    EXPECT_EQ(model_warning(result), "");
+    result.model_error->largest = 0.17;
+    EXPECT_THAT(model_warning(result), HasSubstr("about 17 % of the largest displacement"));
 }
 
 TEST(MixedModel, DiscretizationErrorIsRefusedByItsName) {

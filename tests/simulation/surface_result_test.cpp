@@ -30,6 +30,8 @@ SurfaceResult some_result() {
                                    .stages_text = R"({"stages":[{"name":"press"}]})",
                                    .stage_load_cases = {R"({"name":"a"})", R"({"name":"b"})"}};
     result.linear_range = mechanics::LinearRange{0.125, true};
+    result.fit_error = 0.0625;
+    result.model_doubt = ModelDoubt{0.2, 0.03};
     result.model_error = ModelError{0.001, 1.0 / 3.0, 0.02, 0.03};
     result.buckled_tiles = {5};
     result.seconds = 0.25;
@@ -56,6 +58,8 @@ TEST(SurfaceResult, AWrittenFileIsReadBackExactly) {
     const SurfaceResult read = read_surface_result(path);
     EXPECT_EQ(read.subject, written.subject);
     EXPECT_EQ(read.linear_range, written.linear_range);
+    EXPECT_EQ(read.fit_error, written.fit_error);
+    EXPECT_EQ(read.model_doubt, written.model_doubt);
     EXPECT_EQ(read.model_error, written.model_error);
     EXPECT_EQ(read.buckled_tiles, written.buckled_tiles);
     EXPECT_EQ(read.solver, written.solver);

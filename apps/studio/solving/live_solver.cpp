@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
+#include <fretwork/simulation/results/model_doubt.hpp>
 #include <studio/server/progress.hpp>
 #include <studio/server/words.hpp>
 #include <studio/solving/live_solver.hpp>
@@ -38,6 +39,9 @@ std::vector<std::string> warnings_of(const simulation::SurfaceResult& result) {
                               " % of the load. Make the load smaller, or hold the surface more.");
     if (!solution.stable)
         warnings.emplace_back("This equilibrium is not stable: the surface would snap into another shape.");
+    if (simulation::is_doubtful(result))
+        warnings.emplace_back(
+            "This model may be off by some percent here: compare with the full model to see how far.");
     constexpr double kSmallTurn = 0.2;  // rad; the sine is off by 0.7 %
     if (result.solver == "linear" && solution.displacements.rows() > 0) {
         const double turn = solution.displacements.rightCols<3>().rowwise().norm().maxCoeff();
@@ -173,9 +177,12 @@ simulation::SurfaceResult LiveSolver::result_of(const Attempt& attempt) {
         listener_.solved(std::move(ahead));
         let_overtake();
     };
-    return session.solve(
+    simulation::SurfaceResult result = session.solve(
         {.stop = attempt.stop, .progress = &progress}, attempt.check,
         attempt.check == mechanics::StabilityCheck::Left ? tell_first : mechanics::FirstIterate());
+    if (result.solver != "linear" && result.solution.converged())
+        result.model_doubt = simulation::model_doubt(session, result);
+    return result;
 }
 
 std::shared_ptr<SolvedSurface> LiveSolver::shown_as(const SolverInput& input,

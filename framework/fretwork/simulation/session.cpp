@@ -88,7 +88,8 @@ void Session::set_model(const std::string& model) {
     SimulationOptions edited = options();
     edited.model = model;
     edited.validate(surface());
-    impl_->set_model(kMixedTiles);
+    // Corotational tiles, and their last equilibrium, serve the mixed model as they are.
+    if (impl_->options().model != kMixedTiles) impl_->set_model(kMixedTiles);
     mixture_ = std::make_unique<Mixture>(*impl_, edited);
 }
 void Session::set_setting(const reduction::Setting& setting) {

@@ -21,9 +21,6 @@ void check_mixed(const SimulationOptions& options) {
         throw base::InputError(
             "the discretization error of " + options.model +
             " cannot be estimated: most of its tiles are not made of beams; that of full can");
-    if (options.estimate_model_error)
-        throw base::InputError("the model error of " + options.model +
-                               " cannot be estimated; that of any other reduced model can");
 }
 
 void check_branch(const Surface& surface, const SimulationOptions& options) {

@@ -20,7 +20,10 @@ struct SimulationOptions {
     Analysis analysis = Analysis::OfTheModel;  ///< of the model: what its row says
     bool estimate_error = false;  ///< Result::discretization_error; of nonlinear models made of beams only
     bool estimate_model_error = false;  ///< SurfaceResult::model_error, of reduced models (model_error.hpp)
-    int load_steps = 1;                 ///< results at this many equal shares of the load; nonlinear only
+    /// SurfaceResult::model_doubt; and model_error, of the displacements alone, where that is large and the
+    /// path is the primary one. Of nonlinear solutions.
+    bool estimate_where_doubtful = false;
+    int load_steps = 1;  ///< results at this many equal shares of the load; nonlinear only
     /// The path that is followed where it becomes unstable. Other branches than the primary one are for
     /// nonlinear models other than mixed ones, and without estimates of errors.
     mechanics::Branch branch = mechanics::Branch::Primary;

@@ -59,6 +59,8 @@ class PathTerms {
         first_ << linear.displacements, linear.inner_displacements;
     }
 
+    [[nodiscard]] const NodeValues& first() const { return first_; }
+
     LinearRange range() {
         LinearRange range;
         const double largest = largest_translation(first_);
@@ -139,6 +141,11 @@ class PathTerms {
 
 LinearRange linear_range(const Assembly& assembly, const LinearRangeOptions& options) {
     return PathTerms(assembly, options).range();
+}
+
+LinearPath linear_path(const Assembly& assembly, const LinearRangeOptions& options) {
+    PathTerms terms(assembly, options);
+    return {terms.range(), terms.first()};
 }
 
 }  // namespace fretwork::mechanics

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <fretwork/base/control.hpp>
+#include <fretwork/mechanics/results/solution.hpp>
 
 namespace fretwork::mechanics {
 
@@ -32,5 +33,12 @@ struct LinearRangeOptions {
 ///
 /// The elements must be made for large displacements. Throws as LinearSolver.
 LinearRange linear_range(const Assembly& assembly, const LinearRangeOptions& options = {});
+
+/// The same, and the linear solution itself, which it takes anyway.
+struct LinearPath {
+    LinearRange range;
+    NodeValues displacements;  ///< u1; the assembly's reported nodes first
+};
+LinearPath linear_path(const Assembly& assembly, const LinearRangeOptions& options = {});
 
 }  // namespace fretwork::mechanics

@@ -31,7 +31,7 @@ void add_wanted(const Surface& surface, const LoadCase& load_case, const Simulat
     result.buckling_modes = modes(ModeKind::Buckling, options.buckling_modes);
     const bool is_linear = !is_nonlinear(surface, options);
     if (options.estimate_linear_range && is_linear && result.solution.converged())
-        result.linear_range = surface_linear_range(surface, load_case, options.threads, control);
+        add_linear_range(surface, load_case, options, control, result);
 }
 
 }  // namespace fretwork::simulation::detail

@@ -1,10 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/text.hpp>
 #include <fretwork/simulation/results/comparison.hpp>
 #include <fretwork/simulation/results/model_error.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace fretwork::simulation {
+
+std::string better_model(const std::string& model) {
+    const auto own = mixed_share(model);
+    const double share = own ? std::min(1.0, *own + kEstimatingShareOfMixed) : kEstimatingShare;
+    return "mixed:" + base::format_number(share);
+}
 
 std::optional<ModelError> model_error(const SurfaceResult& result, const SurfaceResult& better) {
     if (!result.solution.converged() || !better.solution.converged()) return std::nullopt;

@@ -5,6 +5,7 @@
 #include <fretwork/simulation/results/stress_refinement.hpp>
 
 #include <optional>
+#include <string>
 
 namespace fretwork::simulation {
 
@@ -12,6 +13,13 @@ namespace fretwork::simulation {
 /// 0.7 of the true mean error on nearly half of the surfaces of experiments/large_deflections, with 30 % on a
 /// tenth.
 inline constexpr double kEstimatingShare = 0.3;
+/// The same for mixed models, on top of their own share: they have the worst tiles in full already, and what
+/// is left of their error is spread over more of the others.
+inline constexpr double kEstimatingShareOfMixed = 0.6;
+
+/// The model that solutions of a model are compared with: `mixed:SHARE`, with that share, or with more tiles
+/// in full than a mixed model has itself.
+std::string better_model(const std::string& model);
 
 /// The error of a solution of reduced tiles against the full model, estimated as its difference from a better
 /// solution: corotational tiles with the worst kEstimatingShare in full. None if one of both has not

@@ -4,9 +4,47 @@
 #include <fretwork/simulation/results/surface_linear_range.hpp>
 #include <fretwork/simulation/simulation_options.hpp>
 
+#include <algorithm>
 #include <cstdio>
 
 namespace fretwork::simulation {
+namespace {
+
+mechanics::LinearPath surface_linear_path(const Surface& surface, const LoadCase& load_case, int threads,
+                                          const base::Control& control) {
+    Surface plain = surface;
+    plain.tile_models.clear();
+    const ModelChoice corotational{.name = kMixedTiles};
+    const auto tiles =
+        detail::TileBuilder().build_all(plain, corotational, {.threads = threads, .control = control});
+    mechanics::Assembly assembly =
+        reduction::assemble(detail::join_tiles(plain, tiles, control).parts, control);
+    apply(resolve(load_case, plain), assembly);
+    return mechanics::linear_path(assembly, {.threads = threads, .control = control});
+}
+
+bool has_fitted_tiles(const Surface& surface, const SimulationOptions& options) {
+    const ModelChoice choice = model_choice(options);
+    for (std::size_t t = 0; t < surface.tessellation.tiles.size(); ++t) {
+        if (!tile_model(surface, choice, tiling::TileIndex(t)).parameters.empty()) return true;
+    }
+    return false;
+}
+
+/// The largest distance of the interface nodes from those of another linear solution, as a share of the
+/// largest displacement there.
+double largest_difference(const Surface& surface, const mechanics::NodeValues& fitted,
+                          const mechanics::NodeValues& own) {
+    const auto count = std::ssize(surface.tessellation.interface_nodes);
+    const auto translations = [&](const mechanics::NodeValues& rows) {
+        return rows.topRows(count).leftCols<3>();
+    };
+    const double largest = translations(own).rowwise().norm().maxCoeff();
+    if (largest == 0.0) return 0.0;
+    return (translations(fitted) - translations(own)).rowwise().norm().maxCoeff() / largest;
+}
+
+}  // namespace
 
 std::string linear_range_text(const mechanics::LinearRange& range) {
     char text[200];
@@ -19,17 +57,32 @@ std::string linear_range_text(const mechanics::LinearRange& range) {
     return text;
 }
 
+bool is_out_of_range(const SurfaceResult& result) {
+    if (!result.linear_range) return false;
+    return is_exceeded(*result.linear_range) ||
+           result.linear_range->error + result.fit_error.value_or(0.0) > kLinearRange;
+}
+
+std::string linear_doubt_text(const SurfaceResult& result) {
+    std::string text = linear_range_text(result.linear_range.value());
+    if (!result.fit_error) return text;
+    char fit[120];
+    std::snprintf(fit, sizeof fit, "; the fit of the tiles is off by about %.2g %% besides",
+                  100.0 * *result.fit_error);
+    return text + fit;
+}
+
 mechanics::LinearRange surface_linear_range(const Surface& surface, const LoadCase& load_case, int threads,
                                             const base::Control& control) {
-    Surface plain = surface;
-    plain.tile_models.clear();
-    const ModelChoice corotational{.name = kMixedTiles};
-    const auto tiles =
-        detail::TileBuilder().build_all(plain, corotational, {.threads = threads, .control = control});
-    mechanics::Assembly assembly =
-        reduction::assemble(detail::join_tiles(plain, tiles, control).parts, control);
-    apply(resolve(load_case, plain), assembly);
-    return mechanics::linear_range(assembly, {.threads = threads, .control = control});
+    return surface_linear_path(surface, load_case, threads, control).range;
+}
+
+void add_linear_range(const Surface& surface, const LoadCase& load_case, const SimulationOptions& options,
+                      const base::Control& control, SurfaceResult& result) {
+    const mechanics::LinearPath path = surface_linear_path(surface, load_case, options.threads, control);
+    result.linear_range = path.range;
+    if (has_fitted_tiles(surface, options))
+        result.fit_error = largest_difference(surface, result.solution.displacements, path.displacements);
 }
 
 }  // namespace fretwork::simulation

@@ -18,8 +18,8 @@ using base::Json;
 using base::JsonReader;
 using mechanics::LinearRange;
 
-constexpr std::string_view kSurfaceKeys[] = {"subject", "linear_range", "model_error_estimate",
-                                             "buckled_tiles"};
+constexpr std::string_view kSurfaceKeys[] = {"subject",     "linear_range",         "fit_error",
+                                             "model_doubt", "model_error_estimate", "buckled_tiles"};
 
 Json model_error_json(const ModelError& error) {
     Json json = {{"mean", error.mean}, {"largest", error.largest}, {"relative_l2", error.relative_l2}};
@@ -35,6 +35,16 @@ ModelError read_model_error(const JsonReader& reader) {
     if (const auto stress = reader.find("largest_stress"))
         error.largest_stress = mechanics::read_not_negative(*stress);
     return error;
+}
+
+Json model_doubt_json(const ModelDoubt& doubt) {
+    return {{"tile_rotation", doubt.tile_rotation}, {"change", doubt.change}};
+}
+
+ModelDoubt read_model_doubt(const JsonReader& reader) {
+    reader.allow_only({"tile_rotation", "change"});
+    return {mechanics::read_not_negative(reader.at("tile_rotation")),
+            mechanics::read_not_negative(reader.at("change"))};
 }
 
 Json range_json(const LinearRange& range) {
@@ -127,6 +137,8 @@ std::string surface_result_text(const SurfaceResult& result) {
                  {"program", base::version()}};
     json["subject"] = subject_json(*result.subject);
     if (result.linear_range) json["linear_range"] = range_json(*result.linear_range);
+    if (result.fit_error) json["fit_error"] = *result.fit_error;
+    if (result.model_doubt) json["model_doubt"] = model_doubt_json(*result.model_doubt);
     if (result.model_error) json["model_error_estimate"] = model_error_json(*result.model_error);
     if (result.buckled_tiles) json["buckled_tiles"] = *result.buckled_tiles;
     mechanics::append_result(result, json);
@@ -150,9 +162,11 @@ SurfaceResult parse_surface_result(std::string_view text, const std::string& sou
     if (!subject)
         document.fail("is the result of a frame, where that of a surface is needed: it has no subject");
     result.subject = read_subject(*subject);
+    if (const auto doubt = document.find("model_doubt")) result.model_doubt = read_model_doubt(*doubt);
     if (const auto error = document.find("model_error_estimate"))
         result.model_error = read_model_error(*error);
     if (const auto range = document.find("linear_range")) result.linear_range = read_range(*range);
+    if (const auto fit = document.find("fit_error")) result.fit_error = mechanics::read_not_negative(*fit);
     if (const auto tiles = document.find("buckled_tiles")) result.buckled_tiles = read_tiles(*tiles);
     return result;
 }

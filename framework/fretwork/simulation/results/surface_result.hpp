@@ -42,11 +42,27 @@ struct ModelError {
     friend bool operator==(const ModelError&, const ModelError&) = default;
 };
 
+/// What tells, at next to no cost, that a solution of tiles that turn with their frames may be far from the
+/// full model's.
+struct ModelDoubt {
+    /// rad: the largest turn of a node against its corotational tile's frame. Such a tile is linear in its
+    /// frame, and knows nothing of its own large displacements.
+    double tile_rotation = 0.0;
+    /// Of mixed models: how far the tiles in full moved the answer of corotational tiles, at the worst
+    /// interface node, as a share of the largest displacement.
+    double change = 0.0;
+    friend bool operator==(const ModelDoubt&, const ModelDoubt&) = default;
+};
+
 /// The solution of a surface, and what else was asked for. Rows are the interface nodes first.
 struct SurfaceResult : mechanics::Result {
     std::optional<ResultSubject>
         subject{};  ///< simulate() and files have one; Session::solve() leaves it out
     std::optional<mechanics::LinearRange> linear_range{};  ///< of linear solutions; only where asked for
+    /// Of linear solutions of tiles with fitted parameters, with linear_range: how far the translations are
+    /// from those of the tiles' own linear stiffness, the largest, as a share of the largest displacement.
+    std::optional<double> fit_error{};
+    std::optional<ModelDoubt> model_doubt{};  ///< of nonlinear results of reduced tiles; only where asked for
     std::optional<ModelError> model_error{};  ///< of reduced models; only where asked for, and known
     /// Tiles whose beams buckle between their interface nodes, ascending; only where the model error was
     /// asked for.

@@ -1,0 +1,126 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Solve surfaces of many kinds with reduced models, and record how far each is from the full one and what it said by itself.
+
+Usage: rows.py PROGRAM OUT [--paintings 8] [--kinds NAME,..] [--random 126] [--seed 2]
+The kinds of cases.py, and random surfaces of ../large_deflections with another seed than there. Needs OUT/library.db with calibrations of
+paper6, and OUT/patterns.txt. Rows go to OUT/rows.csv; those that are there are kept, so it goes on when started again.
+"""
+import argparse
+import csv
+import json
+import pathlib
+import sys
+import time
+
+for name in ("common", "large_deflections"):
+    sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / name))
+import cases  # noqa: E402
+import run as large_deflections  # noqa: E402
+import surfaces  # noqa: E402
+from program import Failed, Fretwork  # noqa: E402
+
+TURNING = ("corotational", "mixed:0.05", "mixed:0.1")
+LINEAR = ("condensed", "paper6")
+FIELDS = ["kind", "painting", "amount", "tiles", "deflection", "model", "full", "reached", "mean", "largest", "tile_rotation", "change",
+          "doubtful", "estimate", "fit_error", "warned", "seconds", "command_seconds", "full_seconds"]
+
+
+class Surface(Fretwork):
+    """The program on one surface under one load case, in one folder."""
+
+    def simulate(self, model):
+        """What the program tells, and how long the command took. A path that does not reach its load is an answer, too."""
+        started = time.perf_counter()
+        told = json.loads(self("simulate", "project.json", "--case", "./case.json", "--model", model, "--json", "--out",
+                               f"{model.replace(':', '-')}.json", accepted=(0, 1)))
+        return told | {"command_seconds": time.perf_counter() - started}
+
+    def errors(self, model):
+        told = json.loads(self("compare", "full.json", f"{model.replace(':', '-')}.json", "--json"))
+        return {"mean": told["mean_translation_error_m"] / told["max_displacement_m"],
+                "largest": told["max_translation_error_m"] / told["max_displacement_m"]}
+
+
+def tile(fretwork, case):
+    (fretwork.folder / "outline.json").write_text(json.dumps(case["outline"]))
+    (fretwork.folder / "project.json").unlink(missing_ok=True)
+    return json.loads(fretwork("tile", "outline.json", "--library", "../library.db", "--patterns", f"random:{case['painting']}",
+                               "--edge-length", "26mm", "--out", "project.json", "--json"))["tiles"]
+
+
+def own_kinds(fretwork, options):
+    """Of each surface its case, and what tiles and loads it: gives the number of tiles, and the models that it can be solved with."""
+    for case in cases.cases(range(1, options.paintings + 1)):
+        def prepare(case=case):
+            (fretwork.folder / "case.json").write_text(json.dumps(case["load_case"]))
+            return tile(fretwork, case), TURNING + LINEAR
+        if not options.kinds or case["kind"] in options.kinds.split(","):
+            yield case, prepare
+
+
+def random_surfaces(fretwork, options):
+    """The same of the random surfaces, whose patterns are not calibrated."""
+    patterns = (options.out / "patterns.txt").read_text().split()
+    loading = large_deflections.Surface(fretwork.program, fretwork.folder)
+    for surface in surfaces.surfaces(options.random, options.seed):
+        def prepare(surface=surface):
+            (fretwork.folder / "project.json").unlink(missing_ok=True)
+            try:
+                return large_deflections.make_surface(loading, surface, patterns, fretwork.folder)["tiles"], TURNING + LINEAR[:1]
+            except Failed:  # no load bends it as far
+                return 0, ()
+        yield {"kind": f"random {surface['kind']}", "painting": surface["number"], "amount": round(surface["target"], 5)}, prepare
+
+
+def row_of(fretwork, case, full, model):
+    told = fretwork.simulate(model)
+    doubt, estimate = told["model_doubt"] or {}, told["model_error_estimate"] or {}
+    row = {"kind": case["kind"], "painting": case["painting"], "amount": case["amount"], "model": model, "full": full["termination"],
+           "reached": told["termination"], "deflection": full["largest_displacement"], "tile_rotation": doubt.get("tile_rotation"),
+           "change": doubt.get("change"), "doubtful": doubt.get("is_large"), "estimate": estimate.get("largest"),
+           "fit_error": told["fit_error"], "warned": int(bool(told["warnings"])), "seconds": told["seconds"],
+           "command_seconds": told["command_seconds"], "full_seconds": full["seconds"]}
+    if full["converged"] and told["converged"]:
+        row |= fretwork.errors(model)
+    return row
+
+
+def written(value):
+    return f"{value:.5g}" if isinstance(value, float) else value
+
+
+def new_rows(fretwork, options, done):
+    """Of each surface that is not done yet a row for each model."""
+    for case, prepare in [*own_kinds(fretwork, options), *random_surfaces(fretwork, options)]:
+        if (case["kind"], str(case["painting"]), str(case["amount"])) in done:
+            continue
+        tiles, models = prepare()
+        full = fretwork.simulate("full") if models else None
+        yield [row_of(fretwork, case, full, model) | {"tiles": tiles} for model in models]
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("program", type=pathlib.Path)
+    parser.add_argument("out", type=pathlib.Path)
+    parser.add_argument("--paintings", type=int, default=8, help="of each kind")
+    parser.add_argument("--kinds", default="", help="these alone")
+    parser.add_argument("--random", type=int, default=126, help="random surfaces")
+    parser.add_argument("--seed", type=int, default=2, help="of the random surfaces")
+    options = parser.parse_args()
+    (options.out / "surface").mkdir(parents=True, exist_ok=True)
+    fretwork = Surface(options.program.resolve(), options.out / "surface")
+    table = options.out / "rows.csv"
+    done = {(row["kind"], row["painting"], row["amount"]) for row in csv.DictReader(table.open())} if table.exists() else set()
+    with table.open("a", newline="") as file:
+        writer = csv.DictWriter(file, FIELDS, restval="", lineterminator="\n")
+        if not done:
+            writer.writeheader()
+        for rows in new_rows(fretwork, options, done):
+            writer.writerows({key: written(value) for key, value in row.items()} for row in rows)
+            file.flush()
+
+
+if __name__ == "__main__":
+    main()
