@@ -84,14 +84,12 @@ def _side_curves(corners):
     return sides
 
 
-def _make_periodic(corners):
-    """Give opposite sides the same mesh. Returns their translations, one for each side of the first half."""
-    half = len(corners) // 2
+def _make_periodic(corners, pairs):
+    """Give sides that belong together the same mesh. Returns the translation of the first side of each pair."""
     sides = _side_curves(corners)
-    translations = []
-    for side in range(half):
-        other = side + half
-        (x, y), (u, v) = corners[side], corners[side + 1]
+    translations = {}
+    for side, other in pairs:
+        (x, y), (u, v) = corners[side], corners[(side + 1) % len(corners)]
         (r, s), (p, q) = corners[other], corners[(other + 1) % len(corners)]
         shift = ((r + p - x - u) / 2.0, (s + q - y - v) / 2.0)
         if len(sides[side]) != len(sides[other]):
@@ -100,10 +98,10 @@ def _make_periodic(corners):
             wanted = (middle[0] + shift[0], middle[1] + shift[1])
             twin, place = min(sides[other], key=lambda curve: math.dist(curve[1], wanted))
             if math.dist(place, wanted) > 10 * NEAR:
-                raise ValueError(f"side {side} is cut at {middle}, and the opposite one is not")
+                raise ValueError(f"side {side} is cut at {middle}, and side {other} is not")
             matrix = [1, 0, 0, shift[0], 0, 1, 0, shift[1], 0, 0, 1, 0, 0, 0, 0, 1]
             gmsh.model.mesh.setPeriodic(1, [twin], [tag], matrix)
-        translations.append(shift)
+        translations[side] = shift
     return translations
 
 
@@ -156,8 +154,8 @@ def _twins(places, corners, translations):
         return [node for node in near if math.dist(places[node], (x, y)) < 10 * NEAR]
 
     pairs = []
-    for side, shift in enumerate(translations):
-        (x, y), (u, v) = corners[side], corners[side + 1]
+    for side, shift in translations.items():
+        (x, y), (u, v) = corners[side], corners[(side + 1) % len(corners)]
         length = math.hypot(u - x, v - y)
         for node, (a, b) in enumerate(places):
             along = ((a - x) * (u - x) + (b - y) * (v - y)) / length
@@ -184,14 +182,14 @@ def _cut_out(openings, corners):
     return sum(gmsh.model.occ.getMass(2, tag) for _, tag in gmsh.model.getEntities(2))
 
 
-def _mesh(openings, corners, sizes):
+def _mesh(openings, corners, sizes, pairs):
     for name, value in (("General.Terminal", 0), ("General.NumThreads", 1), ("Mesh.MeshSizeMin", 0.0), ("Mesh.MeshSizeMax", sizes[0]),
                         ("Mesh.MeshSizeFromPoints", 0), ("Mesh.MeshSizeFromCurvature", 0), ("Mesh.Algorithm", 6),
                         ("Mesh.ElementOrder", 2), ("Mesh.SecondOrderLinear", 0), ("Mesh.HighOrderOptimize", 1)):
         gmsh.option.setNumber(name, value)
     gmsh.model.add("cell")
     material = _cut_out(openings, corners)
-    translations = _make_periodic(corners)
+    translations = _make_periodic(corners, pairs)
     _refine_corners(corners, sizes)
     gmsh.model.mesh.generate(2)
     places, triangles = _collect()
@@ -199,14 +197,16 @@ def _mesh(openings, corners, sizes):
     return Cell(places, triangles, _twins(places, corners, translations), (whole, material))
 
 
-def mesh(openings, corners, sizes):
-    """Mesh what is left of a polygon; `sizes`: of the triangles, and of those in the corners between bars, mm.
+def mesh(openings, corners, sizes, pairs=None):
+    """Mesh what is left of a polygon; `sizes`: of the triangles, and of those in the corners between bars, mm; `pairs`: the sides that
+    meet in the endless plate, opposite ones if left out.
 
     Throws ValueError that says what cannot be meshed.
     """
     gmsh.initialize()
     try:
-        return _mesh(openings, corners, sizes)
+        half = len(corners) // 2
+        return _mesh(openings, corners, sizes, pairs or [(side, side + half) for side in range(half)])
     except ValueError:
         raise
     except Exception as problem:  # gmsh's own have no other type

@@ -60,6 +60,16 @@ def print_errors(by_radius, lines):
     print()
 
 
+def print_summary(by_radius, lines):
+    print("Mean of |log(solid / beams)| over all patterns: bare joints, and joints that reach to where the fillet touches\n")
+    print("| fillet, mm | reach of the joints | " + " | ".join(loads.LOADS) + " |\n|---|---|" + "---|" * len(loads.LOADS))
+    for radius, rows in by_radius.items():
+        for added, name in ((0.0, "bare"), (1.0, "to the fillet"))[:2 if radius else 1]:
+            found = np.abs(np.log([ratios(row, lines, added) for row in rows])).mean(axis=0)
+            print(f"| {radius:g} | {name} | " + " | ".join(f"{100 * value:.1f} %" for value in found) + " |")
+    print()
+
+
 def main():
     program, out = pathlib.Path(sys.argv[2]).resolve(), pathlib.Path(sys.argv[3]).resolve()
     out.mkdir(parents=True, exist_ok=True)
@@ -74,6 +84,7 @@ def main():
         bars = scan.centrelines(program, row["pattern"])
         lines[row["pattern"]] = bars, frames.reaches(bars, study.SIDE)
     print_gains(by_radius)
+    print_summary(by_radius, lines)
     print_errors(by_radius, lines)
 
 

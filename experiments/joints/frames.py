@@ -28,12 +28,13 @@ def _bar_stiffness(length, width, elastic):
     return matrix
 
 
-def reaches(bars, side):
-    """Of each bar how far the joints reach along it, in its widths: both ends together."""
+def reaches(bars, side, wrapped=geometry.wrapped):
+    """Of each bar how far the joints reach along it, in its widths: both ends together. `wrapped` gives nodes that are one in the endless
+    pattern one name."""
     ends = {}
     for i, (a, b) in enumerate(bars):
         for here, there in ((a, b), (b, a)):
-            ends.setdefault(geometry.wrapped(here, side), []).append((math.atan2(there[1] - here[1], there[0] - here[0]), i))
+            ends.setdefault(wrapped(here, side), []).append((math.atan2(there[1] - here[1], there[0] - here[0]), i))
     found = [0.0] * len(bars)
     for leaving in ends.values():
         leaving.sort()
@@ -52,6 +53,13 @@ def _macroscopic(x, y):
 
 def plate(bars, side, width, elastic):
     """The tensors in SI of the endless pattern. `elastic`: of each bar the share of its length that deforms within the plane."""
+    energy = energies(bars, side, width, elastic) / (1.5 * math.sqrt(3) * side**2)
+    return {"A11": 1e3 * energy[0, 0], "A12": 1e3 * energy[0, 1], "A66": 1e3 * energy[2, 2],
+            "D11": 1e-3 * energy[3, 3], "D12": 1e-3 * energy[3, 4], "D66": 1e-3 * energy[5, 5]}
+
+
+def energies(bars, side, width, elastic, wrapped=geometry.wrapped):
+    """Of one cell of the endless pattern twice the energy by unit strains and curvatures: N mm, 6 x 6."""
     numbers, places = {}, []
     for bar in bars:
         for point in bar:
@@ -67,13 +75,11 @@ def plate(bars, side, width, elastic):
         dofs = [6 * numbers[geometry.key(point)] + i for point in (a, b) for i in range(6)]
         stiffness[np.ix_(dofs, dofs)] += turn.T @ _bar_stiffness(length, width, share) @ turn
     own = {}
-    columns = [own.setdefault(geometry.wrapped(place, side), len(own)) for place in places]
+    columns = [own.setdefault(wrapped(place, side), len(own)) for place in places]
     periodic = np.zeros((size, 6 * len(own)))
     for i, column in enumerate(columns):
         periodic[6 * i:6 * i + 6, 6 * column:6 * column + 6] = np.eye(6)
     motions = np.vstack([_macroscopic(x, y) for x, y in places])
     coupling = periodic.T @ stiffness @ motions
     follow = np.linalg.lstsq(periodic.T @ stiffness @ periodic, -coupling, rcond=1e-12)[0]
-    energy = (motions.T @ stiffness @ motions + coupling.T @ follow) / (1.5 * math.sqrt(3) * side**2)
-    return {"A11": 1e3 * energy[0, 0], "A12": 1e3 * energy[0, 1], "A66": 1e3 * energy[2, 2],
-            "D11": 1e-3 * energy[3, 3], "D12": 1e-3 * energy[3, 4], "D66": 1e-3 * energy[5, 5]}
+    return motions.T @ stiffness @ motions + coupling.T @ follow

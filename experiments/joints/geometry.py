@@ -3,8 +3,8 @@
 import math
 
 
-def bars_of(obj_text, side):
-    """The centrelines in the tile at the origin: pairs of points, mm. Interface nodes are those on its sides."""
+def bars_of(obj_text, side, centre=(0.0, 0.0)):
+    """The centrelines in the tile around a point: pairs of points, mm. Interface nodes are those on its sides."""
     points, bars = [], []
     for line in obj_text.splitlines():
         words = line.split()
@@ -15,7 +15,7 @@ def bars_of(obj_text, side):
     apothem = side * math.sqrt(3) / 2
 
     def is_inside(x, y):
-        return max(x * math.cos(a) + y * math.sin(a) for a in (math.radians(30 + 60 * i) for i in range(6))) < apothem + 1e-6
+        return max((x - centre[0]) * math.cos(a) + (y - centre[1]) * math.sin(a) for a in (math.radians(30 + 60 * i) for i in range(6))) < apothem + 1e-6
 
     return [bar for bar in bars if is_inside(*((p + q) / 2 for p, q in zip(*bar)))]
 

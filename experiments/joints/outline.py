@@ -9,11 +9,20 @@ def hexagon(side, centre=(0.0, 0.0)):
     return [(centre[0] + side * math.cos(a), centre[1] + side * math.sin(a)) for a in angles]
 
 
+def neighbours(side, centre=(0.0, 0.0)):
+    """The middles of the hexagons around one."""
+    apart = math.sqrt(3.0) * side
+    return [(centre[0] + apart * math.cos(math.radians(30 + 60 * i)), centre[1] + apart * math.sin(math.radians(30 + 60 * i)))
+            for i in range(6)]
+
+
 def patch_obj(side):
     """A hexagon and its six neighbours as the text of a mesh file; the first face is the one in the middle."""
-    apart = math.sqrt(3.0) * side
-    centres = [(0.0, 0.0)] + [(apart * math.cos(math.radians(30 + 60 * i)), apart * math.sin(math.radians(30 + 60 * i)))
-                              for i in range(6)]
+    return hexagons_obj(side, [(0.0, 0.0), *neighbours(side)])
+
+
+def hexagons_obj(side, centres):
+    """Hexagons around these points as the text of a mesh file."""
     numbers, faces = {}, []
     places = []
     for centre in centres:
