@@ -15,6 +15,15 @@ TEST(FormatNumber, ReadsBackAsTheSameDouble) {
     EXPECT_EQ(format_number(0.1), "0.1");
 }
 
+// As printf writes them with %.*g.
+TEST(FormatNumber, RoundsToDigitsForPeople) {
+    EXPECT_EQ(format_number(1.0 / 3.0, 3), "0.333");
+    EXPECT_EQ(format_number(1234567.0, 2), "1.2e+06");
+    EXPECT_EQ(format_number(0.00001234, 4), "1.234e-05");
+    EXPECT_EQ(format_number(26.0, 4), "26");
+    EXPECT_EQ(format_number(-0.5, 4), "-0.5");
+}
+
 TEST(Split, IsUndoneByJoin) {
     for (const std::string text : {"", "a", "a,b", ",a,,b,"}) EXPECT_EQ(join(split(text, ','), ","), text);
 }

@@ -42,7 +42,7 @@ class TreeWork {
           is_spoiled_(parent.size(), false),
           unfinished_(parent.size()) {
         for (const int above : parent_) {
-            if (above >= 0) ++waits_for_[static_cast<std::size_t>(above)];
+            if (above >= 0) ++waits_for_[above];
         }
         for (std::size_t i = parent_.size(); i-- > 0;) {
             if (waits_for_[i] == 0) ready_.push_back(i);
@@ -82,7 +82,7 @@ class TreeWork {
     void finish(std::size_t index) {
         if (--unfinished_ == 0) changed_.notify_all();
         if (parent_[index] < 0) return;
-        const auto above = static_cast<std::size_t>(parent_[index]);
+        const std::size_t above = parent_[index];
         if (is_spoiled_[index]) is_spoiled_[above] = true;
         if (--waits_for_[above] > 0) return;
         ready_.push_back(above);

@@ -25,7 +25,7 @@ double parse_quantity(std::string_view text, std::span<const Unit> units, std::s
     const char* const end = text.data() + text.size();
     const auto result = std::from_chars(text.data(), end, number);
     if (result.ec == std::errc{} && std::isfinite(number)) {
-        std::string_view rest(result.ptr, static_cast<std::size_t>(end - result.ptr));
+        std::string_view rest(result.ptr, end - result.ptr);
         while (rest.starts_with(' ')) rest.remove_prefix(1);
         for (const Unit& unit : units) {
             if (unit.name == rest) return number * unit.factor;
@@ -48,6 +48,14 @@ double parse_length_above_zero(const std::string& name, std::string_view text) {
         throw within(name, "", error);
     }
     throw InputError(name, "", "'" + std::string(text) + "' is not a length above zero, such as 0.5mm");
+}
+
+void refuse_missing_unit(const std::string& name, const std::string& text, double large) {
+    const auto bare = read_number<double>(text);
+    if (!bare || *bare < large) return;
+    throw InputError(
+        name, "",
+        text + " without a unit is in metres; did you mean " + text + "mm? Metres are written " + text + "m");
 }
 
 double parse_angle(std::string_view text) {

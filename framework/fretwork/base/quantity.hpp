@@ -17,6 +17,10 @@ double parse_length(std::string_view text);
 /// names it.
 double parse_length_above_zero(const std::string& name, std::string_view text);
 
+/// Refuse a length of at least `large` metres that has no unit: people mean millimetres by such a number.
+/// Throws InputError that names it.
+void refuse_missing_unit(const std::string& name, const std::string& text, double large);
+
 /// Read an angle as a person writes it: "15", "15deg" or "0.26rad"; a bare number is in degrees. Returns
 /// radians. Throws InputError on anything else, NaN and infinity included.
 double parse_angle(std::string_view text);

@@ -73,6 +73,13 @@ std::string format_number(double value) {
     return {buffer.data(), result.ptr};
 }
 
+std::string format_number(double value, int digits) {
+    std::array<char, 64> buffer{};
+    const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
+                                      std::chars_format::general, digits);
+    return {buffer.data(), result.ptr};
+}
+
 std::string join(std::span<const std::string> words, std::string_view separator) {
     std::string text;
     for (const std::string& word : words) {

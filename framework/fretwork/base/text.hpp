@@ -11,6 +11,8 @@ namespace fretwork::base {
 
 /// The shortest decimal text that reads back as the same double.
 std::string format_number(double value);
+/// A rounded one for people, with `digits` significant digits at most: "0.333", "1.2e+06".
+std::string format_number(double value, int digits);
 
 /// Join with a separator: {"a", "b"} with ", " is "a, b".
 std::string join(std::span<const std::string> words, std::string_view separator);

@@ -34,7 +34,7 @@ std::string read_to_end(int descriptor, const std::filesystem::path& path, std::
         if (got < 0)
             throw InputError(path.string(), "", std::string("cannot be read: ") + std::strerror(errno));
         if (got == 0) break;
-        size += static_cast<std::size_t>(got);
+        size += got;
         if (size > std::max(2 * expected, kMostOfPipe))
             throw InputError(path.string(), "",
                              "does not end within 1 GiB, which is all that is read of a pipe");
@@ -58,7 +58,7 @@ std::string read_text_file(const std::filesystem::path& path) {
         throw InputError(path.string(), "", std::string("cannot be read: ") + std::strerror(errno));
     check_readable(path, descriptor, status);
     try {
-        return read_to_end(descriptor, path, static_cast<std::size_t>(status.st_size));
+        return read_to_end(descriptor, path, status.st_size);
     } catch (const std::bad_alloc&) {
         throw InputError(path.string(), "",
                          "is too large for the memory: " + std::to_string(status.st_size) + " bytes");

@@ -25,7 +25,7 @@ void write_all(int descriptor, std::string_view content, const std::filesystem::
         const ssize_t written = ::write(descriptor, content.data(), content.size());
         if (written < 0 && errno == EINTR) continue;
         if (written < 0) fail_to_write(target, errno);
-        content.remove_prefix(static_cast<std::size_t>(written));
+        content.remove_prefix(written);
     }
 }
 
