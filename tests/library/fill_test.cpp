@@ -36,7 +36,7 @@ FillReport fill_all(Library& library, const FillOptions& options = quick()) {
     return fill(library, library.patterns(), options);
 }
 
-/// Does something once, when so many patterns are done.
+/// Does something once, when a given number of patterns is done.
 class WhenDone final : public base::Progress {
   public:
     WhenDone(std::size_t count, std::function<void()> action) : count_(count), action_(std::move(action)) {}

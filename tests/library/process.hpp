@@ -23,7 +23,7 @@ inline int status_of(const std::function<void()>& work) {
     return status;
 }
 
-/// Kill a process of its own so many microseconds after it has begun `step`, which `prepare` gave. The
+/// Kill a process of its own `delay` microseconds after it has begun `step`, which `prepare` gave. The
 /// process waits for its end when the step is done, so that it is always a living one that is killed.
 inline void kill_within(useconds_t delay, const std::function<std::function<void()>()>& prepare) {
     int begun[2];

@@ -139,19 +139,19 @@ TEST(Enumerate, StopsInTheMiddleOfASearch) {
         options.control = watch.control();
         EXPECT_THROW(count_patterns(layout, options), base::Stopped);
         EXPECT_GT(watch.left(), 0U);
-        std::size_t told = 0;
-        EXPECT_THROW(for_each_pattern(layout, options, [&](const Pattern&) { ++told; }), base::Stopped);
-        EXPECT_EQ(told, 0U) << "it was asked to stop before it began";
+        std::size_t visited = 0;
+        EXPECT_THROW(for_each_pattern(layout, options, [&](const Pattern&) { ++visited; }), base::Stopped);
+        EXPECT_EQ(visited, 0U) << "it was asked to stop before it began";
     }
 }
 
 TEST(Enumerate, CountsAreThoseOfTheStream) {
     for (const NodeLayout& layout : small_layouts()) {
         std::vector<std::uint64_t> seen(layout.candidate_edges().size() + 1);
-        const PatternCount told = for_each_pattern(layout, {}, [&](const Pattern& pattern) {
+        const PatternCount count = for_each_pattern(layout, {}, [&](const Pattern& pattern) {
             ++seen[static_cast<std::size_t>(pattern.edge_count())];
         });
-        EXPECT_EQ(told.by_edges, seen);
+        EXPECT_EQ(count.by_edges, seen);
         EXPECT_EQ(count_patterns(layout).by_edges, seen);
     }
 }

@@ -74,7 +74,7 @@ TEST(Sameness, Paper7HasFourteenSymmetricPatternsAnd98MirrorPairs) {
     EXPECT_EQ(report.up_to_mirror, 1726u);
 }
 
-// 337 classes can be told apart by colour refinement alone, so there are at least as many.
+// 337 classes are separated by colour refinement alone, so there are at least as many.
 TEST(Sameness, Paper7HasAtLeastTheClassesThatColourRefinementTellsApart) {
     const std::vector<Pattern> patterns = enumerate_patterns(paper7());
     EXPECT_GE(find_sameness(paper7(), patterns).up_to_isomorphism, 337u);

@@ -35,7 +35,7 @@ std::size_t stored_runs(const std::filesystem::path& folder) {
            1;
 }
 
-/// Asks to stop once so many runs are done.
+/// Asks to stop once a given number of runs is done.
 class StopAfter final : public base::Progress {
   public:
     explicit StopAfter(std::size_t runs) : runs_(runs) {}

@@ -110,7 +110,7 @@ class Filling {
         std::vector<Failure> failures;
         for (Outcome& outcome : outcomes) {
             for (const CalibrationRecord& record : outcome.data.calibrations)
-                report_.dead_starts += static_cast<std::size_t>(record.calibration.dead_starts);
+                report_.dead_starts += record.calibration.dead_starts;
             if (outcome.failure) failures.push_back(std::move(*outcome.failure));
             batch.push_back(std::move(outcome.data));
         }

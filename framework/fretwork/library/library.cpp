@@ -210,7 +210,7 @@ std::size_t Library::add_patterns(std::span<const pattern::Pattern> patterns, co
             .bind_all(pattern_id(layout(), pattern), layout().name(), pattern.edge_count(),
                       image ? pattern_id(layout(), *image) : "")
             .run();
-        added += static_cast<std::size_t>(impl_->database.changed_rows());
+        added += impl_->database.changed_rows();
     }
     if (added > 0) impl_->commit(*transaction);
     return added;

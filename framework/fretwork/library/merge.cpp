@@ -45,8 +45,7 @@ void check_agreement(const Database& output, const Table& table, const std::file
     if (!rows.step()) return;
     std::vector<std::string> place;
     for (int column = 0; column < rows.column_count(); ++column)
-        place.push_back(std::string(table.keys[static_cast<std::size_t>(column)]) + " " +
-                        std::string(rows.text(column)));
+        place.push_back(std::string(table.keys[column]) + " " + std::string(rows.text(column)));
     throw base::InputError(
         input.string(), name + " (" + base::join(place, ", ") + ")",
         "differs from the same row of another input (two runs agree to the bit on processors and "

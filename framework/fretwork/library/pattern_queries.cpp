@@ -31,14 +31,14 @@ constexpr const char* kWithoutResponses =
     "AND NOT EXISTS (SELECT 1 FROM failure WHERE pattern_id = id AND stage = ?) ";
 
 void read_samples(const Statement& row, PatternSummary& summary) {
-    summary.samples = static_cast<int>(row.integer(1));
-    summary.converged_samples = static_cast<int>(row.integer(2));
-    summary.stable_samples = static_cast<int>(row.integer(3));
-    summary.limit_load_samples = static_cast<int>(row.integer(4));
+    summary.samples = row.count(1);
+    summary.converged_samples = row.count(2);
+    summary.stable_samples = row.count(3);
+    summary.limit_load_samples = row.count(4);
 }
 
 void read_calibrations(const Statement& row, PatternSummary& summary) {
-    summary.calibrations = static_cast<int>(row.integer(1));
+    summary.calibrations = row.count(1);
     summary.best_objective = row.optional_real(2);
 }
 
@@ -51,8 +51,7 @@ SummariesById collect_summaries(const Database& database) {
     Statement calibrations(database, std::string(kCountCalibrations) + "GROUP BY pattern_id");
     while (calibrations.step()) read_calibrations(calibrations, by_id[std::string(calibrations.text(0))]);
     Statement failures(database, "SELECT pattern_id, count(*) FROM failure GROUP BY pattern_id");
-    while (failures.step())
-        by_id[std::string(failures.text(0))].failures = static_cast<int>(failures.integer(1));
+    while (failures.step()) by_id[std::string(failures.text(0))].failures = failures.count(1);
     return by_id;
 }
 
@@ -66,15 +65,14 @@ PatternSummary named(PatternSummary summary, const pattern::NamedPattern& entry)
 std::map<int, std::size_t> edge_counts(const Database& database) {
     std::map<int, std::size_t> counts;
     Statement rows(database, "SELECT edges, count(*) FROM pattern GROUP BY edges");
-    while (rows.step()) counts[static_cast<int>(rows.integer(0))] = static_cast<std::size_t>(rows.integer(1));
+    while (rows.step()) counts[rows.count(0)] = rows.integer(1);
     return counts;
 }
 
 }  // namespace
 
 std::size_t Library::pattern_count() const {
-    return static_cast<std::size_t>(
-        detail::query_integer(impl_->database, "SELECT count(*) FROM pattern").value_or(0));
+    return detail::query_integer(impl_->database, "SELECT count(*) FROM pattern").value_or(0);
 }
 
 std::vector<pattern::NamedPattern> Library::patterns() const {
@@ -122,7 +120,7 @@ std::vector<PatternSummary> Library::summaries(std::span<const pattern::NamedPat
         PatternSummary summary;
         if (samples.bind_all(entry.id).step()) read_samples(samples, summary);
         if (calibrations.bind_all(entry.id).step()) read_calibrations(calibrations, summary);
-        if (failures.bind_all(entry.id).step()) summary.failures = static_cast<int>(failures.integer(0));
+        if (failures.bind_all(entry.id).step()) summary.failures = failures.count(0);
         list.push_back(named(summary, entry));
     }
     return list;

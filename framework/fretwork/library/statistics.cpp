@@ -55,10 +55,10 @@ CalibrationStatistics calibration_statistics(const Library& library,
             if (objectives.back() > result.far_above_limit)
                 result.far_above.push_back({summary.pattern, objectives.back()});
             for (const std::string& name : record.calibration.at_bound) ++result.at_bound[name];
-            result.samples += static_cast<std::size_t>(summary.samples);
-            result.converged += static_cast<std::size_t>(summary.converged_samples);
-            result.limit_load += static_cast<std::size_t>(summary.limit_load_samples);
-            result.unstable += static_cast<std::size_t>(summary.converged_samples - summary.stable_samples);
+            result.samples += summary.samples;
+            result.converged += summary.converged_samples;
+            result.limit_load += summary.limit_load_samples;
+            result.unstable += summary.converged_samples - summary.stable_samples;
         }
     }
     result.calibrated = objectives.size();

@@ -64,8 +64,7 @@ bool Evaluator::charge(Evaluation kind, const Eigen::VectorXd& point) {
     }
     cost_ += problem_->cost(kind);
     ++evaluations_;
-    if (budget_.control.progress != nullptr)
-        budget_.control.progress->update(static_cast<std::size_t>(cost_));
+    if (budget_.control.progress != nullptr) budget_.control.progress->update(cost_);
     if (kind != Evaluation::Value) ++derivative_evaluations_;
     return true;
 }

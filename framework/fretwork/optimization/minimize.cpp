@@ -41,7 +41,7 @@ OptimizationReport minimize(const Problem& problem, const OptimizerRow& method,
 OptimizationReport minimize(const Problem& problem, const Optimizer& optimizer, const Budget& budget) {
     Evaluator evaluator(problem, budget);
     base::Progress* progress = budget.control.progress;
-    if (progress != nullptr) progress->start("minimize", static_cast<std::size_t>(budget.cost));
+    if (progress != nullptr) progress->start("minimize", budget.cost);
     RunOutcome outcome = optimizer.run(evaluator);
     if (progress != nullptr) progress->finish();
     return report_of(evaluator, std::move(outcome));

@@ -19,9 +19,8 @@ struct Tally {
     std::vector<std::uint64_t> valid;
 
     void count(int edges, std::uint64_t broken) {
-        const auto k = static_cast<std::size_t>(edges);
-        if (broken == 0) ++valid[k];
-        detail::for_each_bit(broken, [&](int filter) { ++rejected[k][static_cast<std::size_t>(filter)]; });
+        if (broken == 0) ++valid[edges];
+        detail::for_each_bit(broken, [&](int filter) { ++rejected[edges][filter]; });
     }
     void add(const Tally& other) {
         for (std::size_t k = 0; k < valid.size(); ++k) {
@@ -56,9 +55,9 @@ Tally tally_all_graphs(const NodeLayout& layout, const std::vector<Filter>& filt
 
 void fill(Census& census, const Tally& tally) {
     for (CensusRow& row : census.rows) {
-        const auto k = static_cast<std::size_t>(row.edges);
-        row.rejected.assign(tally.rejected[k].begin(), tally.rejected[k].end());
-        row.valid = tally.valid[k];
+        const auto& rejected = tally.rejected[row.edges];
+        row.rejected.assign(rejected.begin(), rejected.end());
+        row.valid = tally.valid[row.edges];
     }
 }
 
@@ -70,7 +69,7 @@ void fill_without_walking(Census& census, const std::vector<Filter>& filters, in
         const auto kept = detail::count_graphs_that_keep(filter.rule, edge_count);
         for (CensusRow& row : census.rows) {
             row.rejected.push_back(std::nullopt);
-            if (kept) row.rejected.back() = row.patterns - (*kept)[static_cast<std::size_t>(row.edges)];
+            if (kept) row.rejected.back() = row.patterns - (*kept)[row.edges];
         }
     }
 }
@@ -110,7 +109,7 @@ Census take_census(const NodeLayout& layout, const EnumerationOptions& options, 
         fill(census, tally_all_graphs(layout, filters, options));
         return census;
     }
-    for (CensusRow& row : census.rows) row.valid = valid.by_edges[static_cast<std::size_t>(row.edges)];
+    for (CensusRow& row : census.rows) row.valid = valid.by_edges[row.edges];
     fill_without_walking(census, filters, edge_count, options.control);
     return census;
 }

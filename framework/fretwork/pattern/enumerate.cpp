@@ -58,7 +58,7 @@ class PieceSearch {
         std::vector<PatternCount> parts(pieces.size(), nothing);
         PieceProgress progress(options_.control, pieces.size());
         base::parallel_for(pieces.size(), options_.threads, [&](std::size_t i) {
-            search(pieces[i], [&](Word, int edges) { ++parts[i].by_edges[static_cast<std::size_t>(edges)]; });
+            search(pieces[i], [&](Word, int edges) { ++parts[i].by_edges[edges]; });
             progress.add_one();
         });
         progress.finish();
@@ -192,7 +192,7 @@ PatternCount for_each_pattern(const NodeLayout& layout, const EnumerationOptions
     PatternCount count{std::vector<std::uint64_t>(layout.candidate_edges().size() + 1)};
     return with_problem(layout, options, [&](const auto& problem) {
         PieceSearch(problem, options).stream([&](auto chosen) {
-            ++count.by_edges[static_cast<std::size_t>(detail::bit_count(chosen))];
+            ++count.by_edges[detail::bit_count(chosen)];
             visit(detail::to_pattern(chosen));
         });
         return count;

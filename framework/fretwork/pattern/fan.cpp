@@ -101,7 +101,7 @@ Fan make_fan(const NodeLayout& layout, const Pattern& pattern, int sides) {
 
 base::IndexVector<FanNodeIndex, geometry::Point2> place_fan(const NodeLayout& layout, const Fan& fan,
                                                             const geometry::Polygon& polygon) {
-    if (polygon.size() != static_cast<std::size_t>(fan.sides)) {
+    if (std::ssize(polygon) != fan.sides) {
         throw base::InputError("a fan of " + std::to_string(fan.sides) +
                                " sectors does not fit into a polygon of " + std::to_string(polygon.size()) +
                                " sides");
@@ -112,9 +112,8 @@ base::IndexVector<FanNodeIndex, geometry::Point2> place_fan(const NodeLayout& la
     std::vector<geometry::Point2> places;
     places.reserve(fan.nodes.size());
     for (const Fan::Node& node : fan.nodes) {
-        const auto t = static_cast<std::size_t>(node.sector);
-        const std::array<geometry::Point2, 3> sector = {center, polygon[t],
-                                                        polygon[(t + 1) % polygon.size()]};
+        const std::array<geometry::Point2, 3> sector = {center, polygon[node.sector],
+                                                        polygon[(node.sector + 1) % polygon.size()]};
         const LayoutNode& layout_node = layout.nodes()[node.layout_node];
         places.push_back(barycentric_point(layout_node.place, sector));
     }

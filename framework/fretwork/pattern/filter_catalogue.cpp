@@ -55,8 +55,7 @@ FilterChoice with_value(const FilterKind& kind, std::string_view text) {
 std::vector<const FilterChoice*> choices_by_row(std::span<const FilterChoice> choices) {
     std::vector<const FilterChoice*> by_row(std::size(kCatalogue), nullptr);
     for (const FilterChoice& choice : choices) {
-        const FilterChoice*& slot =
-            by_row[static_cast<std::size_t>(&find_filter_kind(choice.name) - kCatalogue)];
+        const FilterChoice*& slot = by_row[&find_filter_kind(choice.name) - kCatalogue];
         if (slot != nullptr) throw base::InputError("the filter " + choice.name + " is chosen twice");
         slot = &choice;
     }
@@ -66,8 +65,7 @@ std::vector<const FilterChoice*> choices_by_row(std::span<const FilterChoice> ch
 Rule forbid(const NodeLayout& layout, std::span<const EdgeGroup> groups) {
     ConflictRule rule{std::vector<Pattern::Bits>(layout.candidate_edges().size()), "", "is forbidden"};
     for (const EdgeGroup& group : groups) {
-        for (const EdgeIndex edge : Pattern(group.edges).edges())
-            rule.conflicts[static_cast<std::size_t>(edge)].set(static_cast<std::size_t>(edge));
+        for (const EdgeIndex edge : Pattern(group.edges).edges()) rule.conflicts[edge].set(edge);
     }
     return rule;
 }
@@ -85,7 +83,7 @@ EdgeGroup parse_edge_group(const NodeLayout& layout, std::string_view text) {
     EdgeGroup group;
     if (text.find('-') != std::string_view::npos) {
         group.name = "edge " + std::string(text);
-        group.edges.set(static_cast<std::size_t>(find_edge(layout, text)));
+        group.edges.set(find_edge(layout, text));
         return group;
     }
     const std::optional<LayoutNodeIndex> node = parse_node(layout, text);

@@ -11,7 +11,7 @@ namespace {
 
 std::string edge_name(const NodeLayout& layout, EdgeIndex edge) {
     Pattern::Bits bits;
-    bits.set(static_cast<std::size_t>(edge));
+    bits.set(edge);
     return pattern_id(layout, Pattern(bits));
 }
 
@@ -21,7 +21,7 @@ std::vector<EdgeIndex> edges_of_beams(const NodeLayout& layout, const Pattern& p
     std::vector<EdgeIndex> found;
     for (const EdgeIndex edge : pattern.edges()) {
         Pattern::Bits alone;
-        alone.set(static_cast<std::size_t>(edge));
+        alone.set(edge);
         const Fan copies = make_fan(layout, Pattern(alone), fan.sides);
         const auto in_fan = [&](FanNodeIndex node) {
             const auto place = std::find(fan.nodes.begin(), fan.nodes.end(), copies.nodes[node]);
@@ -44,7 +44,7 @@ class Judge {
 
     Verdict operator()(const ConflictRule& rule) const {
         for (const EdgeIndex edge : pattern_.edges()) {
-            const Pattern others(rule.conflicts[static_cast<std::size_t>(edge)] & pattern_.bits());
+            const Pattern others(rule.conflicts[edge] & pattern_.bits());
             if (others.edge_count() == 0) continue;
             const EdgeIndex other = others.edges().back();
             if (other == edge)
@@ -61,7 +61,7 @@ class Judge {
             int load = 0;
             std::vector<EdgeIndex> bearing;
             for (const EdgeIndex edge : pattern_.edges()) {
-                const int share = resource.loads[static_cast<std::size_t>(edge)];
+                const int share = resource.loads[edge];
                 load += share;
                 if (share > 0) bearing.push_back(edge);
             }
@@ -99,9 +99,7 @@ class Judge {
     [[nodiscard]] Verdict judge_components(const Fan& fan) const {
         const detail::FanComponents components = detail::fan_components(fan);
         if (components.count <= 1) return {};
-        const auto of_edge = [&](const auto& edge) {
-            return components.of_node[static_cast<std::size_t>(edge[0])];
-        };
+        const auto of_edge = [&](const auto& edge) { return components.of_node[edge[0]]; };
         std::set<std::array<FanNodeIndex, 2>> apart;
         for (const auto& edge : fan.edges) {
             if (of_edge(edge) != of_edge(fan.edges.front())) apart.insert(edge);

@@ -48,7 +48,7 @@ std::optional<Pattern> Mirror::image(const Pattern& pattern) const {
     for (const EdgeIndex edge : pattern.edges()) {
         const std::optional<EdgeIndex> twin = image(edge);
         if (!twin) return std::nullopt;
-        bits.set(static_cast<std::size_t>(*twin));
+        bits.set(*twin);
     }
     return Pattern(bits);
 }

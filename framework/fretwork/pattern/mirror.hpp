@@ -19,9 +19,7 @@ class Mirror {
     /// True if the pattern is its own mirror image.
     [[nodiscard]] bool is_symmetric(const Pattern& pattern) const;
     /// The mirror image of an edge, as the candidate that gives the same fan.
-    [[nodiscard]] std::optional<EdgeIndex> image(EdgeIndex edge) const {
-        return images_[static_cast<std::size_t>(edge)];
-    }
+    [[nodiscard]] std::optional<EdgeIndex> image(EdgeIndex edge) const { return images_[edge]; }
 
   private:
     std::vector<std::optional<EdgeIndex>> images_;

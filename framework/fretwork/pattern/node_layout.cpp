@@ -126,7 +126,7 @@ std::vector<LayoutNodeIndex> NodeLayout::interface_nodes() const {
 }
 
 LayoutNodeIndex NodeLayout::left_partner(LayoutNodeIndex node) const {
-    const bool is_right = nodes_[static_cast<std::size_t>(node)].region == Region::RightRadial;
+    const bool is_right = nodes_[node].region == Region::RightRadial;
     return is_right ? LayoutNodeIndex(node.value - static_cast<int>(description_.radial.size())) : node;
 }
 

@@ -76,7 +76,7 @@ std::string pattern_id(const NodeLayout& layout, const Pattern& pattern) {
 Pattern parse_pattern_id(const NodeLayout& layout, std::string_view id) {
     Pattern::Bits chosen;
     for (const std::string& text : base::split(without_layout_name(layout, id), '+')) {
-        const auto edge = static_cast<std::size_t>(find_edge(layout, text));
+        const std::size_t edge = find_edge(layout, text);
         if (chosen.test(edge)) {
             throw base::InputError("the pattern id '" + std::string(id) + "' names the edge " + text +
                                    " twice");

@@ -24,7 +24,7 @@ class Pattern {
 
     [[nodiscard]] const Bits& bits() const { return edges_; }
     [[nodiscard]] int edge_count() const { return static_cast<int>(edges_.count()); }
-    [[nodiscard]] bool has(EdgeIndex edge) const { return edges_.test(static_cast<std::size_t>(edge.value)); }
+    [[nodiscard]] bool has(EdgeIndex edge) const { return edges_.test(edge.value); }
     [[nodiscard]] std::vector<EdgeIndex> edges() const;
     friend bool operator==(const Pattern&, const Pattern&) = default;
 

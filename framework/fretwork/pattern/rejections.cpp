@@ -16,18 +16,17 @@ constexpr std::size_t kMostGraphs = 1'000'000;
 /// Call visit(graph) for every set of `size` edges, in lexicographic order, until it returns false.
 template <class Visit>
 bool for_each_of_size(int edge_count, int size, const Visit& visit) {
-    std::vector<int> edges(static_cast<std::size_t>(size));
-    for (int i = 0; i < size; ++i) edges[static_cast<std::size_t>(i)] = i;
+    std::vector<int> edges(size);
+    for (int i = 0; i < size; ++i) edges[i] = i;
     for (;;) {
         Word128 graph = 0;
         for (const int edge : edges) graph |= detail::single<Word128>(edge);
         if (!visit(graph)) return false;
         int i = size - 1;
-        while (i >= 0 && edges[static_cast<std::size_t>(i)] == edge_count - size + i) --i;
+        while (i >= 0 && edges[i] == edge_count - size + i) --i;
         if (i < 0) return true;
-        ++edges[static_cast<std::size_t>(i)];
-        for (int j = i + 1; j < size; ++j)
-            edges[static_cast<std::size_t>(j)] = edges[static_cast<std::size_t>(j) - 1] + 1;
+        ++edges[i];
+        for (int j = i + 1; j < size; ++j) edges[j] = edges[j - 1] + 1;
     }
 }
 
@@ -62,7 +61,7 @@ class Collector {
   private:
     bool look_at(Word128 graph) {
         const std::uint64_t broken = test_.broken(graph);
-        const auto rule = static_cast<std::size_t>(std::countr_zero(broken));
+        const std::size_t rule = std::countr_zero(broken);
         if (std::has_single_bit(broken) && !is_done_[rule]) found_[rule].push_back(graph);
         return ++seen_ < kMostGraphs;
     }

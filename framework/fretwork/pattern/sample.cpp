@@ -53,8 +53,7 @@ struct PatternSampler::Impl {
                 "the layout '" + layout.name() +
                 "' has too many graphs without conflicts to count them; forbid some nodes or edges");
         const auto end = std::min(static_cast<std::size_t>(options.edges.most) + 1, sets.counts().size());
-        for (auto k = static_cast<std::size_t>(options.edges.least); k < end; ++k)
-            proposals += sets.counts()[k];
+        for (std::size_t k = options.edges.least; k < end; ++k) proposals += sets.counts()[k];
     }
 
     /// The graph of one trial. Pre: there are proposals.
@@ -62,8 +61,7 @@ struct PatternSampler::Impl {
         detail::WideRandom random(seed, trial);
         GraphCount pick = random.below(proposals);
         int size = options.edges.least;
-        while (pick >= sets.counts()[static_cast<std::size_t>(size)])
-            pick -= sets.counts()[static_cast<std::size_t>(size++)];
+        while (pick >= sets.counts()[size]) pick -= sets.counts()[size++];
         return sets.draw(size, random);
     }
 
@@ -137,7 +135,7 @@ std::vector<Pattern> PatternSampler::draw(std::size_t count, std::uint64_t most_
         if (progress != nullptr) progress->update(std::min(count, impl.drawn.size()));
     }
     if (progress != nullptr) progress->finish();
-    const auto end = impl.drawn.begin() + static_cast<std::ptrdiff_t>(count);
+    const auto end = impl.drawn.begin() + count;
     std::vector<Pattern> result(impl.drawn.begin(), end);
     impl.drawn.erase(impl.drawn.begin(), end);
     return result;

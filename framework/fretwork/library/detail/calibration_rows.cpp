@@ -38,11 +38,11 @@ CalibrationRecord read_row(const Statement& row) {
     Calibration& calibration = record.calibration;
     calibration.model = row.text(0);
     calibration.optimizer = row.text(1);
-    calibration.seed = static_cast<std::uint64_t>(row.integer(2));
-    calibration.starts = static_cast<int>(row.integer(3));
-    record.budget = static_cast<int>(row.integer(4));
+    calibration.seed = row.integer(2);
+    calibration.starts = row.count(3);
+    record.budget = row.count(4);
     calibration.objective = row.real(5);
-    calibration.evaluations = static_cast<long>(row.integer(6));
+    calibration.evaluations = row.integer(6);
     calibration.converged = row.integer(7) != 0;
     if (!row.text(8).empty()) calibration.at_bound = base::split(row.text(8), ',');
     record.seconds = row.real(9);

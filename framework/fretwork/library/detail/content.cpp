@@ -28,7 +28,7 @@ void update(base::Sha256& hash, std::uint64_t number) {
 }
 
 void update(base::Sha256& hash, std::string_view text) {
-    update(hash, static_cast<std::uint64_t>(text.size()));
+    update(hash, text.size());
     hash.update(text);
 }
 

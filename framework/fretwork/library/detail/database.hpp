@@ -83,6 +83,8 @@ class Statement {
         require_number(column);
         return sqlite3_column_int64(handle_.get(), column);
     }
+    /// An integer that is known to be small.
+    [[nodiscard]] int count(int column) const { return static_cast<int>(integer(column)); }
 
   private:
     void check(int code) const;

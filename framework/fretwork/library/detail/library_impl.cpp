@@ -84,7 +84,7 @@ std::vector<pattern::NamedPattern> Library::Impl::patterns_at(int edges,
     std::vector<pattern::NamedPattern> entries;
     auto begin = ids.begin();
     for (const std::size_t place : places) {
-        const auto wanted = ids.begin() + static_cast<std::ptrdiff_t>(place);
+        const auto wanted = ids.begin() + place;
         std::nth_element(begin, wanted, ids.end(), detail::id_comes_before);
         entries.push_back(entry(*wanted));
         begin = wanted + 1;

@@ -15,7 +15,7 @@ bool is_digit(char c) {
 /// The digits at the start of a text, which lie behind it afterwards. Numbers in ids have no leading zeros.
 std::string_view take_number(std::string_view& text) {
     const auto end = std::ranges::find_if_not(text, is_digit);
-    const std::string_view digits = text.substr(0, static_cast<std::size_t>(end - text.begin()));
+    const std::string_view digits = text.substr(0, end - text.begin());
     text.remove_prefix(digits.size());
     return digits;
 }

@@ -18,7 +18,7 @@ std::string count_complaint(std::size_t present, std::size_t wanted, const std::
 
 /// The fault of a response of the library's shape; empty if it has none.
 std::string response_fault(const Response& response, const ResponseShape& shape) {
-    const auto steps = static_cast<std::size_t>(shape.setting->magnitudes);
+    const std::size_t steps = shape.setting->magnitudes;
     if (response.samples.size() != steps) return count_complaint(response.samples.size(), steps, "samples");
     for (std::size_t k = 0; k < steps; ++k) {
         const Sample& sample = response.samples[k];
@@ -26,8 +26,7 @@ std::string response_fault(const Response& response, const ResponseShape& shape)
             return "has step " + std::to_string(sample.step) + " in place " + std::to_string(k + 1);
         if (!sample.converged) continue;
         if (sample.displacements.rows() != shape.nodes)
-            return count_complaint(static_cast<std::size_t>(sample.displacements.rows()),
-                                   static_cast<std::size_t>(shape.nodes), "rows of displacements");
+            return count_complaint(sample.displacements.rows(), shape.nodes, "rows of displacements");
     }
     return "";
 }
@@ -59,7 +58,7 @@ std::vector<Sample> read_states(const Database& database, std::string_view patte
     statement.bind_all(pattern_id, scenario);
     std::vector<Sample> samples;
     while (statement.step()) {
-        samples.push_back({static_cast<int>(statement.integer(0)),
+        samples.push_back({statement.count(0),
                            statement.real(1),
                            {},
                            statement.integer(2) != 0,
@@ -76,7 +75,7 @@ void read_displacements(const Database& database, std::string_view pattern_id, R
                         "WHERE pattern_id = ? AND scenario = ?");
     statement.bind_all(pattern_id, response.scenario);
     while (statement.step()) {
-        const auto step = static_cast<std::size_t>(statement.integer(0));
+        const std::size_t step = statement.integer(0);
         const std::int64_t node = statement.integer(1);
         if (step < 1 || step > response.samples.size() || node < 0 ||
             node >= response.samples[step - 1].displacements.rows()) {

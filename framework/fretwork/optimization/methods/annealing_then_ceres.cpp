@@ -14,9 +14,7 @@ class AnnealingThenCeres final : public Optimizer {
         RunOutcome outcome;
         for (int i = 0; i < options_.annealing.common.starts; ++i) {
             SimulatedAnnealingOptions once = options_.annealing;
-            once.common = {
-                .starts = 1,
-                .seed = base::derived_seed(options_.annealing.common.seed, static_cast<std::uint64_t>(i))};
+            once.common = {.starts = 1, .seed = base::derived_seed(options_.annealing.common.seed, i)};
             outcome = make_simulated_annealing(once)->run(evaluator);
             if (outcome.ending == Ending::BudgetSpent || evaluator.best_point().size() == 0) break;
             outcome = descend(evaluator);

@@ -32,7 +32,7 @@ class Annealing {
         : options_(options),
           evaluator_(evaluator),
           box_(evaluator.problem(), scale_of(options.variables)),
-          random_(options.common.seed, static_cast<std::uint64_t>(run)),
+          random_(options.common.seed, run),
           shares_(LowDiscrepancySequence(evaluator.bounds().dimension(), options.common.seed).point(run)),
           scales_(Eigen::VectorXd::Constant(shares_.size(), options.initial_move)),
           accepted_(Eigen::VectorXd::Zero(shares_.size())),

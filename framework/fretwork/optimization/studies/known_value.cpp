@@ -25,8 +25,7 @@ double median_value(const optimization::Problem& problem) {
     const optimization::LowDiscrepancySequence sequence(problem.bounds().dimension(), kReferenceSeed);
     std::vector<double> values;
     for (int i = 0; i < kPoints; ++i) {
-        values.push_back(
-            problem.value(problem.bounds().at_shares(sequence.point(static_cast<std::uint64_t>(i)))));
+        values.push_back(problem.value(problem.bounds().at_shares(sequence.point(i))));
     }
     std::ranges::nth_element(values, values.begin() + kPoints / 2);
     return values[kPoints / 2];

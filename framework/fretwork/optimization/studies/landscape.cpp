@@ -54,7 +54,7 @@ std::string shares_text(const optimization::Bounds& bounds, const Eigen::VectorX
 }
 
 std::vector<Descent> descend(const Problem& problem, const Kind& kind, const LandscapeOptions& options) {
-    std::vector<Descent> descents(static_cast<std::size_t>(options.descents));
+    std::vector<Descent> descents(options.descents);
     base::parallel_for(descents.size(), options.threads, [&](std::size_t i) {
         // A single start with its own seed begins at a uniform random point.
         const auto report = minimize(problem, *kind.make({.starts = 1, .seed = i + 1}),

@@ -5,16 +5,11 @@
 #include <fretwork/optimization/studies/run_table.hpp>
 
 #include <algorithm>
-#include <cstdio>
 
 namespace fretwork::optimization::study {
 namespace {
 
-std::string short_number(double value, int digits = 7) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.*g", digits, value);
-    return text;
-}
+constexpr int kRecordDigits = 7;
 
 /// A point is kept if what the run still has to gain until its end is a fifth less than at the last one: so
 /// closely the cost of hitting a target is known, whatever the target.
@@ -29,7 +24,7 @@ std::string thinned(const std::vector<optimization::TracePoint>& trace) {
         if (!is_end && to_gain > kShareLeft * left) continue;
         left = to_gain;
         text += (text.empty() ? "" : " ") + std::to_string(trace[i].cost) + ":" +
-                short_number(trace[i].value, kDigits);
+                base::format_number(trace[i].value, kDigits);
     }
     return text;
 }
@@ -91,24 +86,25 @@ std::string run_table_header() {
 
 std::string run_table_row(const RunRecord& record) {
     const optimization::OptimizationReport& report = record.report;
-    const std::vector<std::string> cells = {record.key.problem,
-                                            record.key.optimizer,
-                                            std::to_string(record.key.repetition),
-                                            std::string(optimizer_class_name(record.kind)),
-                                            std::to_string(record.dimension),
-                                            std::to_string(record.starts),
-                                            std::to_string(record.seed),
-                                            std::to_string(record.budget),
-                                            std::string(ending_name(report.ending)),
-                                            base::format_number(report.value),
-                                            base::format_number(record.last_value),
-                                            record.distance < 0.0 ? "" : short_number(record.distance),
-                                            std::to_string(report.cost),
-                                            std::to_string(report.evaluations),
-                                            std::to_string(report.derivative_evaluations),
-                                            std::to_string(report.failures),
-                                            short_number(record.cpu_seconds),
-                                            thinned(report.trace)};
+    const std::vector<std::string> cells = {
+        record.key.problem,
+        record.key.optimizer,
+        std::to_string(record.key.repetition),
+        std::string(optimizer_class_name(record.kind)),
+        std::to_string(record.dimension),
+        std::to_string(record.starts),
+        std::to_string(record.seed),
+        std::to_string(record.budget),
+        std::string(ending_name(report.ending)),
+        base::format_number(report.value),
+        base::format_number(record.last_value),
+        record.distance < 0.0 ? "" : base::format_number(record.distance, kRecordDigits),
+        std::to_string(report.cost),
+        std::to_string(report.evaluations),
+        std::to_string(report.derivative_evaluations),
+        std::to_string(report.failures),
+        base::format_number(record.cpu_seconds, kRecordDigits),
+        thinned(report.trace)};
     return base::join(cells, ",");
 }
 

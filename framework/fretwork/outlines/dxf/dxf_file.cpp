@@ -82,7 +82,7 @@ void DxfFile::read_sections() {
     const std::span<const DxfGroup> groups(groups_);
     for (std::size_t i = 0; i + 1 < groups.size(); ++i) {
         if (groups[i].code != 0 || groups[i].value != "SECTION" || groups[i + 1].code != 2) continue;
-        const auto begin = groups.begin() + static_cast<std::ptrdiff_t>(i) + 2;
+        const auto begin = groups.begin() + i + 2;
         const auto end = std::find_if(begin, groups.end(), [](const DxfGroup& group) {
             return group.code == 0 && group.value == "ENDSEC";
         });
@@ -99,7 +99,7 @@ void DxfFile::read_sections() {
             entities_ = entities_in(section);
             has_entities = true;
         }
-        i = static_cast<std::size_t>(end - groups.begin());
+        i = end - groups.begin();
     }
     if (!has_entities) throw base::InputError(source_, "", "has no section ENTITIES");
 }

@@ -58,7 +58,7 @@ Spline read_spline(const DxfFile& file, const DxfEntity& entity) {
     Spline spline{.knots = numbers(file, entity, 40), .weights = numbers(file, entity, 41)};
     if (degree < 1 || degree > kMostDegree)
         file.fail(entity.line, "SPLINE has the degree " + std::to_string(degree));
-    spline.degree = static_cast<std::size_t>(degree);
+    spline.degree = degree;
     if (x.size() != y.size() || x.size() <= spline.degree ||
         spline.knots.size() != x.size() + spline.degree + 1)
         file.fail(entity.line,

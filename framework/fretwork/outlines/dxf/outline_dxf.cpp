@@ -109,7 +109,7 @@ class DxfReader {
                                                                         : -1;
                 if (axis < 0) continue;
                 const double value = file_.number(group);
-                auto& known = range[static_cast<std::size_t>(axis)];
+                auto& known = range[axis];
                 if (!known) known = {value, value};
                 known = {std::min((*known)[0], value), std::max((*known)[1], value)};
             }

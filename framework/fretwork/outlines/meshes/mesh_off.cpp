@@ -30,8 +30,7 @@ std::vector<long long> read_face(const MeshText& text, const TextLine& line) {
         text.fail(line, "the face promises " + std::string(line.words.front()) + " vertices, and has " +
                             std::to_string(given));
     std::vector<long long> vertices;
-    for (std::size_t i = 1; i <= static_cast<std::size_t>(count); ++i)
-        vertices.push_back(text.whole_number(line, line.words[i]));
+    for (long long i = 1; i <= count; ++i) vertices.push_back(text.whole_number(line, line.words[i]));
     return vertices;
 }
 

@@ -185,7 +185,7 @@ class PlyReader {
         bytes_.remove_prefix(type.bytes);
         const bool is_native =
             (format_ == Format::LittleEndian) == (std::endian::native == std::endian::little);
-        if (!is_native) std::reverse(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(type.bytes));
+        if (!is_native) std::reverse(bytes.begin(), bytes.begin() + type.bytes);
         return decode(type, bytes.data());
     }
 

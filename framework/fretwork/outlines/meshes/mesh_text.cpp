@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace fretwork::outlines::detail {
 namespace {
@@ -80,11 +81,11 @@ long long MeshText::whole_number(const TextLine& line, std::string_view word) co
 std::size_t MeshText::count(const TextLine& line, std::string_view word, const std::string& things) const {
     const long long value = whole_number(line, word);
     if (value < 0) fail(line, quoted(word) + " is not a number of " + things);
-    if (static_cast<std::size_t>(value) > text_.size())
+    if (value > std::ssize(text_))
         fail(line, "promises " + std::string(word) + " " + things + ", and the file has " +
                        std::to_string(text_.size()) + " bytes");
-    if (things == "faces" && static_cast<std::size_t>(value) > kMostFaces) fail(line, too_many_faces());
-    return static_cast<std::size_t>(value);
+    if (things == "faces" && std::cmp_greater(value, kMostFaces)) fail(line, too_many_faces());
+    return value;
 }
 
 std::array<double, 3> MeshText::point(const TextLine& line, std::size_t first) const {
@@ -103,7 +104,7 @@ void MeshText::add_face(const std::string& place, const std::vector<long long>& 
              "the face has " + std::to_string(vertices.size()) + " vertices, where at least 3 are needed");
     std::vector<int> face;
     for (const long long vertex : vertices) {
-        if (vertex < 0 || static_cast<std::size_t>(vertex) >= vertex_count)
+        if (!std::in_range<std::size_t>(vertex) || std::cmp_greater_equal(vertex, vertex_count))
             fail(place, "the face names the vertex " + std::to_string(vertex) + ", and there are " +
                             std::to_string(vertex_count) + " (from 0 on)");
         face.push_back(static_cast<int>(vertex));

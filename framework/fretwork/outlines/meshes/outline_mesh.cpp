@@ -80,8 +80,8 @@ void check_one_piece(const Mesh& mesh, const std::filesystem::path& path) {
         open.pop_back();
         ++count;
         for (const auto neighbor : mesh.ff_range(face)) {
-            if (seen[static_cast<std::size_t>(neighbor.idx())]) continue;
-            seen[static_cast<std::size_t>(neighbor.idx())] = true;
+            if (seen[neighbor.idx()]) continue;
+            seen[neighbor.idx()] = true;
             open.push_back(neighbor);
         }
     }
@@ -98,12 +98,12 @@ std::vector<Loop> loops_of_mesh(const std::filesystem::path& path, const MeshFil
     std::vector<Loop> loops;
     std::vector<bool> done(mesh.n_halfedges(), false);
     for (const auto first : mesh.halfedges()) {
-        if (!mesh.is_boundary(first) || done[static_cast<std::size_t>(first.idx())]) continue;
+        if (!mesh.is_boundary(first) || done[first.idx()]) continue;
         Loop loop;
         loop.place = "the rim at vertex " + std::to_string(mesh.to_vertex_handle(first).idx());
         OpenMesh::HalfedgeHandle h = first;
         do {
-            done[static_cast<std::size_t>(h.idx())] = true;
+            done[h.idx()] = true;
             const OpenMesh::Vec3d point = mesh.point(mesh.to_vertex_handle(h));
             loop.points.push_back({point[0], point[1]});
             h = mesh.next_halfedge_handle(h);

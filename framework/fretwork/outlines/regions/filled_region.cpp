@@ -34,7 +34,7 @@ class OpenShapes {
     [[nodiscard]] const std::vector<MapLine>& lines() const { return lines_; }
 
     void cross(int line, int change) {
-        const std::size_t shape = shape_of_line_[static_cast<std::size_t>(line)];
+        const std::size_t shape = shape_of_line_[line];
         Member& member = members_[shape];
         const bool was_inside = is_inside(member.shape->rule, member.winding);
         member.winding += change;
@@ -102,7 +102,7 @@ class Nesting {
     explicit Nesting(std::size_t curves) : winding_(curves, 0), around_(curves), depth_(curves, -1) {}
 
     void cross(int curve, int change) {
-        int& winding = winding_[static_cast<std::size_t>(curve)];
+        int& winding = winding_[curve];
         const bool was_inside = winding != 0;
         winding += change;
         if (was_inside == (winding != 0)) return;
@@ -116,7 +116,7 @@ class Nesting {
     }
     void look() {
         for (const int curve : open_) {
-            auto& around = around_[static_cast<std::size_t>(curve)];
+            auto& around = around_[curve];
             if (!around) {
                 around = open_;
             } else {
@@ -135,12 +135,11 @@ class Nesting {
   private:
     /// Curves that contain each other are one, drawn twice.
     [[nodiscard]] int depth(int curve) const {
-        int& known = depth_[static_cast<std::size_t>(curve)];
+        int& known = depth_[curve];
         if (known >= 0) return known;
         known = 0;
-        for (const int other : *around_[static_cast<std::size_t>(curve)])
-            if (other != curve && !around_[static_cast<std::size_t>(other)]->contains(curve))
-                known = std::max(known, depth(other) + 1);
+        for (const int other : *around_[curve])
+            if (other != curve && !around_[other]->contains(curve)) known = std::max(known, depth(other) + 1);
         return known;
     }
 
@@ -205,7 +204,7 @@ Region nested_region(const std::vector<Polygon>& curves, double tolerance) {
     visit_faces(lines, {.cross = [&](int line, int change) { nesting.cross(line, change); },
                         .look = [&](PlanarMap::Face_handle) { nesting.look(); }});
     for (auto face = lines.map.faces_begin(); face != lines.map.faces_end(); ++face)
-        face->data().is_filled = nesting.is_filled(static_cast<std::size_t>(face->data().number));
+        face->data().is_filled = nesting.is_filled(face->data().number);
     return region_of_map(lines, tolerance);
 }
 
@@ -220,8 +219,7 @@ Contours contours_of(const std::vector<Polygon>& polylines) {
             bridges.push_back(edge);
             continue;
         }
-        for (const int side : edge->curve().data())
-            encloses[static_cast<std::size_t>(lines.sides[static_cast<std::size_t>(side)].line)] = true;
+        for (const int side : edge->curve().data()) encloses[lines.sides[side].line] = true;
     }
     for (const auto bridge : bridges) lines.map.remove_edge(bridge);
     Contours contours;

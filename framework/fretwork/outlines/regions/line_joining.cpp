@@ -189,8 +189,7 @@ void put_ends_on_lines(JoinedLines& joined, const Ends& ends, double same) {
         Polygon& line = joined.lines[side.line];
         const Point2 from = line[side.index];
         std::ranges::sort(on->second, {}, [&](Point2 point) { return distance(point, from); });
-        line.insert(line.begin() + static_cast<std::ptrdiff_t>(side.index) + 1, on->second.begin(),
-                    on->second.end());
+        line.insert(line.begin() + side.index + 1, on->second.begin(), on->second.end());
     }
 }
 

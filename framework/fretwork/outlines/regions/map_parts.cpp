@@ -83,7 +83,7 @@ void leave_room_at_touches(std::vector<Corner>& corners, double room) {
             ++i;
             continue;
         }
-        corners.erase(corners.begin() + static_cast<std::ptrdiff_t>(i));
+        corners.erase(corners.begin() + i);
         i -= std::min<std::size_t>(i, 1);  // the one before may be beside it now
     }
 }
@@ -119,14 +119,13 @@ Row row_from(Halfedge first, const std::vector<LineMap::Side>& sides) {
         const int least = *std::ranges::min_element(next->curve().data());
         if (least >= row.first_side) continue;
         row.first_side = least;
-        const bool is_forward = (next->direction() == CGAL::ARR_LEFT_TO_RIGHT ? 1 : -1) ==
-                                sides[static_cast<std::size_t>(least)].direction;
+        const bool is_forward =
+            (next->direction() == CGAL::ARR_LEFT_TO_RIGHT ? 1 : -1) == sides[least].direction;
         start = row.along.size() - (is_forward ? 1 : 0);
     }
     // Points are the targets of halfedges: the one that ends at the first point comes first.
     const std::size_t n = row.along.size();
-    std::rotate(row.along.begin(), row.along.begin() + static_cast<std::ptrdiff_t>((start + n - 1) % n),
-                row.along.end());
+    std::rotate(row.along.begin(), row.along.begin() + (start + n - 1) % n, row.along.end());
     return row;
 }
 

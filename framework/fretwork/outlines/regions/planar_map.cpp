@@ -64,7 +64,7 @@ class FaceWalk {
     void cross(Halfedge halfedge, int sign) {
         const int along = halfedge->direction() == CGAL::ARR_LEFT_TO_RIGHT ? 1 : -1;
         for (const int side : halfedge->curve().data()) {
-            const LineMap::Side& crossed = lines_.sides[static_cast<std::size_t>(side)];
+            const LineMap::Side& crossed = lines_.sides[side];
             visitor_.cross(crossed.line, sign * along * crossed.direction);
         }
     }

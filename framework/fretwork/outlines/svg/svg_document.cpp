@@ -11,8 +11,7 @@ namespace {
 constexpr std::size_t kLongestName = 60;
 
 std::string line_of(std::string_view text, std::ptrdiff_t offset) {
-    const auto end =
-        text.begin() + std::clamp<std::ptrdiff_t>(offset, 0, static_cast<std::ptrdiff_t>(text.size()));
+    const auto end = text.begin() + std::clamp<std::ptrdiff_t>(offset, 0, text.size());
     return "line " + std::to_string(std::count(text.begin(), end, '\n') + 1);
 }
 

@@ -113,7 +113,7 @@ double SvgText::number() {
     double value = 0;
     const auto [end, error] = std::from_chars(first, text_.data() + text_.size(), value);
     if (error != std::errc() || !std::isfinite(value)) fail("a number is expected");
-    next_ = static_cast<std::size_t>(end - text_.data());
+    next_ = end - text_.data();
     return value;
 }
 

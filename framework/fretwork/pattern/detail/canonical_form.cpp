@@ -27,9 +27,9 @@ struct Workspace {
     explicit Workspace(int node_count, int words)
         : graph(static_cast<std::size_t>(node_count) * static_cast<std::size_t>(words)),
           canonical(graph.size()),
-          labels(static_cast<std::size_t>(node_count)),
-          cells(static_cast<std::size_t>(node_count)),
-          orbits(static_cast<std::size_t>(node_count)) {}
+          labels(node_count),
+          cells(node_count),
+          orbits(node_count) {}
     std::vector<setword> graph;
     std::vector<setword> canonical;
     std::vector<int> labels;
@@ -41,7 +41,7 @@ struct Workspace {
 void colour(Workspace& work, int interface_node_count) {
     std::iota(work.labels.begin(), work.labels.end(), 0);
     std::fill(work.cells.begin(), work.cells.end(), 1);
-    work.cells[static_cast<std::size_t>(interface_node_count) - 1] = 0;
+    work.cells[interface_node_count - 1] = 0;
     work.cells.back() = 0;
 }
 

@@ -14,8 +14,8 @@ class ConflictTable {
     explicit ConflictTable(const NodeLayout& layout) : conflicts_(layout.candidate_edges().size()) {}
 
     void add(EdgeIndex left, EdgeIndex right) {
-        conflicts_[static_cast<std::size_t>(left)].set(static_cast<std::size_t>(right));
-        conflicts_[static_cast<std::size_t>(right)].set(static_cast<std::size_t>(left));
+        conflicts_[left].set(right);
+        conflicts_[right].set(left);
     }
     std::vector<Pattern::Bits> take() { return std::move(conflicts_); }
 

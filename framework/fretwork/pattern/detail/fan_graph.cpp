@@ -19,8 +19,7 @@ using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS
 Graph beam_graph(const Fan& fan) {
     Graph graph(fan.nodes.size());
     for (std::size_t i = 0; i < fan.edges.size(); ++i) {
-        boost::add_edge(static_cast<std::size_t>(fan.edges[i][0]), static_cast<std::size_t>(fan.edges[i][1]),
-                        i, graph);
+        boost::add_edge(fan.edges[i][0], fan.edges[i][1], i, graph);
     }
     return graph;
 }
@@ -28,7 +27,7 @@ Graph beam_graph(const Fan& fan) {
 /// The beams, and after them the edges of the outside; a hub is one more vertex.
 Graph graph_with_outside(const Fan& fan, Outside outside) {
     Graph graph = beam_graph(fan);
-    const auto count = static_cast<std::size_t>(fan.interface_node_count);
+    const std::size_t count = fan.interface_node_count;
     std::size_t number = fan.edges.size();
     for (std::size_t i = 0; i < count; ++i) {
         const std::size_t other = outside == Outside::Hub ? fan.nodes.size() : (i + 1) % count;

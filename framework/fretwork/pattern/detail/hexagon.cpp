@@ -22,12 +22,11 @@ std::vector<PlacedEdge> place_candidates_in_hexagon(const NodeLayout& layout) {
     for (int t = 0; t < kReferenceSides; ++t) {
         for (std::size_t e = 0; e < layout.candidate_edges().size(); ++e) {
             const auto& [first, second] = layout.candidate_edges()[e];
-            placed.push_back(
-                {EdgeIndex(e),
-                 t,
-                 {fan_node_number(quotient.place(first), t, quotient),
-                  fan_node_number(quotient.place(second), t, quotient)},
-                 {points[static_cast<std::size_t>(first)], points[static_cast<std::size_t>(second)]}});
+            placed.push_back({EdgeIndex(e),
+                              t,
+                              {fan_node_number(quotient.place(first), t, quotient),
+                               fan_node_number(quotient.place(second), t, quotient)},
+                              {points[first], points[second]}});
         }
         for (ExactPoint& point : points) point = next_sector(point);
     }

@@ -74,12 +74,11 @@ Fault check_face(const std::vector<Place>& face, std::size_t first_number) {
     for (std::size_t i = 0; i < face.size(); ++i) {
         const std::string subject = node_name(first_number + i) + " (face) ";
         if (Fault fault = check_face_node(face[i], indexed("face", i), subject)) return fault;
-        const auto twin = std::find(face.begin(), face.begin() + static_cast<std::ptrdiff_t>(i), face[i]);
-        if (twin != face.begin() + static_cast<std::ptrdiff_t>(i))
-            return LayoutFault{indexed("face", i),
-                               subject + "lies where " +
-                                   node_name(first_number + static_cast<std::size_t>(twin - face.begin())) +
-                                   " already is"};
+        const auto twin = std::find(face.begin(), face.begin() + i, face[i]);
+        if (twin != face.begin() + i)
+            return LayoutFault{
+                indexed("face", i),
+                subject + "lies where " + node_name(first_number + (twin - face.begin())) + " already is"};
     }
     return std::nullopt;
 }

@@ -7,8 +7,7 @@ Quotient::Quotient(const NodeLayout& layout) {
     for (std::size_t i = 0; i < layout.nodes().size(); ++i) {
         const Region region = layout.nodes()[i].region;
         if (region == Region::RightRadial) {
-            const auto partner = static_cast<std::size_t>(layout.left_partner(LayoutNodeIndex(i)));
-            places_.push_back({places_[partner].orbit, 1});
+            places_.push_back({place(layout.left_partner(LayoutNodeIndex(i))).orbit, 1});
             continue;
         }
         if (region == Region::Center) center_ = orbit_count_;

@@ -34,10 +34,8 @@ class Quotient {
     [[nodiscard]] int center() const { return center_; }
     /// The orbits of the interface nodes, as a bit set.
     [[nodiscard]] std::uint64_t interface_orbits() const { return interface_orbits_; }
-    [[nodiscard]] const Place& place(LayoutNodeIndex node) const {
-        return places_[static_cast<std::size_t>(node)];
-    }
-    [[nodiscard]] const Link& link(EdgeIndex edge) const { return links_[static_cast<std::size_t>(edge)]; }
+    [[nodiscard]] const Place& place(LayoutNodeIndex node) const { return places_[node]; }
+    [[nodiscard]] const Link& link(EdgeIndex edge) const { return links_[edge]; }
     [[nodiscard]] std::span<const Link> links() const { return links_; }
 
   private:

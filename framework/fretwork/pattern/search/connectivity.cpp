@@ -27,17 +27,15 @@ struct Potentials {
 Potentials potentials(std::span<const Quotient::Link> links, Orbits part) {
     Potentials result;
     Orbits known = lowest(part);
-    result.sector[static_cast<std::size_t>(std::countr_zero(part))] = 0;
+    result.sector[std::countr_zero(part)] = 0;
     for (Orbits before = 0; before != known;) {
         before = known;
         for (const auto& [first, second, gain] : links) {
             if (!contains(part, first) || !contains(part, second)) continue;
-            const auto i = static_cast<std::size_t>(first);
-            const auto j = static_cast<std::size_t>(second);
             if (contains(known, first) && !contains(known, second))
-                result.sector[j] = result.sector[i] + gain;
+                result.sector[second] = result.sector[first] + gain;
             if (contains(known, second) && !contains(known, first))
-                result.sector[i] = result.sector[j] - gain;
+                result.sector[first] = result.sector[second] - gain;
             if (contains(known, first) || contains(known, second))
                 known |= Orbits{1} << first | Orbits{1} << second;
         }
@@ -45,8 +43,7 @@ Potentials potentials(std::span<const Quotient::Link> links, Orbits part) {
     result.cycle_gain = kReferenceSides;
     for (const auto& [first, second, gain] : links) {
         if (!contains(part, first) || !contains(part, second)) continue;
-        const int around = result.sector[static_cast<std::size_t>(first)] + gain -
-                           result.sector[static_cast<std::size_t>(second)];
+        const int around = result.sector[first] + gain - result.sector[second];
         result.cycle_gain = std::gcd(result.cycle_gain, around);
     }
     return result;
@@ -59,7 +56,7 @@ Orbits Connectivity::flood(Orbits seeds, Orbits within) const {
     Orbits reached = seeds & within;
     for (Orbits front = reached; front != 0;) {
         const int orbit = std::countr_zero(front);
-        const Orbits fresh = neighbours_[static_cast<std::size_t>(orbit)] & within & ~reached;
+        const Orbits fresh = neighbours_[orbit] & within & ~reached;
         reached |= fresh;
         front = (front & (front - 1)) | fresh;
     }
@@ -76,7 +73,7 @@ Orbits Connectivity::flood_with_outside(Orbits seeds, Orbits within) const {
 /// Into how many components of the fan a connected part of the quotient lifts; the outside is not there.
 int Connectivity::lifted_components(Orbits part) const {
     if ((part & center_bit()) != 0) return 1;
-    return potentials({links_.data(), static_cast<std::size_t>(link_count_)}, part).cycle_gain;
+    return potentials(std::span(links_).first(link_count_), part).cycle_gain;
 }
 
 bool Connectivity::is_connected() const {
@@ -127,7 +124,7 @@ bool Connectivity::orbit_is_articulation(int orbit, Orbits component) const {
 
 /// True if each lifted component of a part without roots has links to one copy of the orbit only.
 bool Connectivity::hangs_on_one_copy(Orbits part, int orbit) const {
-    const std::span<const Quotient::Link> links(links_.data(), static_cast<std::size_t>(link_count_));
+    const std::span<const Quotient::Link> links = std::span(links_).first(link_count_);
     const Potentials inside = potentials(links, part);
     if (inside.cycle_gain != kReferenceSides) return false;
     int copies = 0;  // one bit for each sector
@@ -135,8 +132,7 @@ bool Connectivity::hangs_on_one_copy(Orbits part, int orbit) const {
         const bool starts_inside = contains(part, first) && second == orbit;
         const bool ends_inside = contains(part, second) && first == orbit;
         if (!starts_inside && !ends_inside) continue;
-        const int sector = starts_inside ? inside.sector[static_cast<std::size_t>(first)] + gain
-                                         : inside.sector[static_cast<std::size_t>(second)] - gain;
+        const int sector = starts_inside ? inside.sector[first] + gain : inside.sector[second] - gain;
         copies |= 1 << ((sector % kReferenceSides + kReferenceSides) % kReferenceSides);
     }
     return std::has_single_bit(static_cast<unsigned>(copies));

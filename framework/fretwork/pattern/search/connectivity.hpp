@@ -45,12 +45,12 @@ class Connectivity {
     void add(const Quotient::Link& link) {
         for (const int orbit : {link.first, link.second}) {
             const Orbits bit = Orbits{1} << orbit;
-            if ((used_ & bit) == 0) neighbours_[static_cast<std::size_t>(orbit)] = 0;
+            if ((used_ & bit) == 0) neighbours_[orbit] = 0;
             used_ |= bit;
         }
-        neighbours_[static_cast<std::size_t>(link.first)] |= Orbits{1} << link.second;
-        neighbours_[static_cast<std::size_t>(link.second)] |= Orbits{1} << link.first;
-        links_[static_cast<std::size_t>(link_count_++)] = link;
+        neighbours_[link.first] |= Orbits{1} << link.second;
+        neighbours_[link.second] |= Orbits{1} << link.first;
+        links_[link_count_++] = link;
     }
     [[nodiscard]] Orbits center_bit() const {
         return quotient_->center() < 0 ? Orbits{0} : Orbits{1} << quotient_->center();

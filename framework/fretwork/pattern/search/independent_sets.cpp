@@ -24,7 +24,7 @@ CountsBySize sum(const CountsBySize& without, const CountsBySize& with) {
 }
 
 GraphCount entry(const CountsBySize& counts, int size) {
-    return size >= 0 && size < static_cast<int>(counts.size()) ? counts[static_cast<std::size_t>(size)] : 0;
+    return size >= 0 && size < static_cast<int>(counts.size()) ? counts[size] : 0;
 }
 
 }  // namespace
@@ -43,8 +43,7 @@ IndependentSets<Word>::IndependentSets(std::vector<Word> conflicts, Word edges, 
     : conflicts_(std::move(conflicts)), most_parts_(most_parts) {
     Word possible = edges;
     for_each_bit(edges, [&](int edge) {
-        if ((conflicts_[static_cast<std::size_t>(edge)] & single<Word>(edge)) != 0)
-            possible &= ~single<Word>(edge);
+        if ((conflicts_[edge] & single<Word>(edge)) != 0) possible &= ~single<Word>(edge);
     });
     all_ = make_forest(possible, control);
     numbers_.clear();
@@ -55,7 +54,7 @@ template <class Word>
 Word IndependentSets<Word>::part_of_lowest(Word edges) const {
     Word part = edges & (~edges + 1);
     for (Word front = part; front != 0;) {
-        const Word fresh = conflicts_[static_cast<std::size_t>(lowest_bit(front))] & edges & ~part;
+        const Word fresh = conflicts_[lowest_bit(front)] & edges & ~part;
         part |= fresh;
         front = (front & (front - 1)) | fresh;
     }
@@ -67,7 +66,7 @@ int IndependentSets<Word>::most_conflicting(Word part) const {
     int best = lowest_bit(part);
     int most = -1;
     for_each_bit(part, [&](int edge) {
-        const int degree = bit_count(static_cast<Word>(conflicts_[static_cast<std::size_t>(edge)] & part));
+        const int degree = bit_count(static_cast<Word>(conflicts_[edge] & part));
         if (degree > most) {
             most = degree;
             best = edge;
@@ -99,7 +98,7 @@ std::size_t IndependentSets<Word>::make_part(Word edges, const base::Control& co
     part.edge = most_conflicting(edges);
     const Word others = edges & ~single<Word>(part.edge);
     part.without = make_forest(others, control);
-    part.with = make_forest(others & ~conflicts_[static_cast<std::size_t>(part.edge)], control);
+    part.with = make_forest(others & ~conflicts_[part.edge], control);
     part.counts = sum(part.without.tails.front(), part.with.tails.front());
     is_counted_ = is_counted_ && parts_.size() < most_parts_;
     parts_.push_back(std::move(part));

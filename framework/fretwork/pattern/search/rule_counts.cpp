@@ -19,7 +19,7 @@ std::optional<CountsBySize> count(const ConflictRule& rule, int edge_count) {
     std::vector<Word128> conflicts;
     Word128 edges = 0;
     for (int e = 0; e < edge_count; ++e) {
-        conflicts.push_back(to_word<Word128>(rule.conflicts[static_cast<std::size_t>(e)]));
+        conflicts.push_back(to_word<Word128>(rule.conflicts[e]));
         edges |= single<Word128>(e);
     }
     const IndependentSets<Word128> sets(std::move(conflicts), edges, kMostParts);
@@ -30,15 +30,14 @@ std::optional<CountsBySize> count(const ConflictRule& rule, int edge_count) {
 /// The number of sets that meet every group: all sets, less those that miss one, plus those that miss two, ..
 std::optional<CountsBySize> count(const CoverRule& rule, int edge_count) {
     if (rule.groups.size() > kMostGroups) return std::nullopt;
-    CountsBySize counts(static_cast<std::size_t>(edge_count) + 1);
+    CountsBySize counts(edge_count + 1);
     for (unsigned missed = 0; missed < 1u << rule.groups.size(); ++missed) {
         Pattern::Bits shunned;
-        for_each_bit(Word64{missed},
-                     [&](int group) { shunned |= rule.groups[static_cast<std::size_t>(group)].edges; });
+        for_each_bit(Word64{missed}, [&](int group) { shunned |= rule.groups[group].edges; });
         const int left = edge_count - static_cast<int>(shunned.count());
         const bool is_added = std::popcount(missed) % 2 == 0;
         for (int k = 0; k <= left; ++k) {
-            GraphCount& entry = counts[static_cast<std::size_t>(k)];
+            GraphCount& entry = counts[k];
             entry = is_added ? entry + binomial(left, k) : entry - binomial(left, k);
         }
     }
@@ -54,7 +53,7 @@ class LoadTable {
         : rule_(&rule), last_edge_(rule.resources.size(), -1) {
         for (std::size_t r = 0; r < rule.resources.size(); ++r) {
             for (const int edge : order) {
-                if (rule.resources[r].loads[static_cast<std::size_t>(edge)] > 0) last_edge_[r] = edge;
+                if (rule.resources[r].loads[edge] > 0) last_edge_[r] = edge;
             }
         }
         table_[Loads(rule.resources.size(), '\0')] = {1};
@@ -95,7 +94,7 @@ class LoadTable {
     }
     [[nodiscard]] std::optional<Loads> with_edge(Loads loads, int edge) const {
         for (std::size_t r = 0; r < loads.size(); ++r) {
-            const int load = loads[r] + rule_->resources[r].loads[static_cast<std::size_t>(edge)];
+            const int load = loads[r] + rule_->resources[r].loads[edge];
             if (load > rule_->limit) return std::nullopt;
             loads[r] = static_cast<char>(load);
         }
@@ -111,12 +110,11 @@ class LoadTable {
 /// done with one by one, and the table stays small.
 std::vector<int> elimination_order(const CapacityRule& rule, int edge_count) {
     const auto first_resource = [&](int edge) {
-        const auto loaded = std::find_if(
-            rule.resources.begin(), rule.resources.end(),
-            [&](const auto& resource) { return resource.loads[static_cast<std::size_t>(edge)] > 0; });
+        const auto loaded = std::find_if(rule.resources.begin(), rule.resources.end(),
+                                         [&](const auto& resource) { return resource.loads[edge] > 0; });
         return loaded - rule.resources.begin();
     };
-    std::vector<int> order(static_cast<std::size_t>(edge_count));
+    std::vector<int> order(edge_count);
     std::iota(order.begin(), order.end(), 0);
     std::stable_sort(order.begin(), order.end(),
                      [&](int a, int b) { return first_resource(a) < first_resource(b); });
@@ -147,18 +145,17 @@ std::optional<CountsBySize> count(const PredicateRule&, int) {
 
 GraphCount binomial(int n, int k) {
     if (k < 0 || k > n) return 0;
-    std::vector<GraphCount> row(static_cast<std::size_t>(k) + 1);
+    std::vector<GraphCount> row(k + 1);
     row[0] = 1;
     for (int i = 1; i <= n; ++i) {
-        for (int j = std::min(i, k); j >= 1; --j)
-            row[static_cast<std::size_t>(j)] += row[static_cast<std::size_t>(j) - 1];
+        for (int j = std::min(i, k); j >= 1; --j) row[j] += row[j - 1];
     }
-    return row[static_cast<std::size_t>(k)];
+    return row[k];
 }
 
 std::optional<CountsBySize> count_graphs_that_keep(const Rule& rule, int edge_count) {
     auto counts = std::visit([&](const auto& form) { return count(form, edge_count); }, rule);
-    if (counts) counts->resize(static_cast<std::size_t>(edge_count) + 1);
+    if (counts) counts->resize(edge_count + 1);
     return counts;
 }
 

@@ -20,12 +20,12 @@ std::vector<Word> masks_of(const Rule& rule) {
 
 template <class Word>
 bool exceeds(const CapacityRule& rule, Word edges) {
-    return std::any_of(
-        rule.resources.begin(), rule.resources.end(), [&](const CapacityRule::Resource& resource) {
-            int load = 0;
-            for_each_bit(edges, [&](int edge) { load += resource.loads[static_cast<std::size_t>(edge)]; });
-            return load > rule.limit;
-        });
+    return std::any_of(rule.resources.begin(), rule.resources.end(),
+                       [&](const CapacityRule::Resource& resource) {
+                           int load = 0;
+                           for_each_bit(edges, [&](int edge) { load += resource.loads[edge]; });
+                           return load > rule.limit;
+                       });
 }
 
 }  // namespace
@@ -40,9 +40,7 @@ template <class Word>
 bool RuleTest<Word>::breaks(const Compiled& compiled, Word edges) const {
     if (std::holds_alternative<ConflictRule>(*compiled.rule)) {
         bool conflict = false;
-        for_each_bit(edges, [&](int edge) {
-            conflict |= (compiled.masks[static_cast<std::size_t>(edge)] & edges) != 0;
-        });
+        for_each_bit(edges, [&](int edge) { conflict |= (compiled.masks[edge] & edges) != 0; });
         return conflict;
     }
     if (std::holds_alternative<CoverRule>(*compiled.rule))

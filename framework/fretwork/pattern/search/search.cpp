@@ -29,14 +29,14 @@ void SearchProblem<Word>::add(const ConflictRule& rule) {
 template <class Word>
 void SearchProblem<Word>::add(const CapacityRule& rule) {
     for (const CapacityRule::Resource& given : rule.resources) {
-        Resource resource{rule.limit, std::vector<Word>(static_cast<std::size_t>(rule.limit) + 1)};
+        Resource resource{rule.limit, std::vector<Word>(rule.limit + 1)};
         for (std::size_t e = 0; e < loads.size(); ++e) {
             const int amount = given.loads[e];
             const Word edge = single<Word>(static_cast<int>(e));
             if (amount > 0) loads[e].push_back({static_cast<int>(resources.size()), amount});
             if (amount > rule.limit) candidates &= ~edge;
             for (int left = 0; left < std::min(amount, rule.limit + 1); ++left) {
-                resource.too_heavy[static_cast<std::size_t>(left)] |= edge;
+                resource.too_heavy[left] |= edge;
             }
         }
         resources.push_back(std::move(resource));
@@ -60,7 +60,7 @@ void SearchProblem<Word>::add(const PredicateRule& rule) {
 
 template <class Word>
 void SearchProblem<Word>::index_orbits() {
-    edges_at.resize(static_cast<std::size_t>(quotient.orbit_count()));
+    edges_at.resize(quotient.orbit_count());
     for (std::size_t e = 0; e < quotient.links().size(); ++e) {
         const auto& [first, second, gain] = quotient.links()[e];
         const std::uint64_t a = std::uint64_t{1} << first;
@@ -68,8 +68,8 @@ void SearchProblem<Word>::index_orbits() {
         const std::uint64_t center = quotient.center() < 0 ? 0 : std::uint64_t{1} << quotient.center();
         ends.push_back(a | b);
         double_ends.push_back((a & b) | ((a | b) & center));
-        edges_at[static_cast<std::size_t>(first)] |= single<Word>(static_cast<int>(e));
-        edges_at[static_cast<std::size_t>(second)] |= single<Word>(static_cast<int>(e));
+        edges_at[first] |= single<Word>(static_cast<int>(e));
+        edges_at[second] |= single<Word>(static_cast<int>(e));
     }
 }
 
@@ -92,28 +92,26 @@ void Search<Word>::enter(const SearchNode<Word>& node) {
 /// Load an edge onto its resources; what remains available is returned.
 template <class Word>
 Word Search<Word>::take(int edge, Word available) {
-    available &= ~problem_->conflicts[static_cast<std::size_t>(edge)];
-    for (const auto& [resource, amount] : problem_->loads[static_cast<std::size_t>(edge)]) {
-        int& left = capacity_left_[static_cast<std::size_t>(resource)];
+    available &= ~problem_->conflicts[edge];
+    for (const auto& [resource, amount] : problem_->loads[edge]) {
+        int& left = capacity_left_[resource];
         left -= amount;
-        available &= ~problem_->resources[static_cast<std::size_t>(resource)]
-                          .too_heavy[static_cast<std::size_t>(left)];
+        available &= ~problem_->resources[resource].too_heavy[left];
     }
     return available;
 }
 
 template <class Word>
 void Search<Word>::release(int edge) {
-    for (const auto& [resource, amount] : problem_->loads[static_cast<std::size_t>(edge)]) {
-        capacity_left_[static_cast<std::size_t>(resource)] += amount;
+    for (const auto& [resource, amount] : problem_->loads[edge]) {
+        capacity_left_[resource] += amount;
     }
 }
 
 template <class Word>
 typename Search<Word>::Ends Search<Word>::with_edge(int edge) const {
-    const std::uint64_t met = problem_->ends[static_cast<std::size_t>(edge)];
-    return {ends_.once | met,
-            ends_.twice | (ends_.once & met) | problem_->double_ends[static_cast<std::size_t>(edge)]};
+    const std::uint64_t met = problem_->ends[edge];
+    return {ends_.once | met, ends_.twice | (ends_.once & met) | problem_->double_ends[edge]};
 }
 
 /// False if no valid pattern lies below a node: a group without an edge, or a loose end that none can be tied
@@ -126,8 +124,7 @@ bool Search<Word>::is_hopeful(Word chosen, Word available) const {
     if (!problem_->must_have_no_articulation || !problem_->must_be_connected) return true;
     for (std::uint64_t loose = ends_.once & ~ends_.twice & ~problem_->quotient.interface_orbits(); loose != 0;
          loose &= loose - 1) {
-        if ((problem_->edges_at[static_cast<std::size_t>(std::countr_zero(loose))] & available) == 0)
-            return false;
+        if ((problem_->edges_at[std::countr_zero(loose)] & available) == 0) return false;
     }
     return true;
 }

@@ -51,7 +51,7 @@ Word to_word(const Pattern::Bits& bits) {
 template <class Word>
 Pattern to_pattern(Word word) {
     Pattern::Bits bits;
-    for_each_bit(word, [&](int edge) { bits.set(static_cast<std::size_t>(edge)); });
+    for_each_bit(word, [&](int edge) { bits.set(edge); });
     return Pattern(bits);
 }
 

@@ -27,7 +27,7 @@ std::vector<Eigen::Index> free_variables(const Eigen::VectorXd& point, const Eig
 /// model that does not depend on the variables which are pressed against a bound.
 Linearization embed(const CurvatureEvaluation& model, const std::vector<Eigen::Index>& free) {
     const Eigen::Index n = model.gradient.size();
-    const auto size = static_cast<Eigen::Index>(free.size());
+    const Eigen::Index size = free.size();
     Linearization result{Eigen::VectorXd::Zero(n + 1), Eigen::MatrixXd::Zero(n + 1, n)};
     if (size > 0) {
         Eigen::MatrixXd H = model.curvature(free, free);
@@ -38,7 +38,7 @@ Linearization embed(const CurvatureEvaluation& model, const std::vector<Eigen::I
         result.residuals.head(size) = factor.matrixL().solve(model.gradient(free));
         const Eigen::MatrixXd root = factor.matrixU();
         for (Eigen::Index k = 0; k < size; ++k) {
-            result.jacobian.col(free[static_cast<std::size_t>(k)]).head(size) = root.col(k);
+            result.jacobian.col(free[k]).head(size) = root.col(k);
         }
     }
     result.residuals[n] = std::sqrt(std::max(2.0 * model.value - result.residuals.squaredNorm(), 0.0));

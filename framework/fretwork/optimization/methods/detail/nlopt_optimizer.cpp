@@ -19,7 +19,7 @@ class NloptRuns final : public Optimizer {
         const LowDiscrepancySequence starts(evaluator.bounds().dimension(), options_.common.seed);
         BestRun best(evaluator);
         for (int i = 0; i < options_.common.starts; ++i) {
-            const auto number = static_cast<std::uint64_t>(i);
+            const std::uint64_t number = i;
             best.add(run_nlopt(evaluator, {.algorithm = algorithm_,
                                            .start = starts.point(number),
                                            .initial_step = options_.initial_step,

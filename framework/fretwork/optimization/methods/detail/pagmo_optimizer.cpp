@@ -24,7 +24,7 @@ class UnitProblem {
     explicit UnitProblem(Evaluator& evaluator) : evaluator_(&evaluator), box_(evaluator.problem()) {}
 
     [[nodiscard]] pagmo::vector_double fitness(const pagmo::vector_double& shares) const {
-        const auto size = static_cast<Eigen::Index>(shares.size());
+        const Eigen::Index size = shares.size();
         const auto value =
             evaluator_->value(box_->point(Eigen::Map<const Eigen::VectorXd>(shares.data(), size)));
         if (!value) throw Refused{};
@@ -50,15 +50,14 @@ class PagmoRuns final : public Optimizer {
         RunOutcome outcome{Ending::BudgetSpent, {}};
         try {
             for (int i = 0; i < options_.common.starts; ++i) {
-                const unsigned seed = base::derived_seed(options_.common.seed, static_cast<std::uint64_t>(i));
+                const unsigned seed = base::derived_seed(options_.common.seed, i);
                 const Evolution evolution = make_(options_, {evaluator.bounds().dimension(), i, seed});
                 const pagmo::population first{pagmo::problem(UnitProblem(evaluator)), evolution.population,
                                               seed};
                 const auto champion = evolution.algorithm.evolve(first).champion_x();
                 outcome = {Ending::Converged,
                            UnitBox(evaluator.problem())
-                               .point(Eigen::Map<const Eigen::VectorXd>(
-                                   champion.data(), static_cast<Eigen::Index>(champion.size())))};
+                               .point(Eigen::Map<const Eigen::VectorXd>(champion.data(), champion.size()))};
             }
         } catch (const Refused&) {
             outcome = {Ending::BudgetSpent, evaluator.best_point()};

@@ -11,9 +11,9 @@ constexpr double kRoundOff = 1e-12;
 }  // namespace
 
 UnitBox::UnitBox(const Problem& problem, Scale scale)
-    : bounds_(problem.bounds()), is_exponential_(static_cast<std::size_t>(bounds_.dimension())) {
+    : bounds_(problem.bounds()), is_exponential_(bounds_.dimension()) {
     for (int i = 0; i < bounds_.dimension(); ++i) {
-        is_exponential_[static_cast<std::size_t>(i)] = scale == Scale::Quantity && problem.is_logarithm(i);
+        is_exponential_[i] = scale == Scale::Quantity && problem.is_logarithm(i);
     }
 }
 
@@ -24,7 +24,7 @@ Eigen::VectorXd UnitBox::point(const Eigen::VectorXd& shares) const {
         const double low = bounds_.lower[i];
         const double high = bounds_.upper[i];
         is_inside = is_inside && shares[i] >= -kRoundOff && shares[i] <= 1.0 + kRoundOff;
-        result[i] = is_exponential_[static_cast<std::size_t>(i)]
+        result[i] = is_exponential_[i]
                         ? std::log(std::exp(low) + shares[i] * (std::exp(high) - std::exp(low)))
                         : low + shares[i] * (high - low);
     }
