@@ -6,14 +6,18 @@
 namespace fretwork::tiling::detail {
 namespace THIS_TEST {
 
+Cell cell_of(std::initializer_list<int> vertices) {
+    return {vertices.begin(), vertices.end()};
+}
+
 /// Three unit squares in a row from x = 0 to 3, all their vertices on loop 0.
 Dual row_of_squares() {
     Dual dual;
     for (int x = 0; x <= 3; ++x) {
-        dual.vertices.push_back({.place = {static_cast<double>(x), 0.0}, .loop = 0});
-        dual.vertices.push_back({.place = {static_cast<double>(x), 1.0}, .loop = 0});
+        dual.vertices.push_back({.place = {static_cast<double>(x), 0.0}, .loop = LoopIndex(0)});
+        dual.vertices.push_back({.place = {static_cast<double>(x), 1.0}, .loop = LoopIndex(0)});
     }
-    for (int x = 0; x < 3; ++x) dual.cells.push_back({2 * x, 2 * x + 2, 2 * x + 3, 2 * x + 1});
+    for (int x = 0; x < 3; ++x) dual.cells.push_back(cell_of({2 * x, 2 * x + 2, 2 * x + 3, 2 * x + 1}));
     return dual;
 }
 
@@ -49,13 +53,13 @@ TEST(DefectiveCells, AUnionThatIsNotConvexIsNotMade) {
     Dual dual = row_of_squares();
     dual.vertices[7].place = {3.0, 2.0};  // the last square rises: with its neighbour it has a dent
     dual.vertices.push_back({.place = {1.5, 1.5}});
-    dual.cells.push_back({3, 5, 8});  // and a third cell has the dent's vertex
+    dual.cells.push_back(cell_of({3, 5, 8}));  // and a third cell has the dent's vertex
     EXPECT_TRUE(without_cell(dual, 2, 0.0, {}).empty());
 }
 
 TEST(DefectiveCells, AnEndOnTwoLoopsIsNotLeftOut) {
     Dual dual = row_of_squares();
-    dual.vertices[5].loop = 1;  // taking the last square away would open the hole
+    dual.vertices[5].loop = LoopIndex(1);  // taking the last square away would open the hole
     EXPECT_EQ(without_cell(dual, 2, 1.5, {}).size(), 1U);
 }
 

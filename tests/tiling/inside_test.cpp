@@ -16,7 +16,7 @@ bool is_inside(const Rim& rim, Point2 point, double margin) {
     bool inside = false;
     for (std::size_t i = 0; i < rim.points.size(); ++i) {
         const Point2 a = rim.points[i].place;
-        const Point2 b = rim.points[static_cast<std::size_t>(rim.next[i])].place;
+        const Point2 b = rim.points[rim.next[i]].place;
         if (margin > 0 && distance(nearest_on_segment(a, b, point), point) < margin) return false;
         if ((a.y > point.y) != (b.y > point.y) && (cross(b - a, point - a) > 0) == (b.y > a.y))
             inside = !inside;

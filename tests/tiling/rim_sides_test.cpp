@@ -21,8 +21,8 @@ Dual one_cell(const Polygon& polygon) {
     dual.cells.emplace_back();
     double along = 0;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
-        dual.cells.front().push_back(static_cast<int>(i));
-        dual.vertices.push_back({polygon[i], 0, true, along});
+        dual.cells.front().emplace_back(i);
+        dual.vertices.push_back({polygon[i], LoopIndex(0), true, along});
         along += distance(polygon[i], polygon[(i + 1) % polygon.size()]);
     }
     return dual;

@@ -7,7 +7,7 @@
 namespace fretwork::tiling {
 namespace THIS_TEST {
 
-/// Counts what it is told, and asks to stop after so many updates.
+/// Counts the updates, and asks to stop after a given number.
 class Listener final : public base::Progress {
   public:
     explicit Listener(std::size_t updates_before_stop = SIZE_MAX) : left_(updates_before_stop) {}

@@ -63,7 +63,8 @@ std::vector<Polygon> rims_of(const Tessellation& tessellation) {
     return rims;
 }
 
-/// Convex tiles that share whole sides and whose rim is a simple outline with so many holes cannot overlap.
+/// Convex tiles that share whole sides and whose rim is a simple outline with the right number of holes
+/// cannot overlap.
 void expect_sound(const TessellationResult& result, const outlines::Outline& outline, std::size_t holes) {
     const Tessellation& tessellation = result.tessellation;
     ASSERT_NO_THROW(validate(tessellation, paper_layout()));

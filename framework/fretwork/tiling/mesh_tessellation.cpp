@@ -24,12 +24,12 @@ class MeshTiles {
     explicit MeshTiles(const std::filesystem::path& path) : path_(path) {
         const outlines::MeshFile file = outlines::read_flat_mesh(path);
         for (const auto& [x, y, z] : file.points) dual_.vertices.push_back({{x, y}});
-        dual_.cells = file.faces;
+        for (const std::vector<int>& face : file.faces) dual_.cells.emplace_back(face.begin(), face.end());
         double area = 0.0;
         for (std::size_t face = 0; face < dual_.cells.size(); ++face)
             area += geometry::signed_area(detail::polygon_of(dual_, face));
         if (area > 0) return;
-        for (std::vector<int>& face : dual_.cells) std::ranges::reverse(face);
+        for (detail::Cell& face : dual_.cells) std::ranges::reverse(face);
     }
 
     Dual run() {
@@ -46,7 +46,7 @@ class MeshTiles {
     [[noreturn]] void fail(std::size_t face, const std::string& message) const {
         throw base::GeometryError(path_.string(), "face " + std::to_string(face), message);
     }
-    [[nodiscard]] std::string place_of(int vertex) const {
+    [[nodiscard]] std::string place_of(detail::DualVertexIndex vertex) const {
         return geometry::place_text(dual_.vertices[vertex].place);
     }
 
@@ -73,8 +73,8 @@ class MeshTiles {
             fail(face_with(rim.knots.front()),
                  "touches another face at " + place_of(rim.knots.front()) + " in this vertex alone");
         for (std::size_t line = 0; line < rim.lines.size(); ++line) {
-            for (const int v : rim.lines[line])  // any loop: it is on the rim
-                dual_.vertices[v].loop = static_cast<int>(line);
+            for (const detail::DualVertexIndex v : rim.lines[line])  // any loop: it is on the rim
+                dual_.vertices[v].loop = detail::LoopIndex(line);
         }
         const std::vector<Polygon> loops = detail::loops_of(dual_, rim);
         const auto crossings = outlines::places_of_crossings(loops, {});
@@ -83,9 +83,9 @@ class MeshTiles {
                                                  geometry::place_text(crossings.front()) +
                                                  ": faces share whole sides, and do not overlap");
     }
-    [[nodiscard]] std::size_t face_with(int vertex) const {
-        const auto has = [&](const std::vector<int>& face) { return std::ranges::count(face, vertex) > 0; };
-        return static_cast<std::size_t>(std::ranges::find_if(dual_.cells, has) - dual_.cells.begin());
+    [[nodiscard]] std::size_t face_with(detail::DualVertexIndex vertex) const {
+        const auto has = [&](const detail::Cell& face) { return std::ranges::count(face, vertex) > 0; };
+        return std::ranges::find_if(dual_.cells, has) - dual_.cells.begin();
     }
     /// The face whose side on the rim has its middle nearest to a place.
     [[nodiscard]] std::size_t face_at(Point2 place) const {

@@ -24,8 +24,8 @@ RimSides rim_sides(const Tessellation& tessellation) {
             const VertexIndex from = tile.vertices[s];
             const VertexIndex to = tile.vertices[(s + 1) % count];
             if (sides.erase({to, from}) > 0) continue;  // its neighbour has the side, too
-            const auto first = tile.interface_nodes.begin() + static_cast<std::ptrdiff_t>(s * nodes_a_side);
-            sides[{from, to}] = {to, {first, first + static_cast<std::ptrdiff_t>(nodes_a_side)}};
+            const auto first = tile.interface_nodes.begin() + s * nodes_a_side;
+            sides[{from, to}] = {to, {first, first + nodes_a_side}};
         }
     }
     RimSides rim;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/parallel.hpp>
+#include <fretwork/base/text.hpp>
 #include <fretwork/geometry/box.hpp>
 #include <fretwork/geometry/internal/message_text.hpp>
 #include <fretwork/geometry/plane.hpp>
@@ -72,7 +73,7 @@ double estimated_tiles(const outlines::Outline& outline, const TessellationOptio
 std::vector<Start> best_starts(const Task& task, double turned_by, Work& work) {
     const bool is_graded = !task.field.is_uniform();
     const int angles = is_graded ? (task.options.lattice_angles + 1) / 2 : task.options.lattice_angles;
-    const auto count = static_cast<std::size_t>(task.has_many() ? std::min(angles, kAnglesOfMany) : angles);
+    const std::size_t count = task.has_many() ? std::min(angles, kAnglesOfMany) : angles;
     std::vector<std::pair<detail::Sketch, Start>> ranking(count);
     work.begin_part(count * detail::rough_steps(task.options), kSketchingShare);
     base::parallel_for(count, task.options.threads, [&](std::size_t i) {
@@ -300,7 +301,7 @@ std::optional<double> side_that_works(const outlines::Outline& outline, const Te
     double side = std::min(first, side_of_few);
     for (int i = 0; i < kSidesTried; ++i, side *= kNextSide) {
         TessellationOptions smaller = options;
-        smaller.edge_length = std::stod(geometry::two_digits(side));
+        smaller.edge_length = std::stod(base::format_number(side, 2));
         smaller.smallest_side = std::min(options.smallest_side, 0.25 * smaller.edge_length);
         if (estimated_tiles(outline, smaller) > kMostTilesTried) return std::nullopt;
         if (best_tiling(outline, smaller, std::span(kTurnedBy).first(1), work).defects.empty())

@@ -17,7 +17,7 @@ void turn(Tile& tile, int vertices) {
 
 const pattern::NamedPattern* pattern_of(const Tessellation& tessellation, TileIndex tile) {
     const int place = tessellation.tiles[tile].pattern;
-    return place < 0 ? nullptr : &tessellation.patterns[static_cast<std::size_t>(place)];
+    return place < 0 ? nullptr : &tessellation.patterns[place];
 }
 
 geometry::Polygon tile_polygon(const Tessellation& tessellation, TileIndex tile) {
@@ -31,7 +31,7 @@ geometry::Polygon tile_polygon(const Tessellation& tessellation, TileIndex tile)
 std::vector<std::size_t> used_patterns(const Tessellation& tessellation) {
     std::set<std::size_t> used;
     for (const Tile& tile : tessellation.tiles) {
-        if (tile.pattern >= 0) used.insert(static_cast<std::size_t>(tile.pattern));
+        if (tile.pattern >= 0) used.insert(tile.pattern);
     }
     return {used.begin(), used.end()};
 }

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <utility>
 
 namespace fretwork::tiling {
 namespace {
@@ -76,7 +77,7 @@ class Checker {
     void check_indices(std::size_t t) const {
         const Tile& tile = tessellation_.tiles[t];
         const auto check = [&](int index, std::size_t count, const std::string& what) {
-            if (index < 0 || static_cast<std::size_t>(index) >= count)
+            if (index < 0 || std::cmp_greater_equal(index, count))
                 fail(t, "names the " + what + " " + std::to_string(index) + ", and there are " +
                             std::to_string(count));
         };
@@ -102,8 +103,8 @@ class Checker {
         for (std::size_t i = 0; i < tile.vertices.size(); ++i) {
             const VertexIndex from = tile.vertices[i];
             const VertexIndex to = tile.vertices[(i + 1) % tile.vertices.size()];
-            const auto first = tile.interface_nodes.begin() + static_cast<std::ptrdiff_t>(i * places_.size());
-            Side side{t, {first, first + static_cast<std::ptrdiff_t>(places_.size())}};
+            const auto first = tile.interface_nodes.begin() + i * places_.size();
+            Side side{t, {first, first + places_.size()}};
             check_on_side(side, vertex(from), vertex(to));
             check_neighbor(side, from, to);
             sides_[{from, to}] = std::move(side);
@@ -145,7 +146,7 @@ class Checker {
                 throw base::InputError("interface node " + std::to_string(node) + " is on no tile");
         }
         std::vector<bool> has_tile(tessellation_.vertices.size(), false);
-        for (const auto& [ends, side] : sides_) has_tile[static_cast<std::size_t>(ends.first.value)] = true;
+        for (const auto& [ends, side] : sides_) has_tile[ends.first.value] = true;
         const auto unused = std::find(has_tile.begin(), has_tile.end(), false);
         if (unused != has_tile.end())
             throw base::InputError("vertex " + std::to_string(unused - has_tile.begin()) + " is on no tile");

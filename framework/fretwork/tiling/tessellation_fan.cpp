@@ -38,7 +38,7 @@ class FanAssembler {
     void add_tile(TileIndex index) {
         const pattern::Fan& fan = fan_of(index);
         const Tile& tile = tessellation_.tiles[index];
-        if (tile.interface_nodes.size() != static_cast<std::size_t>(fan.interface_node_count))
+        if (std::ssize(tile.interface_nodes) != fan.interface_node_count)
             throw base::InputError("tile " + std::to_string(index.value) + " has " +
                                    std::to_string(tile.interface_nodes.size()) +
                                    " interface nodes, where its layout " + layout_.name() + " has " +

@@ -19,15 +19,15 @@ constexpr double kSharpCut = 0.9;     // the same of what is cut off as a sharp 
 constexpr double kStraightCut = 1.2;  // length of a cut over the width there, at most
 constexpr double kEndless = std::numeric_limits<double>::infinity();
 
-void add_loop(const Polygon& points, int loop, double longest, Rim& rim) {
-    const auto first = static_cast<int>(rim.points.size());
+void add_loop(const Polygon& points, LoopIndex loop, double longest, Rim& rim) {
+    const PointIndex first(rim.points.size());
     for (std::size_t i = 0; i < points.size(); ++i) {
         const Point2 from = points[i];
         const Point2 to = points[(i + 1) % points.size()];
         const auto count = std::max(1, static_cast<int>(std::ceil(distance(from, to) / longest)));
         for (int k = 0; k < count; ++k) {
             rim.points.push_back({between(from, to, static_cast<double>(k) / count), loop});
-            rim.next.push_back(static_cast<int>(rim.points.size()));
+            rim.next.emplace_back(rim.points.size());
         }
     }
     rim.next.back() = first;
@@ -35,9 +35,9 @@ void add_loop(const Polygon& points, int loop, double longest, Rim& rim) {
 
 Rim dense_rim(const outlines::Outline& outline, double longest) {
     Rim rim;
-    add_loop(outline.boundary, 0, longest, rim);
+    add_loop(outline.boundary, LoopIndex(0), longest, rim);
     int loop = 0;
-    for (const Polygon& hole : outline.holes) add_loop(hole, ++loop, longest, rim);
+    for (const Polygon& hole : outline.holes) add_loop(hole, LoopIndex(++loop), longest, rim);
     return rim;
 }
 
@@ -52,7 +52,7 @@ class Cuts {
             total_ += areas_.back();
             cut_off_.push_back({kEndless, kEndless, kEndless});
             is_end_.push_back({false, false, false});
-            for (const int neighbor : t_.neighbors[i]) degrees_[i] += neighbor >= 0 ? 1 : 0;
+            for (const TriangleIndex neighbor : t_.neighbors[i]) degrees_[i] += neighbor.is_valid() ? 1 : 0;
         }
         prune();
     }
@@ -66,7 +66,7 @@ class Cuts {
         return is_end_[triangle][side];
     }
     [[nodiscard]] Point2 corner(std::size_t triangle, std::size_t i) const {
-        return t_.points[static_cast<std::size_t>(t_.triangles[triangle][i])];
+        return t_.points[t_.triangles[triangle][i]];
     }
 
   private:
@@ -84,15 +84,13 @@ class Cuts {
             if (is_gone[i]) continue;
             is_gone[i] = true;
             for (std::size_t side = 0; side < 3; ++side) {
-                const int behind = t_.neighbors[i][side];
-                if (behind < 0 || is_gone[static_cast<std::size_t>(behind)]) continue;
-                const auto other = static_cast<std::size_t>(behind);
+                const TriangleIndex other = t_.neighbors[i][side];
+                if (!other.is_valid() || is_gone[other]) continue;
                 const double smaller = std::min(area[i], total_ - area[i]);
                 cut_off_[i][side] = smaller;
                 is_end_[i][side] = area[i] <= smaller;
                 const auto back =
-                    static_cast<std::size_t>(std::ranges::find(t_.neighbors[other], static_cast<int>(i)) -
-                                             t_.neighbors[other].begin());
+                    std::ranges::find(t_.neighbors[other], TriangleIndex(i)) - t_.neighbors[other].begin();
                 cut_off_[other][back] = smaller;
                 is_end_[other][back] = area[i] > smaller;
                 area[other] += area[i];
@@ -117,7 +115,7 @@ double width_at(const Triangulation& triangulation, const Cuts& cuts, std::size_
     const Point2 to = cuts.corner(triangle, (side + 2) % 3);
     double width = distance(from, to);
     for (std::size_t i = 0; i < 3; ++i) {
-        if (triangulation.neighbors[triangle][i] >= 0) continue;
+        if (triangulation.neighbors[triangle][i].is_valid()) continue;
         const Point2 a = cuts.corner(triangle, (i + 1) % 3);
         const Point2 b = cuts.corner(triangle, (i + 2) % 3);
         const Point2 tip = cuts.corner(triangle, i);
@@ -137,7 +135,7 @@ std::vector<NarrowPlace> narrow_places(const outlines::Outline& outline, const N
     for (std::size_t i = 0; i < triangulation.triangles.size(); ++i) {
         work.check();
         for (std::size_t side = 0; side < 3; ++side) {
-            if (triangulation.neighbors[i][side] < 0) continue;
+            if (!triangulation.neighbors[i][side].is_valid()) continue;
             const double width = width_at(triangulation, cuts, i, side);
             if (width >= limits.width) continue;
             if (cuts.cut_off(i, side) < std::max(kLeastCut * width * width, limits.least_area)) continue;
@@ -154,8 +152,8 @@ namespace {
 /// A cut: from one point of the rim to another, with the points between them, behind `to`, cut off.
 struct TipCut {
     double area;
-    int from;
-    int to;
+    PointIndex from;
+    PointIndex to;
 };
 
 /// The cuts that make tips blunt, the largest first.
@@ -180,10 +178,9 @@ std::vector<TipCut> tip_cuts(const Triangulation& triangulation, const Cuts& cut
 
 /// The points of each loop that are left.
 outlines::Outline outline_of(const Rim& rim, const std::vector<bool>& is_gone, std::size_t loops) {
-    std::vector<Polygon> polygons(loops);
+    base::IndexVector<LoopIndex, Polygon> polygons(loops);
     for (std::size_t i = 0; i < rim.points.size(); ++i) {
-        if (!is_gone[i])
-            polygons[static_cast<std::size_t>(rim.points[i].loop)].push_back(rim.points[i].place);
+        if (!is_gone[i]) polygons[rim.points[i].loop].push_back(rim.points[i].place);
     }
     return {polygons.front(), {polygons.begin() + 1, polygons.end()}};
 }
@@ -199,13 +196,9 @@ BluntOutline blunt(const outlines::Outline& outline, double narrow_width, const 
     std::vector<bool> is_gone(rim.points.size(), false);
     BluntOutline result{outline, 0.0};
     for (const TipCut& cut : tip_cuts(triangulation, cuts, limits.tip, work)) {
-        const auto from = static_cast<std::size_t>(cut.from);
-        const auto to = static_cast<std::size_t>(cut.to);
-        if (is_gone[from] || is_gone[to] || result.lost_area + cut.area > limits.all) continue;
+        if (is_gone[cut.from] || is_gone[cut.to] || result.lost_area + cut.area > limits.all) continue;
         result.lost_area += cut.area;
-        for (auto i = static_cast<std::size_t>(rim.next[to]); i != from;
-             i = static_cast<std::size_t>(rim.next[i]))
-            is_gone[i] = true;
+        for (PointIndex i = rim.next[cut.to]; i != cut.from; i = rim.next[i]) is_gone[i] = true;
     }
     if (result.lost_area > 0) result.outline = outline_of(rim, is_gone, outline.holes.size() + 1);
     return result;

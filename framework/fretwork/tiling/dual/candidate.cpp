@@ -142,7 +142,7 @@ class Tiler {
         Triangulation triangulation = triangulate(rim, sites, work_);
         flip_ears(triangulation, work_);
         Dual dual = dual_of(rim, triangulation, work_);
-        std::erase_if(dual.cells, [](const std::vector<int>& cell) { return cell.size() < 3; });
+        std::erase_if(dual.cells, [](const Cell& cell) { return cell.size() < 3; });
         divide_long_rim_sides(dual, rim, {task_.field, task_.limits.smallest_side}, work_.control());
         return dual;
     }
@@ -210,7 +210,7 @@ class Tiler {
 }  // namespace
 
 std::size_t rough_steps(const TessellationOptions& options) {
-    return static_cast<std::size_t>(Tiler::rough_iterations(options));
+    return Tiler::rough_iterations(options);
 }
 
 std::size_t candidate_steps(const TessellationOptions& options) {

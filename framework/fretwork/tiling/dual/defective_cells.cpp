@@ -23,7 +23,7 @@ class Removal {
         if (is_end() && geometry::signed_area(polygon_of(dual_, cell_)) <= most_area)
             results.push_back(with(cell_, {}));
         for (const Shared& shared : shared_) {
-            const std::vector<int> merged = union_with(shared);
+            const Cell merged = union_with(shared);
             if (merged.empty()) continue;
             results.push_back(with(shared.other, merged));
         }
@@ -35,51 +35,47 @@ class Removal {
         CellSide side;
         std::size_t other;
     };
-    [[nodiscard]] const DualVertex& vertex(int v) const { return dual_.vertices[v]; }
+    [[nodiscard]] const DualVertex& vertex(DualVertexIndex v) const { return dual_.vertices[v]; }
 
     /// One side joins it to the others, from the rim to the rim.
     [[nodiscard]] bool is_end() const {
         if (shared_.size() != 1) return false;
         const auto [from, to] = shared_.front().side.ends();
-        return vertex(from).loop >= 0 && vertex(from).loop == vertex(to).loop;
+        return vertex(from).loop.is_valid() && vertex(from).loop == vertex(to).loop;
     }
 
     /// Around the neighbour and the cell, without those ends of the shared side that no third cell has: on
     /// the rim they are left out if that makes the cell convex, inside they end no side any more. Empty if
     /// the union is not convex.
-    [[nodiscard]] std::vector<int> union_with(const Shared& shared) const {
-        std::vector<int> first = dual_.cells[cell_];
-        std::vector<int> other = dual_.cells[shared.other];
-        std::ranges::rotate(first, std::ranges::find(first, shared.side.to));
-        std::ranges::rotate(other, std::ranges::find(other, shared.side.from));
-        first.insert(first.end(), other.begin() + 1, other.end() - 1);
-        for (const int end : {shared.side.from, shared.side.to}) {
-            if (std::ranges::count(first, end) != 1) return {};
-            if (uses(end) == 2 && !is_convex_at(first, end)) std::erase(first, end);
+    [[nodiscard]] Cell union_with(const Shared& shared) const {
+        Cell merged = union_of(dual_.cells[cell_], dual_.cells[shared.other], shared.side);
+        for (const DualVertexIndex end : {shared.side.from, shared.side.to}) {
+            if (std::ranges::count(merged, end) != 1) return {};
+            if (uses(end) == 2 && !is_convex_at(merged, end)) std::erase(merged, end);
         }
-        return first.size() >= 3 && geometry::is_convex(polygon(first)) ? first : std::vector<int>{};
+        return merged.size() >= 3 && geometry::is_convex(polygon(merged)) ? merged : Cell{};
     }
-    [[nodiscard]] std::ptrdiff_t uses(int v) const {
-        return std::ranges::count_if(
-            dual_.cells, [&](const std::vector<int>& cell) { return std::ranges::count(cell, v) > 0; });
+    [[nodiscard]] std::ptrdiff_t uses(DualVertexIndex v) const {
+        return std::ranges::count_if(dual_.cells,
+                                     [&](const Cell& cell) { return std::ranges::count(cell, v) > 0; });
     }
-    [[nodiscard]] geometry::Polygon polygon(const std::vector<int>& cell) const {
+    [[nodiscard]] geometry::Polygon polygon(const Cell& cell) const {
         geometry::Polygon result;
-        for (const int v : cell) result.push_back(vertex(v).place);
+        for (const DualVertexIndex v : cell) result.push_back(vertex(v).place);
         return result;
     }
-    [[nodiscard]] bool is_convex_at(const std::vector<int>& cell, int v) const {
-        const auto i = static_cast<std::size_t>(std::ranges::find(cell, v) - cell.begin());
+    [[nodiscard]] bool is_convex_at(const Cell& cell, DualVertexIndex v) const {
+        const std::size_t i = std::ranges::find(cell, v) - cell.begin();
         const std::size_t count = cell.size();
-        const int before = cell[(i + count - 1) % count];
-        const int after = cell[(i + 1) % count];
+        const DualVertexIndex before = cell[(i + count - 1) % count];
+        const DualVertexIndex after = cell[(i + 1) % count];
         return geometry::is_convex({vertex(before).place, vertex(v).place, vertex(after).place});
     }
 
-    [[nodiscard]] Dual with(std::size_t changed, const std::vector<int>& vertices) const {
+    [[nodiscard]] Dual with(std::size_t changed, const Cell& vertices) const {
         Dual result = dual_;
         result.cells[changed] = vertices;
-        result.cells.erase(result.cells.begin() + static_cast<std::ptrdiff_t>(cell_));
+        result.cells.erase(result.cells.begin() + cell_);
         return result;
     }
 

@@ -50,8 +50,7 @@ class Comparison {
   public:
     Comparison(const Dual& dual, const Rim& rim, const SizeField& field, const QualityLimits& limits)
         : dual_(dual), rim_(rim), field_(field), limits_(limits) {
-        for (std::size_t loop = 0; loop < rim.curves.size(); ++loop) {
-            const ClosedCurve& curve = rim.curves[loop];
+        for (const ClosedCurve& curve : rim.curves) {
             outline_area_ += geometry::signed_area(curve.stretch(0, curve.length()));
         }
     }
@@ -67,7 +66,7 @@ class Comparison {
     }
 
   private:
-    [[nodiscard]] const DualVertex& vertex(int v) const { return dual_.vertices[v]; }
+    [[nodiscard]] const DualVertex& vertex(DualVertexIndex v) const { return dual_.vertices[v]; }
     void note(DefectKind kind, Point2 place, std::vector<std::size_t> cells = {}) {
         shape_.defects.push_back({kind, place, std::move(cells)});
     }
@@ -93,13 +92,9 @@ class Comparison {
         for_each_side(sides, control, [&](std::span<const CellSide> same) {
             const Point2 from = vertex(same.front().from).place;
             const Point2 to = vertex(same.front().to).place;
-            double mean = 0.0;
             std::vector<std::size_t> cells;
-            for (const CellSide& side : same) {
-                mean += geometry::mean_side(polygon_of(dual_, side.cell)) / static_cast<double>(same.size());
-                cells.push_back(side.cell);
-            }
-            const double usual = std::min(mean, field_.largest());
+            for (const CellSide& side : same) cells.push_back(side.cell);
+            const double usual = std::min(mean_side_beside(dual_, same), field_.largest());
             if (distance(from, to) < std::max(limits_.side_share * usual, limits_.smallest_side))
                 note(DefectKind::ShortSide, between(from, to, 0.5), std::move(cells));
         });
@@ -111,11 +106,11 @@ class Comparison {
             note(DefectKind::Torn, pieces.count == 0 ? rim_.points.front().place
                                                      : middle(polygon_of(dual_, pieces.cell_of_smallest)));
         const DualRim lines = rim_of(dual_, control);
-        for (const int knot : lines.knots) note(DefectKind::Torn, vertex(knot).place);
-        std::set<int> seen;
-        for (const std::vector<int>& line : lines.lines) check_line(line, seen);
-        for (std::size_t loop = 0; loop < rim_.curves.size(); ++loop) {
-            if (!seen.contains(static_cast<int>(loop))) note(DefectKind::Torn, rim_.curves[loop].at(0));
+        for (const DualVertexIndex knot : lines.knots) note(DefectKind::Torn, vertex(knot).place);
+        std::set<LoopIndex> seen;
+        for (const auto& line : lines.lines) check_line(line, seen);
+        for (const LoopIndex loop : rim_.curves.indices()) {
+            if (!seen.contains(loop)) note(DefectKind::Torn, rim_.curves[loop].at(0));
         }
         check_crossings(lines, control);
         shape_.covered_share = 1 - uncovered_ / outline_area_;
@@ -124,16 +119,16 @@ class Comparison {
     }
 
     /// A line of the rim belongs to one loop of the outline and follows it once around.
-    void check_line(const std::vector<int>& line, std::set<int>& seen) {
-        const int loop = vertex(line.front()).loop;
-        const auto stranger =
-            std::ranges::find_if(line, [&](int v) { return vertex(v).loop < 0 || vertex(v).loop != loop; });
+    void check_line(const std::vector<DualVertexIndex>& line, std::set<LoopIndex>& seen) {
+        const LoopIndex loop = vertex(line.front()).loop;
+        const auto stranger = std::ranges::find_if(
+            line, [&](DualVertexIndex v) { return !vertex(v).loop.is_valid() || vertex(v).loop != loop; });
         if (stranger != line.end()) return note(DefectKind::Torn, vertex(*stranger).place);
         if (line.size() < 3 || !seen.insert(loop).second)
             return note(DefectKind::Torn, vertex(line.front()).place);
-        const ClosedCurve& curve = rim_.curves[static_cast<std::size_t>(loop)];
-        std::vector<int> on_curve;  // others are on the straight line between their neighbours
-        std::ranges::copy_if(line, std::back_inserter(on_curve), [&](int v) {
+        const ClosedCurve& curve = rim_.curves[loop];
+        std::vector<DualVertexIndex> on_curve;  // others are on the straight line between their neighbours
+        std::ranges::copy_if(line, std::back_inserter(on_curve), [&](DualVertexIndex v) {
             return !vertex(v).divides_side || distance(curve.at(vertex(v).along), vertex(v).place) == 0;
         });
         double way_around = 0.0;
@@ -153,7 +148,7 @@ class Comparison {
     }
 
     void check_crossings(const DualRim& lines, const base::Control& control) {
-        const auto is_short = [](const std::vector<int>& line) { return line.size() < 3; };
+        const auto is_short = [](const auto& line) { return line.size() < 3; };
         if (lines.lines.empty() || std::ranges::any_of(lines.lines, is_short) || !lines.knots.empty()) return;
         for (const Point2& place : outlines::places_of_crossings(loops_of(dual_, lines), control))
             note(DefectKind::Torn, place);

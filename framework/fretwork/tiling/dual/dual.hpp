@@ -9,10 +9,14 @@
 
 namespace fretwork::tiling::detail {
 
+using DualVertexIndex = base::Index<struct DualVertexTag>;
+/// The vertices of a tile, counterclockwise.
+using Cell = std::vector<DualVertexIndex>;
+
 /// A vertex of the dual.
 struct DualVertex {
     geometry::Point2 place;
-    int loop = -1;          ///< the loop of the outline on which it lies; -1: inside
+    LoopIndex loop{};       ///< the loop of the outline on which it lies; none: inside
     bool is_fixed = false;  ///< on a corner of the outline
     double along = 0.0;     ///< its place on the loop's curve
     /// It divides a long side on the rim: on the outline or, where that runs inside of the tile, on the
@@ -23,8 +27,8 @@ struct DualVertex {
 /// The tiles of a triangulation, one for each site: polygons that share vertices and whole sides, closed
 /// along the outline.
 struct Dual {
-    std::vector<DualVertex> vertices;
-    std::vector<std::vector<int>> cells;  ///< for each site its vertices, counterclockwise
+    base::IndexVector<DualVertexIndex, DualVertex> vertices;
+    std::vector<Cell> cells;  ///< one for each site
 };
 
 /// The dual of a triangulation. A triangle of three sites gives an inner vertex (its circumcenter, or the

@@ -38,8 +38,8 @@ class Spread {
     double sum_of_squares_ = 0.0;
 };
 
-bool is_at_rim(const Dual& dual, const std::vector<int>& cell) {
-    return std::ranges::any_of(cell, [&](int vertex) { return dual.vertices[vertex].loop >= 0; });
+bool is_at_rim(const Dual& dual, const Cell& cell) {
+    return std::ranges::any_of(cell, [&](DualVertexIndex v) { return dual.vertices[v].loop.is_valid(); });
 }
 
 double smallest_angle(const Polygon& polygon) {

@@ -24,19 +24,19 @@ class Merger {
   public:
     Merger(Dual& dual, const SizeField& field, const base::Control& control)
         : dual_(dual), field_(field), control_(control), uses_(dual.vertices.size(), 0) {
-        for (const std::vector<int>& cell : dual.cells) {
-            for (const int v : cell) ++uses_[static_cast<std::size_t>(v)];
+        for (const Cell& cell : dual.cells) {
+            for (const DualVertexIndex v : cell) ++uses_[v];
         }
     }
 
     void run() {
         while (merge_some()) {
         }
-        std::erase_if(dual_.cells, [](const std::vector<int>& cell) { return cell.empty(); });
+        std::erase_if(dual_.cells, [](const Cell& cell) { return cell.empty(); });
     }
 
   private:
-    [[nodiscard]] Point2 place(int v) const { return dual_.vertices[v].place; }
+    [[nodiscard]] Point2 place(DualVertexIndex v) const { return dual_.vertices[v].place; }
 
     /// Each cell at most once, the smallest pairs first.
     bool merge_some() {
@@ -69,43 +69,36 @@ class Merger {
     }
 
     bool merge(const CellSide& side, std::size_t other) {
-        std::vector<int> merged = union_of(dual_.cells[side.cell], dual_.cells[other], side);
-        std::vector<int> superfluous{side.from, side.to};
+        Cell merged = union_of(dual_.cells[side.cell], dual_.cells[other], side);
+        Cell superfluous{side.from, side.to};
         std::ranges::copy_if(merged, std::back_inserter(superfluous),
-                             [&](int v) { return dual_.vertices[v].divides_side; });
-        for (const int v : superfluous) {
+                             [&](DualVertexIndex v) { return dual_.vertices[v].divides_side; });
+        for (const DualVertexIndex v : superfluous) {
             if (std::ranges::count(merged, v) != 1) return false;
             if (may_go(v, merged)) std::erase(merged, v);
         }
         if (!is_good(merged)) return false;
         for (const std::size_t cell : {side.cell, other}) {
-            for (const int v : dual_.cells[cell]) --uses_[static_cast<std::size_t>(v)];
+            for (const DualVertexIndex v : dual_.cells[cell]) --uses_[v];
         }
-        for (const int v : merged) ++uses_[static_cast<std::size_t>(v)];
+        for (const DualVertexIndex v : merged) ++uses_[v];
         dual_.cells[side.cell] = std::move(merged);
         dual_.cells[other].clear();
         return true;
     }
-    /// Around the first cell from the side's second end to its first, and then around the other one.
-    static std::vector<int> union_of(std::vector<int> first, std::vector<int> other, const CellSide& side) {
-        std::ranges::rotate(first, std::ranges::find(first, side.to));
-        std::ranges::rotate(other, std::ranges::find(other, side.from));
-        first.insert(first.end(), other.begin() + 1, other.end() - 1);
-        return first;
-    }
     /// On the rim, of these two cells alone, no corner, and nearly on the line between its neighbours.
-    [[nodiscard]] bool may_go(int v, const std::vector<int>& cell) const {
+    [[nodiscard]] bool may_go(DualVertexIndex v, const Cell& cell) const {
         const DualVertex& vertex = dual_.vertices[v];
-        if (vertex.loop < 0 || vertex.is_fixed || uses_[static_cast<std::size_t>(v)] > 2) return false;
-        const auto i = static_cast<std::size_t>(std::ranges::find(cell, v) - cell.begin());
+        if (!vertex.loop.is_valid() || vertex.is_fixed || uses_[v] > 2) return false;
+        const std::size_t i = std::ranges::find(cell, v) - cell.begin();
         const Point2 before = place(cell[(i + cell.size() - 1) % cell.size()]);
         const Point2 after = place(cell[(i + 1) % cell.size()]);
         return distance(nearest_on_segment(before, after, vertex.place), vertex.place) <
                kBend * distance(before, after);
     }
-    [[nodiscard]] bool is_good(const std::vector<int>& cell) const {
+    [[nodiscard]] bool is_good(const Cell& cell) const {
         Polygon polygon;
-        for (const int v : cell) polygon.push_back(place(v));
+        for (const DualVertexIndex v : cell) polygon.push_back(place(v));
         if (!geometry::is_convex(polygon)) return false;
         for (std::size_t i = 0; i < polygon.size(); ++i) {
             const Point2 here = polygon[(i + 1) % polygon.size()];
@@ -119,7 +112,7 @@ class Merger {
     Dual& dual_;
     const SizeField& field_;
     const base::Control& control_;
-    std::vector<int> uses_;  // of each vertex
+    base::IndexVector<DualVertexIndex, int> uses_;
 };
 
 }  // namespace

@@ -81,8 +81,8 @@ class Numberer {
         const double facing = first_side_facing(dual_, control_);
         for (const std::size_t cell : from_left_to_right(dual_, control_)) {
             control_.check();
-            std::vector<int> vertices = dual_.cells[cell];
-            const auto first = static_cast<std::ptrdiff_t>(first_vertex(polygon_of(dual_, cell), facing));
+            Cell vertices = dual_.cells[cell];
+            const std::ptrdiff_t first = first_vertex(polygon_of(dual_, cell), facing);
             std::rotate(vertices.begin(), vertices.begin() + first, vertices.end());
             add_tile(vertices);
         }
@@ -90,9 +90,9 @@ class Numberer {
     }
 
   private:
-    void add_tile(const std::vector<int>& vertices) {
+    void add_tile(const Cell& vertices) {
         Tile tile;
-        for (const int vertex : vertices) tile.vertices.push_back(number_of(vertex));
+        for (const DualVertexIndex vertex : vertices) tile.vertices.push_back(number_of(vertex));
         for (std::size_t i = 0; i < vertices.size(); ++i) {
             const auto nodes = nodes_on_side(tile.vertices[i], tile.vertices[(i + 1) % vertices.size()]);
             tile.interface_nodes.insert(tile.interface_nodes.end(), nodes.begin(), nodes.end());
@@ -100,8 +100,7 @@ class Numberer {
         result_.tiles.push_back(std::move(tile));
     }
 
-    VertexIndex number_of(int vertex) {
-        const auto v = static_cast<std::size_t>(vertex);
+    VertexIndex number_of(DualVertexIndex v) {
         if (!numbers_[v].is_valid()) {
             numbers_[v] = VertexIndex(result_.vertices.size());
             result_.vertices.push_back(dual_.vertices[v].place);
@@ -113,12 +112,12 @@ class Numberer {
     /// way.
     std::vector<InterfaceIndex> nodes_on_side(VertexIndex from, VertexIndex to) {
         std::vector<InterfaceIndex> nodes;
-        for (const Side& other : sides_[static_cast<std::size_t>(to)]) {
+        for (const Side& other : sides_[to]) {
             if (other.to != from) continue;
             for (std::size_t i = places_.size(); i-- > 0;) nodes.emplace_back(other.first_node + i);
             return nodes;
         }
-        sides_[static_cast<std::size_t>(from)].push_back({to, result_.interface_nodes.size()});
+        sides_[from].push_back({to, result_.interface_nodes.size()});
         const Point2 a = result_.vertices[from];
         const Point2 b = result_.vertices[to];
         for (const double place : places_) {
@@ -132,13 +131,13 @@ class Numberer {
     const base::Control& control_;
     std::vector<double> places_;  // of interface nodes, as shares of a side
     Tessellation result_;
-    std::vector<VertexIndex> numbers_;  // of the dual's vertices
+    base::IndexVector<DualVertexIndex, VertexIndex> numbers_;
     /// A side that a tile has, and the number of its first interface node.
     struct Side {
         VertexIndex to;
         std::size_t first_node;
     };
-    std::vector<std::vector<Side>> sides_;  // by the vertex that they begin at
+    base::IndexVector<VertexIndex, std::vector<Side>> sides_;  // by the vertex that they begin at
 };
 
 }  // namespace

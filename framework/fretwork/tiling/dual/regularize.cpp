@@ -88,25 +88,25 @@ class Regularizer {
         sums_.assign(dual_.vertices.size(), {});
         weight_sums_.assign(dual_.vertices.size(), 0.0);
         for (std::size_t cell = 0; cell < dual_.cells.size(); ++cell) pull(cell);
-        for (std::size_t v = 0; v < dual_.vertices.size(); ++v) {
+        for (const DualVertexIndex v : dual_.vertices.indices()) {
             work_.check();
             if (weight_sums_[v] > 0 && !dual_.vertices[v].is_fixed)
                 move(v, (1.0 / weight_sums_[v]) * sums_[v]);
         }
-        for (std::size_t v = 0; v < dual_.vertices.size(); ++v) {
-            if (dual_.vertices[v].divides_side && next_[v] >= 0) keep_convex(v);
+        for (const DualVertexIndex v : dual_.vertices.indices()) {
+            if (dual_.vertices[v].divides_side && next_[v].is_valid()) keep_convex(v);
         }
     }
 
   private:
     void find_neighbors_on_rim() {
-        previous_.assign(dual_.vertices.size(), -1);
-        next_.assign(dual_.vertices.size(), -1);
+        previous_.resize(dual_.vertices.size());
+        next_.resize(dual_.vertices.size());
         const auto sides = sides_of_cells(dual_, work_.control());
         for_each_side(sides, work_.control(), [&](std::span<const CellSide> same) {
             if (same.size() != 1) return;
-            next_[static_cast<std::size_t>(same.front().from)] = same.front().to;
-            previous_[static_cast<std::size_t>(same.front().to)] = same.front().from;
+            next_[same.front().from] = same.front().to;
+            previous_[same.front().to] = same.front().from;
         });
     }
 
@@ -123,9 +123,9 @@ class Regularizer {
 
     /// Each side pulls or pushes its ends to its wanted length.
     void pull_sides(std::size_t cell, const Polygon& polygon) {
-        const std::vector<int>& vertices = dual_.cells[cell];
-        const bool is_at_rim =
-            std::ranges::any_of(vertices, [&](int v) { return dual_.vertices[v].loop >= 0; });
+        const Cell& vertices = dual_.cells[cell];
+        const bool is_at_rim = std::ranges::any_of(
+            vertices, [&](DualVertexIndex v) { return dual_.vertices[v].loop.is_valid(); });
         const double weight = is_at_rim ? kSidesAtRim : kSidesInside;
         for (std::size_t i = 0; i < polygon.size(); ++i) {
             const std::size_t next = (i + 1) % polygon.size();
@@ -137,38 +137,37 @@ class Regularizer {
             add(vertices[next], middle + half, weight);
         }
     }
-    void add(int vertex, Point2 wanted, double weight) {
-        const auto v = static_cast<std::size_t>(vertex);
+    void add(DualVertexIndex v, Point2 wanted, double weight) {
         sums_[v] = sums_[v] + weight * wanted;
         weight_sums_[v] += weight;
     }
 
-    void move(std::size_t v, Point2 wanted) {
+    void move(DualVertexIndex v, Point2 wanted) {
         DualVertex& vertex = dual_.vertices[v];
-        if (vertex.loop < 0) {
+        if (!vertex.loop.is_valid()) {
             vertex.place = wanted;
             return;
         }
-        const ClosedCurve& curve = rim_.curves[static_cast<std::size_t>(vertex.loop)];
-        const double back = kSlide * way(previous_[v], static_cast<int>(v));
-        const double forth = kSlide * way(static_cast<int>(v), next_[v]);
+        const ClosedCurve& curve = rim_.curves[vertex.loop];
+        const double back = kSlide * way(previous_[v], v);
+        const double forth = kSlide * way(v, next_[v]);
         vertex.along = curve.nearest_between(vertex.along - back, vertex.along + forth, wanted);
         vertex.place = curve.at(vertex.along);
     }
     /// Its neighbours have moved, too.
-    void keep_convex(std::size_t v) {
+    void keep_convex(DualVertexIndex v) {
         DualVertex& vertex = dual_.vertices[v];
-        const auto place = [&](int other) { return dual_.vertices[other].place; };
-        const ClosedCurve& curve = rim_.curves[static_cast<std::size_t>(vertex.loop)];
+        const auto place = [&](DualVertexIndex other) { return dual_.vertices[other].place; };
+        const ClosedCurve& curve = rim_.curves[vertex.loop];
         vertex.place = convex_place(curve.at(vertex.along), {place(previous_[v]), place(next_[v])});
     }
     /// Along the outline from one vertex to another in front of it; 0 if it is not in front.
-    [[nodiscard]] double way(int from, int to) const {
-        if (from < 0 || to < 0) return 0.0;
+    [[nodiscard]] double way(DualVertexIndex from, DualVertexIndex to) const {
+        if (!from.is_valid() || !to.is_valid()) return 0.0;
         const DualVertex& a = dual_.vertices[from];
         const DualVertex& b = dual_.vertices[to];
         if (a.loop != b.loop) return 0.0;
-        const ClosedCurve& curve = rim_.curves[static_cast<std::size_t>(a.loop)];
+        const ClosedCurve& curve = rim_.curves[a.loop];
         const double forward = curve.way(a.along, b.along);
         return forward < 0.9 * curve.length() ? forward : 0.0;
     }
@@ -179,10 +178,10 @@ class Regularizer {
     const Work& work_;
     RootsOfUnity roots_;
     std::vector<double> weights_;
-    std::vector<int> previous_;  // for each vertex of the rim
-    std::vector<int> next_;
-    std::vector<Point2> sums_;
-    std::vector<double> weight_sums_;
+    base::IndexVector<DualVertexIndex, DualVertexIndex> previous_;  // for each vertex of the rim
+    base::IndexVector<DualVertexIndex, DualVertexIndex> next_;
+    base::IndexVector<DualVertexIndex, Point2> sums_;
+    base::IndexVector<DualVertexIndex, double> weight_sums_;
 };
 
 }  // namespace

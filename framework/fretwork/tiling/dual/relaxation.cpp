@@ -51,13 +51,13 @@ class Centroids {
         if (polygon.size() < 3 || !(geometry::signed_area(polygon) > 0)) return std::nullopt;
         if (wanted_.empty()) return geometry::centroid(polygon);
         sides_.clear();
-        for (const int v : dual_.cells[site]) sides_.push_back(wanted_[static_cast<std::size_t>(v)]);
+        for (const DualVertexIndex v : dual_.cells[site]) sides_.push_back(wanted_[v]);
         return weighted_centroid(polygon, sides_);
     }
 
   private:
     const Dual& dual_;
-    std::vector<double> wanted_;  // sides at the vertices; empty: the same everywhere
+    base::IndexVector<DualVertexIndex, double> wanted_;  // sides at the vertices; empty: the same everywhere
     std::vector<double> sides_;
 };
 

@@ -9,25 +9,25 @@ namespace fretwork::tiling::detail {
 
 DualRim rim_of(const Dual& dual, const base::Control& control) {
     DualRim rim;
-    std::vector<int> next(dual.vertices.size(), -1);
+    base::IndexVector<DualVertexIndex, DualVertexIndex> next(dual.vertices.size());
     const auto sides = sides_of_cells(dual, control);
     for_each_side(sides, control, [&](std::span<const CellSide> same) {
         const CellSide& side = same.front();
         if (same.size() == 1) {
-            int& after = next[static_cast<std::size_t>(side.from)];
-            if (after >= 0) rim.knots.push_back(side.from);
+            DualVertexIndex& after = next[side.from];
+            if (after.is_valid()) rim.knots.push_back(side.from);
             after = side.to;
         } else if (same.size() > 2 || same.back().from == side.from) {
             rim.knots.push_back(side.from);
         }
     });
-    for (std::size_t first = 0; first < next.size(); ++first) {
+    for (const DualVertexIndex first : next.indices()) {
         control.check();
-        if (next[first] < 0) continue;
-        std::vector<int>& line = rim.lines.emplace_back();
-        for (int at = static_cast<int>(first); at >= 0;) {
+        if (!next[first].is_valid()) continue;
+        std::vector<DualVertexIndex>& line = rim.lines.emplace_back();
+        for (DualVertexIndex at = first; at.is_valid();) {
             line.push_back(at);
-            at = std::exchange(next[static_cast<std::size_t>(at)], -1);
+            at = std::exchange(next[at], {});
         }
         // A closed line comes back to its first vertex.
         if (line.size() > 1 && line.front() == line.back())
@@ -40,9 +40,9 @@ DualRim rim_of(const Dual& dual, const base::Control& control) {
 
 std::vector<geometry::Polygon> loops_of(const Dual& dual, const DualRim& rim) {
     std::vector<geometry::Polygon> loops;
-    for (const std::vector<int>& line : rim.lines) {
+    for (const auto& line : rim.lines) {
         geometry::Polygon& loop = loops.emplace_back();
-        for (const int v : line) loop.push_back(dual.vertices[v].place);
+        for (const DualVertexIndex v : line) loop.push_back(dual.vertices[v].place);
     }
     std::iter_swap(loops.begin(), std::ranges::max_element(loops, {}, geometry::signed_area));
     return loops;

@@ -10,9 +10,9 @@ namespace fretwork::tiling::detail {
 
 /// The sides that only one cell has, as closed lines of vertices.
 struct DualRim {
-    std::vector<std::vector<int>> lines;
+    std::vector<std::vector<DualVertexIndex>> lines;
     /// Vertices at which the rim touches itself, and ends of sides that more cells have than can be.
-    std::vector<int> knots;
+    std::vector<DualVertexIndex> knots;
 };
 
 DualRim rim_of(const Dual& dual, const base::Control& control);

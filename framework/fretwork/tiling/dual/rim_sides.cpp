@@ -34,14 +34,14 @@ class Divider {
     }
 
   private:
-    [[nodiscard]] const DualVertex& vertex(int v) const { return dual_.vertices[v]; }
+    [[nodiscard]] const DualVertex& vertex(DualVertexIndex v) const { return dual_.vertices[v]; }
 
     [[nodiscard]] bool is_to_be_divided(const CellSide& side) const {
         const DualVertex& from = vertex(side.from);
         const DualVertex& to = vertex(side.to);
-        if (from.loop < 0 || from.loop != to.loop || dual_.cells[side.cell].size() >= kMostSides)
+        if (!from.loop.is_valid() || from.loop != to.loop || dual_.cells[side.cell].size() >= kMostSides)
             return false;
-        const ClosedCurve& curve = rim_.curves[static_cast<std::size_t>(from.loop)];
+        const ClosedCurve& curve = rim_.curves[from.loop];
         if (curve.way(from.along, to.along) > 0.5 * curve.length()) return false;  // backwards, or all around
         const double length = distance(from.place, to.place);
         return length > kLong * usual_side(side) && length > 2 * wanted_.smallest;
@@ -58,12 +58,12 @@ class Divider {
 
     void divide(const CellSide& side) {
         const DualVertex& from = vertex(side.from);
-        const ClosedCurve& curve = rim_.curves[static_cast<std::size_t>(from.loop)];
+        const ClosedCurve& curve = rim_.curves[from.loop];
         const double along = from.along + 0.5 * curve.way(from.along, vertex(side.to).along);
         DualVertex middle{curve.at(along), from.loop, false, along, true};
         middle.place = convex_place(middle.place, {from.place, vertex(side.to).place});
-        std::vector<int>& cell = dual_.cells[side.cell];
-        cell.insert(std::ranges::find(cell, side.from) + 1, static_cast<int>(dual_.vertices.size()));
+        Cell& cell = dual_.cells[side.cell];
+        cell.insert(std::ranges::find(cell, side.from) + 1, DualVertexIndex(dual_.vertices.size()));
         dual_.vertices.push_back(middle);
     }
 

@@ -17,8 +17,8 @@ constexpr double kMargin = 1.05;  // over the smallest side allowed: sides chang
 /// A side that is too short, and the tiles that have it.
 struct ShortSide {
     double length;
-    int from;
-    int to;
+    DualVertexIndex from;
+    DualVertexIndex to;
     bool is_on_rim;
 };
 
@@ -31,7 +31,7 @@ class Collapser {
           control_(control),
           cells_of_(dual.vertices.size()) {
         for (std::size_t c = 0; c < dual.cells.size(); ++c) {
-            for (const int vertex : dual.cells[c]) cells_of_[static_cast<std::size_t>(vertex)].push_back(c);
+            for (const DualVertexIndex vertex : dual.cells[c]) cells_of_[vertex].push_back(c);
         }
     }
 
@@ -42,7 +42,7 @@ class Collapser {
     }
 
   private:
-    [[nodiscard]] const DualVertex& vertex(int v) const { return dual_.vertices[v]; }
+    [[nodiscard]] const DualVertex& vertex(DualVertexIndex v) const { return dual_.vertices[v]; }
 
     [[nodiscard]] std::vector<ShortSide> short_sides() const {
         std::vector<ShortSide> result;
@@ -51,10 +51,7 @@ class Collapser {
             const auto [from, to] = same.front().ends();
             const Point2 a = vertex(from).place;
             const Point2 b = vertex(to).place;
-            double mean = 0.0;
-            for (const CellSide& side : same)
-                mean += geometry::mean_side(polygon_of(dual_, side.cell)) / static_cast<double>(same.size());
-            const double usual = std::min(mean, field_.at(between(a, b, 0.5)));
+            const double usual = std::min(mean_side_beside(dual_, same), field_.at(between(a, b, 0.5)));
             if (distance(a, b) < std::max(kShort * usual, least_))
                 result.push_back({distance(a, b), from, to, same.size() == 1});
         });
@@ -66,10 +63,10 @@ class Collapser {
     [[nodiscard]] bool is_allowed(const ShortSide& side) const {
         const DualVertex& a = vertex(side.from);
         const DualVertex& b = vertex(side.to);
-        if (a.loop >= 0 && b.loop >= 0 && !side.is_on_rim) return false;
+        if (a.loop.is_valid() && b.loop.is_valid() && !side.is_on_rim) return false;
         if (a.is_fixed && b.is_fixed) return false;
         int with_both = 0;
-        for (const std::size_t cell : cells_of_[static_cast<std::size_t>(side.from)]) {
+        for (const std::size_t cell : cells_of_[side.from]) {
             const auto& vertices = dual_.cells[cell];
             if (std::ranges::count(vertices, side.to) == 0) continue;
             if (vertices.size() <= 3) return false;
@@ -79,31 +76,31 @@ class Collapser {
     }
 
     bool collapse(ShortSide side) {
-        auto& from = cells_of_[static_cast<std::size_t>(side.from)];
-        auto& to = cells_of_[static_cast<std::size_t>(side.to)];
+        auto& from = cells_of_[side.from];
+        auto& to = cells_of_[side.to];
         if (from.empty() || to.empty() || !is_allowed(side)) return false;
         // A corner stays, or else a vertex on the rim, and rather one at which a side ends.
-        const auto rank = [&](int v) {
-            if (vertex(v).loop < 0) return 0;
+        const auto rank = [&](DualVertexIndex v) {
+            if (!vertex(v).loop.is_valid()) return 0;
             return vertex(v).is_fixed ? 3 : vertex(v).divides_side ? 1 : 2;
         };
         const bool keeps_to = rank(side.to) > rank(side.from);
-        const int kept = keeps_to ? side.to : side.from;
-        const int gone = keeps_to ? side.from : side.to;
+        const DualVertexIndex kept = keeps_to ? side.to : side.from;
+        const DualVertexIndex gone = keeps_to ? side.from : side.to;
         if (rank(kept) == rank(gone) && rank(kept) == 0) {
             DualVertex& middle = dual_.vertices[kept];
             middle.place = between(vertex(kept).place, vertex(gone).place, 0.5);
         }
-        for (const std::size_t c : cells_of_[static_cast<std::size_t>(gone)]) {
-            std::vector<int>& cell = dual_.cells[c];
+        for (const std::size_t c : cells_of_[gone]) {
+            Cell& cell = dual_.cells[c];
             if (std::ranges::count(cell, kept) > 0) {
                 std::erase(cell, gone);
             } else {
                 std::ranges::replace(cell, gone, kept);
-                cells_of_[static_cast<std::size_t>(kept)].push_back(c);
+                cells_of_[kept].push_back(c);
             }
         }
-        cells_of_[static_cast<std::size_t>(gone)].clear();
+        cells_of_[gone].clear();
         return true;
     }
 
@@ -111,7 +108,7 @@ class Collapser {
     const SizeField& field_;
     double least_;  // m
     const base::Control& control_;
-    std::vector<std::vector<std::size_t>> cells_of_;  // of each vertex
+    base::IndexVector<DualVertexIndex, std::vector<std::size_t>> cells_of_;
 };
 
 }  // namespace

@@ -28,7 +28,7 @@ std::vector<std::vector<std::size_t>> neighbours_of(const Tessellation& tessella
 
 std::size_t nearest(std::span<const GradedPattern> patterns, double wanted) {
     const auto distance = [&](const GradedPattern& graded) { return std::abs(graded.value - wanted); };
-    return static_cast<std::size_t>(std::ranges::min_element(patterns, {}, distance) - patterns.begin());
+    return std::ranges::min_element(patterns, {}, distance) - patterns.begin();
 }
 
 }  // namespace

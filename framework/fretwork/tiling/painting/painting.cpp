@@ -179,7 +179,7 @@ void paint_tiles(Tessellation& tessellation, std::span<const TileIndex> tiles, c
         if (known == kept.end()) kept.push_back(all[i]);
     }
     for (Tile& tile : tessellation.tiles)
-        if (tile.pattern >= 0) tile.pattern = place[static_cast<std::size_t>(tile.pattern)];
+        if (tile.pattern >= 0) tile.pattern = place[tile.pattern];
     tessellation.patterns = std::move(kept);
 }
 

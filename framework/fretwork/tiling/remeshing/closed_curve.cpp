@@ -18,7 +18,7 @@ ClosedCurve::ClosedCurve(Polygon points) : points_(std::move(points)), starts_{0
 
 std::size_t ClosedCurve::side_of(double place) const {
     const auto after = std::upper_bound(starts_.begin() + 1, starts_.end() - 1, place);
-    return static_cast<std::size_t>(after - starts_.begin() - 1);
+    return after - starts_.begin() - 1;
 }
 
 Point2 ClosedCurve::at(double place) const {

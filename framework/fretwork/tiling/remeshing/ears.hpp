@@ -11,8 +11,8 @@ void flip_ears(Triangulation& triangulation, const Work& work);
 
 /// The ends of an edge inside that joins two points of the rim.
 struct Chord {
-    int from = -1;
-    int to = -1;
+    PointIndex from;
+    PointIndex to;
 };
 /// The remaining edges of this kind. Where one lies, the tiles on both sides of it share no side, or a part
 /// of the outline has no tile.

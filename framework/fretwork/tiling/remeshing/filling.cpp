@@ -7,7 +7,6 @@
 #include <fretwork/tiling/remeshing/triangulation.hpp>
 
 #include <algorithm>
-#include <optional>
 #include <tuple>
 
 namespace fretwork::tiling::detail {
@@ -23,18 +22,6 @@ constexpr double kLeastFilling = 0.65;   // between a site that fills a gap and 
 constexpr double kBridgeDistance = 0.3;  // between a site that bridges a chord and the others
 constexpr int kRounds = 8;
 
-/// The place farthest from the triangle's sides: the middle of the circle through its corners. None if it
-/// lies far outside the triangle.
-std::optional<Point2> circumcenter(Point2 a, Point2 b, Point2 c) {
-    const Point2 u = b - a;
-    const Point2 v = c - a;
-    const double area = cross(u, v);
-    if (area <= 0) return std::nullopt;
-    const double scale = 0.5 / area;
-    return a +
-           Point2{scale * (v.y * dot(u, u) - u.y * dot(v, v)), scale * (u.x * dot(v, v) - v.x * dot(u, u))};
-}
-
 /// The triangle's circumcenter and radius.
 struct EmptyCircle {
     double radius;
@@ -46,13 +33,13 @@ std::vector<EmptyCircle> large_empty_circles(const Triangulation& triangulation,
     std::vector<EmptyCircle> circles;
     for (const auto& [a, b, c] : triangulation.triangles) {
         work.check();
-        const auto place = [&](int point) { return triangulation.points[static_cast<std::size_t>(point)]; };
-        const auto middle = circumcenter(place(a), place(b), place(c));
-        if (!middle) continue;
-        const double radius = distance(*middle, place(a));
+        const auto place = [&](PointIndex point) { return triangulation.points[point]; };
+        if (cross(place(b) - place(a), place(c) - place(a)) <= 0) continue;
+        const Point2 middle = circumcenter(place(a), place(b), place(c));
+        const double radius = distance(middle, place(a));
         const bool is_on_rim = triangulation.is_rim(a) && triangulation.is_rim(b) && triangulation.is_rim(c);
-        const double least = (is_on_rim ? kHalfBand : kEmptyRadius) * spacing.at(*middle);
-        if (radius > least) circles.push_back({radius, *middle});
+        const double least = (is_on_rim ? kHalfBand : kEmptyRadius) * spacing.at(middle);
+        if (radius > least) circles.push_back({radius, middle});
     }
     const auto key = [](const EmptyCircle& circle) {
         return std::tuple(-circle.radius, circle.middle.x, circle.middle.y);
@@ -96,7 +83,7 @@ bool bridge_chords(const Rim& rim, const Spacing& spacing, std::vector<Point2>& 
     const std::size_t before = sites.size();
     for (const Chord& chord : chords_of(triangulation)) {
         work.check();
-        const auto place = [&](int point) { return triangulation.points[static_cast<std::size_t>(point)]; };
+        const auto place = [&](PointIndex point) { return triangulation.points[point]; };
         const Point2 middle = between(place(chord.from), place(chord.to), 0.5);
         if (grid.has_near(middle, kBridgeDistance * spacing.at(middle))) continue;
         grid.add(middle);

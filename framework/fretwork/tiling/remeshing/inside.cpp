@@ -22,7 +22,7 @@ InsideTest::InsideTest(const Rim& rim, double largest_margin, const base::Contro
     for (std::size_t i = 0; i < rim.points.size(); ++i) {
         control.check();
         const double from = along(rim.points[i].place);
-        const double to = along(rim.points[static_cast<std::size_t>(rim.next[i])].place);
+        const double to = along(rim.points[rim.next[i]].place);
         const std::size_t last = band_of(std::max(from, to) + largest_margin);
         for (std::size_t band = band_of(std::min(from, to) - largest_margin); band <= last; ++band)
             sides_[band].push_back(i);
@@ -45,7 +45,7 @@ bool InsideTest::operator()(Point2 point, double margin) const {
     bool inside = false;
     for (const std::size_t i : sides_[band_of(along(point))]) {
         const Point2 from = rim_.points[i].place;
-        const Point2 to = rim_.points[static_cast<std::size_t>(rim_.next[i])].place;
+        const Point2 to = rim_.points[rim_.next[i]].place;
         if (margin > 0 && distance(nearest_on_segment(from, to, point), point) < margin) return false;
         if (is_crossed(from, to, point)) inside = !inside;
     }

@@ -87,12 +87,12 @@ Rim sample_rim(const outlines::Outline& outline, const Spacing& spacing, const b
     for (const Polygon& hole : outline.holes) rim.curves.emplace_back(hole);
     for (std::size_t loop = 0; loop < rim.curves.size(); ++loop) {
         control.check();
-        const auto first = static_cast<int>(rim.points.size());
+        const PointIndex first(rim.points.size());
         const ClosedCurve& curve = rim.curves[loop];
         for (const Place& place : Sampler(curve, spacing).run()) {
             const double along = std::fmod(place.along, curve.length());
-            rim.points.push_back({curve.at(along), static_cast<int>(loop), along, place.is_corner});
-            rim.next.push_back(static_cast<int>(rim.points.size()));
+            rim.points.push_back({curve.at(along), LoopIndex(loop), along, place.is_corner});
+            rim.next.emplace_back(rim.points.size());
         }
         rim.next.back() = first;
     }
@@ -100,9 +100,8 @@ Rim sample_rim(const outlines::Outline& outline, const Spacing& spacing, const b
 }
 
 std::vector<Point2> rim_crossings(const Rim& rim, const base::Control& control) {
-    std::vector<Polygon> loops(rim.curves.size());
-    for (const RimPoint& point : rim.points)
-        loops[static_cast<std::size_t>(point.loop)].push_back(point.place);
+    base::IndexVector<LoopIndex, Polygon> loops(rim.curves.size());
+    for (const RimPoint& point : rim.points) loops[point.loop].push_back(point.place);
     return outlines::places_of_crossings(loops, control);
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <fretwork/base/control.hpp>
+#include <fretwork/base/index_vector.hpp>
 #include <fretwork/outlines/outline.hpp>
 #include <fretwork/tiling/remeshing/closed_curve.hpp>
 #include <fretwork/tiling/remeshing/size_field.hpp>
@@ -10,19 +11,24 @@
 
 namespace fretwork::tiling::detail {
 
+/// A loop of the outline. 0: the boundary; 1, 2, ..: the holes.
+using LoopIndex = base::Index<struct LoopTag>;
+/// A point of a rim, or of the triangulation of its inside, whose first points are those of the rim.
+using PointIndex = base::Index<struct PointTag>;
+
 /// A point on the outline.
 struct RimPoint {
     geometry::Point2 place;
-    int loop = 0;            ///< 0: the boundary; 1, 2, ..: the holes
+    LoopIndex loop{0};
     double along = 0.0;      ///< its place on the loop's curve
     bool is_corner = false;  ///< a corner of the outline: it stays where it is
 };
 
 /// An outline with points on it at even distances: the protected border of the triangulation.
 struct Rim {
-    std::vector<ClosedCurve> curves;  ///< the outline itself, loop by loop
-    std::vector<RimPoint> points;     ///< loop by loop, in the direction of the outline
-    std::vector<int> next;            ///< for each point the next point of the same loop
+    base::IndexVector<LoopIndex, ClosedCurve> curves;  ///< the outline itself
+    base::IndexVector<PointIndex, RimPoint> points;    ///< loop by loop, in the direction of the outline
+    base::IndexVector<PointIndex, PointIndex> next;    ///< for each point the next point of the same loop
 };
 
 /// Put points on the outline's corners, and evenly between them at about the wanted distances. Throws

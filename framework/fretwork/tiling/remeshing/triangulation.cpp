@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/geometry/plane.hpp>
 #include <fretwork/tiling/remeshing/triangulation.hpp>
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
@@ -13,11 +14,11 @@ namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 struct FaceInfo {
-    int depth = -1;     // rims between the face and infinity: odd is inside
-    int triangle = -1;  // of those inside
+    int depth = -1;            // rims between the face and infinity: odd is inside
+    TriangleIndex triangle{};  // of those inside
 };
 struct VertexInfo {
-    int point = -1;
+    PointIndex point{};
 };
 using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<VertexInfo, Kernel>;
 using FaceBase =
@@ -53,7 +54,7 @@ void add_triangles(Delaunay& delaunay, const Work& work, Triangulation& result) 
     for (const Delaunay::Face_handle face : delaunay.finite_face_handles()) {
         work.check();
         if (!is_inside(face)) continue;
-        face->info().triangle = static_cast<int>(result.triangles.size());
+        face->info().triangle = TriangleIndex(result.triangles.size());
         result.triangles.push_back(
             {face->vertex(0)->info().point, face->vertex(1)->info().point, face->vertex(2)->info().point});
     }
@@ -62,7 +63,7 @@ void add_triangles(Delaunay& delaunay, const Work& work, Triangulation& result) 
         work.check();
         if (!is_inside(face)) continue;
         const auto behind = [&](int i) {
-            return face->is_constrained(i) ? -1 : face->neighbor(i)->info().triangle;
+            return face->is_constrained(i) ? TriangleIndex() : face->neighbor(i)->info().triangle;
         };
         result.neighbors.push_back({behind(0), behind(1), behind(2)});
     }
@@ -70,24 +71,33 @@ void add_triangles(Delaunay& delaunay, const Work& work, Triangulation& result) 
 
 }  // namespace
 
+geometry::Point2 circumcenter(geometry::Point2 a, geometry::Point2 b, geometry::Point2 c) {
+    const geometry::Point2 u = b - a;
+    const geometry::Point2 v = c - a;
+    const double scale = 0.5 / cross(u, v);
+    const double uu = dot(u, u);
+    const double vv = dot(v, v);
+    return a + geometry::Point2{scale * (v.y * uu - u.y * vv), scale * (u.x * vv - v.x * uu)};
+}
+
 Triangulation triangulate(const Rim& rim, const std::vector<geometry::Point2>& sites, const Work& work) {
     Triangulation result;
     Delaunay delaunay;
     result.rim_count = static_cast<int>(rim.points.size());
-    std::vector<Delaunay::Vertex_handle> handles;
+    base::IndexVector<PointIndex, Delaunay::Vertex_handle> handles;
     const auto insert = [&](geometry::Point2 point) {
         work.check();
         // The last vertex is near the next one: points come loop by loop and site by site.
         const auto near = handles.empty() ? Delaunay::Face_handle() : handles.back()->face();
         const Delaunay::Vertex_handle vertex = delaunay.insert(Kernel::Point_2(point.x, point.y), near);
-        if (vertex->info().point < 0) vertex->info().point = static_cast<int>(result.points.size());
+        if (!vertex->info().point.is_valid()) vertex->info().point = PointIndex(result.points.size());
         result.points.push_back(point);
         handles.push_back(vertex);
     };
     for (const RimPoint& point : rim.points) insert(point.place);
     for (std::size_t i = 0; i < rim.next.size(); ++i) {
         work.check();
-        delaunay.insert_constraint(handles[i], handles[static_cast<std::size_t>(rim.next[i])]);
+        delaunay.insert_constraint(handles[i], handles[rim.next[i]]);
     }
     for (const geometry::Point2& site : sites) insert(site);
     mark_depths(delaunay, work);

@@ -9,22 +9,28 @@
 
 namespace fretwork::tiling::detail {
 
+using TriangleIndex = base::Index<struct TriangleTag>;
+
 /// A triangulation of the inside of a rim. Its points are the rim's, in their order, then the sites.
 struct Triangulation {
     int rim_count = 0;
-    std::vector<geometry::Point2> points;
-    std::vector<std::array<int, 3>> triangles;  ///< counterclockwise, in an order that only the points decide
-    /// The triangle behind the side opposite to each corner; -1: that side is on the rim.
-    std::vector<std::array<int, 3>> neighbors;
-    [[nodiscard]] bool is_rim(int point) const { return point < rim_count; }
+    base::IndexVector<PointIndex, geometry::Point2> points;
+    /// Counterclockwise, in an order that only the points decide.
+    base::IndexVector<TriangleIndex, std::array<PointIndex, 3>> triangles;
+    /// The triangle behind the side opposite to each corner; none: that side is on the rim.
+    base::IndexVector<TriangleIndex, std::array<TriangleIndex, 3>> neighbors;
+    [[nodiscard]] bool is_rim(PointIndex point) const { return point < rim_count; }
 };
 
 /// Constrained Delaunay triangulation: the rim's sides are edges, and no triangle is outside. The sites must
 /// lie strictly inside, at different places.
 Triangulation triangulate(const Rim& rim, const std::vector<geometry::Point2>& sites, const Work& work);
 
+/// The middle of the circle through three points that turn left or right.
+geometry::Point2 circumcenter(geometry::Point2 a, geometry::Point2 b, geometry::Point2 c);
+
 /// The corner of a triangle at which a point is.
-inline int corner_at(const std::array<int, 3>& triangle, int point) {
+inline int corner_at(const std::array<PointIndex, 3>& triangle, PointIndex point) {
     return triangle[0] == point ? 0 : triangle[1] == point ? 1 : 2;
 }
 
