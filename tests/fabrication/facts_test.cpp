@@ -45,15 +45,15 @@ TEST(Facts, KerfDoesNotChangeWhatIsLeft) {
 }
 
 TEST(Facts, AKerfThatClosesOpeningsIsTold) {
-    const auto told = Contains(Field(&Warning::message, HasSubstr("openings: they are not cut")));
-    EXPECT_THAT(facts(sample(), {.kerf = 2e-4}, {}).warnings, testing::Not(told));
-    EXPECT_THAT(facts(sample(), {.kerf = 0.06}, {}).warnings, told);
+    const auto warns = Contains(Field(&Warning::message, HasSubstr("openings: they are not cut")));
+    EXPECT_THAT(facts(sample(), {.kerf = 2e-4}, {}).warnings, testing::Not(warns));
+    EXPECT_THAT(facts(sample(), {.kerf = 0.06}, {}).warnings, warns);
 }
 
 TEST(Facts, AFilletThatDoesNotFitIsTold) {
-    const auto told = Contains(Field(&Warning::message, HasSubstr("mm does not fit in ")));
-    EXPECT_THAT(facts(sample(), {.fillet = 1e-4}, {}).warnings, testing::Not(told));
-    EXPECT_THAT(facts(sample(), {.fillet = 0.01}, {}).warnings, told);
+    const auto warns = Contains(Field(&Warning::message, HasSubstr("mm does not fit in ")));
+    EXPECT_THAT(facts(sample(), {.fillet = 1e-4}, {}).warnings, testing::Not(warns));
+    EXPECT_THAT(facts(sample(), {.fillet = 0.01}, {}).warnings, warns);
 }
 
 TEST(Facts, SmallestRadiusIsTheFilletOrZero) {
@@ -97,7 +97,7 @@ TEST(Facts, TheSupportsBearTheWeightOfTheOutline) {
     for (const ShapeOptions& shape : {ShapeOptions{}, ShapeOptions{.fillet = 5e-4, .frame_width = 0.004}}) {
         const Facts known = facts(sample(), shape, {&load_case, nullptr});
         ASSERT_TRUE(known.sag);
-        EXPECT_GT(std::abs(known.mass / known.beam_mass - 1.0), 0.01);  // so that the two can be told apart
+        EXPECT_GT(std::abs(known.mass / known.beam_mass - 1.0), 0.01);  // so that the two differ clearly
         EXPECT_NEAR(known.sag->weight, known.mass * 9.80665, 1e-8 * known.sag->weight);
     }
 }

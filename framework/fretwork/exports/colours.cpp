@@ -40,15 +40,42 @@ Rgb from_oklch(double lightness, double chroma, double hue) {
             gamma(-0.0041960863 * l - 0.7034186147 * m + 1.7076147010 * s)};
 }
 
-/// Straight between samples at equal distances.
-std::string mixed(const std::array<Rgb, 9>& samples, double share) {
+using Samples = std::array<Rgb, 9>;  // of a scale, at equal distances; between them it goes straight
+
+// The viridis map (CC0).
+constexpr Samples kScale = {{{0.267, 0.005, 0.329},
+                             {0.279, 0.175, 0.483},
+                             {0.230, 0.322, 0.546},
+                             {0.173, 0.449, 0.558},
+                             {0.128, 0.567, 0.551},
+                             {0.158, 0.684, 0.502},
+                             {0.369, 0.789, 0.383},
+                             {0.678, 0.864, 0.190},
+                             {0.993, 0.906, 0.144}}};
+constexpr Samples kSigned = {{{0.020, 0.188, 0.380},
+                              {0.129, 0.400, 0.674},
+                              {0.263, 0.576, 0.765},
+                              {0.573, 0.773, 0.871},
+                              {0.941, 0.941, 0.941},
+                              {0.957, 0.647, 0.510},
+                              {0.839, 0.376, 0.302},
+                              {0.698, 0.094, 0.169},
+                              {0.404, 0.000, 0.122}}};
+
+std::string mixed(const Samples& samples, double share) {
     const double place = std::clamp(share, 0.0, 1.0) * static_cast<double>(samples.size() - 1);
-    const auto below = std::min<std::size_t>(static_cast<std::size_t>(place), samples.size() - 2);
+    const auto below = std::min(static_cast<std::size_t>(place), samples.size() - 2);
     const double rest = place - static_cast<double>(below);
     Rgb colour{};
     for (std::size_t c = 0; c < 3; ++c)
         colour[c] = (1.0 - rest) * samples[below][c] + rest * samples[below + 1][c];
     return hex(colour);
+}
+
+std::vector<std::string> texts(const Samples& samples) {
+    std::vector<std::string> colours;
+    for (const Rgb& colour : samples) colours.push_back(hex(colour));
+    return colours;
 }
 
 bool is_beyond(double value, const ValueRange& range) {
@@ -64,7 +91,7 @@ std::string pattern_colour(int index) {
     constexpr std::array<const char*, 9> kFirst = {"#77aadd", "#eedd88", "#44bb99", "#ffaabb", "#bbcc33",
                                                    "#ee8866", "#99ddff", "#aaaa00", "#dddddd"};
     if (index < 0) return "#f4f6f8";
-    const auto place = static_cast<std::size_t>(index);
+    const std::size_t place = index;
     if (place < kFirst.size()) return kFirst[place];
     constexpr double kGoldenTurn = 0.3819660112501051;
     constexpr std::array<double, 3> kLightness = {0.87, 0.78, 0.70};
@@ -73,31 +100,19 @@ std::string pattern_colour(int index) {
 }
 
 std::string scale_colour(double share) {
-    // Nine samples of the viridis map (CC0), between which we go straight.
-    constexpr std::array<Rgb, 9> kSamples = {{{0.267, 0.005, 0.329},
-                                              {0.279, 0.175, 0.483},
-                                              {0.230, 0.322, 0.546},
-                                              {0.173, 0.449, 0.558},
-                                              {0.128, 0.567, 0.551},
-                                              {0.158, 0.684, 0.502},
-                                              {0.369, 0.789, 0.383},
-                                              {0.678, 0.864, 0.190},
-                                              {0.993, 0.906, 0.144}}};
-    return mixed(kSamples, share);
+    return mixed(kScale, share);
 }
 
 std::string signed_colour(double share) {
-    // The page of views has the same.
-    constexpr std::array<Rgb, 9> kSamples = {{{0.020, 0.188, 0.380},
-                                              {0.129, 0.400, 0.674},
-                                              {0.263, 0.576, 0.765},
-                                              {0.573, 0.773, 0.871},
-                                              {0.941, 0.941, 0.941},
-                                              {0.957, 0.647, 0.510},
-                                              {0.839, 0.376, 0.302},
-                                              {0.698, 0.094, 0.169},
-                                              {0.404, 0.000, 0.122}}};
-    return mixed(kSamples, share);
+    return mixed(kSigned, share);
+}
+
+std::vector<std::string> scale_samples() {
+    return texts(kScale);
+}
+
+std::vector<std::string> signed_samples() {
+    return texts(kSigned);
 }
 
 ValueRange whole_range(std::span<const double> values) {

@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace fretwork::exports {
 
@@ -19,6 +20,11 @@ std::string scale_colour(double share);
 /// From dark blue (0) over nearly white (0.5) to dark red (1), after ColorBrewer's RdBu; values outside are
 /// clamped.
 std::string signed_colour(double share);
+
+/// The colours of a scale at equal distances, between which it goes straight, as "#rrggbb": for pages, which
+/// draw by themselves.
+std::vector<std::string> scale_samples();
+std::vector<std::string> signed_samples();
 
 /// The range of a colour scale.
 struct ValueRange {

@@ -8,6 +8,7 @@
 #include <fretwork/simulation/results/surface_result.hpp>
 #include <fretwork/simulation/surface.hpp>
 
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
@@ -19,6 +20,12 @@ namespace fretwork::exports {
 struct PixelSize {
     int width = 1600;
     int height = 1000;
+    [[nodiscard]] std::size_t count() const { return at(0, height); }
+    /// The number of a pixel: they are counted row by row from the upper left.
+    [[nodiscard]] std::size_t at(int column, int row) const {
+        return static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
+               static_cast<std::size_t>(column);
+    }
 };
 
 /// How bars in 3D are shown.

@@ -53,8 +53,7 @@ void join_coincident_nodes(BarPlan& plan) {
             plan.coincidences.push_back({TessellationNodeIndex(n), TessellationNodeIndex(first[n])});
     }
     for (Bar& bar : plan.bars) {
-        for (TessellationNodeIndex& node : bar.nodes)
-            node = TessellationNodeIndex(first[static_cast<std::size_t>(node)]);
+        for (TessellationNodeIndex& node : bar.nodes) node = TessellationNodeIndex(first[node]);
         if (bar.nodes[0] == bar.nodes[1])
             throw base::GeometryError("tile " + std::to_string(bar.tile) + " has a beam without length at " +
                                       place_text(plan.nodes[bar.nodes[0]]));
@@ -77,11 +76,10 @@ std::vector<RimSide> rim_sides(const tiling::Tessellation& tessellation, std::si
             const int from = tile.vertices[s];
             const int to = tile.vertices[(s + 1) % count];
             if (sides.erase({to, from}) > 0) continue;
-            RimSide side{TileIndex(t),
-                         {TessellationNodeIndex(first_vertex + static_cast<std::size_t>(from))}};
+            RimSide side{TileIndex(t), {TessellationNodeIndex(first_vertex + from)}};
             for (std::size_t i = 0; i < per_side; ++i)
                 side.nodes.emplace_back(tile.interface_nodes[s * per_side + i].value);
-            side.nodes.emplace_back(first_vertex + static_cast<std::size_t>(to));
+            side.nodes.emplace_back(first_vertex + to);
             sides.emplace(std::pair(from, to), std::move(side));
         }
     }

@@ -156,10 +156,9 @@ class FactFinder {
         }
         std::vector<bool> used(plan_.nodes.size());
         for (const Bar& bar : plan_.bars)
-            for (const TessellationNodeIndex node : bar.nodes) used[static_cast<std::size_t>(node)] = true;
-        const auto corners = std::ranges::count_if(plan_.coincidences, [&](const BarPlan::Coincidence& one) {
-            return used[static_cast<std::size_t>(one.taken)];
-        });
+            for (const TessellationNodeIndex node : bar.nodes) used[node] = true;
+        const auto corners = std::ranges::count_if(
+            plan_.coincidences, [&](const BarPlan::Coincidence& one) { return used[one.taken]; });
         if (corners > 0)
             warn(
                 std::to_string(corners) +
@@ -183,7 +182,7 @@ class FactFinder {
                         {});
         Facts::Sag sag{load_case.name, result.solution.reactions.col(2).sum(), 0.0, {}};
         for (std::size_t n = 0; n < surface_.tessellation.interface_nodes.size(); ++n) {
-            const double down = std::abs(result.solution.displacements(static_cast<Eigen::Index>(n), 2));
+            const double down = std::abs(result.solution.displacements(n, 2));
             if (down <= sag.deflection) continue;
             sag.deflection = down;
             sag.place = surface_.tessellation.interface_nodes[n];
@@ -224,8 +223,8 @@ class FactFinder {
         for (Eigen::Index row = 0; row < state.forces.rows(); ++row) {
             const double value = state.forces(row, simulation::kVonMisesField);
             if (!(value > (facts_.stress ? facts_.stress->value : -1.0))) continue;
-            const auto beam = static_cast<std::size_t>(row / 2);
-            const int node = beams.ends[beam][static_cast<std::size_t>(row % 2)];
+            const std::size_t beam = row / 2;
+            const int node = beams.ends[beam][row % 2];
             facts_.stress = Facts::Stress{source, value, beams.tiles[beam], TessellationNodeIndex(node)};
         }
     }

@@ -31,8 +31,7 @@ std::vector<std::string> shape_remarks(const Shape& left, const Shape& cut, cons
             radii, [&](double radius) { return radius < (1.0 - kRounding) * options.fillet; });
         if (small > 0)
             remarks.push_back("the fillet of " + detail::millimetres(options.fillet) + " does not fit in " +
-                              share_text(static_cast<std::size_t>(small), radii.size()) +
-                              " inner corners: the smallest is " +
+                              share_text(small, radii.size()) + " inner corners: the smallest is " +
                               detail::millimetres(std::ranges::min(radii)));
     }
     return remarks;

@@ -144,9 +144,7 @@ class SheetCutter {
 
     [[nodiscard]] BarPlan part_plan(std::size_t part) const {
         BarPlan plan = plan_;
-        std::erase_if(plan.bars, [&](const Bar& bar) {
-            return part_of_tile_[static_cast<std::size_t>(bar.tile)] != part;
-        });
+        std::erase_if(plan.bars, [&](const Bar& bar) { return part_of_tile_[bar.tile] != part; });
         return plan;
     }
 

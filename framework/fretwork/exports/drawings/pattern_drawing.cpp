@@ -73,7 +73,7 @@ std::string pattern_sheet_svg(const NodeLayout& layout, std::span<const Pattern>
         const int cell = i + 1;
         const int row = cell / columns;
         const Point2 center{(cell % columns) * step_x, -row * step_y};
-        const Pattern& pattern = patterns[static_cast<std::size_t>(i)];
+        const Pattern& pattern = patterns[i];
         detail::draw_fan(canvas, layout, pattern, {center, pattern_colour(pattern.edge_count())}, options);
         const std::string id = pattern_id(layout, pattern);
         // A long id is set smaller, so that it stays under its own fan.

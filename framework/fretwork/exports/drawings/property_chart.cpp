@@ -74,7 +74,7 @@ std::vector<Extreme> find_extremes(std::span<const PatternProperties> patterns) 
     std::vector<Extreme> extremes;
     for (const auto& [reason, score] : rows) {
         const auto best = std::ranges::max_element(patterns, {}, score);
-        const auto index = static_cast<std::size_t>(best - patterns.begin());
+        const std::size_t index = best - patterns.begin();
         const auto same = std::ranges::find(extremes, index, &Extreme::index);
         if (same == extremes.end()) {
             extremes.push_back({reason, index});

@@ -73,7 +73,7 @@ std::string reduced_sheet_svg(const pattern::NodeLayout& layout, std::span<const
     const double step_y = 2.5 * side;
     SvgCanvas canvas({-1.2 * side, -(rows - 0.4) * step_y, columns * step_x - 1.1 * side, 1.1 * side}, 1.0);
     for (int i = 0; i < count; ++i) {
-        const ReducedPattern& entry = patterns[static_cast<std::size_t>(i)];
+        const ReducedPattern& entry = patterns[i];
         const int row = i / columns;
         const Point2 left{(i % columns) * step_x, -row * step_y};
         const Point2 right{left.x + 2.1 * side, left.y};

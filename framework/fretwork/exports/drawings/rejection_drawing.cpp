@@ -27,7 +27,7 @@ std::vector<std::vector<const Rejection*>> rows_by_filter(std::span<const Reject
 
 Pattern guilty_part(const pattern::Verdict& verdict) {
     Pattern::Bits bits;
-    for (const pattern::EdgeIndex edge : verdict.guilty) bits.set(static_cast<std::size_t>(edge));
+    for (const pattern::EdgeIndex edge : verdict.guilty) bits.set(edge);
     return Pattern(bits);
 }
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/files/provenance.hpp>
 #include <fretwork/base/internal/json_text.hpp>
+#include <fretwork/base/text.hpp>
 #include <fretwork/exports/making/cut_files.hpp>
 #include <fretwork/exports/making/facts_report.hpp>
 
 #include <algorithm>
-#include <cstdio>
 #include <numbers>
 
 namespace fretwork::exports {
@@ -22,11 +22,8 @@ struct Row {
     std::string value;
 };
 
-/// A number of people: four digits.
 std::string shown(double value) {
-    char buffer[32];
-    std::snprintf(buffer, sizeof(buffer), "%.4g", value);
-    return buffer;
+    return base::format_number(value, 4);
 }
 
 std::string place_of(int tile, int node) {

@@ -60,8 +60,8 @@ class Builder {
 
   private:
     [[nodiscard]] bool is_known(std::size_t tile) const {
-        const auto first = static_cast<Eigen::Index>(beams_.starts[tile].inner_node);
-        const auto count = static_cast<Eigen::Index>(beams_.starts[tile + 1].inner_node) - first;
+        const Eigen::Index first = beams_.starts[tile].inner_node;
+        const Eigen::Index count = beams_.starts[tile + 1].inner_node - first;
         return !state_.nodes.middleRows(first, count).hasNaN();
     }
 
@@ -70,7 +70,7 @@ class Builder {
         if (is_known(t)) {
             for (std::size_t b = beams_.starts[t].beam; b < beams_.starts[t + 1].beam; ++b) {
                 add_bar({beams_.ends[b][0].value, beams_.ends[b][1].value}, tile.pattern);
-                beam_of_bar_.push_back(static_cast<std::ptrdiff_t>(b));
+                beam_of_bar_.push_back(b);
             }
             return;
         }

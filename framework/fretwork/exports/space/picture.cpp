@@ -137,7 +137,7 @@ class Lighting {
 
     /// Adds up light after light, so that the sum does not depend on the number of threads.
     void shine_on(std::vector<Receiver>& receivers) const {
-        const auto at_once = static_cast<std::size_t>(base::resolved_thread_count(0));
+        const std::size_t at_once = base::resolved_thread_count(0);
         for (std::size_t first = 0; first < lights_.size(); first += at_once) {
             control_.check();
             const std::size_t count = std::min(at_once, lights_.size() - first);
@@ -187,9 +187,9 @@ class Picture {
           ground_(ground_height()),
           camera_(detail::start_view(bars, scene), static_cast<double>(size_.width) / size_.height, places_),
           lighting_(mesh_, lights(camera_, size_), scene.control),
-          grid_width_(static_cast<std::size_t>(size_.width) / 2 + 2),
-          ground_grid_(grid_width_ * (static_cast<std::size_t>(size_.height) / 2 + 2)),
-          pixels_(static_cast<std::size_t>(size_.width) * static_cast<std::size_t>(size_.height)) {}
+          grid_width_(size_.width / 2 + 2),
+          ground_grid_(grid_width_ * (size_.height / 2 + 2)),
+          pixels_(size_.count()) {}
 
     std::string text() && {
         draw_bars();
@@ -281,7 +281,7 @@ class Picture {
     }
 
     [[nodiscard]] float ground_shadow(std::size_t pixel) const {
-        const auto width = static_cast<std::size_t>(size_.width);
+        const std::size_t width = size_.width;
         const std::size_t row = pixel / width;
         const float x = 0.5F * (static_cast<float>(pixel % width) + 0.5F);
         const float y = 0.5F * (static_cast<float>(row) + 0.5F);
@@ -296,7 +296,7 @@ class Picture {
 
     /// Towards the rim of the picture the shadow ends softly.
     [[nodiscard]] float fading(std::size_t pixel) const {
-        const auto width = static_cast<std::size_t>(size_.width);
+        const std::size_t width = size_.width;
         const auto share = [](std::size_t place, int count) {
             const float s = (static_cast<float>(place) + 0.5F) / static_cast<float>(count);
             return std::clamp(std::min(s, 1.0F - s) / 0.06F, 0.0F, 1.0F);

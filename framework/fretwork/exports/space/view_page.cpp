@@ -86,6 +86,7 @@ Json scene_json(const Scene& scene) {
         {"view", {view.azimuth, view.elevation}},
         {"colour", scene.picture.colour},
         {"beyond", kBeyondColour},
+        {"scales", {scale_samples(), signed_samples()}},
         {"fields", Json::array()},
         {"supports", Json::array()},
         {"loads", Json::array()}};

@@ -150,8 +150,7 @@ std::string csv_text(const LineSet& lines) {
         text += std::to_string(i);
         for (const double value : lines.nodes[i]) text += "," + format_number(value);
         for (Eigen::Index d = 0; d < mechanics::kDofsPerNode; ++d) {
-            const double value =
-                lines.displacements ? (*lines.displacements)(static_cast<Eigen::Index>(i), d) : 0.0;
+            const double value = lines.displacements ? (*lines.displacements)(i, d) : 0.0;
             text += "," + format_number(value);
         }
         text += "\n";

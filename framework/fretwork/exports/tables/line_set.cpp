@@ -39,14 +39,12 @@ struct DrawnNodes {
         }
     }
     void add(int node) {
-        int& own = place[static_cast<std::size_t>(node)];
+        int& own = place[node];
         if (own >= 0) return;
         own = static_cast<int>(nodes.size());
         nodes.push_back(node);
     }
-    [[nodiscard]] int place_of(mechanics::NodeIndex node) const {
-        return place[static_cast<std::size_t>(node.value)];
-    }
+    [[nodiscard]] int place_of(mechanics::NodeIndex node) const { return place[node.value]; }
     [[nodiscard]] mechanics::NodeValues rows(const mechanics::NodeValues& reported,
                                              const mechanics::NodeValues& inner) const {
         mechanics::NodeValues all(reported.rows() + inner.rows(), mechanics::kDofsPerNode);
@@ -98,8 +96,7 @@ void add_beam_fields(const Surface& surface, const simulation::SurfaceResult& re
     set = surface_lines(surface);
     set.displacements = state.nodes;
     for (std::size_t column = 0; column < simulation::kBeamFields.size(); ++column)
-        set.line_fields.push_back(
-            {simulation::kBeamFields[column], largest_of_ends(state, static_cast<Eigen::Index>(column))});
+        set.line_fields.push_back({simulation::kBeamFields[column], largest_of_ends(state, column)});
     if (wanted.strength) {
         set.line_fields.push_back({"utilization", set.line_fields.back().values});
         for (double& share : set.line_fields.back().values) share /= *wanted.strength;
@@ -129,7 +126,7 @@ LineSet surface_lines(const Surface& surface) {
     const simulation::SurfaceBeams beams = simulation::surface_beams(surface);
     set.nodes = beams.nodes;
     for (std::size_t b = 0; b < beams.ends.size(); ++b) {
-        const auto tile = static_cast<std::size_t>(beams.tiles[b]);
+        const std::size_t tile = beams.tiles[b];
         set.lines.push_back({beams.ends[b][0].value, beams.ends[b][1].value});
         set.tiles.push_back(static_cast<int>(tile));
         set.patterns.push_back(surface.tessellation.tiles[tile].pattern);
@@ -142,7 +139,7 @@ LineSet result_lines(const Surface& surface, const simulation::SurfaceResult& re
     LineSet set = surface_lines(surface);
     const bool has_every_beam = result.nodes.size() == set.nodes.size();
     if (!has_every_beam) set = tile_loops(surface);
-    set.displacements = result.solution.displacements.topRows(static_cast<Eigen::Index>(set.nodes.size()));
+    set.displacements = result.solution.displacements.topRows(set.nodes.size());
     return set;
 }
 
@@ -191,7 +188,7 @@ std::vector<Eigen::Vector3d> displaced_nodes(const LineSet& lines, double scale)
     std::vector<Eigen::Vector3d> places = lines.nodes;
     if (!lines.displacements) return places;
     for (std::size_t i = 0; i < places.size(); ++i) {
-        places[i] += scale * lines.displacements->row(static_cast<Eigen::Index>(i)).head<3>().transpose();
+        places[i] += scale * lines.displacements->row(i).head<3>().transpose();
     }
     return places;
 }

@@ -193,9 +193,7 @@ class ArcFinder {
     [[nodiscard]] std::size_t before(std::size_t i) const {
         return (i + polygon_.size() - 1) % polygon_.size();
     }
-    [[nodiscard]] const Disc& disc(std::size_t edge) const {
-        return discs_[static_cast<std::size_t>(circles_[edge])];
-    }
+    [[nodiscard]] const Disc& disc(std::size_t edge) const { return discs_[circles_[edge]]; }
     [[nodiscard]] bool begins(std::size_t i) const {
         return circles_[i] < 0 || circles_[i] != circles_[before(i)];
     }

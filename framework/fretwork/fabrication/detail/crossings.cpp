@@ -58,8 +58,8 @@ std::optional<Point2> overlap_at_common_node(const BarPlan& plan, const Bar& a, 
         for (std::size_t j = 0; j < 2; ++j) {
             if (a.nodes[i] != b.nodes[j]) continue;
             const Point2 node = plan.nodes[a.nodes[i]];
-            const Point2 along_a = unit(plan.nodes[static_cast<std::size_t>(a.nodes[1 - i])] - node);
-            const Point2 along_b = unit(plan.nodes[static_cast<std::size_t>(b.nodes[1 - j])] - node);
+            const Point2 along_a = unit(plan.nodes[a.nodes[1 - i]] - node);
+            const Point2 along_b = unit(plan.nodes[b.nodes[1 - j]] - node);
             if (distance(along_a, along_b) < kSameDirection) return node;
         }
     }

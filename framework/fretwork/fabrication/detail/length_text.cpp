@@ -2,16 +2,12 @@
 #include <fretwork/base/text.hpp>
 #include <fretwork/fabrication/detail/length_text.hpp>
 
-#include <array>
 #include <cmath>
-#include <cstdio>
 
 namespace fretwork::fabrication::detail {
 
 std::string short_number(double value) {
-    std::array<char, 32> buffer{};
-    std::snprintf(buffer.data(), buffer.size(), "%.4g", value);
-    return buffer.data();
+    return base::format_number(value, 4);
 }
 
 std::string millimetres(double metres) {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/disjoint_sets.hpp>
 #include <fretwork/fabrication/detail/assembling.hpp>
 #include <fretwork/fabrication/detail/planar_faces.hpp>
 #include <fretwork/geometry/plane.hpp>
 
 #include <limits>
-#include <numeric>
 #include <optional>
 
 namespace fretwork::fabrication::detail {
@@ -26,9 +26,7 @@ class HalfBars {
     }
 
     [[nodiscard]] std::size_t count() const { return place_.size(); }
-    [[nodiscard]] std::size_t start(std::size_t half) const {
-        return static_cast<std::size_t>(plan_.bars[half / 2].nodes[half % 2]);
-    }
+    [[nodiscard]] std::size_t start(std::size_t half) const { return plan_.bars[half / 2].nodes[half % 2]; }
     [[nodiscard]] const Point2& place(std::size_t half) const { return plan_.nodes[start(half)]; }
     /// The one that goes on along the same region: the next clockwise from the way back.
     [[nodiscard]] std::size_t next(std::size_t half) const {
@@ -48,24 +46,6 @@ class HalfBars {
     std::vector<std::size_t> place_;
 };
 
-/// The connected components of the nodes.
-class Components {
-  public:
-    explicit Components(const BarPlan& plan) : parent_(plan.nodes.size()) {
-        std::iota(parent_.begin(), parent_.end(), std::size_t{0});
-        for (const Bar& bar : plan.bars)
-            parent_[root(static_cast<std::size_t>(bar.nodes[0]))] =
-                root(static_cast<std::size_t>(bar.nodes[1]));
-    }
-    std::size_t root(std::size_t node) {
-        while (parent_[node] != node) node = parent_[node] = parent_[parent_[node]];
-        return node;
-    }
-
-  private:
-    std::vector<std::size_t> parent_;
-};
-
 struct FoundWalk {
     Walk walk;
     double area = 0.0;
@@ -74,13 +54,14 @@ struct FoundWalk {
 
 std::vector<FoundWalk> all_walks(const BarPlan& plan) {
     const HalfBars halves(plan);
-    Components components(plan);
+    base::DisjointSets components(plan.nodes.size());
+    for (const Bar& bar : plan.bars) components.unite(bar.nodes[0], bar.nodes[1]);
     std::vector<bool> seen(halves.count());
     std::vector<FoundWalk> walks;
     for (std::size_t first = 0; first < halves.count(); ++first) {
         if (seen[first]) continue;
         FoundWalk& found = walks.emplace_back();
-        found.component = components.root(halves.start(first));
+        found.component = components.first_of(halves.start(first));
         for (std::size_t half = first; !seen[half]; half = halves.next(half)) {
             seen[half] = true;
             found.walk.push_back(halves.place(half));

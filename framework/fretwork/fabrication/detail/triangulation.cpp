@@ -45,7 +45,7 @@ std::vector<Triangulation::Vertex_handle> insert_corners(Triangulation& triangul
     std::vector<Triangulation::Vertex_handle> handles(corners.size());
     for (auto vertex = triangulation.finite_vertices_begin(); vertex != triangulation.finite_vertices_end();
          ++vertex)
-        handles[static_cast<std::size_t>(vertex->info())] = vertex;
+        handles[vertex->info()] = vertex;
     for (std::size_t i = 0; i < handles.size(); ++i) {
         if (handles[i] == Triangulation::Vertex_handle()) fail({corners[i].first.x(), corners[i].first.y()});
     }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/text.hpp>
 #include <fretwork/exports/drawings/detail/chart_svg.hpp>
 
 #include <cstdio>
@@ -15,14 +16,13 @@ std::string print(const char* format, double value) {
 }  // namespace
 
 std::string number(double value) {
-    return print("%.4g", value);
+    return base::format_number(value, 4);
 }
 
 std::string tick_text(double value) {
     if (value < 1e4) return number(value);
     std::string digits = print("%.0f", value);
-    for (auto at = static_cast<std::ptrdiff_t>(digits.size()) - 3; at > 0; at -= 3)
-        digits.insert(static_cast<std::size_t>(at), "\u2009");
+    for (auto at = std::ssize(digits) - 3; at > 0; at -= 3) digits.insert(at, "\u2009");
     return digits;
 }
 

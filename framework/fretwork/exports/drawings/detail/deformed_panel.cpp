@@ -23,9 +23,7 @@ constexpr double kEdge = 2.4;  ///< of a line's width: the white below it, which
 
 Segments segments_of(const LineSet& lines, const std::vector<Point2>& points) {
     Segments segments;
-    for (const auto& line : lines.lines)
-        segments.push_back(
-            {points[static_cast<std::size_t>(line[0])], points[static_cast<std::size_t>(line[1])]});
+    for (const auto& line : lines.lines) segments.push_back({points[line[0]], points[line[1]]});
     return segments;
 }
 
@@ -33,7 +31,7 @@ Segments segments_of(const LineSet& lines, const std::vector<Point2>& points) {
 std::vector<double> displacement_sizes(const LineSet& lines) {
     std::vector<double> sizes(lines.nodes.size(), 0.0);
     for (std::size_t i = 0; i < sizes.size() && lines.displacements; ++i)
-        sizes[i] = lines.displacements->row(static_cast<Eigen::Index>(i)).head<3>().norm();
+        sizes[i] = lines.displacements->row(i).head<3>().norm();
     return sizes;
 }
 
@@ -130,7 +128,7 @@ class WhiteEdges {
         const double length = std::hypot(end.x - start.x, end.y - start.y);
         const double first = gap(line, 0);
         const double last = gap(line, 1);
-        for (const int node : lines_.lines[line]) drawn_at_[static_cast<std::size_t>(node)].push_back(line);
+        for (const int node : lines_.lines[line]) drawn_at_[node].push_back(line);
         if (!(first + last < length)) return;
         const auto at = [&, from = start, to = end](double t) {
             return Point2{from.x + t * (to.x - from.x), from.y + t * (to.y - from.y)};
@@ -144,7 +142,7 @@ class WhiteEdges {
     [[nodiscard]] double gap(std::size_t line, std::size_t end) const {
         const int node = lines_.lines[line][end];
         double gap = 0.0;
-        for (const std::size_t other : drawn_at_[static_cast<std::size_t>(node)])
+        for (const std::size_t other : drawn_at_[node])
             gap = std::max(gap, parting(away_from(line, node), away_from(other, node)));
         return gap;
     }
@@ -181,7 +179,7 @@ void draw_coloured_lines(SvgCanvas& canvas, const LineSet& lines, const View& vi
     const std::vector<double>& nearnesses = view.nearnesses.front();
     const auto of_ends = [&](const std::vector<double>& values, std::size_t i) {
         const auto& line = lines.lines[i];
-        return 0.5 * (values[static_cast<std::size_t>(line[0])] + values[static_cast<std::size_t>(line[1])]);
+        return 0.5 * (values[line[0]] + values[line[1]]);
     };
     std::vector<std::size_t> order(lines.lines.size());
     std::iota(order.begin(), order.end(), std::size_t{0});

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/text.hpp>
 #include <fretwork/exports/drawings/detail/furniture.hpp>
 
 #include <cmath>
-#include <cstdio>
 
 namespace fretwork::exports::detail {
 namespace {
@@ -29,15 +29,11 @@ double text_width(std::string_view text, double height) {
 }
 
 std::string short_number(double value) {
-    char buffer[32];
-    std::snprintf(buffer, sizeof buffer, "%.3g", value);
-    return buffer;
+    return base::format_number(value, 3);
 }
 
 std::string millimetres(double metres) {
-    char buffer[32];
-    std::snprintf(buffer, sizeof buffer, "%.4g mm", 1e3 * metres);
-    return buffer;
+    return base::format_number(1e3 * metres, 4) + " mm";
 }
 
 void draw_scale_bar(SvgCanvas& canvas, const Point2& start) {

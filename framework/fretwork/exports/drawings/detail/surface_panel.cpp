@@ -63,8 +63,8 @@ class PatternLegend {
             const int row = i / columns_;
             const Point2 middle{top_left.x + (i % columns_) * column_width_ + 1.7 * text_,
                                 top_left.y - (row + 0.5) * row_height()};
-            draw_icon(canvas, used_[static_cast<std::size_t>(i)], middle);
-            draw_id(canvas, ids_[static_cast<std::size_t>(i)], {middle.x + 2.2 * text_, middle.y});
+            draw_icon(canvas, used_[i], middle);
+            draw_id(canvas, ids_[i], {middle.x + 2.2 * text_, middle.y});
         }
     }
 

@@ -74,8 +74,7 @@ void draw_tiles(SvgCanvas& canvas, const Surface& surface, const Projection& pro
         const auto polygon = projection.all(tiling::tile_polygon(tessellation, tiling::TileIndex(t)));
         const int pattern = tessellation.tiles[t].pattern;
         const std::string number = std::to_string(t);
-        const std::string id =
-            pattern < 0 ? "not painted" : tessellation.patterns[static_cast<std::size_t>(pattern)].id;
+        const std::string id = pattern < 0 ? "not painted" : tessellation.patterns[pattern].id;
         const Style style = pattern < 0
                                 ? Style{"#f4f6f8", "#8fa3b5", 0.2 * beam_width(surface), 1.0}
                                 : Style{pattern_colour(pattern), "#ffffff", 0.2 * beam_width(surface), 1.0};

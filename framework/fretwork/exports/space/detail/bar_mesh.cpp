@@ -41,16 +41,15 @@ class Builder {
     };
 
     [[nodiscard]] Matrix3d turn_of(std::size_t node) const {
-        const auto row = static_cast<Eigen::Index>(node);
-        return geometry::exponential(scale_ * scene_.motion.row(row).tail<3>().transpose()).matrix();
+        return geometry::exponential(scale_ * scene_.motion.row(node).tail<3>().transpose()).matrix();
     }
     [[nodiscard]] Vector3d place(std::size_t node) const {
         return place_of(scene_, static_cast<int>(node), scale_);
     }
 
     void add_bar(std::size_t bar) {
-        const auto from = static_cast<std::size_t>(scene_.bars[bar][0]);
-        const auto to = static_cast<std::size_t>(scene_.bars[bar][1]);
+        const std::size_t from = scene_.bars[bar][0];
+        const std::size_t to = scene_.bars[bar][1];
         const Vector3d along = (scene_.nodes[to] - scene_.nodes[from]).normalized();
         const Matrix3d turn0 = turn_of(from);
         const Matrix3d turn1 = turn_of(to);
@@ -96,8 +95,8 @@ class Builder {
             const auto first = static_cast<std::uint32_t>(mesh_.vertices.size());
             for (const Cut& cut : cuts) {
                 const std::array<Vector3d, 4> normals = {cut.axis2, cut.axis3, -cut.axis2, -cut.axis3};
-                const Vector3d& normal = normals[static_cast<std::size_t>(side)];
-                const Vector3d& next = normals[static_cast<std::size_t>(side + 1) % 4];
+                const Vector3d& normal = normals[side];
+                const Vector3d& next = normals[(side + 1) % 4];
                 const double reach = side % 2 == 0 ? w : h;
                 const double half = side % 2 == 0 ? h : w;
                 for (const double sign : {-1.0, 1.0})

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/exports/drawings/detail/furniture.hpp>
 #include <fretwork/exports/space/detail/picture_legend.hpp>
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <string>
 #include <string_view>
 
@@ -53,8 +53,7 @@ class Pixels {
     void fill(int x, int y, PixelSize box, Rgb colour) {
         for (int row = std::max(y, 0); row < std::min(y + box.height, size_.height); ++row) {
             for (int column = std::max(x, 0); column < std::min(x + box.width, size_.width); ++column) {
-                const auto at = 4 * (static_cast<std::size_t>(row) * static_cast<std::size_t>(size_.width) +
-                                     static_cast<std::size_t>(column));
+                const std::size_t at = 4 * size_.at(column, row);
                 bytes_[at] = colour.red;
                 bytes_[at + 1] = colour.green;
                 bytes_[at + 2] = colour.blue;
@@ -83,7 +82,7 @@ class Pixels {
             const auto* glyph = std::ranges::find(kGlyphs, letter, &Glyph::letter);
             for (int column = 0; glyph != std::end(kGlyphs) && column < 5; ++column) {
                 for (int row = 0; row < kHeight; ++row) {
-                    if ((glyph->columns[static_cast<std::size_t>(column)] >> row & 1) != 0)
+                    if ((glyph->columns[column] >> row & 1) != 0)
                         fill(x + pen.dot * column - pen.rim, y + pen.dot * row - pen.rim, {side, side},
                              pen.colour);
                 }
@@ -95,12 +94,6 @@ class Pixels {
     std::vector<std::uint8_t> bytes_;
     PixelSize size_;
 };
-
-std::string number_text(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.3g", value);
-    return text;
-}
 
 /// Reads "#rrggbb".
 Rgb rgb(const std::string& colour) {
@@ -136,15 +129,14 @@ std::vector<std::uint8_t> with_legend(std::vector<std::uint8_t> pixels, PixelSiz
     const ValueRange range = value_range(field.values);
     const auto beyond = largest_beyond(field.values, range);
     std::string title = field.title + " " + field.unit;
-    if (beyond) title += " up to " + number_text(field.factor * *beyond) + "  ";
-    const std::string from = number_text(field.factor * range.from);
-    const std::string to = number_text(field.factor * range.to);
+    if (beyond) title += " up to " + short_number(field.factor * *beyond) + "  ";
+    const std::string from = short_number(field.factor * range.from);
+    const std::string to = short_number(field.factor * range.to);
     const int width = kLetter * dot * static_cast<int>(std::max<std::size_t>(title.size(), 24));
     const int line = measures.line;
     const int x = 2 * measures.margin;
     const int y = size.height - measures.height + measures.margin;
-    pixels.resize(std::size_t{4} * static_cast<std::size_t>(size.width) *
-                  static_cast<std::size_t>(size.height));
+    pixels.resize(4 * size.count());
     Pixels drawn(std::move(pixels), size);
     drawn.write(x, y, title, dot);
     if (beyond) {

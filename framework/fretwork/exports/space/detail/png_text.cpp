@@ -35,9 +35,8 @@ std::string png_text(PixelSize size, const std::vector<std::uint8_t>& bytes) {
     PngWriter writer;
     std::string text;
     png_set_write_fn(writer.png, &text, append, flush);
-    png_set_IHDR(writer.png, writer.info, static_cast<png_uint_32>(size.width),
-                 static_cast<png_uint_32>(size.height), 8, PNG_COLOR_TYPE_RGB_ALPHA, PNG_INTERLACE_NONE,
-                 PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    png_set_IHDR(writer.png, writer.info, size.width, size.height, 8, PNG_COLOR_TYPE_RGB_ALPHA,
+                 PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     png_set_sRGB(writer.png, writer.info, PNG_sRGB_INTENT_PERCEPTUAL);
     // By this the program knows its own files, which it may replace.
     std::string key = "Software";
@@ -49,8 +48,7 @@ std::string png_text(PixelSize size, const std::vector<std::uint8_t>& bytes) {
     software.text_length = value.size();
     png_set_text(writer.png, writer.info, &software, 1);
     png_write_info(writer.png, writer.info);
-    for (std::size_t y = 0; y < static_cast<std::size_t>(size.height); ++y)
-        png_write_row(writer.png, bytes.data() + 4 * y * static_cast<std::size_t>(size.width));
+    for (int y = 0; y < size.height; ++y) png_write_row(writer.png, bytes.data() + 4 * size.at(0, y));
     png_write_end(writer.png, writer.info);
     return text;
 }

@@ -15,11 +15,6 @@ using Eigen::Vector3f;
 
 constexpr int kBlock = 16;  ///< texels, along a side
 
-/// In a square map of this width.
-std::size_t at(int x, int y, int width) {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
-}
-
 /// The range of columns in which a triangle crosses a row of the grid. Thin triangles across the picture fill
 /// little of their boxes.
 std::array<float, 2> crossing(const std::array<Vector2f, 3>& corners, float y) {
@@ -78,9 +73,7 @@ struct Hit {
 class PictureRaster {
   public:
     PictureRaster(const Mesh& mesh, const Camera& camera, PixelSize grid)
-        : mesh_(mesh),
-          grid_(grid),
-          hits_(static_cast<std::size_t>(grid.width) * static_cast<std::size_t>(grid.height)) {
+        : mesh_(mesh), grid_(grid), hits_(grid.count()) {
         for (const Mesh::Vertex& vertex : mesh.vertices) {
             const Eigen::Vector3d seen = camera.project(vertex.place.cast<double>());
             places_.emplace_back(static_cast<float>(0.5 * (seen.x() + 1.0) * grid.width - 0.5),
@@ -99,9 +92,7 @@ class PictureRaster {
         for_each_point({p[0].head<2>(), p[1].head<2>(), p[2].head<2>()}, grid_,
                        [&](int x, int y, const Vector3f& weights) {
                            const float near = weights.dot(nearness);
-                           Hit& hit =
-                               hits_[static_cast<std::size_t>(y) * static_cast<std::size_t>(grid_.width) +
-                                     static_cast<std::size_t>(x)];
+                           Hit& hit = hits_[grid_.at(x, y)];
                            if (near > hit.nearness)
                                hit = {near, triangle, weights.cwiseProduct(nearness) / near};
                        });
@@ -122,15 +113,13 @@ std::vector<Sample> visible_samples(const Mesh& mesh, const Camera& camera, Pixe
     std::vector<Sample> samples;
     for (int y = 0; y < grid.height; ++y) {
         for (int x = 0; x < grid.width; ++x) {
-            const Hit& hit =
-                raster.hits()[static_cast<std::size_t>(y) * static_cast<std::size_t>(grid.width) +
-                              static_cast<std::size_t>(x)];
+            const Hit& hit = raster.hits()[grid.at(x, y)];
             if (hit.nearness == 0.0F) continue;
             Sample sample{Vector3f::Zero(), Vector3f::Zero(), Vector3f::Zero(),
                           static_cast<std::uint32_t>(y / per_side * size.width + x / per_side)};
             for (std::size_t k = 0; k < 3; ++k) {
                 const Mesh::Vertex& vertex = mesh.vertices[mesh.triangles[hit.triangle][k]];
-                const float weight = hit.weights[static_cast<Eigen::Index>(k)];
+                const float weight = hit.weights[k];
                 sample.place += weight * vertex.place;
                 sample.normal += weight * vertex.normal;
                 sample.colour += weight * vertex.colour;
@@ -147,12 +136,10 @@ DepthMap::DepthMap(const Mesh& mesh, const Vector3f& to_light, int texels)
     : across_(to_light.unitOrthogonal()),
       up_(to_light.cross(across_)),
       to_light_(to_light),
-      texels_(texels),
-      depth_(static_cast<std::size_t>(texels) * static_cast<std::size_t>(texels),
-             -std::numeric_limits<float>::infinity()),
-      blocks_((texels + kBlock - 1) / kBlock),
-      block_depth_(static_cast<std::size_t>(blocks_) * static_cast<std::size_t>(blocks_),
-                   -std::numeric_limits<float>::infinity()) {
+      texels_{texels, texels},
+      depth_(texels_.count(), -std::numeric_limits<float>::infinity()),
+      blocks_{(texels + kBlock - 1) / kBlock, (texels + kBlock - 1) / kBlock},
+      block_depth_(blocks_.count(), -std::numeric_limits<float>::infinity()) {
     Eigen::AlignedBox2f box;
     for (const Mesh::Vertex& vertex : mesh.vertices)
         box.extend(Vector2f(across_.dot(vertex.place), up_.dot(vertex.place)));
@@ -166,12 +153,12 @@ DepthMap::DepthMap(const Mesh& mesh, const Vector3f& to_light, int texels)
             const Vector3f& place = mesh.vertices[ends[k]].place;
             corners[k] = {(across_.dot(place) - x0_) * texels_per_metre_,
                           (up_.dot(place) - y0_) * texels_per_metre_};
-            depths[static_cast<Eigen::Index>(k)] = to_light_.dot(place);
+            depths[k] = to_light_.dot(place);
         }
-        for_each_point(corners, {texels, texels}, [&](int x, int y, const Vector3f& weights) {
+        for_each_point(corners, texels_, [&](int x, int y, const Vector3f& weights) {
             const float found = weights.dot(depths);
-            float& depth = depth_[at(x, y, texels_)];
-            float& block = block_depth_[at(x / kBlock, y / kBlock, blocks_)];
+            float& depth = depth_[texels_.at(x, y)];
+            float& block = block_depth_[blocks_.at(x / kBlock, y / kBlock)];
             depth = std::max(depth, found);
             block = std::max(block, found);
         });
@@ -181,12 +168,12 @@ DepthMap::DepthMap(const Mesh& mesh, const Vector3f& to_light, int texels)
 bool DepthMap::is_lit(const Vector3f& place) const {
     const float across = (across_.dot(place) - x0_) * texels_per_metre_ + 0.5F;
     const float up = (up_.dot(place) - y0_) * texels_per_metre_ + 0.5F;
-    const auto end = static_cast<float>(texels_);
+    const auto end = static_cast<float>(texels_.width);
     if (!(across >= 0.0F && up >= 0.0F && across < end && up < end)) return true;
     const auto x = static_cast<int>(across);
     const auto y = static_cast<int>(up);
     const float depth = to_light_.dot(place) + 0.5F * texel_size();
-    return block_depth_[at(x / kBlock, y / kBlock, blocks_)] <= depth || depth_[at(x, y, texels_)] <= depth;
+    return block_depth_[blocks_.at(x / kBlock, y / kBlock)] <= depth || depth_[texels_.at(x, y)] <= depth;
 }
 
 }  // namespace fretwork::exports::detail

@@ -33,9 +33,9 @@ class DepthMap {
   private:
     Eigen::Vector3f across_, up_, to_light_;
     float x0_ = 0.0F, y0_ = 0.0F, texels_per_metre_ = 1.0F;
-    int texels_;
+    PixelSize texels_;
     std::vector<float> depth_;  ///< the largest along to_light
-    int blocks_;
+    PixelSize blocks_;
     std::vector<float> block_depth_;  ///< of blocks of texels: most places are lit by them alone
 };
 
