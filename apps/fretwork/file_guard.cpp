@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "file_guard.hpp"
 #include "file_identity.hpp"
+#include "program.hpp"
 
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/files/file.hpp>
@@ -87,41 +87,27 @@ void check_place(const NamedFile& file) {
                                "cannot be written: folder " + folder.string() + ": " + std::strerror(errno));
 }
 
-/// The present content in words, if it is of another kind than it should be; else nothing.
-std::string other_kind(const FileContent& present, const FileKind& kind) {
-    if (present.is_database)
-        return kind.name == kLibraryFile.name ? "" : "a pattern library or another database";
-    if (present.format.empty() || present.format == kind.format) return "";
-    return (present.format == "outline" ? "an " : "a ") + present.format;
+bool is_of_kind(const std::string& content, const FileKind& kind) {
+    return std::ranges::count(words(kind.contents), content) > 0;
 }
 
-/// Whether nothing is lost: an older output of the same kind, or an empty file.
-bool may_be_replaced(const fs::path& path, const FileContent& present, const FileKind& kind) {
-    if (present.start.empty()) return true;
-    if (present.is_database) return kind.name == kLibraryFile.name;
-    if (!present.format.empty())
-        return present.format == kind.format && (kind.is_as_written == nullptr || kind.is_as_written(path));
-    return kind.is_ours != nullptr && kind.is_ours(present.start);
-}
-
+/// Nothing is lost where an older file of the same kind is replaced, or an empty one.
 void check_replaced(const fs::path& path, const FileKind& kind) {
-    const FileContent present = content_of(path);
-    if (may_be_replaced(path, present, kind)) return;
-    const std::string other = other_kind(present, kind);
-    const bool is_other_table = kind.is_ours != nullptr && is_our_table(present.start);
-    const std::string what = !other.empty()   ? other
-                             : is_other_table ? "a table of another kind"
-                                              : "not a file that fretwork has made";
+    const std::string present = content_of(path);
+    if (present.empty() || is_of_kind(present, kind)) return;
+    const bool may_be_older = is_table(present) || present == kOtherContent;
     throw base::InputError(path.string(), "",
-                           "is " + what + ", and would be replaced by " + std::string(kind.name) +
-                               "; name another file" + (other.empty() ? ", or remove it first" : ""));
+                           "is " + in_words(present) + ", and would be replaced by " +
+                               std::string(kind.name) + "; name another file" +
+                               (may_be_older ? ", or remove it first" : ""));
 }
 
+/// Whoever reads the file says what is wrong with other content.
 void check_updated(const fs::path& path, const FileKind& kind) {
-    const std::string present = other_kind(content_of(path), kind);
-    if (present.empty()) return;
+    const std::string present = content_of(path);
+    if (present.empty() || present == kOtherContent || is_of_kind(present, kind)) return;
     throw base::InputError(path.string(), "",
-                           "is " + present + ", where " + std::string(kind.name) + " is needed");
+                           "is " + in_words(present) + ", where " + std::string(kind.name) + " is needed");
 }
 
 void check_output(const NamedFile& file) {
@@ -153,31 +139,15 @@ bool is_made_in_folder(const fs::path& path, const FileKind& folder) {
     return made_name(path, folder) != MadeName::None;
 }
 
-/// Where only the ending is known, the other files of the folder stay; databases do not have these endings.
-void check_in_folder(const fs::path& path, const FileKind& folder) {
-    const std::string format = path.stem().string();
-    const FileKind kind{"a file of this command", "", format, folder.is_ours};
-    if (made_name(path, folder) == MadeName::Whole) return check_replaced(path, kind);
-    if (made_name(path, folder) == MadeName::ByEnding && content_of(path).is_database)
-        check_replaced(path, kind);
-}
-
 bool has_our_table(const fs::path& folder) {
     std::error_code ignored;
     return std::ranges::any_of(fs::directory_iterator(folder, ignored), [](const fs::directory_entry& entry) {
-        return is_our_table(content_of(entry.path()).start);
+        return is_table(content_of(entry.path()));
     });
 }
 
+/// Where only the ending is known, the other files of the folder stay; databases do not have these endings.
 /// People write settings and layouts, too: such a file is an older output only if it lies among our tables.
-void check_written_by_hand(const fs::path& path, const FileKind& folder) {
-    if (made_name(path, folder) != MadeName::Whole || content_of(path).format.empty()) return;
-    throw base::InputError(
-        path.string(), "",
-        "may be written by hand, as there is no older table of this command in its folder, and would be "
-        "replaced; name another folder, or move it first");
-}
-
 void check_folder(const NamedFile& folder) {
     if (!is_there(folder.path)) return;
     if (!is_folder(folder.path))
@@ -185,8 +155,13 @@ void check_folder(const NamedFile& folder) {
     std::error_code ignored;
     const bool is_ours = has_our_table(folder.path);
     for (const auto& entry : fs::directory_iterator(folder.path, ignored)) {
-        check_in_folder(entry.path(), folder.kind);
-        if (!is_ours) check_written_by_hand(entry.path(), folder.kind);
+        const fs::path& path = entry.path();
+        const MadeName name = made_name(path, folder.kind);
+        const std::string content = content_of(path);
+        const std::string older = is_ours ? path.stem().string() : "";
+        if (name == MadeName::Whole ? !is_table(content)
+                                    : name == MadeName::ByEnding && content == kLibraryContent)
+            check_replaced(path, {"a file of this command", "", older});
     }
 }
 

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "file_guard.hpp"
 #include "program.hpp"
 #include "verbs/beams.hpp"
 #include "verbs/draw.hpp"

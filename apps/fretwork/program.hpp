@@ -21,4 +21,10 @@ class Program final : public CLI::App {
     std::vector<FileOption> file_options_;
 };
 
+/// Refuse a command line whose files do not go together, before anything is computed: an output that is an
+/// input or another output (also by way of links or another spelling), that has the ending of something else,
+/// or whose folder is missing or closed to us. A file that is there is replaced only by one with the same
+/// kind of content, or if it is empty. Throws InputError that names the file.
+void check_files(const Program& program);
+
 }  // namespace fretwork::app

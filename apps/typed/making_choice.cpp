@@ -9,14 +9,9 @@
 namespace fretwork::typed {
 namespace {
 
-/// A bare number is in metres, and people mean millimetres where nothing made is so large.
 double read_length(const std::string& name, const std::string& text) {
-    constexpr double kLarge = 0.05;  // m
-    const auto bare = base::read_number<double>(text);
-    if (bare && *bare >= kLarge)
-        throw base::InputError(
-            name, "",
-            text + " would be " + text + " m; did you mean " + text + "mm? Metres are written " + text + "m");
+    constexpr double kLarge = 0.05;  // m; nothing made is so large
+    base::refuse_missing_unit(name, text, kLarge);
     return base::parse_length_above_zero(name, text);
 }
 

@@ -65,7 +65,7 @@ TEST_F(CalibratedModels, ADamagedOneIsRefusedByItsName) {
 }
 
 TEST_F(CalibratedModels, TilesOfAnotherSizeAreTold) {
-    for (const auto& [edge_length, told] : {std::pair("30mm", false), std::pair("60mm", true)}) {
+    for (const auto& [edge_length, warns] : {std::pair("30mm", false), std::pair("60mm", true)}) {
         succeed(
             std::string("fretwork tile experiments/outlines/specimen.svg --patterns 0-5+5-6 --library all.db "
                         "--out p.json --edge-length ") +
@@ -77,7 +77,7 @@ TEST_F(CalibratedModels, TilesOfAnotherSizeAreTold) {
         EXPECT_EQ(
             outcome.err.find("paper6 is calibrated for tiles with sides of 26 mm; those of this surface") !=
                 std::string::npos,
-            told)
+            warns)
             << outcome.err;
     }
 }

@@ -147,7 +147,7 @@ TEST_F(TwoAtOnce, LoadCasesThatManyProcessesAddAreAllKept) {
     test::Outcome outcome;
     std::thread processes([&] {
         outcome =
-            run("for i in $(seq 0 15); do (fretwork case add p.json case$i.json >told$i && echo done) & "
+            run("for i in $(seq 0 15); do (fretwork case add p.json case$i.json >out$i && echo done) & "
                 "done; wait");
     });
     const bool all_wait = comes_true([&] { return waiting_for(folder_.path() / "p.json") == kProcesses; });

@@ -3,7 +3,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include <filesystem>
 #include <initializer_list>
 #include <string_view>
 
@@ -13,48 +12,30 @@ namespace fretwork::app {
 struct FileKind {
     std::string_view name;     ///< for people: "a project"
     std::string_view endings;  ///< those that a new file may have, with spaces between; empty: any
-    std::string_view format;   ///< JSON files of this kind say "fretwork/<format>/N"; empty: it is not JSON
-    /// Whether a text that begins like this was made by this program; null: texts of this kind are JSON, or
-    /// none.
-    bool (*is_ours)(std::string_view start) = nullptr;
-    /// For JSON that people write, too: whether a file is, byte for byte, as this program writes it.
-    bool (*is_as_written)(const std::filesystem::path& path) = nullptr;
+    std::string_view
+        contents;             ///< of the files that it may replace, as file_identity.hpp names them, likewise
     bool is_several = false;  ///< further files are made beside it
 };
 
-/// Drawings, meshes and decks say so.
+/// Whether a text that begins like this is a drawing, a mesh or a deck of this program.
 bool says_who_made_it(std::string_view start);
-/// Tables have one of our headers.
-bool is_our_table(std::string_view start);
-bool is_frame_as_written(const std::filesystem::path& path);
-/// Lists begin with the id of a pattern.
-bool is_list_of_patterns(std::string_view start);
 
 inline constexpr FileKind kProjectFile{"a project", ".json", "project"};
 inline constexpr FileKind kResultFile{"a result", ".json", "result"};
-inline constexpr FileKind kFrameFile{"a frame", ".json", "frame", nullptr, is_frame_as_written};
-inline constexpr FileKind kLibraryFile{"a pattern library", ".db .sqlite .sqlite3", ""};
+inline constexpr FileKind kFrameFile{"a frame", ".json", "frame"};
+inline constexpr FileKind kLibraryFile{"a pattern library", ".db .sqlite .sqlite3", "library"};
 /// Each kind of table has its own header; tables of other kinds may hold hours of work.
-inline constexpr FileKind kCensusFile{
-    "a census", ".csv", "", [](std::string_view start) { return start.starts_with("edges,patterns,"); }};
-inline constexpr FileKind kClassesFile{"a table of classes", ".csv", "", [](std::string_view start) {
-                                           return start.starts_with("id,edges,symmetry,");
-                                       }};
-inline constexpr FileKind kKnownFile{"a table of best known values", ".csv", "", [](std::string_view start) {
-                                         return start.starts_with("problem,best_value,");
-                                     }};
-inline constexpr FileKind kBeamTableFile{
-    "a table of beams", ".csv .json", "beams",
-    [](std::string_view start) { return start.starts_with("beam,tile,"); }};
-inline constexpr FileKind kListFile{"a list", ".txt .csv", "", is_list_of_patterns};
-inline constexpr FileKind kSvgFile{"a drawing", ".svg", "", says_who_made_it};
-inline constexpr FileKind kVtuFile{"a file for ParaView", ".vtu", "", says_who_made_it};
-inline constexpr FileKind kSeriesFile{"a series for ParaView", ".pvd", "", says_who_made_it, nullptr, true};
-inline constexpr FileKind kDeckFile{"an input deck", ".inp", "", says_who_made_it};
+inline constexpr FileKind kCensusFile{"a census", ".csv", "edges,patterns,"};
+inline constexpr FileKind kClassesFile{"a table of classes", ".csv", "id,edges,symmetry,"};
+inline constexpr FileKind kKnownFile{"a table of best known values", ".csv", "problem,best_value,"};
+inline constexpr FileKind kBeamTableFile{"a table of beams", ".csv .json", "beam,tile, beams"};
+inline constexpr FileKind kListFile{"a list", ".txt .csv", "list"};
+inline constexpr FileKind kSvgFile{"a drawing", ".svg", "drawn"};
+inline constexpr FileKind kVtuFile{"a file for ParaView", ".vtu", "drawn"};
+inline constexpr FileKind kSeriesFile{"a series for ParaView", ".pvd", "drawn", true};
+inline constexpr FileKind kDeckFile{"an input deck", ".inp", "drawn"};
 /// Drawings, meshes, tables of nodes, and facts of what is made.
-inline constexpr FileKind kExportFile{"a drawing or a mesh", "", "facts", [](std::string_view start) {
-                                          return says_who_made_it(start) || start.starts_with("node,x_m,");
-                                      }};
+inline constexpr FileKind kExportFile{"a drawing or a mesh", "", "drawn node,x_m, facts"};
 
 /// The effect of a command on a file that an option names.
 enum class FileRole {
@@ -88,11 +69,12 @@ inline DeclaredFile update(const char* option, FileKind kind) {
 }
 /// @param files  the endings or names of the files that are made, with spaces between
 inline DeclaredFile output_folder(const char* option, std::string_view files) {
-    return {option, FileRole::OutputFolder, {"a folder", files, "", is_our_table}};
+    return {option, FileRole::OutputFolder, {"a folder", files, ""}};
 }
 
 /// Say which options of a verb name files, all of them in one place: what is declared is checked before any
-/// verb runs (file_guard.hpp). Call it when the verb has its options. The verb belongs to a Program.
+/// verb runs (check_files in program.hpp). Call it when the verb has its options. The verb belongs to a
+/// Program.
 void declare_files(CLI::App& verb, std::initializer_list<DeclaredFile> files);
 
 }  // namespace fretwork::app

@@ -83,7 +83,7 @@ void print(const simulation::BeamTable& table, const simulation::Surface& surfac
     if (table.unknown > 0) std::printf("%zu beams are not known with this result's model\n", table.unknown);
 }
 
-/// Of the result with the tiles around its most stressed beam in full.
+/// The stress of the result with the tiles around its most stressed beam in full.
 simulation::BeamTable refined_table(const simulation::Surface& surface,
                                     const simulation::SurfaceResult& result, const BeamsOptions& options) {
     LongWork work;

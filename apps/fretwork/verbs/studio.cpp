@@ -61,7 +61,7 @@ void open_browser(std::string address) {
 
 void run(StudioOptions options) {
     if (!options.project.empty()) {
-        if (content_of(options.project).is_database)
+        if (content_of(options.project) == kLibraryContent)
             throw base::InputError(options.project, "", "is a pattern library, where a project is needed");
         options.studio.project = std::filesystem::absolute(options.project);
     }

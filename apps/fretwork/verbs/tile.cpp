@@ -56,13 +56,8 @@ struct LengthOption {
 constexpr LengthOption kEdgeLength{"--edge-length", 1.0};
 constexpr LengthOption kWidth{"--width", 10.0};
 
-/// A bare number is in metres, and people mean millimetres by a large one.
 double parse_length(const LengthOption& option, const std::string& text) {
-    const auto bare = base::read_number<double>(text);
-    if (bare && *bare >= option.large)
-        throw base::InputError(option.name, "",
-                               text + " without a unit is in metres; did you mean " + text +
-                                   "mm? Metres are written " + text + "m");
+    base::refuse_missing_unit(option.name, text, option.large);
     try {
         return base::parse_length(text);
     } catch (const base::InputError& error) {
