@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What an edit of a structure costs beside solving it from nothing. Hexagons of the paper's size, condensed
+// The cost of an edit of a structure beside solving it from nothing. Hexagons of the paper's size, condensed
 // onto six interface nodes each, form a lattice that is clamped at its left side and loaded at its right one.
 // Each row ends with displacements under a load.
 #include <fretwork/base/parallel.hpp>

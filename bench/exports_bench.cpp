@@ -10,7 +10,7 @@
 namespace fretwork::exports {
 namespace {
 
-/// A square that about so many tiles of the paper's size cover, with made-up displacements.
+/// A square of about `tiles` tiles of the paper's size, with made-up displacements.
 const Scene& scene_of(int tiles) {
     static std::map<int, Scene> scenes;
     const auto found = scenes.find(tiles);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What it takes to make things of a surface: squares of about so many tiles of the paper's size, painted with
-// 80 patterns by chance, some 38 beams a tile.
+// The cost of making things of a surface: squares with a given number of tiles of the paper's size, painted
+// with 80 patterns by chance, some 38 beams a tile.
 #include <fretwork/fabrication/narrow_places.hpp>
 #include <fretwork/fabrication/shape.hpp>
 #include <fretwork/fabrication/sheets.hpp>

@@ -18,7 +18,7 @@ namespace {
 
 using mechanics::Frame;
 
-/// A honeycomb of about so many nodes, held at its left rim and loaded at the right.
+/// A honeycomb of about the given number of nodes, held at its left rim and loaded at the right.
 Frame honeycomb(std::int64_t nodes) {
     constexpr double kSide = 0.0123456789;
     const int columns = 2 * static_cast<int>(std::sqrt(static_cast<double>(nodes)) / 2);

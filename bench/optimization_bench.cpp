@@ -42,7 +42,7 @@ class Valley final : public Problem {
     Bounds bounds_{Eigen::VectorXd::Constant(6, -2.0), Eigen::VectorXd::Constant(6, 2.0)};
 };
 
-/// What a method costs beside the evaluations, which are nearly free here: one start, at most 1,000 of them.
+/// The cost of a method beside the evaluations, which are nearly free here: one start, at most 1,000 of them.
 void overhead(benchmark::State& state) {
     const Valley problem;
     const OptimizerRow& row = optimizer_catalogue()[static_cast<std::size_t>(state.range(0))];

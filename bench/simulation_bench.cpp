@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What edits of a surface cost beside solving it from nothing. The surfaces are lattices of hexagons of the
+// The cost of edits of a surface beside solving it from nothing. The surfaces are lattices of hexagons of the
 // paper's size, painted with 24 patterns by chance: `equal` ones, whose tiles are congruent, and `irregular`
 // ones, whose vertices are shifted by chance, so that no two tiles are. The argument is the number of tiles.
 #include <fretwork/base/random.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a page waits for: from the message of an edit to the bytes of the new positions, over the WebSocket.
+// The delay of a page: from the message of an edit to the bytes of the new positions, over the WebSocket.
 // Surfaces are lattices of hexagons whose vertices are shifted by chance, so that no two tiles are congruent.
 // The arguments are the number of tiles, and whether section forces are asked for.
 #include "studio/running_studio.hpp"

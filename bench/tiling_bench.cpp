@@ -52,7 +52,7 @@ void assemble_drawing(benchmark::State& state, const std::string& name) {
     for (auto _ : state) benchmark::DoNotOptimize(assemble_fans(layout, result.tessellation));
 }
 
-/// From the request to stop to the return, after so many milliseconds of work on tiles of so many
+/// From the request to stop to the return, after the given milliseconds of work on tiles of the given
 /// millimetres: 5 are 14,000 tiles, 2 are 86,000.
 void stop_tiling(benchmark::State& state) {
     const outlines::Outline outline = outlines::read_outline(outline_file("example_b.svg"));

@@ -2,6 +2,7 @@
 // The document, and what pages are shown of it.
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/files/provenance.hpp>
+#include <fretwork/exports/colours.hpp>
 #include <fretwork/exports/writer_catalogue.hpp>
 #include <fretwork/reduction/models/tile_model.hpp>
 #include <studio/document/document_json.hpp>
@@ -66,14 +67,16 @@ void Studio::Impl::hello(const Request& request) {
             .fail("this server speaks protocol " + std::to_string(kProtocol) + "; load the page again");
     const auto fields = request.json.find("fields");
     pages_.show(request.client, fields ? read_beam_fields(*fields) : kAllBeamFields);
-    pages_.answer(request, {{"version", base::version()},
-                            {"models", models_json()},
-                            {"examples", examples_json()},
-                            {"layouts", pattern::layout_names()},
-                            {"has_library", document_ && !document_->now()->library->path.empty()},
-                            {"has_document", document_.has_value()},
-                            {"exports", exports_json()},
-                            {"recoverable", kept_.recoverable_json()}});
+    pages_.answer(request,
+                  {{"version", base::version()},
+                   {"models", models_json()},
+                   {"examples", examples_json()},
+                   {"layouts", pattern::layout_names()},
+                   {"has_library", document_ && !document_->now()->library->path.empty()},
+                   {"has_document", document_.has_value()},
+                   {"exports", exports_json()},
+                   {"colours", {{"sizes", exports::scale_samples()}, {"signed", exports::signed_samples()}}},
+                   {"recoverable", kept_.recoverable_json()}});
     if (!kept_.trouble().empty()) pages_.send(request.client, warning_event(kept_.trouble()));
     if (!document_) return;
     pages_.send(request.client, document_event(*document_->now(), document_->status()));
@@ -119,7 +122,7 @@ void Studio::Impl::select_load_case(const Request& request) {
     const std::size_t cases = document().now()->load_cases->size();
     if (cases == 0) throw base::InputError("there is no load case to select");
     const auto index = request.json.at("index").integer(0, static_cast<long long>(cases) - 1);
-    document_->select_load_case(static_cast<std::size_t>(index));
+    document_->select_load_case(index);
     pages_.answer(request);
     follow_change(*document_->now());
 }
@@ -171,7 +174,7 @@ SolverListener Studio::Impl::listener() {
                 [this, post_shown](const SolverInput& input, const std::string& error) {
                     post_shown(input.revision, [this, input, error] { take_failure(input, error); });
                 },
-            .told =
+            .progress =
                 [this](const SolverInput& input, double share) {
                     server_.post([this, input, share] { view_.take_progress(input, share); });
                 }};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A client that does no more than it is told, so that tests can also send what no browser would.
+// A client that sends what a test says and nothing else, also what no browser would.
 #pragma once
 
 #include <fretwork/base/internal/json_text.hpp>
@@ -65,7 +65,7 @@ class Wire {
         }
         return true;
     }
-    /// So many bytes; throws if the server has closed the connection.
+    /// The next `count` bytes; throws if the server has closed the connection.
     std::string receive(std::size_t count) {
         while (buffer_.size() < count) {
             if (!fill()) throw std::runtime_error("the server closed the connection");

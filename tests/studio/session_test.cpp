@@ -716,17 +716,17 @@ TEST(StudioMessages, ALineLoadIsToldWithItsNodesEditedAndKept) {
     load_case.erase("format");
     load_case["loads"] = {{{"side", "top"}, {"per_length", {0, 0, -2}}}};
     ASSERT_TRUE(client.ask("set_load_case", {{"index", 0}, {"load_case", load_case}})["ok"].get<bool>());
-    Json told = client.event({"changed"})["load_cases"][0];
-    EXPECT_FALSE(told.contains("format")) << "that is of files";
-    const Json mark = told["marks"]["loads"][0];
+    Json changed = client.event({"changed"})["load_cases"][0];
+    EXPECT_FALSE(changed.contains("format")) << "that is of files";
+    const Json mark = changed["marks"]["loads"][0];
     EXPECT_FALSE(mark["nodes"].empty());
     EXPECT_EQ(mark["nodes"].size(), mark["shares"].size());
     EXPECT_NEAR(mark["force"][2].get<double>(), -2 * mark["extent"].get<double>(), 1e-12);
 
     // Sent back as it came, with one value edited and a load on an area beside it.
-    told["loads"][0]["per_length"] = {0, 0, -3};
-    told["loads"].push_back({{"tiles", {0}}, {"per_area", {0, 0, -1}}});
-    const Json answer = client.ask("set_load_case", {{"index", 0}, {"load_case", told}});
+    changed["loads"][0]["per_length"] = {0, 0, -3};
+    changed["loads"].push_back({{"tiles", {0}}, {"per_area", {0, 0, -1}}});
+    const Json answer = client.ask("set_load_case", {{"index", 0}, {"load_case", changed}});
     ASSERT_TRUE(answer["ok"].get<bool>()) << answer;
     const Json kept = Json::parse(text_of(client))["load_cases"][0];
     EXPECT_EQ(kept["format"], "fretwork/load-case/3");

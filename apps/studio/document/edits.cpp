@@ -97,7 +97,7 @@ Edited set_setting(const State& state, const JsonReader& request) {
 }
 
 std::size_t read_index(const JsonReader& json, std::size_t last) {
-    return static_cast<std::size_t>(json.integer(0, static_cast<long long>(last)));
+    return json.integer(0, static_cast<long long>(last));
 }
 
 /// All that combinations name must be there.
@@ -144,7 +144,7 @@ Edited remove_load_case(const State& state, const JsonReader& request) {
     if (cases.empty()) json.fail("there is no load case to remove");
     const std::size_t index = read_index(json, cases.size() - 1);
     Edited edit{state, "remove load case " + cases[index].name};
-    cases.erase(cases.begin() + static_cast<std::ptrdiff_t>(index));
+    cases.erase(cases.begin() + index);
     check_combinations(cases);
     edit.state.load_cases = std::make_shared<const std::vector<LoadCase>>(std::move(cases));
     return edit;

@@ -101,10 +101,8 @@ Painted by_choice(const State& state, const std::vector<TileIndex>& tiles, const
         tessellation, tiles, choice, {state.ground->layout, *state.setting, library ? &*library : nullptr});
     Painted result{*state.painting, done.size()};
     PaletteWriter palette(result.painting, state.ground->layout);
-    for (const TileIndex tile : done) {
-        const auto t = static_cast<std::size_t>(tile);
-        result.painting.patterns[t] = palette.place_of(*tiling::pattern_of(tessellation, tile));
-    }
+    for (const TileIndex tile : done)
+        result.painting.patterns[tile] = palette.place_of(*tiling::pattern_of(tessellation, tile));
     return result;
 }
 
@@ -131,8 +129,7 @@ Painted chosen(const State& state, const JsonReader& request) {
 std::vector<std::size_t> read_tiles(const JsonReader& json, const State& state) {
     std::vector<std::size_t> tiles;
     const long long last = static_cast<long long>(state.tile_count()) - 1;
-    for (const JsonReader& tile : json.elements())
-        tiles.push_back(static_cast<std::size_t>(tile.integer(0, last)));
+    for (const JsonReader& tile : json.elements()) tiles.push_back(tile.integer(0, last));
     if (tiles.empty()) json.fail("is empty, where at least one tile is needed");
     return tiles;
 }

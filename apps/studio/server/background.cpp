@@ -58,9 +58,7 @@ void Background::run(const std::stop_token& ending) {
 }
 
 void Background::work(const Job& job, const std::stop_token& stop) {
-    ToldProgress progress([&](const std::string&, double share) {
-        if (job.told) job.told(share);
-    });
+    ShareProgress progress(job.progress);
     try {
         job.work({.stop = stop, .progress = &progress});
     } catch (const base::Stopped&) {

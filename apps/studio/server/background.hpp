@@ -22,7 +22,7 @@ class Background {
         std::function<void(const base::Control&)> work;
         std::function<void(const std::string& error)> failed;
         /// How far it is, 0 to 1; may be empty.
-        std::function<void(double share)> told{};
+        std::function<void(double share)> progress{};
     };
     /// The most waiting jobs; more are refused.
     static constexpr std::size_t kMostWaiting = 16;

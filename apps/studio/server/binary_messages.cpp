@@ -35,7 +35,7 @@ class Writer {
     /// In the order in which the matrix lies in memory.
     template <class Matrix>
     void add(const Eigen::PlainObjectBase<Matrix>& values) {
-        add_bytes(values.data(), sizeof(float) * static_cast<std::size_t>(values.size()));
+        add_bytes(values.data(), sizeof(float) * values.size());
     }
     void reserve(std::size_t values) { bytes_.reserve(bytes_.size() + sizeof(float) * values); }
     std::string take() { return std::move(bytes_); }
@@ -81,32 +81,31 @@ BeamFields read_beam_fields(const base::JsonReader& json) {
         const std::string name = element.string();
         const auto place = std::ranges::find(known, name);
         if (place == known.end()) element.fail(base::unknown_name_message("field", name, known));
-        fields.set(static_cast<std::size_t>(place - known.begin()));
+        fields.set(place - known.begin());
     }
     return fields;
 }
 
 std::string solution_message(const simulation::BeamState& state, const FrameStamp& stamp,
                              const BeamFields& fields) {
-    const auto nodes = static_cast<std::size_t>(state.nodes.rows());
-    const auto ends = fields.any() ? static_cast<std::size_t>(state.forces.rows()) : 0;
+    const std::size_t nodes = state.nodes.rows();
+    const std::size_t ends = fields.any() ? state.forces.rows() : 0;
     const std::size_t count = ends > 0 ? fields.count() : 0;
     Writer writer(MessageKind::Solution, stamp, {nodes, ends / 2, 0, count});
     writer.reserve(6 * nodes + count * ends);
     writer.add(Rows(state.nodes.leftCols<3>().cast<float>()));
     writer.add(Rows(state.nodes.rightCols<3>().cast<float>()));
     for (std::size_t f = 0; f < fields.size() && count > 0; ++f) {
-        if (fields[f])
-            writer.add(Eigen::VectorXf(state.forces.col(static_cast<Eigen::Index>(f)).cast<float>()));
+        if (fields[f]) writer.add(Eigen::VectorXf(state.forces.col(f).cast<float>()));
     }
     return writer.take();
 }
 
 std::string motion_message(const mechanics::NodeValues& nodes, const FrameStamp& stamp,
                            const Eigen::MatrixXf& node_fields) {
-    const auto count = static_cast<std::size_t>(nodes.rows());
+    const std::size_t count = nodes.rows();
     Writer writer(MessageKind::Solution, stamp, {count, 0, static_cast<std::size_t>(node_fields.cols()), 0});
-    writer.reserve((6 + static_cast<std::size_t>(node_fields.cols())) * count);
+    writer.reserve((6 + node_fields.cols()) * count);
     writer.add(Rows(nodes.leftCols<3>().cast<float>()));
     writer.add(Rows(nodes.rightCols<3>().cast<float>()));
     writer.add(node_fields);

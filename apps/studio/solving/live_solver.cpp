@@ -165,7 +165,7 @@ simulation::SurfaceResult LiveSolver::result_of(const Attempt& attempt) {
         is_known && (attempt.check == mechanics::StabilityCheck::Left || !is_unchecked(last_solved_->result));
     if (is_enough) return last_solved_->result;
     last_solved_.reset();
-    ToldProgress progress([&](const std::string&, double share) { listener_.told(input, share); });
+    ShareProgress progress([&](double share) { listener_.progress(input, share); });
     simulation::Session& session = session_.follow(input.situation);
     // While loads are dragged, people see where they lead before the answer is there.
     const mechanics::FirstIterate tell_first = [&](const mechanics::Solution& solution) {

@@ -55,7 +55,7 @@ struct SolverListener {
     /// The first iterate of an input may come before its answer, or, if newer input came, instead.
     std::function<void(SolvedPtr)> solved;
     std::function<void(const SolverInput&, const std::string& error)> failed;
-    std::function<void(const SolverInput&, double share)> told;
+    std::function<void(const SolverInput&, double share)> progress;
 };
 
 /// Solves the newest input on its own thread. Nothing is queued: input that comes during a solve replaces

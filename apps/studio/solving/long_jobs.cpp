@@ -148,7 +148,7 @@ void LongJobs::add(const LongJob& job, LongWork work) {
                      [report](const std::string& error) {
                          report("failed", {{"error", error}});
                      },
-                 .told =
+                 .progress =
                      [report](double share) {
                          report("solving", {{"share", share}});
                      }});

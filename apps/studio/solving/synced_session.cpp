@@ -109,9 +109,7 @@ void SyncedSession::paint(const Painting& before, const Painting& now) {
     TilesBy<int> turned;
     for (std::size_t t = 0; t < now.patterns.size(); ++t) {
         const auto id_of = [t](const Painting& painting) {
-            return painting.patterns[t] < 0
-                       ? std::string()
-                       : painting.palette[static_cast<std::size_t>(painting.patterns[t])].id;
+            return painting.patterns[t] < 0 ? std::string() : painting.palette[painting.patterns[t]].id;
         };
         const std::string id = id_of(now);
         if (id != id_of(before)) painted[id].emplace_back(t);

@@ -22,7 +22,7 @@ watchTips();
 watchClosing();
 start();
 
-/** What the browser tests read and do. */
+/** The interface of the browser tests. */
 const forTests = {
   takeLatencies,
   store,

@@ -33,7 +33,7 @@ export const paint = (tiles: readonly number[], pattern: string): void => void s
 export interface PaintingChoice {
   patterns: string;
   palette: readonly string[];
-  /** What `image:` reads. */
+  /** The file that `image:` reads. */
   file?: SentFile;
 }
 /** The selected tiles, or all. */

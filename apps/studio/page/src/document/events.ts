@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the server sends, into the signals of the store.
+// Takes the messages of the server into the signals of the store.
 
 import { batch } from '@preact/signals';
 import type { Beams, Solution } from '../protocol/binary';
@@ -86,14 +86,14 @@ function forgetMaking(): void {
   store.makingPlace.value = -1;
 }
 
-/** What was painted here ahead of the server, and is now in the document. */
+/** Forgets the paint ahead of the server that is now in the document. */
 function confirmPainting(): void {
   const now = store.documentNow.value as StudioDocument;
   const ahead = [...pending.value].filter(([tile, pattern]) => (now.palette[now.painting[tile]] ?? '') !== pattern);
   if (ahead.length !== pending.value.size) pending.value = new Map(ahead);
 }
 
-/** What was computed for an earlier state is no longer true once anything that it depends on is edited. */
+/** Results of an earlier state no longer hold once something that they depend on is edited. */
 function change(message: Partial<StudioDocument>): void {
   if (!store.documentNow.value) return;
   store.documentNow.value = { ...store.documentNow.value, ...message };

@@ -65,7 +65,7 @@ const KNOWN: ExportRow[] = [
   { ending: 'csv', title: 'CSV', words: 'displacements as a table' },
 ];
 
-/** What the server writes, first what people know; of pictures the menu has its own. */
+/** The kinds of files that the server writes, the known ones first; pictures have a menu of their own. */
 export function offered(): ExportRow[] {
   const rows = (hello.value?.exports ?? []).map(({ ending: dotted, summary }) => {
     const ending = dotted.replace(/^\./, '');

@@ -11,7 +11,7 @@ export function markInput(when: number): void {
   newest = when;
 }
 
-/** What the newest input asks for is sent now; `shown` resolves when its positions are here, or to false if they do not come. */
+/** The newest input is sent now; `shown` resolves to true when its positions are here, to false if they do not come. */
 export function timeUntil(shown: Promise<boolean>): void {
   const input = newest;
   newest = null;

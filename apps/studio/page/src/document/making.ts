@@ -3,7 +3,7 @@
 
 import { signal } from '@preact/signals';
 
-/** What a made file is for: each looks at some of the entries. */
+/** The purpose of a made file: each uses some of the entries. */
 export type Made = 'cut' | 'solid' | 'facts';
 
 export interface MakingEntry {
@@ -11,7 +11,7 @@ export interface MakingEntry {
   title: string;
   words: string;
   of: readonly Made[];
-  /** What is written where nothing is. */
+  /** Shown in an empty field. */
   example: string;
   unit: string;
 }
@@ -26,7 +26,7 @@ export const MAKING: readonly MakingEntry[] = [
 /** By the entries' names; empty or missing: not given. */
 export const making = signal<Readonly<Record<string, string>>>({});
 
-/** What to ask the server for: bare numbers are millimetres. */
+/** The entries as the server takes them: bare numbers are millimetres. */
 export function makingQuery(made: Made, written = making.peek()): Record<string, string> {
   const given = MAKING.filter(({ name, of }) => of.includes(made) && written[name]?.trim());
   return Object.fromEntries(

@@ -51,7 +51,7 @@ const SECONDS_PER_SWING = 1.6;
 const SECONDS_PER_PATH = 2.5;
 let started = 0;
 
-/** Play until told to stop. */
+/** Play until stop(). */
 export function play(): void {
   playing.value = true;
   started = performance.now();

@@ -10,7 +10,7 @@ import { sizeOf } from './section';
 export interface SolvedModel {
   info: Solved;
   solution: Solution;
-  /** Of which painting it is: the revision of the bars. */
+  /** The bars of the painting that it solves, with their revision. */
   beams: Beams;
 }
 
@@ -52,7 +52,7 @@ export interface Shape {
   /** How many there will be. */
   expected: number;
 }
-/** What is played back: the steps of a load path, or modes. */
+/** The steps of a load path, or the modes, that are played back. */
 export const shapes = signal<Shape | null>(null);
 
 /** Whether the present painting can be made; null while that is looked at. */
@@ -68,7 +68,7 @@ export const loadCase = computed<SentLoadCase | null>(() => {
 });
 
 export const setting = computed(() => documentNow.value?.setting ?? null);
-/** What the material bears, N/m2; null where the document does not say it. */
+/** Strength of the material, N/m2; null where the document does not say it. */
 export const strength = computed<number | null>(() => setting.value?.material.strength ?? null);
 /** The section of the bars, in metres: across in the plane, and out of it. */
 export const barSection = computed(() => (setting.value ? sizeOf(setting.value.section) : { width: 0.002, height: 0.002 }));

@@ -37,7 +37,7 @@ export const galleryWide = signal(false);
 export const helpOpen = signal(false);
 export const startOpen = signal(false);
 
-/** What a person points at, in either view. */
+/** The tile, node or bar under the pointer, in either view. */
 export const probed = signal<{ kind: 'node' | 'beam'; index: number } | null>(null);
 
 /** Tiles that were painted here and are not yet confirmed by the server. */

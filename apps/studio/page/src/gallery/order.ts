@@ -14,7 +14,7 @@ const softness = (id: string): number => rowsById.value.get(id)?.bending?.young 
 
 const SPREAD = 12;
 
-/** What chance, gradients and images choose from, soft to stiff: the document's palette; a spread of all patterns where that has but one. */
+/** The patterns for chance, gradients and images, soft to stiff: the document's palette, or a spread of all patterns where that has only one. */
 export const orderedPalette = computed<string[]>(() => {
   const own = documentNow.value?.palette ?? [];
   const rows = patternTable.value?.patterns ?? [];

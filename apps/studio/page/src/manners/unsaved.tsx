@@ -13,7 +13,7 @@ const asked = signal<((choice: Choice) => void) | null>(null);
 
 const isUnsaved = (): boolean => documentNow.peek()?.saved === false;
 
-/** What a request for another document has to say of the present one; null: it stays. */
+/** The keys by which a request for another document gives up the present one; null: it stays. */
 export async function leave(): Promise<Discarding | null> {
   if (!isUnsaved()) return {};
   const choice = await new Promise<Choice>((answer) => (asked.value = answer));

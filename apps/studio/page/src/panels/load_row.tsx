@@ -10,7 +10,7 @@ import type { Load, Vector } from '../protocol/messages';
 import { Button, Segments } from '../widgets/widgets';
 import { NumberField } from '../widgets/number';
 
-/** What acts on each square metre or metre, if that is how the load is given. */
+/** The load on each square metre or metre, if it is given so. */
 function spreadOf({ per_area, per_length }: Load) {
   if (per_area) return { key: 'per_area', label: 'Area', quantity: 'area_load', vector: per_area } as const;
   return per_length ? ({ key: 'per_length', label: 'Line', quantity: 'line_load', vector: per_length } as const) : null;

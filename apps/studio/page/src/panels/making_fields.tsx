@@ -2,7 +2,7 @@
 
 import { MAKING, making } from '../document/making';
 
-/** What DXF, STL, 3MF and the facts look at. */
+/** The entries that DXF, STL, 3MF and the facts use. */
 export function MakingFields() {
   return (
     <details class="making" onToggle={(event) => event.currentTarget.scrollIntoView({ block: 'end' })}>

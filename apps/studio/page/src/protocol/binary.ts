@@ -16,7 +16,7 @@ export interface Beams {
   axis3: Float32Array;
 }
 
-/** What a solution says about the same nodes and bars. */
+/** A solution for the same nodes and bars. */
 export interface Solution {
   kind: 'solution';
   revision: number;

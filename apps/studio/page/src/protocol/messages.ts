@@ -40,7 +40,7 @@ export interface LoadShares {
   /** m2 of a load on an area, m of one on a line. */
   extent: number | null;
 }
-/** What the entries of a load case are on, worked out by the program; in their order. */
+/** The nodes that each entry of a load case acts on, as the program finds them; in the order of the entries. */
 export interface Marks {
   supports: number[][];
   loads: LoadShares[];
@@ -111,7 +111,7 @@ export interface TileModel {
   name: string;
   summary: string;
   large_displacements: boolean;
-  /** What is fitted to the responses of a pattern: without a library of these the model cannot be used. */
+  /** Parameters that are fitted to the responses of a pattern: the model needs a library of these. */
   parameters?: { name: string; unit: string }[];
   /** Its name is followed by `:` and the share of tiles that have all of their bars, 0 to 1. */
   share?: boolean;
@@ -128,7 +128,9 @@ export interface Hello {
   layouts: string[];
   has_library: boolean;
   recoverable?: Recoverable[];
-  /** What it exports: endings such as ".svg", and what such a file has. */
+  /** The scales of drawings: their colours at equal distances, as "#rrggbb". */
+  colours: Record<'sizes' | 'signed', string[]>;
+  /** The files that it exports: their ending, such as ".svg", and content. */
   exports?: { ending: string; summary: string }[];
 }
 
@@ -136,7 +138,7 @@ export interface Hello {
 export interface Recoverable {
   key: string;
   name: string;
-  /** Of its file; null: it has none. */
+  /** The path of its file; null: it has none. */
   path: string | null;
   /** Seconds since 1970. */
   time: number;
@@ -215,7 +217,7 @@ export type ServerEvent =
 /** A file that `save` would replace, and that nobody here has seen. */
 export interface SaveConflict {
   path: string;
-  /** What the next `save` says that it replaces. */
+  /** The hash that the next `save` names as the content it replaces. */
   hash: string;
   /** `changed`: another program wrote the document's own file; `exists`: another project lies there. */
   reason: 'changed' | 'exists';

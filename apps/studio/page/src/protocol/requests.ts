@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the page may ask the server for, and what it is answered, as in apps/studio/protocol.md.
+// The requests of the page and their answers, as in apps/studio/protocol.md.
 
 import type { Hello, LoadCase, PatternTable, Point, Recoverable, Setting } from './messages';
 
@@ -23,11 +23,11 @@ export interface Measured {
   loops: Point[][];
   /** The sizes of all parts of the drawing, the largest part first. */
   parts: Point[];
-  /** What was done to the drawing. */
+  /** Remarks on changes to the drawing. */
   remarks?: string[];
 }
 
-/** Of requests that put another document into the place of the present one: its unsaved changes are given up. */
+/** In requests that replace the present document: its unsaved changes are given up. */
 export interface Discarding {
   discard?: true;
 }
@@ -44,7 +44,7 @@ interface Made {
   remarks?: string[];
 }
 
-/** What patterns to begin with, in the words of `fretwork tile`. */
+/** The first patterns, in the words of `fretwork tile`. */
 export interface FirstPatterns {
   patterns?: string;
 }
@@ -98,5 +98,5 @@ export interface Requests {
 export type RequestName = keyof Requests;
 export type Says<Name extends RequestName> = Requests[Name]['says'];
 export type AnswerTo<Name extends RequestName> = Requests[Name]['answer'];
-/** What follows the name of a request: nothing where nothing has to be said. */
+/** The argument after the name of a request; none where the request has no keys. */
 export type More<Name extends RequestName> = Nothing extends Says<Name> ? [says?: Says<Name>] : [says: Says<Name>];

@@ -40,7 +40,7 @@ export function NewFromOutline({ busy, choose, take, make }: Props) {
       }}>
       <button type="button" class="drop-target" id="choose-outline" onClick={choose}>
         {file && measured.value ? <Preview of={measured.value} /> : <FileUp aria-hidden />}
-        {file ? <Told name={file.name} /> : <span><b>Drop an outline here</b><br />SVG, DXF, OBJ, PLY or OFF. Or press to choose.</span>}
+        {file ? <MeasuredOutline name={file.name} /> : <span><b>Drop an outline here</b><br />SVG, DXF, OBJ, PLY or OFF. Or press to choose.</span>}
       </button>
       <div class="drop-options">
         <PartField />
@@ -83,7 +83,7 @@ function TileFields({ takesFaces }: { takesFaces: boolean }) {
   );
 }
 
-function Told({ name }: { name: string }) {
+function MeasuredOutline({ name }: { name: string }) {
   const now = measured.value;
   if (outlineTrouble.value) return <span><b>{name}</b><br /><span class="drop-trouble" role="alert" id="outline-trouble">{inShownUnits(outlineTrouble.value)}</span></span>;
   return (

@@ -50,7 +50,7 @@ function suggestSide(): void {
   tileSize.value = fittingSide(now.area * scale * scale);
 }
 
-/** What is read of a file is shown before anything is made of it. */
+/** Shows how a file is read before anything is made of it. */
 export async function takeOutline(file: File): Promise<void> {
   outline.value = file;
   keepsFaces.value = false;

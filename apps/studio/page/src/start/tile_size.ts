@@ -47,6 +47,6 @@ export const sizeAdvice = computed<SizeAdvice | null>(() => {
   if (tiles < FEWEST_TILES) {
     return { words: `A side of ${shown(tileSize.value, 'length')} is large for this surface: it makes few tiles, or is refused. With ${shown(sideFor(10 * FEWEST_TILES), 'length')} it has about ${10 * FEWEST_TILES}.`, isPossible: true };
   }
-  if (tiles > QUICK_TILES) return { words: `So many tiles take seconds for each edit. With a side of ${shown(sideFor(QUICK_TILES / 3), 'length')} it stays quick.`, isPossible: true };
+  if (tiles > QUICK_TILES) return { words: `With this many tiles an edit takes seconds. With a side of ${shown(sideFor(QUICK_TILES / 3), 'length')} it stays quick.`, isPossible: true };
   return null;
 });

@@ -17,7 +17,7 @@ interface NumberProps {
   narrow?: boolean;
   least?: number;
   most?: number;
-  /** Told whether what stands in the field can be taken. */
+  /** Called with whether the text of the field can be read. */
   onReadable?: (isReadable: boolean) => void;
   id?: string;
 }

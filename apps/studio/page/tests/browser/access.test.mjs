@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What axe-core finds against the page: contrast, roles, names, headings; in each of its states, light and dark.
+// Findings of axe-core on the page: contrast, roles, names, headings; in each of its states, light and dark.
 
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';

@@ -122,7 +122,7 @@ test('an icon of four millimetres is shown, and becomes a surface of a useful si
   assert.equal(await read(page, 'name'), 'icon');
 });
 
-/** What the first bytes of each kind of file say. */
+/** The first bytes of each kind of file. */
 const BEGINNINGS = { json: /^\{/, html: /^<!doctype html/i, svg: /<svg/, dxf: /SECTION/, stl: /^[^]{84}/, '3mf': /^PK/, obj: /^(#|v )/m, ply: /^ply/, vtu: /<VTKFile/, txt: /^Facts/, csv: /,/ };
 
 async function exported(page, ending, place) {
@@ -174,7 +174,7 @@ test('what is cut has the frame and the kerf that are written in the menu', asyn
   await page.waitForFunction(() => /kerf/.test(document.querySelector('.notes')?.textContent ?? ''));
 });
 
-test('a fillet that does not fit is told beside the file', async (t) => {
+test('a fillet that does not fit is reported beside the file', async (t) => {
   const { address, place } = await startStudio(t, makeProject('40mm'));
   const page = await openPage(t, address);
   await solved(page);

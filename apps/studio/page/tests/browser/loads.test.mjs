@@ -37,7 +37,7 @@ test('what a load on an area adds up to is held by the supports', async (t) => {
   await picture(page, '15-area-load');
 });
 
-test('load cases act together, each so many times', async (t) => {
+test('load cases act together, each times its factor', async (t) => {
   const { address } = await startStudio(t, makeProject('40mm'));
   const page = await openPage(t, address);
   await solved(page);

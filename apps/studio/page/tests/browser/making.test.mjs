@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What stands in the way of making a surface is told, and where; a new one has nothing of it.
+// Obstacles to making a surface are shown with their places; a new surface has none.
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';

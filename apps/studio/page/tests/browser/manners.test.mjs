@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Keys, names of controls, units, what is told where; and what the views tell about the surface.
+// Keys, names of controls, units, notes and their places; and the words of the views about the surface.
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';

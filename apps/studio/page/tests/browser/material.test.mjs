@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the material bears, from the page to the command line.
+// The strength of the material, from the page to the command line.
 
 import assert from 'node:assert/strict';
 import { join } from 'node:path';
@@ -38,10 +38,10 @@ test('a strength is typed, shown as utilization, undone, saved, and read by the 
   const shown = parseFloat((await page.textContent('.legend-ends span:last-child')).replace('≥', ''));
   assert.ok(Math.abs(shown / 100 - worst) < 0.005 * worst, `${shown} % on the page, ${100 * worst} % on the command line`);
 
-  for (const [text, told] of [['strong', /no number/], ['-3', /or more/]]) {
+  for (const [text, advice] of [['strong', /no number/], ['-3', /or more/]]) {
     await page.fill(STRENGTH, text);
     await page.press(STRENGTH, 'Enter');
-    assert.match(await page.textContent('.number-advice'), told);
+    assert.match(await page.textContent('.number-advice'), advice);
     assert.equal(await strengthOf(page), 40e6);
   }
   await page.press(STRENGTH, 'Escape');

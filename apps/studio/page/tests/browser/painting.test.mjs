@@ -32,7 +32,7 @@ const softToStiff = (page) =>
     return [...documentNow.value.palette].sort((a, b) => stiffness.get(a) - stiffness.get(b));
   });
 
-/** What the command line makes of the project. */
+/** The result of the command line for the project. */
 function paintedByCommand({ place, project }, ...words) {
   const copy = join(place, 'copy.json');
   copyFileSync(project, copy);

@@ -225,9 +225,9 @@ test('a bar that is pointed at tells what it bears', async (t) => {
   const places = await page.evaluate(() => [3, 40, 80, 120].map((bar) => window.fretwork.barPlace(bar)));
   await page.mouse.click(box.x + places[1][0], box.y + places[1][1]);
   await page.waitForSelector('[data-bar] [data-field=stress]');
-  const told = await page.$$eval('[data-bar] [data-field]', (cells) => cells.map((cell) => [cell.dataset.field, Number(cell.dataset.value)]));
-  assert.equal(told.length, 14, 'seven values at both ends');
-  assert.ok(told.every(([, value]) => Number.isFinite(value)));
+  const values = await page.$$eval('[data-bar] [data-field]', (cells) => cells.map((cell) => [cell.dataset.field, Number(cell.dataset.value)]));
+  assert.equal(values.length, 14, 'seven values at both ends');
+  assert.ok(values.every(([, value]) => Number.isFinite(value)));
   await picture(page, '22-bar', 1);
   await page.keyboard.press('Escape');
   await page.waitForSelector('[data-bar]', { state: 'detached' });
@@ -290,7 +290,7 @@ test('invalid sizes are reported in the units of the page, and kept', async (t) 
   await hasDocument(page, 'square');
 });
 
-test('what is done to a drawing is told', async (t) => {
+test('changes to a drawing are shown', async (t) => {
   const { address } = await startStudio(t);
   const page = await openPage(t, address);
   await drop(page, 'bow.svg', '<svg xmlns="http://www.w3.org/2000/svg" width="300mm" height="200mm" viewBox="0 0 300 200"><path d="M10 10L290 190L290 10L10 190Z"/></svg>');

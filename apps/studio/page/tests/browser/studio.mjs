@@ -118,7 +118,7 @@ export async function drag(page, from, to) {
   await page.mouse.up();
 }
 
-/** What an action does to the document has come back. */
+/** Resolves when the effect of an action on the document has come back. */
 export async function edit(page, action) {
   const before = await page.evaluate(() => window.fretwork.store.revision.value);
   await action();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What somebody does with the studio, in a real browser against the real program.
+// Everyday work with the studio, in a real browser against the real program.
 
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
@@ -63,7 +63,7 @@ test('what is edited on the page is saved, and the command line computes the sam
   assert.deepEqual(page.troubles, []);
 });
 
-test('a server that goes and comes back is told, and nothing is lost', async (t) => {
+test('a server that goes and comes back is noticed, and nothing is lost', async (t) => {
   const project = makeProject('40mm');
   const { address } = await startStudio(t, project);
   const page = await openPage(t, address);
@@ -126,14 +126,14 @@ async function paintTiles(page, place) {
   return page.evaluate(() => window.fretwork.takeLatencies());
 }
 
-test('a wrong outline is told in words where it happens', async (t) => {
+test('a wrong outline is explained where it is chosen', async (t) => {
   const { address } = await startStudio(t);
   const page = await openPage(t, address);
   const chooser = page.waitForEvent('filechooser');
   await page.click('#choose-outline');
   await (await chooser).setFiles({ name: 'broken.svg', mimeType: 'image/svg+xml', buffer: Buffer.from('<svg><path d="M0 0L1"/></svg>') });
-  const told = await page.textContent('#outline-trouble');
-  assert.match(told, /broken\.svg/);
+  const trouble = await page.textContent('#outline-trouble');
+  assert.match(trouble, /broken\.svg/);
 });
 
 for (const theme of ['dark', 'light'])

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What each action of a person asks of the server.
+// The requests that each action of a person sends.
 import { beforeEach, describe, expect, it, vi } from 'vitest';
 import { documentNow } from '../../src/document/store';
 import { pending, selectedTiles } from '../../src/document/ui';

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the page shows after each message of the server.
+// The state of the page after each message of the server.
 import { beforeEach, describe, expect, it, vi } from 'vitest';
 import * as store from '../../src/document/store';
 import { pending } from '../../src/document/ui';
@@ -76,7 +76,7 @@ describe('failures', () => {
     takeEvent({ event: 'failed', revision: 3, model: 'corotational', error: 'nothing holds it' });
     expect([store.live.value, store.notTheAnswer.value]).toEqual([null, 'nothing holds it']);
   });
-  it('of work in the background are told and leave the solution', () => {
+  it('of work in the background are shown and leave the solution', () => {
     takeEvent(solved());
     takeBinary(solution());
     takeEvent({ event: 'failed', revision: 3, model: 'full', error: 'too soft', background: true });

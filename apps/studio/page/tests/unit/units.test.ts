@@ -6,7 +6,7 @@ const kept = new Map<string, string>();
 beforeAll(() => void vi.stubGlobal('localStorage', { getItem: (key: string) => kept.get(key) ?? null, setItem: (key: string, value: string) => void kept.set(key, value) }));
 const units = () => import('../../src/document/units');
 
-test('lengths in a text of the program are told in the units of the page', async () => {
+test('lengths in a text of the program are written in the units of the page', async () => {
   const { inShownUnits, unitSystem } = await units();
   unitSystem.value = 'mm';
   expect(inShownUnits('choose sides of 0.000878 m or more').replace(/\s/g, ' ')).toBe('choose sides of 0.878 mm or more');

@@ -47,7 +47,7 @@ export function useView(context: CanvasRenderingContext2D, view: Viewport, ratio
 
 const all = (surface: Surface): number[] => surface.polygons.map((_, tile) => tile);
 
-/** What lies on a canvas now. */
+/** The present content of a canvas. */
 interface Drawn {
   picture: TilePicture;
   view: Viewport;

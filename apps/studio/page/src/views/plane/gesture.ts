@@ -11,7 +11,7 @@ export interface PlanePointer {
   when: number;
 }
 
-/** What a tool does while the button is down. */
+/** The work of a tool while the button is down. */
 export interface Gesture {
   move(pointer: PlanePointer): void;
   end(pointer: PlanePointer): void;

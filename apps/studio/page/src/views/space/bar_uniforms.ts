@@ -48,7 +48,7 @@ export function barUniforms(): BarUniforms {
     factor: { value: 1 },
     section: { value: new Vector2(0.002, 0.002) },
     valuesOnBars: { value: 0 },
-    colours: { value: colourTexture('sizes') },
+    colours: { value: nodeTexture(1) }, // none yet
     valueRange: { value: new Vector2(0, 1) },
     colourOn: { value: 0 },
   };

@@ -5,5 +5,5 @@ import type { FieldRow } from './fields';
 
 /** Whether what lies inside of tiles is drawn after their rims, because the model does not know it. */
 export const interpolated = signal(false);
-/** What the colours in the 3D view say right now; null when there are none. */
+/** The present meaning of the colours in the 3D view; null when there are none. */
 export const legend = signal<{ row: FieldRow; low: number; high: number; isCut: boolean } | null>(null);

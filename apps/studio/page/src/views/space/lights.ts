@@ -10,7 +10,7 @@ const SUN = new Vector3(-0.55, -0.35, 1.25).normalize();
 const SKY_LIGHT = 1.9;
 const GROUND_SHARE = 0.5;
 const SUN_RADIUS = 0.07;
-/** What the sky sends from one place is seen by fewer faces than what it sends from everywhere. */
+/** Light of the sky from one place reaches fewer faces than light from everywhere. */
 const SKY_FROM_ONE_PLACE = 2.6;
 const SHADOW_PIXELS = drawsInSoftware ? 1024 : 2048;
 const DOWN_TO = 0.35;

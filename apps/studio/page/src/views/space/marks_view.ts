@@ -67,7 +67,7 @@ type Vector3Numbers = readonly [number, number, number];
 
 /** While an arrow is dragged it stays as it was taken, also through the surface. */
 export const takenAs = { pushes: null as boolean | null };
-/** What presses down stands on the surface, and what pulls up as well: an arrow is seen. */
+/** Arrows that press down and arrows that pull up both stand on the surface, so that they are seen. */
 export const pushes = (vector: Vector3Numbers): boolean => takenAs.pushes ?? vector[2] < 0;
 /** From its nodes to the end of an arrow that can be taken. */
 export const reachOf = (vector: Vector3Numbers, scale: number): Vector3 => new Vector3(...vector).multiplyScalar(pushes(vector) ? -scale : scale);

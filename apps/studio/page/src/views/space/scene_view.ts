@@ -27,7 +27,7 @@ const MOST_SHOWN = 0.35;
 const ALL_SHOWN = 3;
 const BLUE = '#4a8ee0';
 const GREY = '#9b9fa5';
-/** What is laid over is a little thinner: where both are at one place, the live model is seen. */
+/** Models laid under are a little thinner: where both are at one place, the live model is seen. */
 const UNDERNEATH = 0.9;
 
 export class SceneView {
@@ -42,7 +42,7 @@ export class SceneView {
   private readonly marks = new MarksView();
   private readonly values = new FieldValues();
   private filler: { of: Beams; gaps: GapFiller } | null = null;
-  /** What the camera was last set for: again when it is bent for the first time. */
+  /** The surface that the camera was last set for; it is set again when the surface is bent for the first time. */
   private framed: { of: object; bent: boolean } | null = null;
   private readonly stops: (() => void)[] = [];
 

@@ -10,7 +10,7 @@ import { drawsInSoftware } from './software';
 
 export type ViewName = 'iso' | 'top' | 'front' | 'side';
 const FRAME_MARGIN = 1.1;
-/** What the bar at the bottom covers. */
+/** Covered by the bar at the bottom. */
 const BAR_PX = 56;
 /** How long nothing must have changed before the picture becomes finer. */
 const REST_MS = drawsInSoftware ? 1000 : 300;
