@@ -2,7 +2,7 @@
 #include <fretwork/pattern/census.hpp>
 #include <fretwork/pattern/enumerate.hpp>
 #include <fretwork/pattern/fan.hpp>
-#include <fretwork/pattern/judge.hpp>
+#include <fretwork/pattern/filter_catalogue.hpp>
 #include <fretwork/pattern/sameness.hpp>
 #include <fretwork/pattern/sample.hpp>
 #include <fretwork/pattern/search/rule_test.hpp>

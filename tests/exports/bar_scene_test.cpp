@@ -7,8 +7,7 @@
 #include <fretwork/base/internal/json_text.hpp>
 #include <fretwork/exports/colours.hpp>
 #include <fretwork/exports/space/bar_scene.hpp>
-#include <fretwork/exports/space/picture.hpp>
-#include <fretwork/exports/space/view_page.hpp>
+#include <fretwork/exports/space/pictures.hpp>
 #include <fretwork/simulation/simulate.hpp>
 
 #include <cstring>

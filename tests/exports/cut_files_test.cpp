@@ -2,7 +2,7 @@
 #include "dxf_reading.hpp"
 #include "made_sample.hpp"
 
-#include <fretwork/exports/making/cut_files.hpp>
+#include <fretwork/exports/making/making_files.hpp>
 
 #include <pugixml.hpp>
 

@@ -2,7 +2,7 @@
 #include "made_sample.hpp"
 
 #include <fretwork/base/json_reader.hpp>
-#include <fretwork/exports/making/facts_report.hpp>
+#include <fretwork/exports/making/making_files.hpp>
 
 namespace fretwork::exports {
 namespace THIS_TEST {

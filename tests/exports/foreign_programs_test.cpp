@@ -3,8 +3,7 @@
 // skipped.
 #include "made_sample.hpp"
 
-#include <fretwork/exports/making/cut_files.hpp>
-#include <fretwork/exports/making/solid_files.hpp>
+#include <fretwork/exports/making/making_files.hpp>
 #include <fretwork/exports/tables/series_files.hpp>
 
 #include <cstdio>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "svg_reading.hpp"
 
-#include <fretwork/exports/drawings/reduced_drawing.hpp>
+#include <fretwork/exports/drawings/pattern_drawing.hpp>
 
 #include <gmock/gmock.h>
 

@@ -2,7 +2,7 @@
 #include "svg_reading.hpp"
 
 #include <fretwork/exports/drawings/detail/furniture.hpp>
-#include <fretwork/exports/drawings/scenario_drawing.hpp>
+#include <fretwork/exports/drawings/pattern_drawing.hpp>
 #include <fretwork/mechanics/linear_solver.hpp>
 #include <fretwork/reduction/response.hpp>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "made_sample.hpp"
 
-#include <fretwork/exports/making/solid_files.hpp>
+#include <fretwork/exports/making/making_files.hpp>
 
 #include <pugixml.hpp>
 

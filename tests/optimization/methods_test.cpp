@@ -3,9 +3,8 @@
 
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/random.hpp>
-#include <fretwork/optimization/methods/ceres_multistart.hpp>
 #include <fretwork/optimization/methods/detail/box_quadratic.hpp>
-#include <fretwork/optimization/methods/gauss_newton_multistart.hpp>
+#include <fretwork/optimization/methods/multistart.hpp>
 #include <fretwork/optimization/methods/simulated_annealing.hpp>
 #include <fretwork/optimization/minimize.hpp>
 #include <fretwork/optimization/problems/distance_sum_problem.hpp>

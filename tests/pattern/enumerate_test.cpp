@@ -4,7 +4,7 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/pattern/census.hpp>
 #include <fretwork/pattern/enumerate.hpp>
-#include <fretwork/pattern/judge.hpp>
+#include <fretwork/pattern/filter_catalogue.hpp>
 
 #include <gtest/gtest.h>
 

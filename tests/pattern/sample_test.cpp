@@ -3,7 +3,7 @@
 #include "stops.hpp"
 
 #include <fretwork/base/error.hpp>
-#include <fretwork/pattern/judge.hpp>
+#include <fretwork/pattern/filter_catalogue.hpp>
 #include <fretwork/pattern/sample.hpp>
 #include <fretwork/pattern/search/independent_sets.hpp>
 

@@ -4,7 +4,7 @@
 
 #include <fretwork/base/files/base64.hpp>
 #include <fretwork/reduction/scenarios/setting_file.hpp>
-#include <fretwork/tiling/rim_loops.hpp>
+#include <fretwork/tiling/tessellation.hpp>
 #include <studio/document/edits.hpp>
 #include <studio/document/history.hpp>
 #include <studio/server/background.hpp>

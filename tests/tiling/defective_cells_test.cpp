@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fretwork/tiling/dual/defective_cells.hpp>
+#include <fretwork/tiling/dual/edits.hpp>
 
 #include <gtest/gtest.h>
 

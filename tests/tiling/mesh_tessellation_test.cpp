@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "outlines/outlines.hpp"
 
-#include <fretwork/tiling/mesh_tessellation.hpp>
-#include <fretwork/tiling/tessellation_check.hpp>
+#include <fretwork/tiling/tessellate.hpp>
+#include <fretwork/tiling/tessellation.hpp>
 
 namespace fretwork::tiling {
 namespace THIS_TEST {

@@ -4,9 +4,8 @@
 
 #include <fretwork/tiling/detail/narrow_parts.hpp>
 #include <fretwork/tiling/remeshing/size_field.hpp>
-#include <fretwork/tiling/rim_loops.hpp>
 #include <fretwork/tiling/tessellate.hpp>
-#include <fretwork/tiling/tessellation_check.hpp>
+#include <fretwork/tiling/tessellation.hpp>
 
 #include <numbers>
 

@@ -3,8 +3,8 @@
 
 #include <fretwork/geometry/plane.hpp>
 #include <fretwork/tiling/dual/rim_sides.hpp>
-#include <fretwork/tiling/rim_loops.hpp>
 #include <fretwork/tiling/tessellate.hpp>
+#include <fretwork/tiling/tessellation.hpp>
 
 #include <numbers>
 #include <random>

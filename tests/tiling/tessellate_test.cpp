@@ -2,7 +2,7 @@
 #include "outlines/outlines.hpp"
 
 #include <fretwork/tiling/tessellate.hpp>
-#include <fretwork/tiling/tessellation_check.hpp>
+#include <fretwork/tiling/tessellation.hpp>
 
 #include <map>
 #include <numbers>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "support.hpp"
 
-#include <fretwork/tiling/tessellation_check.hpp>
+#include <fretwork/tiling/tessellation.hpp>
 
 #include <functional>
 #include <limits>

@@ -7,7 +7,7 @@
 
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/quantity.hpp>
-#include <fretwork/exports/drawings/rejection_drawing.hpp>
+#include <fretwork/exports/drawings/pattern_drawing.hpp>
 #include <fretwork/pattern/rejections.hpp>
 
 #include <algorithm>

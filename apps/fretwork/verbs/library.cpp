@@ -11,9 +11,8 @@
 #include <fretwork/base/files/file.hpp>
 #include <fretwork/base/internal/json_text.hpp>
 #include <fretwork/base/text.hpp>
+#include <fretwork/exports/drawings/pattern_drawing.hpp>
 #include <fretwork/exports/drawings/property_chart.hpp>
-#include <fretwork/exports/drawings/reduced_drawing.hpp>
-#include <fretwork/exports/drawings/scenario_drawing.hpp>
 #include <fretwork/exports/tables/library_meshes.hpp>
 #include <fretwork/library/library.hpp>
 #include <fretwork/library/merge.hpp>

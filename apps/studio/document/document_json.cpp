@@ -4,7 +4,7 @@
 #include <fretwork/simulation/internal/load_case_json.hpp>
 #include <fretwork/simulation/load_cases/conditions.hpp>
 #include <fretwork/simulation/load_cases/load_case_file.hpp>
-#include <fretwork/tiling/rim_loops.hpp>
+#include <fretwork/tiling/tessellation.hpp>
 #include <studio/document/document_json.hpp>
 
 namespace fretwork::studio {

@@ -2,14 +2,11 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/exports/drawings/surface_drawing.hpp>
-#include <fretwork/exports/making/cut_files.hpp>
-#include <fretwork/exports/making/facts_report.hpp>
-#include <fretwork/exports/making/solid_files.hpp>
-#include <fretwork/exports/space/picture.hpp>
-#include <fretwork/exports/space/view_page.hpp>
+#include <fretwork/exports/making/making_files.hpp>
+#include <fretwork/exports/space/pictures.hpp>
 #include <fretwork/exports/tables/line_files.hpp>
 #include <fretwork/exports/writer_catalogue.hpp>
-#include <fretwork/fabrication/shape_remarks.hpp>
+#include <fretwork/fabrication/shape.hpp>
 
 #include <algorithm>
 #include <array>

@@ -2,10 +2,10 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/fabrication/bar_plan.hpp>
-#include <fretwork/fabrication/detail/crossings.hpp>
+#include <fretwork/fabrication/detail/bar_angles.hpp>
 #include <fretwork/fabrication/detail/length_text.hpp>
 #include <fretwork/geometry/plane.hpp>
-#include <fretwork/tiling/tessellation_check.hpp>
+#include <fretwork/tiling/tessellation.hpp>
 
 #include <algorithm>
 #include <cmath>

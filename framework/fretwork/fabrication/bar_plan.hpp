@@ -23,7 +23,8 @@ struct Bar {
 
 /// The bars of a surface, and where they meet. No two bars cross or lie over each other.
 struct BarPlan {
-    std::vector<geometry::Point2> nodes;  ///< m; those of the tessellation's fan, then those of a frame
+    /// m; those of the tessellation's fan, then those of a frame
+    base::IndexVector<TessellationNodeIndex, geometry::Point2> nodes;
     std::vector<Bar> bars{};
     double width = 0.0;               ///< m, of the surface's beams
     double height = 0.0;              ///< m, thickness of the sheet or print

@@ -2,10 +2,10 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/fabrication/detail/bar_angles.hpp>
-#include <fretwork/fabrication/detail/inner_corners.hpp>
+#include <fretwork/fabrication/detail/fillets.hpp>
 #include <fretwork/fabrication/detail/length_text.hpp>
 #include <fretwork/fabrication/facts.hpp>
-#include <fretwork/fabrication/shape_remarks.hpp>
+#include <fretwork/fabrication/shape.hpp>
 #include <fretwork/geometry/plane.hpp>
 #include <fretwork/mechanics/standard_gravity.hpp>
 #include <fretwork/simulation/results/bar_clearance.hpp>

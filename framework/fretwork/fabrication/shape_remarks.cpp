@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fretwork/fabrication/detail/inner_corners.hpp>
+#include <fretwork/fabrication/detail/fillets.hpp>
 #include <fretwork/fabrication/detail/length_text.hpp>
-#include <fretwork/fabrication/shape_remarks.hpp>
+#include <fretwork/fabrication/shape.hpp>
 
 #include <algorithm>
 

@@ -293,7 +293,7 @@ class SheetCutter {
     const Bed& bed_;
     BarPlan plan_;
     JointSize size_;
-    std::vector<std::size_t> part_of_tile_;
+    base::IndexVector<TileIndex, std::size_t> part_of_tile_;
     std::vector<Joint> joints_;
 };
 

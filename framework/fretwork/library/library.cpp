@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
-#include <fretwork/library/detail/calibration_rows.hpp>
 #include <fretwork/library/detail/content.hpp>
 #include <fretwork/library/detail/draft.hpp>
 #include <fretwork/library/detail/library_impl.hpp>
+#include <fretwork/library/detail/rows.hpp>
 #include <fretwork/library/detail/schema.hpp>
 #include <fretwork/library/detail/schema3.hpp>
 #include <fretwork/library/library.hpp>

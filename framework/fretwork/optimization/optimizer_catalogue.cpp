@@ -2,10 +2,9 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/optimization/methods/annealing_then_ceres.hpp>
-#include <fretwork/optimization/methods/ceres_multistart.hpp>
 #include <fretwork/optimization/methods/ceres_residuals.hpp>
 #include <fretwork/optimization/methods/detail/nlopt_optimizer.hpp>
-#include <fretwork/optimization/methods/gauss_newton_multistart.hpp>
+#include <fretwork/optimization/methods/multistart.hpp>
 #include <fretwork/optimization/methods/pagmo_methods.hpp>
 #include <fretwork/optimization/methods/random_search.hpp>
 #include <fretwork/optimization/methods/simulated_annealing.hpp>

@@ -71,4 +71,9 @@ struct Filter {
 /// name is unknown or chosen twice, or its value is invalid.
 std::vector<Filter> make_filters(const NodeLayout& layout, const FilterSettings& settings = {});
 
+/// The verdict of one filter on a pattern.
+Verdict judge(const NodeLayout& layout, const Filter& filter, const Pattern& pattern);
+/// The verdict of the first filter that rejects a pattern.
+Verdict judge(const NodeLayout& layout, std::span<const Filter> filters, const Pattern& pattern);
+
 }  // namespace fretwork::pattern

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/pattern/detail/fan_graph.hpp>
-#include <fretwork/pattern/judge.hpp>
+#include <fretwork/pattern/filter_catalogue.hpp>
 
 #include <algorithm>
 #include <numeric>

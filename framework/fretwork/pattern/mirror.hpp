@@ -22,7 +22,7 @@ class Mirror {
     [[nodiscard]] std::optional<EdgeIndex> image(EdgeIndex edge) const { return images_[edge]; }
 
   private:
-    std::vector<std::optional<EdgeIndex>> images_;
+    base::IndexVector<EdgeIndex, std::optional<EdgeIndex>> images_;
 };
 
 }  // namespace fretwork::pattern

@@ -24,8 +24,8 @@ struct Verdict {
 /// Certain pairs of edges may not be chosen together, and certain edges never.
 /// Prunes: what breaks the rule stays broken when edges are added. Cost: one AND per edge.
 struct ConflictRule {
-    std::vector<Pattern::Bits>
-        conflicts;            ///< per edge, symmetric; an edge in conflict with itself is never chosen
+    /// Symmetric; an edge in conflict with itself is never chosen.
+    base::IndexVector<EdgeIndex, Pattern::Bits> conflicts;
     std::string phrase;       ///< "cross", as in "the edges 0-1 and 2-5 cross"
     std::string self_phrase;  ///< "is forbidden", as in "the edge 0-1 is forbidden"
 };
@@ -34,8 +34,8 @@ struct ConflictRule {
 /// Prunes: what breaks the rule stays broken when edges are added. Cost: one addition per edge.
 struct CapacityRule {
     struct Resource {
-        std::string name;        ///< "node n2"
-        std::vector<int> loads;  ///< per edge; zero or more
+        std::string name;                         ///< "node n2"
+        base::IndexVector<EdgeIndex, int> loads;  ///< zero or more
     };
     std::vector<Resource> resources;
     int limit = 0;

@@ -8,7 +8,7 @@
 #include <fretwork/tiling/dual/measures.hpp>
 #include <fretwork/tiling/dual/numbering.hpp>
 #include <fretwork/tiling/dual/rim_of_dual.hpp>
-#include <fretwork/tiling/mesh_tessellation.hpp>
+#include <fretwork/tiling/tessellate.hpp>
 
 #include <algorithm>
 

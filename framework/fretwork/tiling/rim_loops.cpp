@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fretwork/tiling/rim_loops.hpp>
+#include <fretwork/tiling/tessellation.hpp>
 
 #include <map>
 #include <utility>

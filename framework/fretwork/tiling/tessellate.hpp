@@ -7,7 +7,9 @@
 #include <fretwork/tiling/painting/painting.hpp>
 #include <fretwork/tiling/tessellation.hpp>
 
+#include <filesystem>
 #include <string>
+#include <vector>
 
 namespace fretwork::tiling {
 
@@ -82,5 +84,23 @@ struct TessellationResult {
 /// triangle is made. Deterministic.
 TessellationResult tessellate(const outlines::Outline& outline, const pattern::NodeLayout& layout,
                               const TessellationOptions& options);
+
+/// Tile several outlines that lie apart as one tessellation: the tiles, vertices and interface nodes of the
+/// first part, then those of the next. Parts share nothing, so each needs its own supports.
+///
+/// The report is that of the whole: of the outline as `tessellate` says, with the first part's `start`.
+/// Throws what `tessellate` throws, with the part's number if there are several.
+TessellationResult tessellate_parts(const std::vector<outlines::Outline>& parts,
+                                    const pattern::NodeLayout& layout, const TessellationOptions& options);
+
+/// Read a flat OBJ, PLY or OFF mesh and take its faces as tiles, as they are; so any tessellation by another
+/// program can be painted. Paper, Section 6. Tiles, vertices and interface nodes get new numbers. Faces may
+/// all run clockwise (a mesh that is seen from below).
+///
+/// Throws InputError or GeometryError that names the face: if it is not convex, or does not share whole sides
+/// with its neighbours (a vertex on the middle of a side, an overlap, a second face on the same side of a
+/// side), or if the faces are not connected by sides, or touch elsewhere in a single vertex.
+TessellationResult read_mesh_tessellation(const std::filesystem::path& path,
+                                          const pattern::NodeLayout& layout);
 
 }  // namespace fretwork::tiling

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
 #include <fretwork/geometry/plane.hpp>
-#include <fretwork/tiling/tessellate_parts.hpp>
+#include <fretwork/tiling/tessellate.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -3,6 +3,7 @@
 
 #include <fretwork/base/index_vector.hpp>
 #include <fretwork/pattern/fan.hpp>
+#include <fretwork/pattern/node_layout.hpp>
 #include <fretwork/pattern/pattern.hpp>
 
 #include <array>
@@ -51,5 +52,18 @@ std::vector<std::size_t> used_patterns(const Tessellation& tessellation);
 
 /// The mean over the tiles of the mean length of a tile's sides, m.
 double mean_tile_side(const Tessellation& tessellation);
+
+/// The interface nodes along the rim: of each closed line of sides that only one tile has, in the order in
+/// which that tile's polygon runs (so the surface lies on the left), the outer boundary and each hole by
+/// itself.
+std::vector<std::vector<InterfaceIndex>> rim_loops(const Tessellation& tessellation);
+
+/// Check what every tessellation must obey, such as one that was read from a file: its layout's name, indices
+/// in range, finite places, tiles that are convex and counterclockwise (decided exactly), sides that two
+/// tiles at most share, in opposite directions, with the same interface nodes, interface nodes that lie on
+/// their side at the layout's places and on no other side, patterns that are there, once each, and are
+/// patterns of the layout, and nothing that no tile has (but patterns). Throws InputError or GeometryError
+/// that names the tile.
+void validate(const Tessellation& tessellation, const pattern::NodeLayout& layout);
 
 }  // namespace fretwork::tiling

@@ -3,7 +3,7 @@
 #include <fretwork/base/text.hpp>
 #include <fretwork/geometry/plane.hpp>
 #include <fretwork/pattern/pattern.hpp>
-#include <fretwork/tiling/tessellation_check.hpp>
+#include <fretwork/tiling/tessellation.hpp>
 
 #include <algorithm>
 #include <map>

@@ -3,7 +3,10 @@
 
 #include <fretwork/pattern/node_layout.hpp>
 #include <fretwork/pattern/pattern.hpp>
+#include <fretwork/pattern/rejections.hpp>
+#include <fretwork/reduction/calibration/calibration.hpp>
 
+#include <optional>
 #include <span>
 #include <string>
 
@@ -19,5 +22,32 @@ struct PatternDrawingOptions {
 /// paper's Fig. 3b and Fig. 2.
 std::string pattern_sheet_svg(const pattern::NodeLayout& layout, std::span<const pattern::Pattern> patterns,
                               const PatternDrawingOptions& options = {});
+
+/// Rejected graphs as a sheet of fans, the guilty beams in red and the reason below, one row for each filter:
+/// as in the paper's Fig. 7.
+std::string rejection_sheet_svg(const pattern::NodeLayout& layout,
+                                std::span<const pattern::Rejection> rejections,
+                                const PatternDrawingOptions& options = {});
+
+/// A pattern and a reduced model of beams that was fitted to it, if there is one.
+struct ReducedPattern {
+    pattern::Pattern pattern;
+    std::optional<reduction::Calibration> calibration{};
+};
+
+/// Patterns with their reduced models beside them in the setting's polygon, at true scale, with ids, the
+/// twist theta and the objective: as in the paper's Fig. 8.
+std::string reduced_sheet_svg(const pattern::NodeLayout& layout, std::span<const ReducedPattern> patterns,
+                              const reduction::Setting& setting,
+                              std::span<const reduction::TileModel> models = reduction::tile_models());
+
+/// The setting's scenarios on one tile, side by side as in the paper's Fig. 10, in parallel projection at
+/// true scale: the tile at rest with its supports and loads (signs as in surface_svg), the pattern's full
+/// model under the largest magnitude (grey) and the reduced model, if there is one (blue). Where the full
+/// model finds no equilibrium at the largest magnitude, the last one before is drawn, and the caption says at
+/// which.
+std::string scenario_sheet_svg(const pattern::NodeLayout& layout, const ReducedPattern& pattern,
+                               const reduction::Setting& setting,
+                               std::span<const reduction::TileModel> models = reduction::tile_models());
 
 }  // namespace fretwork::exports

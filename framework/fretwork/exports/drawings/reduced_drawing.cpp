@@ -2,7 +2,7 @@
 #include <fretwork/exports/colours.hpp>
 #include <fretwork/exports/drawings/detail/fan_drawing.hpp>
 #include <fretwork/exports/drawings/detail/furniture.hpp>
-#include <fretwork/exports/drawings/reduced_drawing.hpp>
+#include <fretwork/exports/drawings/pattern_drawing.hpp>
 #include <fretwork/exports/tables/line_set.hpp>
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/exports/drawings/detail/fan_drawing.hpp>
-#include <fretwork/exports/drawings/rejection_drawing.hpp>
+#include <fretwork/exports/drawings/pattern_drawing.hpp>
 
 #include <algorithm>
 #include <vector>

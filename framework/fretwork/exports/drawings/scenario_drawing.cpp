@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/exports/drawings/detail/furniture.hpp>
 #include <fretwork/exports/drawings/detail/surface_parts.hpp>
-#include <fretwork/exports/drawings/scenario_drawing.hpp>
+#include <fretwork/exports/drawings/pattern_drawing.hpp>
 #include <fretwork/mechanics/discretization.hpp>
 #include <fretwork/mechanics/linear_solver.hpp>
 #include <fretwork/mechanics/paths/equilibrium.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/files/provenance.hpp>
-#include <fretwork/exports/making/cut_files.hpp>
 #include <fretwork/exports/making/detail/dxf_text.hpp>
+#include <fretwork/exports/making/making_files.hpp>
 
 #include <array>
 

@@ -2,8 +2,7 @@
 #include <fretwork/base/files/provenance.hpp>
 #include <fretwork/base/internal/json_text.hpp>
 #include <fretwork/base/text.hpp>
-#include <fretwork/exports/making/cut_files.hpp>
-#include <fretwork/exports/making/facts_report.hpp>
+#include <fretwork/exports/making/making_files.hpp>
 
 #include <algorithm>
 #include <numbers>

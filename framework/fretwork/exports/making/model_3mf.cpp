@@ -2,7 +2,7 @@
 #include <fretwork/base/files/provenance.hpp>
 #include <fretwork/exports/making/detail/millimetres.hpp>
 #include <fretwork/exports/making/detail/zip.hpp>
-#include <fretwork/exports/making/solid_files.hpp>
+#include <fretwork/exports/making/making_files.hpp>
 
 #include <algorithm>
 #include <cmath>

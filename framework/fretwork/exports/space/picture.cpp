@@ -4,11 +4,11 @@
 #include <fretwork/base/text.hpp>
 #include <fretwork/exports/colours.hpp>
 #include <fretwork/exports/drawings/detail/panels.hpp>
+#include <fretwork/exports/space/detail/camera.hpp>
 #include <fretwork/exports/space/detail/picture_legend.hpp>
 #include <fretwork/exports/space/detail/png_text.hpp>
 #include <fretwork/exports/space/detail/raster.hpp>
-#include <fretwork/exports/space/detail/start_view.hpp>
-#include <fretwork/exports/space/picture.hpp>
+#include <fretwork/exports/space/pictures.hpp>
 
 #include <Eigen/Geometry>
 

@@ -6,8 +6,8 @@
 #include <fretwork/exports/drawings/detail/furniture.hpp>
 #include <fretwork/exports/drawings/detail/panels.hpp>
 #include <fretwork/exports/drawings/surface_drawing.hpp>
-#include <fretwork/exports/space/detail/start_view.hpp>
-#include <fretwork/exports/space/view_page.hpp>
+#include <fretwork/exports/space/detail/camera.hpp>
+#include <fretwork/exports/space/pictures.hpp>
 #include <fretwork/exports/tables/line_set.hpp>
 
 #include <bit>

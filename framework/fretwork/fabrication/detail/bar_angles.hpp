@@ -17,4 +17,8 @@ struct BarAngle {
 /// The smallest angle between bars at every node with several bars, in ascending order.
 std::vector<BarAngle> bar_angles(const BarPlan& plan);
 
+/// Check that bars meet in nodes only. Throws GeometryError that names the first two bars that cross, touch
+/// (within a nanometre) or lie over each other, by their tiles.
+void require_no_crossings(const BarPlan& plan);
+
 }  // namespace fretwork::fabrication::detail

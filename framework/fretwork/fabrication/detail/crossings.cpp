@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
-#include <fretwork/fabrication/detail/crossings.hpp>
+#include <fretwork/fabrication/detail/bar_angles.hpp>
 #include <fretwork/fabrication/detail/length_text.hpp>
 #include <fretwork/geometry/box_grid.hpp>
 #include <fretwork/geometry/plane.hpp>

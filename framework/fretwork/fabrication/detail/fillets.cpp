@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/fabrication/detail/fillets.hpp>
-#include <fretwork/fabrication/detail/inner_corners.hpp>
 #include <fretwork/geometry/plane.hpp>
 
 #include <vector>

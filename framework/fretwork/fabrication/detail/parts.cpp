@@ -105,8 +105,8 @@ void require_tiles_fit(const std::vector<Box>& boxes, const Bed& bed, double rea
 
 }  // namespace
 
-std::vector<std::size_t> parts_of_tiles(const tiling::Tessellation& tessellation, const Bed& bed,
-                                        double reach) {
+base::IndexVector<TileIndex, std::size_t> parts_of_tiles(const tiling::Tessellation& tessellation,
+                                                         const Bed& bed, double reach) {
     const std::vector<Box> boxes = tile_boxes(tessellation);
     require_tiles_fit(boxes, bed, reach);
     Box whole = boxes.front();

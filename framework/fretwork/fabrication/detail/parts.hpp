@@ -11,8 +11,8 @@ namespace fretwork::fabrication::detail {
 /// For each tile the number of its part. Parts are neighbouring tiles in a cell of a grid, as few as there
 /// can be with equal cells, each with `reach` (m) around it no larger than the bed without its margins,
 /// upright or turned by a quarter. Throws InputError that names a tile which does not fit.
-std::vector<std::size_t> parts_of_tiles(const tiling::Tessellation& tessellation, const Bed& bed,
-                                        double reach);
+base::IndexVector<TileIndex, std::size_t> parts_of_tiles(const tiling::Tessellation& tessellation,
+                                                         const Bed& bed, double reach);
 
 /// Where parts are put: sheet, place of the lower left corner, and whether they are turned by a quarter.
 struct Nest {

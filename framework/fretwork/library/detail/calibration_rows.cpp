@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/text.hpp>
-#include <fretwork/library/detail/calibration_rows.hpp>
+#include <fretwork/library/detail/rows.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/text.hpp>
-#include <fretwork/library/detail/calibration_rows.hpp>
 #include <fretwork/library/detail/library_impl.hpp>
 #include <fretwork/library/detail/pattern_order.hpp>
-#include <fretwork/library/detail/provenance_rows.hpp>
+#include <fretwork/library/detail/rows.hpp>
 #include <fretwork/reduction/scenarios/setting_file.hpp>
 
 #include <algorithm>

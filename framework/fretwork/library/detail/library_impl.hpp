@@ -2,7 +2,7 @@
 #pragma once
 
 #include <fretwork/library/detail/database.hpp>
-#include <fretwork/library/detail/response_rows.hpp>
+#include <fretwork/library/detail/rows.hpp>
 #include <fretwork/library/library.hpp>
 
 #include <memory>

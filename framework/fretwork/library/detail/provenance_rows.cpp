@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/files/provenance.hpp>
-#include <fretwork/library/detail/provenance_rows.hpp>
+#include <fretwork/library/detail/rows.hpp>
 
 #include <array>
 #include <ctime>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
-#include <fretwork/library/detail/response_rows.hpp>
+#include <fretwork/library/detail/rows.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <fretwork/optimization/methods/continuation.hpp>
+#include <fretwork/optimization/methods/multistart.hpp>
 #include <fretwork/optimization/methods/simulated_annealing.hpp>
 
 #include <memory>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
 #include <fretwork/optimization/methods/ceres_residuals.hpp>
-#include <fretwork/optimization/methods/detail/best_run.hpp>
 #include <fretwork/optimization/methods/detail/ceres_solve.hpp>
 #include <fretwork/optimization/methods/detail/starts.hpp>
 

@@ -1,14 +1,122 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
+#include <fretwork/optimization/methods/detail/box_quadratic.hpp>
+#include <fretwork/optimization/methods/detail/ceres_descent.hpp>
 #include <fretwork/optimization/methods/multistart.hpp>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 namespace fretwork::optimization {
+namespace {
+
+/// A point, and the quadratic model of the smoothed objective there.
+class GaussNewtonDescent final : public detail::StagedDescent {
+  public:
+    GaussNewtonDescent(Evaluator& evaluator, const ContinuationOptions& options, Eigen::VectorXd start)
+        : evaluator_(&evaluator), options_(&options), point_(std::move(start)) {}
+
+    Ending run_stage(double smoothing) override {
+        const double tolerance =
+            smoothing == options_->smoothing.back() ? options_->tolerance : options_->loose_tolerance;
+        const auto model = evaluator_->curvature(point_, smoothing);
+        if (!model) return Ending::BudgetSpent;
+        if (!std::isfinite(model->value)) return Ending::Stalled;
+        model_ = *model;
+        for (int iteration = 0; iteration < options_->largest_iterations; ++iteration) {
+            const Eigen::VectorXd step = damped_step();
+            const double predicted = -model_.gradient.dot(step) - 0.5 * step.dot(model_.curvature * step);
+            if (predicted <= tolerance * model_.value) return Ending::Converged;
+            const auto trial = evaluator_->curvature(evaluator_->bounds().clamp(point_ + step), smoothing);
+            if (!trial) return Ending::BudgetSpent;
+            judge(step, *trial, (model_.value - trial->value) / predicted);
+        }
+        return Ending::Stalled;
+    }
+
+    [[nodiscard]] const Eigen::VectorXd& point() const override { return point_; }
+    [[nodiscard]] double value() const override { return model_.value; }
+
+  private:
+    [[nodiscard]] Eigen::VectorXd damped_step() const {
+        Eigen::MatrixXd H = model_.curvature;
+        const double floor = 1e-12 * std::max(H.diagonal().maxCoeff(), 1e-300);
+        H.diagonal() = (1.0 + damping_) * H.diagonal().cwiseMax(floor);
+        const Bounds& bounds = evaluator_->bounds();
+        return detail::minimize_box_quadratic(H, model_.gradient,
+                                              {bounds.lower - point_, bounds.upper - point_});
+    }
+
+    /// Take the step if it gains, and set the damping by how well the model foresaw the gain [Nielsen1999].
+    void judge(const Eigen::VectorXd& step, const CurvatureEvaluation& trial, double gain_ratio) {
+        if (gain_ratio > 1e-4) {
+            point_ = evaluator_->bounds().clamp(point_ + step);
+            model_ = trial;
+            damping_ *= std::max(1.0 / 10.0, 1.0 - std::pow(2.0 * gain_ratio - 1.0, 3));
+            damping_ = std::max(damping_, kSmallestDamping);
+            growth_ = 2.0;
+        } else {
+            damping_ *= growth_;
+            growth_ *= 2.0;
+        }
+    }
+
+    static constexpr double kSmallestDamping = 1e-10;
+    static constexpr double kNothing = std::numeric_limits<double>::infinity();
+    Evaluator* evaluator_;
+    const ContinuationOptions* options_;
+    Eigen::VectorXd point_;
+    CurvatureEvaluation model_{.objective = kNothing, .value = kNothing, .gradient = {}, .curvature = {}};
+    double damping_ = 1e-2;
+    double growth_ = 2.0;
+};
+
+/// @tparam Descent  a detail::StagedDescent
+template <class Descent>
+class Multistart final : public Optimizer {
+  public:
+    explicit Multistart(const MultistartOptions& options) : options_(options) {}
+
+    RunOutcome run(Evaluator& evaluator) const override {
+        return detail::run_multistart(evaluator, options_, [&](Eigen::VectorXd start) {
+            return std::make_unique<Descent>(evaluator, options_.continuation, std::move(start));
+        });
+    }
+
+  private:
+    MultistartOptions options_;
+};
+
+}  // namespace
+
+void ContinuationOptions::validate() const {
+    const bool descends =
+        !smoothing.empty() && std::ranges::is_sorted(smoothing, std::greater<>()) && smoothing.back() >= 0.0;
+    if (!descends) throw base::InputError("smoothing: at least one stage, descending, none negative");
+    if (!(loose_tolerance > 0.0 && tolerance > 0.0)) {
+        throw base::InputError("tolerance: must be more than 0");
+    }
+    if (largest_iterations < 1 || samples_per_start < 1) {
+        throw base::InputError("iterations and samples: at least 1");
+    }
+}
 
 void MultistartOptions::validate() const {
     common.validate();
     continuation.validate();
     if (!(merging_distance >= 0.0)) throw base::InputError("merging_distance: must not be negative");
     if (!(pruning_ratio >= 1.0)) throw base::InputError("pruning_ratio: must be at least 1");
+}
+
+std::unique_ptr<Optimizer> make_ceres_multistart(const MultistartOptions& options) {
+    options.validate();
+    return std::make_unique<Multistart<detail::CeresDescent>>(options);
+}
+
+std::unique_ptr<Optimizer> make_gauss_newton_multistart(const MultistartOptions& options) {
+    options.validate();
+    return std::make_unique<Multistart<GaussNewtonDescent>>(options);
 }
 
 }  // namespace fretwork::optimization

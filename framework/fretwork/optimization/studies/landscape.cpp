@@ -3,7 +3,7 @@
 #include <fretwork/base/parallel.hpp>
 #include <fretwork/base/text.hpp>
 #include <fretwork/optimization/methods/ceres_residuals.hpp>
-#include <fretwork/optimization/methods/gauss_newton_multistart.hpp>
+#include <fretwork/optimization/methods/multistart.hpp>
 #include <fretwork/optimization/minimize.hpp>
 #include <fretwork/optimization/studies/landscape.hpp>
 

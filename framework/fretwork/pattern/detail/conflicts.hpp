@@ -17,10 +17,10 @@ class ConflictTable {
         conflicts_[left].set(right);
         conflicts_[right].set(left);
     }
-    std::vector<Pattern::Bits> take() { return std::move(conflicts_); }
+    base::IndexVector<EdgeIndex, Pattern::Bits> take() { return std::move(conflicts_); }
 
   private:
-    std::vector<Pattern::Bits> conflicts_;
+    base::IndexVector<EdgeIndex, Pattern::Bits> conflicts_;
 };
 
 }  // namespace fretwork::pattern::detail

@@ -17,7 +17,7 @@ enum class Outside { Ring, Hub };
 /// The component of each fan node; -1 for interface nodes that no beam uses.
 struct FanComponents {
     int count = 0;
-    std::vector<int> of_node;
+    base::IndexVector<FanNodeIndex, int> of_node;
 };
 FanComponents fan_components(const Fan& fan);
 

@@ -42,8 +42,8 @@ class Quotient {
     int orbit_count_ = 0;
     int center_ = -1;
     std::uint64_t interface_orbits_ = 0;
-    std::vector<Place> places_;
-    std::vector<Link> links_;
+    base::IndexVector<LayoutNodeIndex, Place> places_;
+    base::IndexVector<EdgeIndex, Link> links_;
 };
 
 }  // namespace fretwork::pattern::detail

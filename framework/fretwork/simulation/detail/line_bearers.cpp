@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
 #include <fretwork/simulation/detail/line_bearers.hpp>
-#include <fretwork/tiling/rim_loops.hpp>
+#include <fretwork/tiling/tessellation.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -2,8 +2,7 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/simulation/project/new_project.hpp>
 #include <fretwork/simulation/project/project_library.hpp>
-#include <fretwork/tiling/mesh_tessellation.hpp>
-#include <fretwork/tiling/tessellate_parts.hpp>
+#include <fretwork/tiling/tessellate.hpp>
 
 #include <algorithm>
 

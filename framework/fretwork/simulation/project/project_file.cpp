@@ -6,7 +6,7 @@
 #include <fretwork/simulation/internal/load_case_json.hpp>
 #include <fretwork/simulation/load_cases/combination.hpp>
 #include <fretwork/simulation/project/project_file.hpp>
-#include <fretwork/tiling/tessellation_check.hpp>
+#include <fretwork/tiling/tessellation.hpp>
 
 namespace fretwork::simulation {
 namespace {

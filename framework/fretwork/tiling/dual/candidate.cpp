@@ -2,12 +2,9 @@
 #include <fretwork/base/text.hpp>
 #include <fretwork/geometry/plane.hpp>
 #include <fretwork/tiling/dual/candidate.hpp>
-#include <fretwork/tiling/dual/defective_cells.hpp>
+#include <fretwork/tiling/dual/edits.hpp>
 #include <fretwork/tiling/dual/measures.hpp>
-#include <fretwork/tiling/dual/merging.hpp>
-#include <fretwork/tiling/dual/regularize.hpp>
 #include <fretwork/tiling/dual/rim_sides.hpp>
-#include <fretwork/tiling/dual/short_sides.hpp>
 #include <fretwork/tiling/remeshing/ears.hpp>
 #include <fretwork/tiling/remeshing/sites.hpp>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/tiling/dual/cell_sides.hpp>
-#include <fretwork/tiling/dual/defective_cells.hpp>
+#include <fretwork/tiling/dual/edits.hpp>
 
 #include <algorithm>
 

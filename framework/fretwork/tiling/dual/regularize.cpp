@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/geometry/plane.hpp>
 #include <fretwork/tiling/dual/cell_sides.hpp>
-#include <fretwork/tiling/dual/regularize.hpp>
+#include <fretwork/tiling/dual/edits.hpp>
 #include <fretwork/tiling/dual/rim_sides.hpp>
 
 #include <algorithm>

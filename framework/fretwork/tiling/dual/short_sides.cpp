@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/geometry/plane.hpp>
 #include <fretwork/tiling/dual/cell_sides.hpp>
-#include <fretwork/tiling/dual/short_sides.hpp>
+#include <fretwork/tiling/dual/edits.hpp>
 
 #include <algorithm>
 #include <tuple>

@@ -4,7 +4,7 @@
 #include <fretwork/base/internal/json_text.hpp>
 #include <fretwork/base/json_reader.hpp>
 #include <fretwork/base/random.hpp>
-#include <fretwork/pattern/judge.hpp>
+#include <fretwork/pattern/filter_catalogue.hpp>
 #include <fretwork/pattern/pattern.hpp>
 #include <fretwork/tiling/painting/painting.hpp>
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <fretwork/exports/drawings/surface_drawing.hpp>
+#include <fretwork/exports/space/bar_scene.hpp>
 
 #include <Eigen/Core>
 
@@ -40,5 +41,9 @@ class Camera {
 /// @param moves  displacements of points all over the surface
 ViewOptions best_view(std::span<const std::vector<Eigen::Vector3d>> faces,
                       std::span<const Eigen::Vector3d> moves);
+
+/// From where a scene is seen first: as it says, or else from the side on which tiles and displacements are
+/// seen best.
+ViewOptions start_view(const BarScene& bars, const Scene& scene);
 
 }  // namespace fretwork::exports::detail

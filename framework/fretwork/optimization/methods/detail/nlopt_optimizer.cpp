@@ -2,9 +2,9 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/random.hpp>
 #include <fretwork/base/text.hpp>
-#include <fretwork/optimization/methods/detail/best_run.hpp>
 #include <fretwork/optimization/methods/detail/nlopt_optimizer.hpp>
 #include <fretwork/optimization/methods/detail/nlopt_run.hpp>
+#include <fretwork/optimization/methods/detail/starts.hpp>
 #include <fretwork/optimization/sampling.hpp>
 
 namespace fretwork::optimization::detail {

@@ -3,9 +3,11 @@
 #include <fretwork/optimization/sampling.hpp>
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace fretwork::optimization::detail {
+
 namespace {
 
 using ValuedPoint = std::pair<double, Eigen::VectorXd>;
@@ -41,6 +43,20 @@ std::vector<Eigen::VectorXd> choose_starts(Evaluator& evaluator, const Optimizer
         starts.push_back(std::move(point));
     }
     return starts;
+}
+
+BestRun::BestRun(const Evaluator& evaluator)
+    : evaluator_(evaluator), best_value_(std::numeric_limits<double>::infinity()) {}
+
+void BestRun::add(RunOutcome run) {
+    const int dead = outcome_.dead_starts + (run.ending == Ending::Invalid ? 1 : 0);
+    is_over_ = run.ending == Ending::BudgetSpent;
+    // The value of a dead start is that of a point drawn at random, not the end of a descent.
+    const bool is_better = run.ending != Ending::Invalid && evaluator_.best_value() < best_value_;
+    const bool is_first = outcome_.ending == Ending::Invalid;
+    if (run.ending != Ending::Invalid) best_value_ = evaluator_.best_value();
+    if (is_over_ || is_better || is_first) outcome_ = std::move(run);
+    outcome_.dead_starts = dead;
 }
 
 }  // namespace fretwork::optimization::detail

@@ -13,4 +13,22 @@ namespace fretwork::optimization::detail {
 std::vector<Eigen::VectorXd> choose_starts(Evaluator& evaluator, const OptimizerOptions& options,
                                            int samples);
 
+/// How the best of several runs ended, and how many starts died. The whole search is cut short by a spent
+/// budget, and invalid if all of its starts died.
+class BestRun {
+  public:
+    explicit BestRun(const Evaluator& evaluator);
+    /// Call it after each run, before the next one evaluates anything.
+    void add(RunOutcome run);
+    /// True once the budget is spent.
+    [[nodiscard]] bool is_over() const { return is_over_; }
+    [[nodiscard]] RunOutcome outcome() const { return outcome_; }
+
+  private:
+    const Evaluator& evaluator_;
+    double best_value_;
+    bool is_over_ = false;
+    RunOutcome outcome_{Ending::Invalid, {}};
+};
+
 }  // namespace fretwork::optimization::detail
