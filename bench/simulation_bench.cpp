@@ -4,6 +4,7 @@
 // ones, whose vertices are shifted by chance, so that no two tiles are. The argument is the number of tiles.
 #include <fretwork/base/random.hpp>
 #include <fretwork/pattern/enumerate.hpp>
+#include <fretwork/simulation/derivatives/sensitivity.hpp>
 #include <fretwork/simulation/session.hpp>
 #include <fretwork/simulation/simulate.hpp>
 
@@ -260,6 +261,25 @@ void bent_repainted_tile(benchmark::State& state, const char* model) {
     });
 }
 
+/// What the derivatives of the mean deflection by all tiles x 64 patterns cost after a solution;
+/// `solution_ms` is that solution's, from rest. The candidates are condensed once, before.
+void bent_pattern_derivatives(benchmark::State& state, Lattice lattice) {
+    const Surface& surface = surface_of(lattice, static_cast<int>(state.range(0)));
+    const auto layout = pattern::find_node_layout("paper7");
+    const auto all = pattern::enumerate_patterns(layout, {.edges = {2, 5}, .filters = {}});
+    std::vector<std::string> ids;
+    for (std::size_t i = 0; i < 64; ++i) ids.push_back(pattern_id(layout, all[i * all.size() / 64]));
+    const CandidateTiles candidates(surface, pattern::parse_named_patterns(layout, ids));
+    Session session(surface, cantilever(bending_force(surface)), {.model = "corotational"});
+    const SurfaceResult result = session.solve();
+    mechanics::NodeValues gradient =
+        mechanics::NodeValues::Zero(result.solution.displacements.rows(), mechanics::kDofsPerNode);
+    gradient.col(2).setOnes();
+    for (auto _ : state)
+        benchmark::DoNotOptimize(pattern_derivatives(session.sensitivity(gradient), candidates).data());
+    state.counters["solution_ms"] = 1e3 * result.seconds;
+}
+
 void bent_sizes(benchmark::internal::Benchmark* bench) {
     for (const int tiles : {100, 500, 2000, 10000}) bench->Arg(tiles);
     bench->Unit(benchmark::kMillisecond)->UseRealTime();
@@ -274,6 +294,16 @@ FRETWORK_BENT(bent_new_load);
 FRETWORK_BENT(bent_little_load);
 FRETWORK_BENT(bent_dragged_load);
 FRETWORK_BENT(bent_repainted_tile);
+BENCHMARK_CAPTURE(bent_pattern_derivatives, irregular, Lattice::Irregular)
+    ->Arg(100)
+    ->Arg(500)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+BENCHMARK_CAPTURE(bent_pattern_derivatives, equal, Lattice::Equal)
+    ->Arg(100)
+    ->Arg(500)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
 
 }  // namespace
 }  // namespace fretwork::simulation

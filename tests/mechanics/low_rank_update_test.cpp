@@ -106,5 +106,26 @@ TEST(Ldlt, InverseFormIsThatOfTheDenseInverse) {
     EXPECT_LT((chain.factors().inverse_form(columns, equations) - expected).norm(), 1e-12 * expected.norm());
 }
 
+/// Neighbouring nodes are coupled; the order of a clique's equations is the caller's.
+TEST(Ldlt, InverseBlocksAreThoseOfTheDenseInverse) {
+    const Chain chain(40);
+    const Eigen::MatrixXd inverse = chain.dense().inverse();
+    std::vector<std::vector<int>> cliques = {{}};
+    for (int node = 0; node + 1 < 40; ++node) {
+        auto& clique = cliques.emplace_back();
+        for (const int coupled : {node + 1, node}) {
+            for (int d = 0; d < 6; ++d) {
+                if (chain.layout().equation(coupled, d) >= 0)
+                    clique.push_back(chain.layout().equation(coupled, d));
+            }
+        }
+    }
+    const auto blocks = chain.factors().inverse_blocks(cliques);
+    for (std::size_t c = 0; c < cliques.size(); ++c) {
+        const Eigen::MatrixXd expected = inverse(cliques[c], cliques[c]);
+        EXPECT_LE((blocks[c] - expected).norm(), 1e-11 * expected.norm()) << c;
+    }
+}
+
 }  // namespace THIS_TEST
 }  // namespace fretwork::mechanics::sparse

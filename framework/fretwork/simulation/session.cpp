@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
+#include <fretwork/simulation/derivatives/sensitivity.hpp>
 #include <fretwork/simulation/detail/session_mixture.hpp>
 
 namespace fretwork::simulation {
@@ -120,6 +121,12 @@ void Session::set_prescribed(std::size_t entry, const LoadCase::PrescribedDispla
 
 std::vector<TileDeformation> Session::tile_deformations(const mechanics::Solution& solution) const {
     return answering().tile_deformations(solution);
+}
+Linearization Session::linearize(TileQuantities quantities, const base::Control& control) {
+    return answering().linearize(quantities, control);
+}
+Sensitivity Session::sensitivity(const mechanics::NodeValues& gradient, const base::Control& control) {
+    return simulation::sensitivity(linearize(TileQuantities::Strains, control), gradient, control);
 }
 Eigen::MatrixXd Session::solve_adjoint(const Eigen::MatrixXd& rows, const base::Control& control) {
     return answering().solve_adjoint(rows, control);

@@ -4,6 +4,7 @@
 #include <fretwork/base/control.hpp>
 #include <fretwork/mechanics/linear_solver.hpp>
 #include <fretwork/mechanics/paths/equilibrium_solver.hpp>
+#include <fretwork/simulation/derivatives/linearization.hpp>
 #include <fretwork/simulation/load_cases/load_case.hpp>
 #include <fretwork/simulation/results/surface_result.hpp>
 #include <fretwork/simulation/simulation_options.hpp>
@@ -17,6 +18,8 @@
 #include <vector>
 
 namespace fretwork::simulation {
+
+struct Sensitivity;
 
 /// Where a session finds the calibrations of patterns that come in by painting, one for each tile model.
 using CalibrationSource = std::function<std::vector<reduction::Calibration>(const std::string& pattern)>;
@@ -105,6 +108,19 @@ class Session {
     /// nodes), with the supports of the load case and nothing prescribed: K^-1 g, for instance the adjoint of
     /// a target. Throws InputError if the rows are not as many, and as solve().
     Eigen::MatrixXd solve_adjoint(const Eigen::MatrixXd& rows, const base::Control& control = {});
+
+    /// The surface to first order at the nonlinear equilibrium of the last solve(), to which the edits since
+    /// then must be none: what derivatives (derivatives/sensitivity.hpp) stand on. It reuses that solution's
+    /// factors, and is valid until the next edit or solve(). Throws InputError if there is no such
+    /// equilibrium, or if it was reached in several load steps; NumericalError if it is at a limit of its
+    /// stability; Stopped.
+    [[nodiscard]] Linearization linearize(TileQuantities quantities = TileQuantities::Strains,
+                                          const base::Control& control = {});
+    /// The derivatives of a function J of the displacements there by all that the equilibrium depends on.
+    /// @param gradient  dJ by displacements and rotation vectors, a row for each node of the result
+    /// Throws as linearize(), and InputError if the rows are not as many.
+    [[nodiscard]] Sensitivity sensitivity(const mechanics::NodeValues& gradient,
+                                          const base::Control& control = {});
 
     /// How far each tile is deformed in a solution of this session; zero for tiles made of beams.
     [[nodiscard]] std::vector<TileDeformation> tile_deformations(const mechanics::Solution& solution) const;

@@ -24,6 +24,12 @@ constexpr double kResidualFloor = 1e-4;
 /// and the residual it leaves is that of the elements' geometry, which knows positions to 1e-16 only.
 constexpr double kLinearReach = 1e-7;
 
+/// Refinement ends at a step of this share of the solution ...
+constexpr double kRefinedStep = 1e-13;
+/// ... or where steps do not shrink by this any more, which is rounding below a share of ...
+constexpr double kSlowRefinement = 0.3;
+constexpr double kLeastRefined = 1e-9;
+
 /// Solve (1 + B) x = b by GMRES, where B is the skew part behind the symmetric part's inverse. Its rank is at
 /// most two for each node with a moment, so a few steps are exact. Givens' rotations keep the small problem
 /// triangular, and give the residual at each step.
@@ -109,13 +115,61 @@ Eigen::VectorXd Newton::solve_tangent(const Eigen::VectorXd& right_side) {
     factors_.solve(x, options_.control);
     ++iterations_;
     if (!system_.has_skew_part()) return without_neutral_part(std::move(x));
-    return without_neutral_part(solve_near_identity(
-        [this](const Eigen::VectorXd& v) {
-            Eigen::VectorXd y = system_.skew_product(v);
+    return without_neutral_part(solve_skew(x, 1.0));
+}
+
+/// From S^-1 b to (S + sign W)^-1 b, where W is the skew part.
+Eigen::VectorXd Newton::solve_skew(const Eigen::VectorXd& symmetric_solution, double sign) const {
+    return solve_near_identity(
+        [this, sign](const Eigen::VectorXd& v) {
+            Eigen::VectorXd y = sign * system_.skew_product(v);
             factors_.solve(y, options_.control);
             return y;
         },
-        x));
+        symmetric_solution);
+}
+
+Eigen::MatrixXd Newton::tangent_product(const Eigen::MatrixXd& x, double sign) const {
+    Eigen::MatrixXd result(x.rows(), x.cols());
+    for (Eigen::Index c = 0; c < x.cols(); ++c) {
+        const Eigen::VectorXd column = x.col(c);
+        Eigen::VectorXd y = Eigen::VectorXd::Zero(x.rows());
+        if (system_.has_skew_part()) y = sign * system_.skew_product(column);
+        sparse::add_product(unknowns_.layout(), system_.tangent(), column, y);
+        result.col(c) = y;
+    }
+    return result;
+}
+
+Eigen::MatrixXd Newton::solve_plainly(Eigen::MatrixXd right_sides, const base::Control& control) const {
+    factors_.solve(right_sides, control);
+    return right_sides;
+}
+
+std::optional<Eigen::MatrixXd> Newton::solve_refined(const Eigen::MatrixXd& right_sides, Side side,
+                                                     const base::Control& control) {
+    const double sign = side == Side::Tangent ? 1.0 : -1.0;
+    const auto size = [this](const auto& x) { return std::sqrt(x.dot(unknowns_.weights().cwiseProduct(x))); };
+    Eigen::MatrixXd x = Eigen::MatrixXd::Zero(right_sides.rows(), right_sides.cols());
+    Eigen::MatrixXd step = right_sides;
+    for (std::optional<double> last;;) {
+        control.check();
+        factors_.solve(step, control);
+        double share = 0.0;  // of the largest step in its solution
+        for (Eigen::Index c = 0; c < x.cols(); ++c) {
+            if (system_.has_skew_part()) step.col(c) = solve_skew(step.col(c), sign);
+            x.col(c) += step.col(c);
+            const double whole = size(x.col(c));
+            if (whole > 0.0) share = std::max(share, size(step.col(c)) / whole);
+        }
+        if (share <= kRefinedStep) return x;
+        if (last && !(share <= kSlowRefinement * *last)) {
+            if (share <= kLeastRefined) return x;  // rounding
+            return std::nullopt;
+        }
+        last = share;
+        step = right_sides - tangent_product(x, sign);
+    }
 }
 
 bool Newton::is_converged(const Configuration& configuration, const Eigen::VectorXd& last_step) const {

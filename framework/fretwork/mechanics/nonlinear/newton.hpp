@@ -4,6 +4,8 @@
 #include <fretwork/mechanics/nonlinear/nonlinear_system.hpp>
 #include <fretwork/mechanics/paths/equilibrium.hpp>
 
+#include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -45,10 +47,27 @@ class Newton {
     /// Solve with the whole tangent of the last factorization, its skew part included.
     [[nodiscard]] Eigen::VectorXd solve_tangent(const Eigen::VectorXd& right_side);
 
+    /// The matrix of a linear system: the tangent, or its transpose, which adjoint questions ask for.
+    enum class Side { Tangent, Transposed };
+    /// Solve with the tangent of the last *evaluation*, to rounding, by the factors at hand and refinement;
+    /// one column for each right side. Nothing if these factors are too far from it. Throws Stopped.
+    [[nodiscard]] std::optional<Eigen::MatrixXd> solve_refined(const Eigen::MatrixXd& right_sides, Side side,
+                                                               const base::Control& control);
+    /// The same where the factors are those of the tangent, which has no skew part: one solve.
+    [[nodiscard]] Eigen::MatrixXd solve_plainly(Eigen::MatrixXd right_sides,
+                                                const base::Control& control) const;
+    /// Blocks of the inverse of the symmetric part of the last factorization (sparse::Ldlt::inverse_blocks).
+    [[nodiscard]] std::vector<Eigen::MatrixXd> inverse_blocks(std::span<const std::vector<int>> cliques,
+                                                              const base::Control& control) const {
+        return factors_.inverse_blocks(cliques, control);
+    }
+
     /// Linear solves since the last call.
     int take_iterations() { return std::exchange(iterations_, 0); }
 
   private:
+    [[nodiscard]] Eigen::VectorXd solve_skew(const Eigen::VectorXd& symmetric_solution, double sign) const;
+    [[nodiscard]] Eigen::MatrixXd tangent_product(const Eigen::MatrixXd& x, double sign) const;
     [[nodiscard]] Eigen::VectorXd without_neutral_part(Eigen::VectorXd x);
 
     NonlinearSystem& system_;

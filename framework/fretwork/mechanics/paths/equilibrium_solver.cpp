@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
 #include <fretwork/base/task.hpp>
 #include <fretwork/geometry/rotation.hpp>
 #include <fretwork/mechanics/nonlinear/stride.hpp>
+#include <fretwork/mechanics/nonlinear/tangent_at.hpp>
 #include <fretwork/mechanics/paths/equilibrium_solver.hpp>
 
 #include <algorithm>
@@ -74,7 +76,7 @@ class EquilibriumSolver::Impl {
         options_.control = control;
         options_.classify_stability = is_classifying_ && check == StabilityCheck::Made;
         const bool may_go_on = is_settled_ && assembly.nodes == equations_->assembly.nodes;
-        is_settled_ = false;  // also if something throws
+        is_settled_ = has_converged_ = false;  // also if something throws
         if (may_go_on) {
             starting_point_ = StartingPoint::LastEquilibrium;
             if (auto solution = go_on(assembly, first_iterate)) return std::move(*solution);
@@ -85,6 +87,19 @@ class EquilibriumSolver::Impl {
 
     [[nodiscard]] StartingPoint starting_point() const { return starting_point_; }
 
+    EquilibriumTangent tangent(const base::Control& control) {
+        if (!has_converged_)
+            throw base::InputError(
+                "there is no equilibrium to take derivatives at: the last solution has not converged");
+        options_.control = control;
+        if (!equations_) equations_ = std::make_unique<Equations>(*followed_, options_);
+        auto& [own, system, newton, mixed] = *equations_;
+        if (std::exchange(is_given_up_, false)) has_factors_ = false;
+        return EquilibriumTangent(std::make_unique<EquilibriumTangent::Impl>(
+            EquilibriumTangent::Impl::Parts{system, newton, mixed, point_.configuration, has_factors_},
+            control));
+    }
+
   private:
     Solution from_rest(const Assembly& assembly) {
         if (options_.branch == Branch::Primary && !options_.locate_critical_loads) {
@@ -92,7 +107,9 @@ class EquilibriumSolver::Impl {
         }
         constexpr double kFullLoad[] = {1.0};
         Solution solution = follow_load_path(assembly, kFullLoad, options_).back();
-        is_settled_ = equations_ && solution.converged() && solution.stable;
+        has_converged_ = solution.converged();
+        is_settled_ = equations_ && has_converged_ && solution.stable;
+        if (!equations_) followed_ = assembly;
         point_ = {configuration_of(solution), 1.0, {}, {}, std::numbers::pi};
         has_factors_ = false;
         return solution;
@@ -111,7 +128,7 @@ class EquilibriumSolver::Impl {
 
     /// The equilibrium at which the system is evaluated and the factors are.
     Solution settled() {
-        is_settled_ = has_factors_ = true;
+        is_settled_ = has_factors_ = has_converged_ = true;
         Solution solution = equations_->system.describe(point_.configuration, 1.0);
         is_checked_ = options_.classify_stability;
         if (is_checked_) solution.stability = equations_->system.stability_test();
@@ -198,11 +215,13 @@ class EquilibriumSolver::Impl {
     EquilibriumOptions options_;
     bool is_classifying_;  ///< as the caller's options say; options_ has what holds for one solution
     std::unique_ptr<Equations> equations_;
-    PathPoint point_;           ///< the last equilibrium, if it is settled
-    bool is_settled_ = false;   ///< there is a last equilibrium to go on from
-    bool has_factors_ = false;  ///< with its stresses
-    bool is_given_up_ = false;  ///< a way from it was, and the factors may be others
-    bool is_checked_ = false;   ///< the factors are those of the last equilibrium, and it is stable
+    PathPoint point_;                   ///< the last equilibrium, if it is settled
+    bool is_settled_ = false;           ///< there is a last equilibrium to go on from
+    std::optional<Assembly> followed_;  ///< the last one, where there are no equations of it
+    bool has_converged_ = false;        ///< the point is an equilibrium of the last assembly
+    bool has_factors_ = false;          ///< with its stresses
+    bool is_given_up_ = false;          ///< a way from it was, and the factors may be others
+    bool is_checked_ = false;           ///< the factors are those of the last equilibrium, and it is stable
     StartingPoint starting_point_ = StartingPoint::Rest;
 };
 
@@ -215,6 +234,10 @@ EquilibriumSolver::~EquilibriumSolver() = default;
 Solution EquilibriumSolver::solve(const Assembly& assembly, const base::Control& control,
                                   StabilityCheck check, const FirstIterate& first_iterate) {
     return impl_->solve(assembly, control, check, first_iterate);
+}
+
+EquilibriumTangent EquilibriumSolver::tangent(const base::Control& control) {
+    return impl_->tangent(control);
 }
 
 StartingPoint EquilibriumSolver::starting_point() const {

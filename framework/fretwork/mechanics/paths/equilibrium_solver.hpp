@@ -2,6 +2,7 @@
 #pragma once
 
 #include <fretwork/mechanics/paths/equilibrium.hpp>
+#include <fretwork/mechanics/paths/equilibrium_tangent.hpp>
 
 #include <functional>
 #include <memory>
@@ -60,6 +61,10 @@ class EquilibriumSolver {
 
     /// Stability of the last solution.
     [[nodiscard]] StartingPoint starting_point() const;
+
+    /// The derivatives at the last equilibrium; valid until the next solve(). Throws InputError if the last
+    /// solution has not converged, NumericalError if the tangent is singular there, and Stopped.
+    [[nodiscard]] EquilibriumTangent tangent(const base::Control& control = {});
 
   private:
     class Impl;

@@ -45,6 +45,11 @@ class Ldlt {
     [[nodiscard]] Eigen::MatrixXd inverse_form(Eigen::MatrixXd columns, std::span<const int> equations,
                                                const base::Control& control = {}) const;
 
+    /// The blocks of A^-1 at cliques, each a list of equations that are coupled with each other in the
+    /// layout. Throws Stopped.
+    [[nodiscard]] std::vector<Eigen::MatrixXd> inverse_blocks(std::span<const std::vector<int>> cliques,
+                                                              const base::Control& control = {}) const;
+
     [[nodiscard]] int equations() const { return analysis_->layout->equations(); }
     /// The diagonal entry of A in an equation.
     [[nodiscard]] double diagonal(int equation) const {

@@ -47,6 +47,10 @@ class CorotationalTile final : public TileStructure {
         return beams;
     }
 
+    [[nodiscard]] const mechanics::CorotationalBody* corotational_body() const override {
+        return body_.get();
+    }
+
   private:
     /// From rows seen from the frame to displacements and rotations in the surface's axes.
     [[nodiscard]] NodeValues carried(const NodeValues& rows, const CorotationalMotion& moved,

@@ -3,6 +3,7 @@
 
 #include <fretwork/base/control.hpp>
 #include <fretwork/mechanics/assembly.hpp>
+#include <fretwork/mechanics/corotational_element.hpp>
 #include <fretwork/mechanics/frame/frame.hpp>
 #include <fretwork/reduction/models/inner_nodes.hpp>
 
@@ -64,6 +65,10 @@ class TileStructure {
 
     /// The motions of the pattern's beams. Nothing if the model does not give them.
     [[nodiscard]] virtual std::optional<BeamMotion> beam_motion(const TileMotion& motion) const = 0;
+
+    /// The body whose linear stiffness is the tile's answer in large displacements; null for tiles that
+    /// answer in another way, of which no derivatives by that stiffness are given.
+    [[nodiscard]] virtual const mechanics::CorotationalBody* corotational_body() const { return nullptr; }
 };
 
 /// Whether the beams of a tile are those of its pattern, in the order of its fan, or stand for them.

@@ -28,4 +28,10 @@ OwnAxes own_axes(const geometry::Polygon& polygon, double grid) {
     return axes;
 }
 
+std::optional<OwnAxes> shared_axes(const geometry::Polygon& polygon, double grid) {
+    OwnAxes axes = own_axes(polygon, grid);
+    if (!geometry::is_convex(axes.polygon)) return std::nullopt;
+    return axes;
+}
+
 }  // namespace fretwork::simulation::detail

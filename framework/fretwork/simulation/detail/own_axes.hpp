@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace fretwork::simulation::detail {
@@ -23,5 +24,9 @@ struct OwnAxes {
 double congruence_grid(const tiling::Tessellation& tessellation);
 
 OwnAxes own_axes(const geometry::Polygon& polygon, double grid);
+
+/// The polygon from which a tile is built and shared, in its own axes; nothing where the rounding leaves it
+/// not convex (one with a straight corner, say): such a tile is built in the surface's axes, and not shared.
+std::optional<OwnAxes> shared_axes(const geometry::Polygon& polygon, double grid);
 
 }  // namespace fretwork::simulation::detail

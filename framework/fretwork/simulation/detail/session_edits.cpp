@@ -128,15 +128,18 @@ void Session::Impl::set_calibrations(std::vector<std::vector<reduction::Calibrat
 void Session::Impl::set_load_case(const LoadCase& load_case) {
     conditions_ = resolved(load_case);
     load_case_ = load_case;
+    is_at_equilibrium_ = false;
 }
 
 void Session::Impl::invalidate_tiles(std::span<const TileIndex> tiles) {
     changed_tiles_.insert(tiles.begin(), tiles.end());
+    is_at_equilibrium_ = false;
 }
 
 void Session::Impl::invalidate_all_tiles() {
     tiles_.clear();
     changed_tiles_.clear();
+    is_at_equilibrium_ = false;
 }
 
 void Session::Impl::weigh_anew() {

@@ -45,6 +45,7 @@ class Session::Impl {
     SurfaceResult solve(const base::Control& control, mechanics::StabilityCheck check,
                         const mechanics::FirstIterate& first_iterate = {});
     [[nodiscard]] std::vector<TileDeformation> tile_deformations(const mechanics::Solution& solution) const;
+    Linearization linearize(TileQuantities quantities, const base::Control& control);
     Eigen::MatrixXd solve_adjoint(const Eigen::MatrixXd& rows, const base::Control& control);
     [[nodiscard]] std::optional<reduction::BeamMotion> beam_motion(tiling::TileIndex tile,
                                                                    const mechanics::Solution& solution) const;
@@ -70,6 +71,9 @@ class Session::Impl {
     void solve_equilibrium(SurfaceResult& result, const base::Control& control,
                            mechanics::StabilityCheck check, const mechanics::FirstIterate& first_iterate);
 
+    [[nodiscard]] TileLinearization linearized_tile(tiling::TileIndex tile,
+                                                    const mechanics::EquilibriumTangent& tangent) const;
+
     Surface surface_;
     LoadCase load_case_;
     SimulationOptions options_;
@@ -86,6 +90,7 @@ class Session::Impl {
     std::optional<mechanics::LinearSolver> solver_;
     std::optional<mechanics::EquilibriumSolver> equilibrium_solver_;
     Work work_;
+    bool is_at_equilibrium_ = false;  ///< a nonlinear one of the surface as it is now, found in one step
     reduction::Displacements solved_in_ = reduction::Displacements::Small;  ///< the last solution
 };
 

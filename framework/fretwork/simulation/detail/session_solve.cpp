@@ -124,6 +124,7 @@ void Session::Impl::solve_equilibrium(SurfaceResult& result, const base::Control
             mechanics::EquilibriumOptions{.branch = options_.branch, .threads = options_.threads});
     result.solution = equilibrium_solver_->solve(assembly_, control, check, first_iterate);
     result.load_steps = {result.solution};
+    is_at_equilibrium_ = result.solution.converged();
     work_.starting_point = equilibrium_solver_->starting_point();
 }
 
@@ -134,6 +135,7 @@ SurfaceResult Session::Impl::solve(const base::Control& control, mechanics::Stab
     std::optional<mechanics::Frame> frame;
     if (options_.estimate_error) frame = surface_frame(surface_, choice(), conditions_, control);
     const auto started = Clock::now();
+    is_at_equilibrium_ = false;
     update(control);
     SurfaceResult result = make_result();
     const bool is_large = is_nonlinear();

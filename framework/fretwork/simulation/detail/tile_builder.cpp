@@ -54,12 +54,12 @@ TileBuilder::Request TileBuilder::request(const TilesToBuild& wanted, tiling::Ti
                     {},
                     {}};
     if (model.sharing == reduction::Sharing::None) return request;
-    OwnAxes axes = own_axes(request.polygon, grid);
-    if (!geometry::is_convex(axes.polygon)) return request;
-    request.key = key_of(model, tiling::pattern_of(surface.tessellation, index)->id, axes);
-    request.polygon = std::move(axes.polygon);
-    request.tile.turn = axes.turn;
-    request.tile.origin = axes.origin;
+    std::optional<OwnAxes> axes = shared_axes(request.polygon, grid);
+    if (!axes) return request;
+    request.key = key_of(model, tiling::pattern_of(surface.tessellation, index)->id, *axes);
+    request.polygon = std::move(axes->polygon);
+    request.tile.turn = axes->turn;
+    request.tile.origin = axes->origin;
     return request;
 }
 

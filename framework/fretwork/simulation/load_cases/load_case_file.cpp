@@ -53,7 +53,7 @@ NodesInBox read_box(const JsonReader& json) {
     return {{box[0], box[1], box[2], box[3]}};
 }
 
-NodesNearest read_points(const JsonReader& json) {
+NodesNearest read_nearest(const JsonReader& json) {
     NodesNearest selection;
     for (const JsonReader& point : json.elements()) {
         const std::vector<double> place = point.numbers(2);
@@ -69,6 +69,8 @@ NodesAtSide read_side(const JsonReader& json) {
     return {static_cast<Side>(place - kSideNames.begin())};
 }
 
+}  // namespace
+
 Selection read_selection(const JsonReader& json) {
     const auto nodes = json.find("nodes");
     const auto box = json.find("box");
@@ -79,7 +81,7 @@ Selection read_selection(const JsonReader& json) {
     }
     if (nodes) return read_ids(*nodes);
     if (box) return read_box(*box);
-    if (nearest) return read_points(*nearest);
+    if (nearest) return read_nearest(*nearest);
     return read_side(*side);
 }
 
@@ -91,6 +93,8 @@ void write_selection(const Selection& selection, Json& json) {
         for (const geometry::Point2& point : nearest->points) json["nearest"].push_back({point.x, point.y});
     }
 }
+
+namespace {
 
 std::optional<Dof> dof_of(const std::string& name) {
     const auto place = std::find(kDofNames.begin(), kDofNames.end(), name);
@@ -140,7 +144,7 @@ LoadCase::Load read_line_load(const JsonReader& json) {
         load.where = read_side(*side);
     } else {
         (void)between->elements(2);
-        load.where = read_points(*between);
+        load.where = read_nearest(*between);
     }
     return load;
 }

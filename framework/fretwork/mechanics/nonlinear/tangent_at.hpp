@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/mechanics/nonlinear/mixed_newton.hpp>
+#include <fretwork/mechanics/paths/equilibrium_tangent.hpp>
+
+namespace fretwork::mechanics {
+
+/// The parts of an EquilibriumSolver that its tangent stands on. They outlive it.
+class EquilibriumTangent::Impl {
+  public:
+    struct Parts {
+        nonlinear::NonlinearSystem& system;
+        nonlinear::Newton& newton;
+        nonlinear::MixedNewton& mixed;
+        const nonlinear::Configuration& configuration;
+        bool& has_factors;  ///< near those of the configuration: solutions are refined with them
+    };
+    /// Evaluates the tangent. Throws NumericalError if it is singular, and Stopped.
+    Impl(const Parts& parts, const base::Control& control);
+
+    [[nodiscard]] std::span<const NodeState> states() const { return parts_.configuration.states; }
+    /// From forces of the equations to steps of the unknowns.
+    [[nodiscard]] Eigen::MatrixXd solve(const Eigen::MatrixXd& right_sides, nonlinear::Newton::Side side,
+                                        const base::Control& control);
+    [[nodiscard]] Eigen::MatrixXd equations_of(const Eigen::MatrixXd& rows) const;
+    [[nodiscard]] Eigen::MatrixXd rows_of(const Eigen::MatrixXd& steps) const;
+    /// In place, at nodes of whose rotation vectors some components are unknown or prescribed: v = T^T v,
+    /// from moments to what is conjugate to the rotation vector.
+    void moments_to_vectors(Eigen::MatrixXd& rows) const;
+    /// The same, w = T v: from rates of rotation vectors to spins.
+    void vectors_to_spins(Eigen::MatrixXd& rows) const;
+    /// At the other nodes: from gradients by rotation vectors to those along spins, and from spins to rates.
+    void gradients_to_spins(Eigen::MatrixXd& rows) const;
+    void spins_to_vectors(Eigen::MatrixXd& rows) const;
+
+    [[nodiscard]] Eigen::MatrixXd by_held_values(const Eigen::MatrixXd& gradients,
+                                                 const Eigen::MatrixXd& adjoint) const;
+    [[nodiscard]] Eigen::MatrixXd strain_slopes(std::size_t element) const;
+    [[nodiscard]] Eigen::VectorXd internal_forces(std::size_t element) const;
+    [[nodiscard]] std::vector<Eigen::MatrixXd> flexibilities(std::span<const std::size_t> elements,
+                                                             const base::Control& control);
+
+  private:
+    [[nodiscard]] const nonlinear::Unknowns& unknowns() const { return parts_.system.unknowns(); }
+    [[nodiscard]] const Element& element(std::size_t index) const;
+    [[nodiscard]] std::vector<NodeState> states_of(const Element& element) const;
+    [[nodiscard]] Eigen::MatrixXd forces_of(const Element& element, const Eigen::MatrixXd& motions) const;
+    void add_own_terms(const Eigen::MatrixXd& adjoint, Eigen::MatrixXd& forces) const;
+    void factorize(const base::Control& control);
+    [[nodiscard]] Eigen::Index nodes() const;
+
+    Parts parts_;
+    bool is_exact_ = false;                   ///< the factors are those of the tangent
+    std::vector<Eigen::Matrix3d> spin_maps_;  ///< of every node's rotation vector
+};
+
+}  // namespace fretwork::mechanics

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/base/control.hpp>
+#include <fretwork/mechanics/assembly.hpp>
+#include <fretwork/mechanics/element.hpp>
+
+#include <Eigen/Core>
+
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace fretwork::mechanics {
+
+/// How a structure answers small changes at an equilibrium: derivatives of anything that depends on its
+/// nodes' displacements, without another equilibrium.
+///
+/// Matrices have six rows for each node of the assembly, in their order. *Motions* are displacements (m) and
+/// spins (rad; R <- exp(w) R), *forces* are true forces and moments (N, N m). *Gradients* are derivatives of
+/// a function J by the displacements and rotation vectors in which a solution is given. With T the derivative
+/// of the internal less the applied forces along motions,
+///
+///     motions = T^-1 forces,    adjoint motions l = T^-T gradient:  dJ = l . d(forces).
+///
+/// T is not symmetric where moments of fixed direction act. Held components do not move.
+///
+/// EquilibriumSolver makes it from the equilibrium that it has found, with the factors that are there; it is
+/// valid until the next call of that solver.
+class EquilibriumTangent {
+  public:
+    class Impl;
+    explicit EquilibriumTangent(std::unique_ptr<Impl> impl);
+    EquilibriumTangent(EquilibriumTangent&&) noexcept;
+    EquilibriumTangent& operator=(EquilibriumTangent&&) noexcept;
+    ~EquilibriumTangent();
+
+    /// The states of all nodes at the equilibrium, those inside of beams included.
+    [[nodiscard]] std::span<const NodeState> states() const;
+
+    /// The motions under small forces, one column each. Throws Stopped.
+    [[nodiscard]] Eigen::MatrixXd motions(const Eigen::MatrixXd& forces,
+                                          const base::Control& control = {}) const;
+    /// The adjoint motions of gradients, one column each. Throws Stopped.
+    [[nodiscard]] Eigen::MatrixXd adjoint_motions(const Eigen::MatrixXd& gradients,
+                                                  const base::Control& control = {}) const;
+    /// The derivatives of J by the values of held components; zero for others.
+    /// @param adjoint_motions  of the same gradients
+    [[nodiscard]] Eigen::MatrixXd by_held_values(const Eigen::MatrixXd& gradients,
+                                                 const Eigen::MatrixXd& adjoint_motions) const;
+
+    /// Small motions as changes of displacements and rotation vectors.
+    [[nodiscard]] Eigen::MatrixXd as_rotation_vectors(const Eigen::MatrixXd& motions) const;
+
+    /// B = de/dx along motions of an element's nodes: stress_count() x 6n. Empty for one without stresses.
+    [[nodiscard]] Eigen::MatrixXd strain_slopes(std::size_t element) const;
+    /// The internal forces of an element on its nodes: 6n.
+    [[nodiscard]] Eigen::VectorXd internal_forces(std::size_t element) const;
+    /// What the motions of an element's nodes are under unit forces on them, 6n x 6n, of the symmetric part
+    /// of T; of all of these elements at once, by selected inversion. Throws Stopped.
+    [[nodiscard]] std::vector<Eigen::MatrixXd> flexibilities(std::span<const std::size_t> elements,
+                                                             const base::Control& control = {}) const;
+
+  private:
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace fretwork::mechanics

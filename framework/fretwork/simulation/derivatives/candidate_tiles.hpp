@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/base/control.hpp>
+#include <fretwork/simulation/surface.hpp>
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace fretwork::simulation {
+
+/// The condensed stiffness of every tile of a surface with each pattern of a palette. Congruent tiles share
+/// it: they are of one *class*.
+class CandidateTiles {
+  public:
+    struct Options {
+        int threads = 0;  ///< 0: all there are. They change no bit.
+        base::Control control{};
+    };
+    /// Condenses classes x patterns. Throws InputError if a pattern does not connect a tile, and Stopped.
+    CandidateTiles(const Surface& surface, std::vector<pattern::NamedPattern> patterns,
+                   const Options& options);
+    CandidateTiles(const Surface& surface, std::vector<pattern::NamedPattern> patterns)
+        : CandidateTiles(surface, std::move(patterns), Options{}) {}
+
+    [[nodiscard]] const std::vector<pattern::NamedPattern>& patterns() const { return patterns_; }
+    [[nodiscard]] std::size_t tile_count() const { return class_of_.size(); }
+    [[nodiscard]] std::size_t class_count() const { return classes_.size(); }
+    [[nodiscard]] std::size_t class_of(tiling::TileIndex tile) const { return class_of_[tile]; }
+
+    /// K, 6n x 6n, in the axes in which the tiles of a class are built.
+    [[nodiscard]] Eigen::MatrixXd stiffness(std::size_t tile_class, std::size_t pattern) const;
+    /// The same for all patterns, a column each: the lower triangle by columns, entries off the diagonal
+    /// once.
+    [[nodiscard]] const Eigen::MatrixXd& packed(std::size_t tile_class) const {
+        return classes_[tile_class].packed;
+    }
+    [[nodiscard]] double mass(std::size_t tile_class, std::size_t pattern) const {
+        return classes_[tile_class].masses[pattern];
+    }
+    /// The interface nodes of the tiles of a class, in its axes, m.
+    [[nodiscard]] const std::vector<Eigen::Vector3d>& interface_nodes(std::size_t tile_class) const {
+        return classes_[tile_class].interface_nodes;
+    }
+    /// The places in packed() of K's quadratic form: a . K e = pack_form(a, e) . packed column.
+    static Eigen::VectorXd pack_form(const Eigen::VectorXd& a, const Eigen::VectorXd& e);
+
+  private:
+    struct Class {
+        Eigen::Index size = 0;       ///< 6n
+        Eigen::MatrixXd packed;      ///< a column for each pattern
+        std::vector<double> masses;  ///< kg
+        std::vector<Eigen::Vector3d> interface_nodes;
+    };
+    std::vector<pattern::NamedPattern> patterns_;
+    std::vector<Class> classes_;
+    base::IndexVector<tiling::TileIndex, std::size_t> class_of_;
+};
+
+}  // namespace fretwork::simulation

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/simulation/derivatives/sensitivity.hpp>
+#include <fretwork/simulation/detail/condensed_pattern.hpp>
+#include <fretwork/simulation/detail/own_axes.hpp>
+
+#include <array>
+#include <limits>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace fretwork::simulation {
+namespace {
+
+using mechanics::kDofsPerNode;
+using mechanics::NodeValues;
+
+/// Rows of six as one column.
+Eigen::Map<const Eigen::VectorXd> column_of(const NodeValues& rows) {
+    return {rows.data(), rows.size()};
+}
+
+NodeValues rows_of(const Eigen::VectorXd& column) {
+    return Eigen::Map<const NodeValues>(column.data(), column.size() / kDofsPerNode, kDofsPerNode);
+}
+
+/// How J depends on one tile, given the adjoint motions of its nodes (a row each).
+TileSensitivity tile_sensitivity(const TileLinearization& tile, const NodeValues& motions,
+                                 const Eigen::Vector3d& gravity) {
+    TileSensitivity result;
+    result.stiffness = std::numeric_limits<double>::quiet_NaN();
+    result.own_mass = tile.mass;
+    result.mass = (motions.leftCols<3>() * gravity).mean();
+    if (tile.strains.size() == 0) return result;
+    const auto local = column_of(motions);
+    result.strains = tile.strains;
+    result.adjoint_strains = tile.slopes * local;
+    result.stiffness = -tile.forces.dot(local);
+    return result;
+}
+
+/// The derivatives of a tile's condensed stiffness and mass along a curve of settings.
+detail::CondensedPattern rate_along(const std::function<detail::CondensedPattern(double)>& condensed,
+                                    double step) {
+    constexpr std::array<std::pair<int, double>, 4> kWeights = {
+        {{-2, 1.0 / 12.0}, {-1, -8.0 / 12.0}, {1, 8.0 / 12.0}, {2, -1.0 / 12.0}}};
+    detail::CondensedPattern rate;
+    for (const auto& [place, weight] : kWeights) {
+        const auto there = condensed(place * step);
+        if (rate.stiffness.size() == 0)
+            rate.stiffness.setZero(there.stiffness.rows(), there.stiffness.cols());
+        rate.stiffness += weight / step * there.stiffness;
+        rate.mass += weight / step * there.mass;
+    }
+    return rate;
+}
+
+}  // namespace
+
+Sensitivity sensitivity(const Linearization& linearization, const NodeValues& gradient,
+                        const base::Control& control) {
+    if (gradient.rows() != linearization.reported_nodes)
+        throw base::InputError("the gradient has " + std::to_string(gradient.rows()) +
+                               " rows, where one is needed for each of the result's " +
+                               std::to_string(linearization.reported_nodes) + " nodes");
+    // Nodes inside of beams, which results leave out, are behind the others.
+    Eigen::MatrixXd all = Eigen::MatrixXd::Zero(linearization.loads.size(), 1);
+    all.topRows(gradient.size()) = column_of(gradient);
+    const Eigen::MatrixXd motions = linearization.tangent.adjoint_motions(all, control);
+    Sensitivity result;
+    result.loads = rows_of(motions.col(0)).topRows(gradient.rows());
+    result.held_values =
+        rows_of(linearization.tangent.by_held_values(all, motions).col(0)).topRows(gradient.rows());
+    result.stiffness = -column_of(linearization.loads).dot(motions.col(0));
+    for (const TileLinearization& tile : linearization.tiles) {
+        NodeValues own(std::ssize(tile.nodes), kDofsPerNode);
+        for (std::size_t i = 0; i < tile.nodes.size(); ++i)
+            own.row(static_cast<Eigen::Index>(i)) = result.loads.row(tile.nodes[i].value);
+        result.tiles.push_back(tile_sensitivity(tile, own, linearization.gravity));
+    }
+    return result;
+}
+
+Eigen::MatrixXd pattern_derivatives(const Sensitivity& sensitivity, const CandidateTiles& candidates) {
+    const auto patterns = std::ssize(candidates.patterns());
+    Eigen::MatrixXd result(std::ssize(sensitivity.tiles), patterns);
+    std::vector<std::vector<tiling::TileIndex>> members(candidates.class_count());
+    for (const tiling::TileIndex tile : sensitivity.tiles.indices())
+        members[candidates.class_of(tile)].push_back(tile);
+    for (std::size_t c = 0; c < members.size(); ++c) {
+        Eigen::MatrixXd forms(candidates.packed(c).rows(), std::ssize(members[c]));
+        for (std::size_t i = 0; i < members[c].size(); ++i) {
+            const TileSensitivity& tile = sensitivity.tiles[members[c][i]];
+            auto form = forms.col(static_cast<Eigen::Index>(i));
+            if (tile.strains.size() == 0) {
+                form.setConstant(std::numeric_limits<double>::quiet_NaN());
+            } else {
+                form = CandidateTiles::pack_form(tile.adjoint_strains, tile.strains);
+            }
+        }
+        const Eigen::MatrixXd forms_of_all = forms.transpose() * candidates.packed(c);
+        for (std::size_t i = 0; i < members[c].size(); ++i) {
+            const TileSensitivity& tile = sensitivity.tiles[members[c][i]];
+            auto row = result.row(members[c][i].value);
+            row = -forms_of_all.row(static_cast<Eigen::Index>(i)).array() - tile.stiffness;
+            if (tile.mass == 0.0) continue;
+            for (Eigen::Index p = 0; p < patterns; ++p)
+                row[p] += tile.mass * (candidates.mass(c, static_cast<std::size_t>(p)) - tile.own_mass);
+        }
+    }
+    return result;
+}
+
+double derivative_along(const Sensitivity& sensitivity, const Surface& surface,
+                        const std::function<reduction::Setting(double)>& setting, double step) {
+    const double grid = detail::congruence_grid(surface.tessellation);
+    std::map<std::pair<std::string, std::string>, detail::CondensedPattern> rates;
+    double sum = 0.0;
+    for (const tiling::TileIndex tile : surface.tessellation.tiles.indices()) {
+        const TileSensitivity& own = sensitivity.tiles[tile];
+        if (own.strains.size() == 0) return std::numeric_limits<double>::quiet_NaN();
+        const auto* pattern = tiling::pattern_of(surface.tessellation, tile);
+        const detail::TilePolygon place = detail::tile_polygon_of(surface, tile, grid);
+        const auto [entry, is_new] = rates.try_emplace({place.key, pattern->id});
+        if (is_new)
+            entry->second = rate_along(
+                [&](double at) {
+                    return detail::condensed_pattern(surface.layout, pattern->pattern, place.polygon,
+                                                     setting(at));
+                },
+                step);
+        sum += own.mass * entry->second.mass -
+               own.adjoint_strains.dot(entry->second.stiffness.selfadjointView<Eigen::Lower>() * own.strains);
+    }
+    return sum;
+}
+
+}  // namespace fretwork::simulation
