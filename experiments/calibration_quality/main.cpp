@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What each method and number of starts buys: every calibration of a stratified sample of patterns against
-// the best objective that is known for it. See README.md.
+// The gain from each method and number of starts: every calibration of a stratified sample of patterns
+// against the best objective that is known for it. See README.md.
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/files/file.hpp>
 #include <fretwork/base/parallel.hpp>

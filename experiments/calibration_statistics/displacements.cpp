@@ -6,7 +6,7 @@
 namespace fretwork::experiments {
 namespace {
 
-/// What all patterns do under one scenario at its largest magnitude.
+/// The displacements of all patterns under one scenario at its largest magnitude.
 struct Largest {
     std::vector<double> displacements;  ///< m, the largest of the interface nodes; of what converged
     std::vector<double> rotations;      ///< rad, likewise

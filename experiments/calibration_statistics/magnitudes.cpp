@@ -8,7 +8,7 @@
 namespace fretwork::experiments {
 namespace {
 
-constexpr std::size_t kEvery = 12;  ///< of the patterns, one in so many
+constexpr std::size_t kEvery = 12;  ///< one pattern in this number is taken
 
 reduction::Setting scaled(reduction::Setting setting, double factor) {
     for (reduction::Scenario& scenario : setting.scenarios) scenario.max_magnitude *= factor;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the calibrations of a library come to, and what they depend on. See README.md.
+// Statistics of the calibrations of a library, and their causes. See README.md.
 #include "tables.hpp"
 
 #include <fretwork/base/error.hpp>

@@ -34,7 +34,7 @@ std::string fixed(double value, int digits);
 
 /// How far the largest magnitudes move the tiles.
 void print_displacements(const TableInput& input);
-/// What the policy for samples past the first loss of stability changes.
+/// The effect of the policy for samples past the first loss of stability.
 void print_policies(const TableInput& input);
 /// How the objective depends on the largest magnitudes.
 void print_magnitudes(const TableInput& input);

@@ -40,7 +40,7 @@ simulation::SimulationOptions with_model(const std::string& model) {
     return options;
 }
 
-/// The surface with so many of its tiles in full, those of the largest scores.
+/// The surface with a given number of its tiles in full, those of the largest scores.
 simulation::Surface with_full_tiles(simulation::Surface surface, const std::vector<TileDeformation>& tiles,
                                     const Ranking& ranking, std::size_t count) {
     std::vector<std::size_t> order(tiles.size());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What changes if E were the mean over samples, or the weights of Table 2 were others: the paper's model
+// The changes if E were the mean over samples, or the weights of Table 2 were others: the paper's model
 // fitted to the same responses by several objectives, all with Ceres. See README.md.
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/files/file.hpp>

@@ -59,7 +59,7 @@ TEST(CorotationalFrame, TurnsAsAWholeWithoutForce) {
         for (const Eigen::Vector3d& place : tile.nodes) states.push_back({turn * place - place, turn});
         mechanics::ElementResponse response;
         tile.elements[0]->evaluate(states, mechanics::Demand::Tangent, response);
-        // What would bend the tile by its own size, m.
+        // Would bend the tile by its own size, m.
         const double usual = response.tangent.topLeftCorner<3, 3>().norm() * 0.03;
         EXPECT_LT(response.force.norm(), 1e-9 * usual) << pair.turning.name;
         EXPECT_LT(std::abs(response.energy), 1e-9 * usual * 0.03) << pair.turning.name;

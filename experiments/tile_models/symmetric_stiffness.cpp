@@ -51,8 +51,8 @@ const std::vector<BlockPlace>& places() {
     return table;
 }
 
-/// What is not rigid in a harmonic, orthonormal. A turn in the plane is (0, 1, 1) in m = 0, a shift (1, i, 0)
-/// in m = 1; out of the plane a shift is (1, 0, 0) in m = 0, a turn (-i, 1, i) in m = 1.
+/// The part of a harmonic that is not rigid, orthonormal. A turn in the plane is (0, 1, 1) in m = 0, a shift
+/// (1, i, 0) in m = 1; out of the plane a shift is (1, 0, 0) in m = 0, a turn (-i, 1, i) in m = 1.
 Basis basis_of(Plane plane, int harmonic) {
     constexpr Complex i(0.0, 1.0);
     const double half = std::sqrt(0.5);

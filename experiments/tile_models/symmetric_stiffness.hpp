@@ -40,7 +40,7 @@ class SymmetricStiffness {
     };
     static const std::vector<Parameter>& parameters();
 
-    /// Of a tile of any polygon: harmonics are those of its number of sides (from the third one on the
+    /// For a tile of any polygon: harmonics are those of its number of sides (from the third one on the
     /// hexagon's third), axes those of its sides; what remains of its rigid motions is projected out. In the
     /// regular hexagon of `size` it is the stiffness of the parameters. Stiffness falls with the third power
     /// of a tile's size, as that of bent beams does.

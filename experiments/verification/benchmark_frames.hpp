@@ -74,7 +74,7 @@ inline void hold_in_plane(Frame& frame) {
         frame.supports.push_back({NodeIndex(i), {{false, true, false, true, false, true}}});
 }
 
-/// Go on from the last node to `end` by so many beams.
+/// Go on from the last node to `end` by a given number of beams.
 inline void add_leg(Frame& frame, Beam like, const Eigen::Vector3d& end, int beams) {
     const Eigen::Vector3d start = frame.nodes.back();
     for (int k = 1; k <= beams; ++k) {

@@ -75,7 +75,7 @@ TEST(GradedPainting, DitheringHandsNothingOnBeyondTheReachOfThePatterns) {
 }
 
 TEST(Field, ExpressionsKnowPlacesInMetresAndInShares) {
-    const PlaneBox box{{10, 20}, {12, 24}};
+    const geometry::Box box{10, 20, 12, 24};
     const std::vector<geometry::Point2> points = {{10, 20}, {11, 24}};
     EXPECT_THAT(expression_values("x + 100*y", box, points), ElementsAre(2010, 2411));
     EXPECT_THAT(expression_values("u + 100*v", box, points), ElementsAre(0, 100.5));
@@ -85,7 +85,7 @@ TEST(Field, ExpressionsKnowPlacesInMetresAndInShares) {
 TEST(Field, RefusesWhatHasNoFiniteValue) {
     const std::vector<geometry::Point2> points = {{0, 0}};
     const auto complaint = [&](const std::string& expression) {
-        return complaint_of([&] { (void)expression_values(expression, {{0, 0}, {1, 1}}, points); });
+        return complaint_of([&] { (void)expression_values(expression, {0, 0, 1, 1}, points); });
     };
     EXPECT_THAT(complaint("1/x"), HasSubstr("no finite value at x = 0"));
     EXPECT_THAT(complaint("sin("), HasSubstr("variables x, y"));
@@ -122,7 +122,7 @@ TEST(Field, AGreyRampIsReadFromWhiteToBlackAcrossTheBox) {
     const TemporaryFolder folder;
     const auto ramp = grey_ramp(folder, 256);
     const Tessellation row = row_of_squares(40);
-    const auto values = image_values(ramp, {{0, 0}, {40, 1}}, middles(row));
+    const auto values = image_values(ramp, {0, 0, 40, 1}, middles(row));
     ASSERT_EQ(values.size(), 40U);
     // A pixel is 1/256 of the width, a grey 1/255 of the way to black.
     for (std::size_t i = 0; i < values.size(); ++i)
@@ -134,7 +134,7 @@ const std::vector<GradedPattern> kFromLightToDark = {{{"a"}, 0.0}, {{"b"}, 0.4},
 TEST(GradedPainting, AGreyRampGivesThePatternsInTheirOrder) {
     const TemporaryFolder folder;
     const Tessellation row = row_of_squares(40);
-    const auto values = image_values(grey_ramp(folder, 256), {{0, 0}, {40, 1}}, middles(row));
+    const auto values = image_values(grey_ramp(folder, 256), {0, 0, 40, 1}, middles(row));
     const Painting painting = graded_painting(row, all(row), kFromLightToDark, values, Dithering::None);
     EXPECT_TRUE(std::ranges::is_sorted(painting.tiles));
     // Nearer to 0 than to 0.4: 0 to 0.2, eight tiles; and so on: bounds at 0.2, 0.5, 0.8.
@@ -147,7 +147,7 @@ TEST(GradedPainting, ADitheredGreyRampHasTheMeanOfTheImageInEveryPart) {
     constexpr int kTiles = 400;
     constexpr int kPart = 40;
     const Tessellation row = row_of_squares(kTiles);
-    const auto values = image_values(grey_ramp(folder, 256), {{0, 0}, {kTiles, 1}}, middles(row));
+    const auto values = image_values(grey_ramp(folder, 256), {0, 0, kTiles, 1}, middles(row));
     const std::vector<GradedPattern> two = {{{"light"}, 0.0}, {{"dark"}, 1.0}};
     const Painting painting = graded_painting(row, all(row), two, values, Dithering::ErrorDiffusion);
     for (int from = 0; from < kTiles; from += kPart) {
@@ -168,7 +168,7 @@ TEST(TileChoice, NumbersAndRangesAreTilesOnce) {
 
 TEST(TileChoice, ATileLiesWhereItsMiddleDoes) {
     const Tessellation row = row_of_squares(4);
-    EXPECT_THAT(tiles_in(PlaneBox{{0.6, 0}, {2.5, 1}}, row), ElementsAre(1, 2));
+    EXPECT_THAT(tiles_in(geometry::Box{0.6, 0, 2.5, 1}, row), ElementsAre(1, 2));
     EXPECT_THAT(tiles_in(geometry::Polygon{{0, 0}, {2, 0}, {2, 1}, {0, 1}}, row), ElementsAre(0, 1));
     EXPECT_THAT(tiles_in(geometry::Polygon{{0, 1}, {2, 1}, {2, 0}, {0, 0}}, row), ElementsAre(0, 1))
         << "clockwise means the same";

@@ -105,6 +105,26 @@ double spread_at_rim(const Tessellation& tessellation) {
     return std::sqrt(squares * count / (sum * sum) - 1);
 }
 
+TEST(RimSides, RunAroundTheSurfaceTileByTileAndHoldTheNodesOfTheRim) {
+    const auto layout = pattern::paper_layout();
+    const auto outline = outlines::read_outline(outlines::example_outline("example_b.svg"));
+    const Tessellation tessellation = tessellate(outline, layout, {.edge_length = 0.05}).tessellation;
+    const auto lines = rim_sides(tessellation);
+    EXPECT_EQ(lines.size(), 1 + outline.holes.size());
+    std::vector<std::vector<InterfaceIndex>> nodes;
+    for (const auto& line : lines) {
+        nodes.emplace_back();
+        for (std::size_t i = 0; i < line.size(); ++i) {
+            EXPECT_EQ(line[i].to, line[(i + 1) % line.size()].from);
+            const auto& corners = tessellation.tiles[line[i].tile].vertices;
+            const auto from = std::ranges::find(corners, line[i].from) - corners.begin();
+            EXPECT_EQ(corners[(from + 1) % corners.size()], line[i].to) << "the tile lies on the left";
+            nodes.back().insert(nodes.back().end(), line[i].nodes.begin(), line[i].nodes.end());
+        }
+    }
+    EXPECT_EQ(nodes, rim_loops(tessellation));
+}
+
 class Rims : public testing::TestWithParam<std::pair<const char*, outlines::Outline>> {};
 
 /// An outline along a row of hexagons leaves pentagons with sides 1, 1, h, h, sqrt(3): their spread is

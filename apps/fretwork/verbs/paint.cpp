@@ -51,7 +51,7 @@ std::vector<double> parse_lengths(const std::string& text) {
     return lengths;
 }
 
-tiling::PlaneBox parse_box(const std::string& text) {
+geometry::Box parse_box(const std::string& text) {
     const auto sides = parse_lengths(text);
     if (sides.size() != 4)
         throw base::InputError("'" + text +
@@ -60,7 +60,7 @@ tiling::PlaneBox parse_box(const std::string& text) {
         if (sides[most] < sides[most - 2])
             throw base::InputError("'" + text + "' is not a box: its " + name +
                                    " is less than its minimum (XMIN,YMIN,XMAX,YMAX)");
-    return {{sides[0], sides[1]}, {sides[2], sides[3]}};
+    return {sides[0], sides[1], sides[2], sides[3]};
 }
 
 geometry::Polygon parse_polygon(const std::string& text) {

@@ -6,7 +6,6 @@
 #include "verbs.hpp"
 
 #include <fretwork/base/error.hpp>
-#include <studio/server/page.hpp>
 #include <studio/studio.hpp>
 
 #include <csignal>
@@ -20,6 +19,14 @@
 
 namespace fretwork::app {
 namespace {
+
+/// The place of this program's page: ../share/fretwork/studio.html, seen from the program. It may not be
+/// there.
+std::filesystem::path usual_page_path() {
+    std::error_code unknown;
+    const auto program = std::filesystem::read_symlink("/proc/self/exe", unknown);
+    return program.parent_path().parent_path() / "share" / "fretwork" / "studio.html";
+}
 
 struct StudioOptions {
     std::string project;
@@ -68,8 +75,7 @@ void run(StudioOptions options) {
     if (!options.page.empty() && !std::filesystem::exists(options.page))
         throw base::InputError(options.page, "",
                                "there is no such file; the page is 'studio.html' of a build");
-    options.studio.page =
-        options.page.empty() ? studio::usual_page_path() : std::filesystem::path(options.page);
+    options.studio.page = options.page.empty() ? usual_page_path() : std::filesystem::path(options.page);
     options.studio.state_folder = state_folder();
     LongWork work(LongWork::StopsAt::HangUp);
     studio::Studio studio(options.studio);

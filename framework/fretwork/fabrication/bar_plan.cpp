@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numeric>
 #include <string>
 #include <utility>
@@ -60,41 +59,22 @@ void join_coincident_nodes(BarPlan& plan) {
     }
 }
 
-/// A side that only one tile has.
-struct RimSide {
-    TileIndex tile;
-    std::vector<TessellationNodeIndex> nodes;  ///< vertex, interface nodes, vertex
-};
-
-std::vector<RimSide> rim_sides(const tiling::Tessellation& tessellation, std::size_t first_vertex) {
-    std::map<std::pair<int, int>, RimSide> sides;
-    for (std::size_t t = 0; t < tessellation.tiles.size(); ++t) {
-        const tiling::Tile& tile = tessellation.tiles[t];
-        const std::size_t count = tile.vertices.size();
-        const std::size_t per_side = tile.interface_nodes.size() / count;
-        for (std::size_t s = 0; s < count; ++s) {
-            const int from = tile.vertices[s];
-            const int to = tile.vertices[(s + 1) % count];
-            if (sides.erase({to, from}) > 0) continue;
-            RimSide side{TileIndex(t), {TessellationNodeIndex(first_vertex + from)}};
-            for (std::size_t i = 0; i < per_side; ++i)
-                side.nodes.emplace_back(tile.interface_nodes[s * per_side + i].value);
-            side.nodes.emplace_back(first_vertex + to);
-            sides.emplace(std::pair(from, to), std::move(side));
-        }
-    }
-    std::vector<RimSide> rim;
-    for (auto& [ends, side] : sides) rim.push_back(std::move(side));
-    return rim;
-}
-
 /// A bar along every side of the rim, from vertex to interface node to vertex.
 void add_frame(BarPlan& plan, const tiling::Tessellation& tessellation, double width) {
     const std::size_t first_vertex = plan.nodes.size();
     plan.nodes.insert(plan.nodes.end(), tessellation.vertices.begin(), tessellation.vertices.end());
-    for (const RimSide& side : rim_sides(tessellation, first_vertex)) {
-        for (std::size_t i = 0; i + 1 < side.nodes.size(); ++i)
-            plan.bars.push_back({{side.nodes[i], side.nodes[i + 1]}, width, side.tile});
+    std::vector<tiling::RimSide> sides;
+    for (const auto& line : tiling::rim_sides(tessellation))
+        sides.insert(sides.end(), line.begin(), line.end());
+    std::ranges::sort(sides, {}, [](const tiling::RimSide& side) { return std::pair(side.from, side.to); });
+    for (const tiling::RimSide& side : sides) {
+        TessellationNodeIndex here(first_vertex + side.from);
+        const auto go_to = [&](TessellationNodeIndex next) {
+            plan.bars.push_back({{here, next}, width, side.tile});
+            here = next;
+        };
+        for (const tiling::InterfaceIndex node : side.nodes) go_to(TessellationNodeIndex(node.value));
+        go_to(TessellationNodeIndex(first_vertex + side.to));
     }
 }
 

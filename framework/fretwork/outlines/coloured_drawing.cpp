@@ -2,7 +2,7 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/outlines/coloured_drawing.hpp>
 #include <fretwork/outlines/detail/coloured_picture.hpp>
-#include <fretwork/outlines/svg/css_colour.hpp>
+#include <fretwork/outlines/svg/css.hpp>
 #include <fretwork/outlines/svg/shown.hpp>
 
 #include <algorithm>

@@ -34,7 +34,7 @@ std::vector<Word128> all_conflicts(const std::vector<Filter>& filters, std::size
 
 Word128 all_edges(std::size_t edge_count) {
     Word128 edges = 0;
-    for (std::size_t e = 0; e < edge_count; ++e) edges |= detail::single<Word128>(static_cast<int>(e));
+    for (std::size_t e = 0; e < edge_count; ++e) edges |= detail::single<Word128>(e);
     return edges;
 }
 

@@ -53,9 +53,16 @@ std::vector<std::size_t> used_patterns(const Tessellation& tessellation);
 /// The mean over the tiles of the mean length of a tile's sides, m.
 double mean_tile_side(const Tessellation& tessellation);
 
-/// The interface nodes along the rim: of each closed line of sides that only one tile has, in the order in
-/// which that tile's polygon runs (so the surface lies on the left), the outer boundary and each hole by
-/// itself.
+/// A side that only one tile has, in the direction of that tile's polygon: the surface lies on the left.
+struct RimSide {
+    TileIndex tile;
+    VertexIndex from;
+    VertexIndex to;
+    std::vector<InterfaceIndex> nodes;  ///< between the two
+};
+/// The closed lines of the rim, side after side: the outer boundary and each hole by itself.
+std::vector<std::vector<RimSide>> rim_sides(const Tessellation& tessellation);
+/// The interface nodes along each of these lines.
 std::vector<std::vector<InterfaceIndex>> rim_loops(const Tessellation& tessellation);
 
 /// Check what every tessellation must obey, such as one that was read from a file: its layout's name, indices

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/text.hpp>
 #include <fretwork/outlines/detail/small_letters.hpp>
-#include <fretwork/outlines/svg/css_selector.hpp>
+#include <fretwork/outlines/svg/css.hpp>
 
 #include <algorithm>
 #include <cctype>

@@ -3,6 +3,7 @@
 
 #include <pugixml.hpp>
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -65,5 +66,15 @@ class CssRules {
     int unknown_selectors_ = 0;
     mutable long looks_ = 0;
 };
+
+/// One selector of a list, without the commas; nothing if it has something that is not understood.
+std::optional<CssSelector> parse_css_selector(std::string_view text);
+
+/// Whether an element is chosen. Every compound that is looked at counts as one of `looks`. Throws InputError
+/// after ten million of them.
+bool matches(const CssSelector& selector, pugi::xml_node node, long& looks);
+
+/// A colour of CSS as "#rrggbb", without its opacity: hexadecimal, rgb() and names; nothing for others.
+std::optional<std::string> css_colour(std::string_view text);
 
 }  // namespace fretwork::outlines::detail

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/quantity.hpp>
 #include <fretwork/outlines/detail/small_letters.hpp>
-#include <fretwork/outlines/svg/css_colour.hpp>
+#include <fretwork/outlines/svg/css.hpp>
 
 #include <algorithm>
 #include <array>

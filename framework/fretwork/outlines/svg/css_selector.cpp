@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
-#include <fretwork/outlines/svg/css_selector.hpp>
+#include <fretwork/outlines/svg/css.hpp>
 
 #include <algorithm>
 

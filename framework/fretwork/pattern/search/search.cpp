@@ -11,7 +11,7 @@ SearchProblem<Word>::SearchProblem(const NodeLayout& layout, std::span<const Fil
     : range(wanted), quotient(layout) {
     const std::size_t count = layout.candidate_edges().size();
     range.most = std::min(range.most, static_cast<int>(count));
-    for (std::size_t e = 0; e < count; ++e) candidates |= single<Word>(static_cast<int>(e));
+    for (std::size_t e = 0; e < count; ++e) candidates |= single<Word>(e);
     conflicts.resize(count);
     loads.resize(count);
     for (const Filter& filter : filters) std::visit([&](const auto& rule) { add(rule); }, filter.rule);
@@ -22,7 +22,7 @@ template <class Word>
 void SearchProblem<Word>::add(const ConflictRule& rule) {
     for (std::size_t e = 0; e < conflicts.size(); ++e) {
         conflicts[e] |= to_word<Word>(rule.conflicts[e]);
-        if (rule.conflicts[e].test(e)) candidates &= ~single<Word>(static_cast<int>(e));
+        if (rule.conflicts[e].test(e)) candidates &= ~single<Word>(e);
     }
 }
 
@@ -32,7 +32,7 @@ void SearchProblem<Word>::add(const CapacityRule& rule) {
         Resource resource{rule.limit, std::vector<Word>(rule.limit + 1)};
         for (std::size_t e = 0; e < loads.size(); ++e) {
             const int amount = given.loads[e];
-            const Word edge = single<Word>(static_cast<int>(e));
+            const Word edge = single<Word>(e);
             if (amount > 0) loads[e].push_back({static_cast<int>(resources.size()), amount});
             if (amount > rule.limit) candidates &= ~edge;
             for (int left = 0; left < std::min(amount, rule.limit + 1); ++left) {
@@ -68,8 +68,8 @@ void SearchProblem<Word>::index_orbits() {
         const std::uint64_t center = quotient.center() < 0 ? 0 : std::uint64_t{1} << quotient.center();
         ends.push_back(a | b);
         double_ends.push_back((a & b) | ((a | b) & center));
-        edges_at[first] |= single<Word>(static_cast<int>(e));
-        edges_at[second] |= single<Word>(static_cast<int>(e));
+        edges_at[first] |= single<Word>(e);
+        edges_at[second] |= single<Word>(e);
     }
 }
 

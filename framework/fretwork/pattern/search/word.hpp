@@ -29,7 +29,7 @@ inline int bit_count(Word128 word) {
 
 /// The set of one edge.
 template <class Word>
-Word single(int edge) {
+Word single(std::size_t edge) {
     return static_cast<Word>(Word{1} << edge);
 }
 
@@ -43,7 +43,7 @@ template <class Word>
 Word to_word(const Pattern::Bits& bits) {
     Word word = 0;
     for (std::size_t e = bits._Find_first(); e < bits.size(); e = bits._Find_next(e)) {
-        word |= single<Word>(static_cast<int>(e));
+        word |= single<Word>(e);
     }
     return word;
 }

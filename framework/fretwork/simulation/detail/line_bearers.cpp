@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
-#include <set>
 
 namespace fretwork::simulation::detail {
 namespace {
@@ -25,28 +23,11 @@ struct RimSide {
 
 /// The closed lines of the rim, side after side.
 std::vector<std::vector<RimSide>> rim_of(const Tessellation& tessellation) {
-    std::map<int, std::array<Point2, 2>> ends_of;  // of the side that a rim node lies on
-    std::map<int, std::size_t> nodes_a_side;
-    for (const tiling::Tile& tile : tessellation.tiles) {
-        const std::size_t count = tile.vertices.size();
-        const std::size_t own = tile.interface_nodes.size() / count;
-        for (std::size_t i = 0; i < tile.interface_nodes.size(); ++i) {
-            const auto at = [&](std::size_t vertex) {
-                return tessellation.vertices[static_cast<std::size_t>(tile.vertices[vertex % count])];
-            };
-            ends_of[tile.interface_nodes[i].value] = {at(i / own), at(i / own + 1)};
-            nodes_a_side[tile.interface_nodes[i].value] = own;
-        }
-    }
     std::vector<std::vector<RimSide>> rim;
-    for (const auto& loop : tiling::rim_loops(tessellation)) {
-        rim.emplace_back();
-        for (std::size_t i = 0; i < loop.size(); i += nodes_a_side.at(loop[i].value)) {
-            const auto first = loop.begin() + static_cast<std::ptrdiff_t>(i);
-            rim.back().push_back(
-                {ends_of.at(loop[i].value),
-                 {first, first + static_cast<std::ptrdiff_t>(nodes_a_side.at(loop[i].value))}});
-        }
+    for (const auto& line : tiling::rim_sides(tessellation)) {
+        std::vector<RimSide>& own = rim.emplace_back();
+        for (const tiling::RimSide& side : line)
+            own.push_back({{tessellation.vertices[side.from], tessellation.vertices[side.to]}, side.nodes});
     }
     return rim;
 }

@@ -115,7 +115,7 @@ class Doubts {
   public:
     Doubts(const LoadCase& load_case, const Surface& surface)
         : load_case_(load_case), surface_(surface), box_(tiling::bounding_box(surface.tessellation)) {
-        size_ = std::hypot(box_.high.x - box_.low.x, box_.high.y - box_.low.y);
+        size_ = std::hypot(box_.width(), box_.height());
     }
 
     std::vector<std::string> run() && {
@@ -142,8 +142,8 @@ class Doubts {
         if (distance <= 2.0 * tiling::mean_tile_side(surface_.tessellation)) return;
         doubts_.push_back("the point " + geometry::place_text(point) + " lies " +
                           geometry::short_number(distance) + " m away from the surface, which reaches from " +
-                          geometry::place_text(box_.low) + " to " + geometry::place_text(box_.high) +
-                          ": places are in metres");
+                          geometry::place_text({box_.xmin, box_.ymin}) + " to " +
+                          geometry::place_text({box_.xmax, box_.ymax}) + ": places are in metres");
     }
 
     void look_at_prescribed(const LoadCase::PrescribedDisplacement& entry) {
@@ -186,7 +186,7 @@ class Doubts {
 
     const LoadCase& load_case_;
     const Surface& surface_;
-    tiling::PlaneBox box_;
+    geometry::Box box_;
     double size_ = 0.0;
     std::vector<std::string> doubts_;
 };

@@ -5,8 +5,8 @@
 #include <fretwork/tiling/dual/edits.hpp>
 #include <fretwork/tiling/dual/measures.hpp>
 #include <fretwork/tiling/dual/rim_sides.hpp>
-#include <fretwork/tiling/remeshing/ears.hpp>
 #include <fretwork/tiling/remeshing/sites.hpp>
+#include <fretwork/tiling/remeshing/triangulation.hpp>
 
 #include <algorithm>
 #include <limits>

@@ -16,11 +16,11 @@ namespace {
 using geometry::Point2;
 
 /// A point in shares of the box: 0 to 1 across it.
-Point2 share_at(const PlaneBox& box, Point2 point) {
+Point2 share_at(const geometry::Box& box, Point2 point) {
     const auto share = [](double low, double high, double value) {
         return high > low ? (value - low) / (high - low) : 0.5;
     };
-    return {share(box.low.x, box.high.x, point.x), share(box.low.y, box.high.y, point.y)};
+    return {share(box.xmin, box.xmax, point.x), share(box.ymin, box.ymax, point.y)};
 }
 
 struct GreyImage {
@@ -53,7 +53,7 @@ GreyImage read_image(const std::filesystem::path& path) {
 
 }  // namespace
 
-std::vector<double> expression_values(const std::string& expression, const PlaneBox& box,
+std::vector<double> expression_values(const std::string& expression, const geometry::Box& box,
                                       const std::vector<Point2>& points) {
     Point2 place;
     Point2 share;
@@ -87,7 +87,7 @@ std::vector<double> expression_values(const std::string& expression, const Plane
     return values;
 }
 
-std::vector<double> image_values(const std::filesystem::path& image, const PlaneBox& box,
+std::vector<double> image_values(const std::filesystem::path& image, const geometry::Box& box,
                                  const std::vector<Point2>& points) {
     const GreyImage grey = read_image(image);
     const auto pixel = [](double share, std::size_t count) {

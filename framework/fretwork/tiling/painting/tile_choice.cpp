@@ -32,14 +32,9 @@ std::size_t parse_tile(std::string_view text, std::size_t count) {
 
 }  // namespace
 
-PlaneBox bounding_box(const Tessellation& tessellation) {
+geometry::Box bounding_box(const Tessellation& tessellation) {
     if (tessellation.vertices.empty()) return {};
-    PlaneBox box{tessellation.vertices.front(), tessellation.vertices.front()};
-    for (const Point2& vertex : tessellation.vertices) {
-        box.low = {std::min(box.low.x, vertex.x), std::min(box.low.y, vertex.y)};
-        box.high = {std::max(box.high.x, vertex.x), std::max(box.high.y, vertex.y)};
-    }
-    return box;
+    return geometry::box_of(tessellation.vertices);
 }
 
 base::IndexVector<TileIndex, Point2> tile_centers(const Tessellation& tessellation) {
@@ -66,10 +61,9 @@ bool is_inside(const geometry::Polygon& polygon, Point2 point) {
     return geometry::winding_number(polygon, point) != 0;
 }
 
-std::vector<TileIndex> tiles_in(const PlaneBox& box, const Tessellation& tessellation) {
+std::vector<TileIndex> tiles_in(const geometry::Box& box, const Tessellation& tessellation) {
     return tiles_where(tessellation, [&](Point2 center) {
-        return center.x >= box.low.x && center.x <= box.high.x && center.y >= box.low.y &&
-               center.y <= box.high.y;
+        return center.x >= box.xmin && center.x <= box.xmax && center.y >= box.ymin && center.y <= box.ymax;
     });
 }
 

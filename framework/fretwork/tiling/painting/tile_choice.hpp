@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <fretwork/geometry/box.hpp>
 #include <fretwork/tiling/tessellation.hpp>
 
 #include <string_view>
@@ -8,13 +9,8 @@
 
 namespace fretwork::tiling {
 
-/// A part of the plane, metres.
-struct PlaneBox {
-    geometry::Point2 low;
-    geometry::Point2 high;
-};
 /// The smallest box around all tiles.
-PlaneBox bounding_box(const Tessellation& tessellation);
+geometry::Box bounding_box(const Tessellation& tessellation);
 
 /// The centroid of each tile: a tile lies where its centroid does.
 base::IndexVector<TileIndex, geometry::Point2> tile_centers(const Tessellation& tessellation);
@@ -27,7 +23,7 @@ std::vector<TileIndex> parse_tiles(std::string_view text, const Tessellation& te
 bool is_inside(const geometry::Polygon& polygon, geometry::Point2 point);
 
 /// The tiles in a box, its rim included; none is an empty list.
-std::vector<TileIndex> tiles_in(const PlaneBox& box, const Tessellation& tessellation);
+std::vector<TileIndex> tiles_in(const geometry::Box& box, const Tessellation& tessellation);
 /// The tiles in a polygon.
 std::vector<TileIndex> tiles_in(const geometry::Polygon& polygon, const Tessellation& tessellation);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/geometry/plane.hpp>
-#include <fretwork/tiling/remeshing/ears.hpp>
+#include <fretwork/tiling/remeshing/triangulation.hpp>
 
 #include <algorithm>
 

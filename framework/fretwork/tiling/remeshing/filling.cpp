@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/geometry/plane.hpp>
 #include <fretwork/geometry/point_grid.hpp>
-#include <fretwork/tiling/remeshing/ears.hpp>
 #include <fretwork/tiling/remeshing/inside.hpp>
 #include <fretwork/tiling/remeshing/sites.hpp>
 #include <fretwork/tiling/remeshing/triangulation.hpp>

@@ -7,7 +7,6 @@
 #include <utility>
 
 namespace fretwork::optimization::detail {
-
 namespace {
 
 using ValuedPoint = std::pair<double, Eigen::VectorXd>;
