@@ -11,7 +11,6 @@
 #include <studio/files/new_document.hpp>
 #include <studio/files/saving.hpp>
 #include <studio/server/sent_file.hpp>
-#include <studio/server/sent_name.hpp>
 #include <studio/server/words.hpp>
 #include <studio/studio_impl.hpp>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "support.hpp"
 
-#include <fretwork/exports/drawings/detail/log_axis.hpp>
+#include <fretwork/exports/drawings/detail/chart_svg.hpp>
 #include <fretwork/exports/drawings/property_chart.hpp>
 
 #include <pugixml.hpp>

@@ -4,7 +4,6 @@
 #include <fretwork/tiling/painting/painting.hpp>
 #include <studio/document/painting_request.hpp>
 #include <studio/server/sent_file.hpp>
-#include <studio/server/sent_name.hpp>
 #include <studio/solving/synced_session.hpp>
 
 #include <algorithm>

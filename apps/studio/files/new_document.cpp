@@ -3,7 +3,6 @@
 #include <studio/document/painting_request.hpp>
 #include <studio/files/new_document.hpp>
 #include <studio/server/sent_file.hpp>
-#include <studio/server/sent_name.hpp>
 #include <studio/solving/first_painting.hpp>
 
 #include <algorithm>

@@ -2,7 +2,6 @@
 #include <fretwork/base/error.hpp>
 #include <fretwork/exports/colours.hpp>
 #include <fretwork/exports/drawings/detail/chart_svg.hpp>
-#include <fretwork/exports/drawings/detail/log_axis.hpp>
 #include <fretwork/exports/drawings/property_chart.hpp>
 #include <fretwork/exports/tables/library_meshes.hpp>
 
