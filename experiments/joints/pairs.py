@@ -8,6 +8,7 @@ row a pair; rows that are there are kept. Prints how far beams are off: centreli
 neighbour, as the program does; and stiff joints that know the neighbour.
 """
 import argparse
+import json
 import math
 import pathlib
 import tempfile
@@ -62,17 +63,31 @@ def wrapped(point, _side):
     return tuple(round(point[k] / PERIODS[k] % 1 * 1e5) % 100000 for k in (0, 1))
 
 
+def middles(rings):
+    """Of both hexagons and those around them. Openings reach across tiles, and only those that are closed can be cut out."""
+    found = [(0.0, 0.0), SECOND]
+    for _ in range(rings):
+        for middle in [next_one for known in found for next_one in outline.neighbours(study.SIDE, known)]:
+            if all(math.dist(middle, known) > NEAR for known in found):
+                found.append(middle)
+    return found
+
+
+def second_stripes(fretwork):
+    """The tiles of the project that have the second pattern."""
+    tessellation = json.loads((fretwork.folder / "patch.json").read_text())["tessellation"]
+    def middle(tile):
+        return 1e3 * sum(tessellation["vertices"][vertex][0] for vertex in tile["vertices"]) / len(tile["vertices"])
+    return [number for number, tile in enumerate(tessellation["tiles"]) if round(middle(tile) / SECOND[0]) % 2]
+
+
 def paint(fretwork, pair):
-    """Both hexagons and all around them, in stripes of the two patterns: openings of the outline, and the bars of both tiles."""
-    centres = [(0.0, 0.0), SECOND]
-    for middle in (*outline.neighbours(study.SIDE), *outline.neighbours(study.SIDE, SECOND)):
-        if all(math.dist(middle, known) > NEAR for known in centres):
-            centres.append(middle)
+    """The patch in stripes of the two patterns: openings of its outline, and the bars of both tiles."""
+    centres = middles(2)
     (fretwork.folder / "patch.obj").write_text(outline.hexagons_obj(study.SIDE / 1e3, [(x / 1e3, y / 1e3) for x, y in centres]))
     (fretwork.folder / "patch.json").unlink(missing_ok=True)
     fretwork("tile", "patch.obj", "--keep-mesh", "--layout", study.LAYOUT, "--setting", "paper", "--patterns", pair[0], "--out", "patch.json")
-    second = [str(number) for number, (x, _) in enumerate(centres) if round(x / SECOND[0]) % 2]
-    fretwork("paint", "patch.json", "--tiles", ",".join(second), "--patterns", pair[1])
+    fretwork("paint", "patch.json", "--tiles", ",".join(map(str, second_stripes(fretwork))), "--patterns", pair[1])
     fretwork("export", "patch.json", "--to", "patch.dxf", "--to", "lines.obj")
     loops = outline.read_dxf((fretwork.folder / "patch.dxf").read_text())
     lines = (fretwork.folder / "lines.obj").read_text()

@@ -309,7 +309,8 @@ TEST_F(DataLoss, WhatAPersonHasMadeIsNeverReplaced) {
 
 // Tables of hours of work, decks, frames: each is of another kind than what would be written.
 TEST_F(DataLoss, OutputsOfAnotherKindAreNeverReplaced) {
-    run("fretwork tile outline.svg --edge-length 60mm --patterns 0-1+1-6 --out p.json && "
+    run("fretwork tile outline.svg --edge-length 60mm --patterns 0-1+1-6 --setting paper "
+        "--out p.json && "
         "fretwork simulate p.json --case experiments/cases/cantilever.json --model full --out r.json "
         "--frame-out made.json --deck made.inp && ln -s made.inp link.svg && mkdir study");
     (void)folder_.file("known.csv", "problem,best_value,scale,found_by\nbranin,0.4,1,closed form\n");

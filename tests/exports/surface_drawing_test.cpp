@@ -105,7 +105,7 @@ TEST_F(SurfaceDrawing, AMomentHasTwoHeads) {
 
 TEST_F(SurfaceDrawing, DeformedStatesAreLayersWithTheirColoursAndLabels) {
     const auto drawn = layers();
-    const Svg svg(deformed_svg(drawn, {.rest = rim_lines(surface_)}));
+    const Svg svg(deformed_svg(drawn, {.scale = 1.0, .rest = rim_lines(surface_)}));
     for (const DeformedLayer& layer : drawn) {
         const auto group = svg.layer(identifier_of(layer.label));
         EXPECT_EQ(lines_of_layer(group), layer.lines.lines.size());

@@ -2,6 +2,7 @@
 #include "honeycomb.hpp"
 #include "support.hpp"
 
+#include <fretwork/simulation/results/model_doubt.hpp>
 #include <fretwork/simulation/results/result_subject.hpp>
 #include <fretwork/simulation/simulate.hpp>
 #include <fretwork/simulation/stages.hpp>
@@ -26,7 +27,8 @@ LoadCase named(const char* name, double force) {
 
 simulation::SurfaceResult staged(const std::vector<LoadCase>& cases, const char* stages) {
     const std::vector<Stage> parsed = parse_stages(stages, "stages.json");
-    return simulate_stages(strip(), {cases.front(), cases, parsed}, {.model = "corotational"});
+    return simulate_stages(strip(), {cases.front(), cases, parsed},
+                           {.model = "corotational", .estimate_where_doubtful = true});
 }
 
 /// A stage applies the same loads as the load case alone.
@@ -38,6 +40,11 @@ TEST(Stages, ApplyALoadCaseWhateverItIsCalled) {
     const auto alone = simulate(strip(), cases[1], {.model = "corotational"});
     EXPECT_LT((result.solution.displacements - alone.solution.displacements).norm(),
               1e-6 * alone.solution.displacements.norm());  // two paths to one equilibrium
+    Session session(strip(), cases[1], {.model = "corotational"});
+    const double turn = model_doubt(session, session.solve()).tile_rotation;
+    ASSERT_TRUE(result.model_doubt);
+    EXPECT_GT(turn, 0.0);
+    EXPECT_NEAR(result.model_doubt->tile_rotation, turn, 1e-6 * turn);
 }
 
 TEST(Stages, LeaveNothingBehindWhereTheLoadIsTakenOff) {

@@ -55,7 +55,7 @@ class Simulation {
         const bool can_estimate =
             options_.branch == mechanics::Branch::Primary && is_turning(surface_, options_);
         if (!is_doubtful(result) || !can_estimate) return;
-        session.set_model(better_model(options_.model));
+        session.set_model(better_model(options_.model, *result.model_doubt));
         result.model_error = model_error(result, session.solve(control_));
     }
 

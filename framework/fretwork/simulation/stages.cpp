@@ -5,11 +5,13 @@
 #include <fretwork/base/json_reader.hpp>
 #include <fretwork/mechanics/paths/staged_path.hpp>
 #include <fretwork/simulation/detail/joined_tiles.hpp>
+#include <fretwork/simulation/detail/tile_deformations.hpp>
 #include <fretwork/simulation/detail/wanted.hpp>
 #include <fretwork/simulation/internal/load_case_json.hpp>
 #include <fretwork/simulation/load_cases/combination.hpp>
 #include <fretwork/simulation/load_cases/conditions.hpp>
 #include <fretwork/simulation/load_cases/load_case_file.hpp>
+#include <fretwork/simulation/results/model_doubt.hpp>
 #include <fretwork/simulation/results/result_subject.hpp>
 #include <fretwork/simulation/stages.hpp>
 
@@ -160,11 +162,17 @@ Json stage_json(const Stage& stage) {
     return json;
 }
 
-mechanics::Assembly assembly_of(const Surface& surface, const SimulationOptions& options,
-                                const base::Control& control) {
+struct JoinedAssembly {
+    mechanics::Assembly assembly;
+    std::vector<detail::TileStart> starts;
+};
+
+JoinedAssembly assembly_of(const Surface& surface, const SimulationOptions& options,
+                           const base::Control& control) {
     const auto tiles = detail::TileBuilder().build_all(surface, model_choice(options),
                                                        {.threads = options.threads, .control = control});
-    return reduction::assemble(detail::join_tiles(surface, tiles, control).parts, control);
+    detail::JoinedTiles joined = detail::join_tiles(surface, tiles, control);
+    return {reduction::assemble(joined.parts, control), std::move(joined.starts)};
 }
 
 }  // namespace
@@ -198,7 +206,7 @@ SurfaceResult simulate_stages(const Surface& surface, const StagePlan& plan, con
         throw base::InputError(
             "stages are followed by full and corotational tiles, without load steps and estimates of errors");
     const auto started = std::chrono::steady_clock::now();
-    const mechanics::Assembly assembly = assembly_of(surface, options, control);
+    const auto [assembly, starts] = assembly_of(surface, options, control);
     const auto interface_count = static_cast<int>(surface.tessellation.interface_nodes.size());
     SurfaceResult result;
     for (int i = 0; i < assembly.reported_nodes; ++i)
@@ -215,6 +223,8 @@ SurfaceResult simulate_stages(const Surface& surface, const StagePlan& plan, con
     }
     result.solution = result.load_steps.back();
     result.solver = "newton";
+    if (options.estimate_where_doubtful && result.solution.converged() && !is_reference(surface, options))
+        result.model_doubt = model_doubt(detail::tile_deformations(assembly, starts, result.solution));
     result.subject = result_subject(surface, plan.supports, options);
     result.subject->stages_text = stages_text(plan.stages);
     result.subject->stage_load_cases = named_cases(plan.stages, plan.cases, plan.supports);

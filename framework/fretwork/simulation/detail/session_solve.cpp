@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
 #include <fretwork/mechanics/discretization.hpp>
-#include <fretwork/mechanics/node_states.hpp>
 #include <fretwork/mechanics/paths/equilibrium.hpp>
 #include <fretwork/mechanics/solve.hpp>
 #include <fretwork/simulation/detail/session_impl.hpp>
+#include <fretwork/simulation/detail/tile_deformations.hpp>
 #include <fretwork/simulation/surface_frame.hpp>
 
 #include <algorithm>
@@ -161,23 +161,7 @@ SurfaceResult Session::Impl::solve(const base::Control& control, mechanics::Stab
 }
 
 std::vector<TileDeformation> Session::Impl::tile_deformations(const mechanics::Solution& solution) const {
-    const std::vector<mechanics::NodeState> states = mechanics::node_states(solution.displacements);
-    const std::size_t first = assembly_.elements.size() - starts_.back().element;
-    std::vector<TileDeformation> tiles(tiles_.size());
-    std::vector<mechanics::NodeState> own;
-    mechanics::ElementResponse response;
-    for (std::size_t t = 0; t < tiles.size(); ++t) {
-        for (std::size_t e = starts_[t].element; e < starts_[t + 1].element; ++e) {
-            const mechanics::Element& element = *assembly_.elements[first + e];
-            own.clear();
-            for (const mechanics::NodeIndex node : element.nodes())
-                own.push_back(states[static_cast<std::size_t>(node.value)]);
-            element.evaluate(own, mechanics::Demand::Force, response);
-            tiles[t].energy += response.energy;
-            tiles[t].rotation = std::max(tiles[t].rotation, element.relative_turn(own));
-        }
-    }
-    return tiles;
+    return detail::tile_deformations(assembly_, starts_, solution);
 }
 
 std::optional<reduction::BeamMotion> Session::Impl::beam_motion(TileIndex tile,

@@ -7,10 +7,15 @@
 
 namespace fretwork::simulation {
 
-ModelDoubt model_doubt(const Session& session, const SurfaceResult& result) {
+ModelDoubt model_doubt(std::span<const TileDeformation> tiles) {
     ModelDoubt doubt;
-    for (const TileDeformation& tile : session.tile_deformations(result.solution))
+    for (const TileDeformation& tile : tiles)
         doubt.tile_rotation = std::max(doubt.tile_rotation, tile.rotation);
+    return doubt;
+}
+
+ModelDoubt model_doubt(const Session& session, const SurfaceResult& result) {
+    ModelDoubt doubt = model_doubt(session.tile_deformations(result.solution));
     const SurfaceResult* corotational = session.corotational_result();
     if (corotational == nullptr || session.full_tiles().empty()) return doubt;
     const Comparison comparison = compare(result, *corotational);

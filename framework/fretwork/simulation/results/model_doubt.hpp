@@ -3,13 +3,14 @@
 
 #include <fretwork/simulation/session.hpp>
 
+#include <span>
 #include <string>
 
 namespace fretwork::simulation {
 
 /// Above one of these the error is estimated: rad, and a share of the largest displacement. No result of
 /// experiments/error_warnings that is off by 5 % at its worst node is below all three.
-inline constexpr double kDoubtfulRotation = 0.12;
+inline constexpr double kDoubtfulRotation = 0.09;
 inline constexpr double kDoubtfulChange = 0.03;
 /// Linear solves from rest, above which a path has passed places where small differences decide.
 inline constexpr int kDoubtfulIterations = 40;
@@ -19,6 +20,8 @@ inline constexpr double kWarnedError = 0.03;
 
 /// The doubt about the last solution of a session, if it is a nonlinear one.
 ModelDoubt model_doubt(const Session& session, const SurfaceResult& result);
+/// The same of tiles that are deformed so far.
+ModelDoubt model_doubt(std::span<const TileDeformation> tiles);
 
 /// Whether the error of a result with a doubt may be large, and has to be estimated.
 bool is_doubtful(const SurfaceResult& result);

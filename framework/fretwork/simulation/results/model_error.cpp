@@ -8,9 +8,11 @@
 
 namespace fretwork::simulation {
 
-std::string better_model(const std::string& model) {
+std::string better_model(const std::string& model, const ModelDoubt& doubt) {
     const auto own = mixed_share(model);
-    const double share = own ? std::min(1.0, *own + kEstimatingShareOfMixed) : kEstimatingShare;
+    const bool needs_more = own || doubt.tile_rotation > kFarRotation;
+    const double share =
+        needs_more ? std::min(1.0, own.value_or(0.0) + kEstimatingShareOfMixed) : kEstimatingShare;
     return "mixed:" + base::format_number(share);
 }
 

@@ -17,9 +17,13 @@ inline constexpr double kEstimatingShare = 0.3;
 /// is left of their error is spread over more of the others.
 inline constexpr double kEstimatingShareOfMixed = 0.6;
 
-/// The model that solutions of a model are compared with: `mixed:SHARE`, with that share, or with more tiles
-/// in full than a mixed model has itself.
-std::string better_model(const std::string& model);
+/// rad, ModelDoubt::tile_rotation: where tiles are deformed as far, what stays reduced with kEstimatingShare
+/// in full can be as wrong as before, and the difference says nothing.
+inline constexpr double kFarRotation = 0.3;
+
+/// The model that solutions of a model are compared with: `mixed:SHARE`, with kEstimatingShare in full, or,
+/// beyond kFarRotation and for mixed models, with kEstimatingShareOfMixed more than the model has itself.
+std::string better_model(const std::string& model, const ModelDoubt& doubt = {});
 
 /// The error of a solution of reduced tiles against the full model, estimated as its difference from a better
 /// solution: corotational tiles with the worst kEstimatingShare in full. None if one of both has not

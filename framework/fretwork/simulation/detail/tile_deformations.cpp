@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/mechanics/node_states.hpp>
+#include <fretwork/simulation/detail/tile_deformations.hpp>
+
+#include <algorithm>
+
+namespace fretwork::simulation::detail {
+
+std::vector<TileDeformation> tile_deformations(const mechanics::Assembly& assembly,
+                                               std::span<const TileStart> starts,
+                                               const mechanics::Solution& solution) {
+    const std::vector<mechanics::NodeState> states = mechanics::node_states(solution.displacements);
+    const std::size_t first = assembly.elements.size() - starts.back().element;  // behind those of beams
+    std::vector<TileDeformation> tiles(starts.size() - 1);
+    std::vector<mechanics::NodeState> own;
+    mechanics::ElementResponse response;
+    for (std::size_t t = 0; t < tiles.size(); ++t) {
+        for (std::size_t e = starts[t].element; e < starts[t + 1].element; ++e) {
+            const mechanics::Element& element = *assembly.elements[first + e];
+            own.clear();
+            for (const mechanics::NodeIndex node : element.nodes())
+                own.push_back(states[static_cast<std::size_t>(node.value)]);
+            element.evaluate(own, mechanics::Demand::Force, response);
+            tiles[t].energy += response.energy;
+            tiles[t].rotation = std::max(tiles[t].rotation, element.relative_turn(own));
+        }
+    }
+    return tiles;
+}
+
+}  // namespace fretwork::simulation::detail
