@@ -96,7 +96,7 @@ def paint(fretwork, pair):
 
 
 def solid_stiffnesses(openings, ccx):
-    """Of the endless plate, free to contract: stretched along x, sheared, bent along x, twisted. SI."""
+    """Of the endless plate, free to contract: stretched across the stripes, sheared, bent across them, twisted. SI."""
     sides = cell_sides()
     meshed = cell.mesh(openings, [p for p, _ in sides], (0.5 * WIDTH, 0.25 * WIDTH), sides_that_meet(sides))
     wedges = solid.Wedges(meshed, WIDTH / 2, 1)
