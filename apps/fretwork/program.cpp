@@ -10,7 +10,7 @@ namespace {
 
 /// The verbs, in the order in which data flows.
 constexpr void (*kVerbs[])(CLI::App&, ExitCode&) = {
-    add_enumerate, add_calibrate, add_library,    add_tile,   add_paint, add_case,  add_simulate,
+    add_enumerate, add_calibrate, add_library,    add_tile,   add_paint, add_case,  add_simulate, add_design,
     add_compare,   add_solve,     add_optimizers, add_export, add_draw,  add_beams, add_studio};
 
 }  // namespace

@@ -33,6 +33,7 @@ void add_tile(CLI::App& app, ExitCode& exit_code);
 void add_paint(CLI::App& app, ExitCode& exit_code);
 void add_case(CLI::App& app, ExitCode& exit_code);
 void add_simulate(CLI::App& app, ExitCode& exit_code);
+void add_design(CLI::App& app, ExitCode& exit_code);
 void add_compare(CLI::App& app, ExitCode& exit_code);
 void add_solve(CLI::App& app, ExitCode& exit_code);
 void add_optimizers(CLI::App& app, ExitCode& exit_code);

@@ -39,14 +39,17 @@ const std::map<std::string, std::set<std::string>> kMayInclude = {
     {"fabrication",
      {"base", "geometry", "pattern", "mechanics", "optimization", "reduction", "library", "outlines",
       "tiling", "simulation"}},
-    {"exports",
+    {"design",
      {"base", "geometry", "pattern", "mechanics", "optimization", "reduction", "library", "outlines",
       "tiling", "simulation", "fabrication"}},
+    {"exports",
+     {"base", "geometry", "pattern", "mechanics", "optimization", "reduction", "library", "outlines",
+      "tiling", "simulation", "fabrication", "design"}},
 };
 
 /// Libraries behind a fence: which stages may use them, and only in files that no user of the framework sees.
 const std::map<std::string, std::set<std::string>> kFences = {
-    {"CGAL/", {"geometry", "pattern", "outlines", "tiling", "fabrication"}},
+    {"CGAL/", {"geometry", "pattern", "outlines", "tiling", "fabrication", "design"}},
     {"OpenMesh/", {"outlines"}},
     {"boost/graph/", {"pattern"}},
     {"nauty/", {"pattern"}},
@@ -64,7 +67,7 @@ const std::map<std::string, std::set<std::string>> kFences = {
     {"zip.h", {"exports"}},
     {"nlohmann/",
      {"base", "pattern", "mechanics", "optimization", "reduction", "library", "outlines", "tiling",
-      "simulation", "fabrication", "exports"}},
+      "simulation", "fabrication", "design", "exports"}},
 };
 
 /// Rooms of a stage: its folders. The headers of a room are the stage's own unless the room is public; those
@@ -119,6 +122,7 @@ const std::map<std::string, std::map<std::string, Room>> kRooms = {
       {"load_cases", {Headers::Public, {"internal"}}},
       {"project", {Headers::Public, {"load_cases", "internal"}}},
       {"results", {Headers::Public, {"load_cases", "internal"}}}}},
+    {"design", {{"search", {Headers::Private, {"target"}}}, {"target", {Headers::Public, {}}}}},
     {"exports",
      {{"tables", {Headers::Public, {}}},
       {"drawings", {Headers::Public, {"tables"}}},

@@ -14,7 +14,11 @@ struct MeshFile {
     std::vector<std::vector<int>> faces;
 };
 
-/// Read a mesh (OBJ, PLY, OFF) by the ending of its file, and check that it has faces and lies in a plane
+/// Read a mesh (OBJ, PLY, OFF) by the ending of its file; it may lie anywhere in space. Throws InputError
+/// with file and place, also if it has no face.
+MeshFile read_space_mesh(const std::filesystem::path& path);
+
+/// The same, and check that it lies in a plane
 /// z = constant. Throws InputError or GeometryError with file and place.
 MeshFile read_flat_mesh(const std::filesystem::path& path);
 

@@ -129,14 +129,20 @@ std::vector<Loop> read_ply_loops(const std::filesystem::path& path) {
 
 namespace fretwork::outlines {
 
-MeshFile read_flat_mesh(const std::filesystem::path& path) {
+MeshFile read_space_mesh(const std::filesystem::path& path) {
     using namespace detail;
     const std::string ending = in_small_letters(path.extension().string());
     if (ending != ".obj" && ending != ".ply" && ending != ".off")
         throw base::InputError(path.string(), "",
                                "a mesh is an .obj, .ply or .off file, and this ends in '" + ending + "'");
     MeshFile file = ending == ".obj" ? read_obj(path) : ending == ".ply" ? read_ply(path) : read_off(path);
-    check_flat(file, path);
+    if (file.faces.empty()) throw base::InputError(path.string(), "", "has no face");
+    return file;
+}
+
+MeshFile read_flat_mesh(const std::filesystem::path& path) {
+    MeshFile file = read_space_mesh(path);
+    detail::check_flat(file, path);
     return file;
 }
 

@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/base/task.hpp>
+#include <fretwork/design/design.hpp>
+#include <fretwork/design/search/full_check.hpp>
+#include <fretwork/design/search/preparation.hpp>
+#include <fretwork/design/search/search.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace fretwork::design {
+namespace {
+
+using detail::BeamDemand;
+using detail::FullCheck;
+using detail::Point;
+using detail::Search;
+using detail::Solved;
+using detail::Stopwatch;
+using detail::Trials;
+using mechanics::NodeValues;
+
+constexpr int kDefectRounds = 3;
+/// Uniform paintings that are checked in full until one has an equilibrium.
+constexpr std::size_t kUniformChecks = 3;
+/// A defect round that gains less than this share ends them.
+constexpr double kLeastDefectGain = 0.02;
+
+/// The course of one design.
+class Designer {
+  public:
+    Designer(detail::Preparation preparation, const DesignOptions& options, const Stopwatch& watch,
+             DesignReport& report)
+        : trials_(std::move(preparation.parts)),
+          palette_(std::move(preparation.palette)),
+          options_(options),
+          watch_(watch),
+          report_(report),
+          search_(trials_, options, watch, report) {}
+
+    /// Leaves the best point in best(); throws Stopped, and then that is the best so far.
+    void run() {
+        const std::size_t uniform = std::min(palette_.size(), options_.uniform_paintings);
+        std::vector<Solved> starts =
+            search_.try_uniform({palette_.begin(), palette_.begin() + static_cast<std::ptrdiff_t>(uniform)});
+        if (starts.empty())
+            throw base::InputError(
+                "no single pattern of the palette has a stable equilibrium under this load: a smaller load "
+                "may have");
+        best_ = starts.front().point;
+        check_uniform(starts);
+        warn_of_load(starts);
+        const std::size_t listed = std::min(palette_.size(), options_.shortlist);
+        search_.set_columns({palette_.begin(), palette_.begin() + static_cast<std::ptrdiff_t>(listed)},
+                            palette_);
+        Solved found = search_.improve(starts.front(), reserve());
+        best_ = found.point;
+        report_.starts.push_back(std::sqrt(found.trial.objective));
+        const std::size_t others = std::min<std::size_t>(starts.size(), 3);
+        starts.resize(others);
+        found = search_.improve_from_others(std::move(found), starts, reserve());
+        best_ = found.point;
+        report_.end = search_.end();
+        check_and_keep_best(found);
+        correct_defect();
+    }
+
+    [[nodiscard]] const std::optional<Point>& best() const { return best_; }
+    /// After a stop: what the search had come to is better than where it began.
+    void take_best_of_search() {
+        if (search_.best_point()) best_ = search_.best_point();
+    }
+    [[nodiscard]] const Trials& trials() const { return trials_; }
+    /// What the full model says of the best point; null if it was not asked.
+    [[nodiscard]] const FullCheck* check_of_best() const {
+        return checked_ && best_ == checked_->point ? &checked_->check : nullptr;
+    }
+
+  private:
+    [[nodiscard]] double reserve() const { return 2.5 * check_seconds_; }
+
+    FullCheck check(const Point& point) {
+        const double before = watch_.seconds();
+        FullCheck found = detail::check_in_full(
+            trials_, point,
+            trials_.parts().surface.setting.strength ? BeamDemand::Utilization : BeamDemand::None,
+            options_.control);
+        check_seconds_ = std::max(check_seconds_, watch_.seconds() - before);
+        report_.full_solutions += found.solutions;
+        return found;
+    }
+
+    void check_uniform(const std::vector<Solved>& starts) {
+        for (std::size_t i = 0; i < std::min(starts.size(), kUniformChecks); ++i) {
+            FullCheck found = check(starts[i].point);
+            if (!found.is_found) continue;
+            report_.best_uniform = found.error;
+            report_.best_uniform_pattern =
+                trials_.parts().candidates.patterns()[starts[i].point.patterns.front()].id;
+            best_ = starts[i].point;
+            checked_ = {starts[i].point, std::move(found)};
+            return;
+        }
+    }
+
+    /// Compares how far all uniform paintings are displaced with what is wanted.
+    void warn_of_load(const std::vector<Solved>& starts) {
+        double least = 0.0;
+        double most = 0.0;
+        for (const Solved& start : starts) {
+            double largest = 0.0;
+            for (const NodeValues& own : start.trial.displacements)
+                largest = std::max(largest, own.leftCols<3>().rowwise().norm().maxCoeff());
+            least = least == 0.0 ? largest : std::min(least, largest);
+            most = std::max(most, largest);
+        }
+        const double wanted = trials_.largest_wanted();
+        report_.wanted_of_softest = most > 0.0 ? wanted / most : 0.0;
+        report_.wanted_of_stiffest = least > 0.0 ? wanted / least : 0.0;
+    }
+
+    [[nodiscard]] bool is_allowed(const FullCheck& check) const {
+        if (!check.is_found) return false;
+        return options_.max_utilization <= 0.0 ||
+               check.largest_utilization.value_or(0.0) <= options_.max_utilization;
+    }
+
+    /// Checks a point, and goes back to the best one that was checked if it is no better.
+    void check_and_keep_best(const Solved& solved) {
+        best_ = solved.point;  // if the check is stopped
+        FullCheck found = check(solved.point);
+        const bool replaces = !checked_ || (is_allowed(found) && !is_allowed(checked_->check));
+        if (found.is_found &&
+            (replaces || (is_allowed(found) && found.error.mean < checked_->check.error.mean))) {
+            report_.model_error = model_error(solved, found);
+            checked_ = {solved.point, std::move(found)};
+        }
+        if (checked_) best_ = checked_->point;
+    }
+
+    [[nodiscard]] double model_error(const Solved& solved, const FullCheck& full) const {
+        double sum = 0.0;
+        double count = 0.0;
+        for (std::size_t c = 0; c < full.displacements.size(); ++c) {
+            const NodeValues difference = full.displacements[c] - solved.trial.displacements[c];
+            sum += difference.leftCols<3>().rowwise().norm().sum();
+            count += static_cast<double>(difference.rows());
+        }
+        return sum / count / trials_.largest_wanted();
+    }
+
+    /// Aim beside the target by what the reduced model is off, and search on.
+    void correct_defect() {
+        for (int round = 0; checked_ && round < kDefectRounds && search_.may_go_on(reserve()); ++round) {
+            Solved solved{checked_->point, trials_.solve(checked_->point, options_.control)};
+            if (!solved.trial.is_found) return;
+            std::vector<NodeValues> aims;
+            for (std::size_t c = 0; c < solved.trial.displacements.size(); ++c)
+                aims.push_back(solved.trial.displacements[c] - checked_->check.displacements[c]);
+            trials_.set_aims(std::move(aims));
+            search_.forget_best();
+            const double before = checked_->check.error.mean;
+            check_and_keep_best(search_.improve(std::move(solved), reserve()));
+            if (!(checked_->check.error.mean < (1.0 - kLeastDefectGain) * before)) return;
+        }
+    }
+
+    Trials trials_;
+    std::vector<std::size_t> palette_;
+    const DesignOptions& options_;
+    const Stopwatch& watch_;
+    DesignReport& report_;
+    Search search_;
+    std::optional<Point> best_;
+    struct Checked {
+        Point point;
+        FullCheck check;
+    };
+    std::optional<Checked> checked_;  ///< the best of those that were checked
+    double check_seconds_ = 0.0;
+};
+
+/// The project with a point's painting, and with the load cases of its unknowns.
+void write_point(const Trials& trials, const Point& point, const std::vector<std::string>& names,
+                 DesignReport& report) {
+    simulation::Project& project = report.project;
+    project.tessellation = trials.surface_at(point).tessellation;
+    project.tile_models.clear();
+    for (const pattern::NamedPattern& own : project.tessellation.patterns) report.patterns.push_back(own.id);
+    std::ranges::sort(report.patterns);
+    report.load_cases = names;
+    const auto& free = trials.parts().free;
+    for (std::size_t c = 0; c < names.size(); ++c) {
+        const simulation::LoadCase& wanted = trials.parts().cases[c].load_case;
+        const simulation::LoadCase own = trials.load_case_at(point, c);
+        report.factors.push_back(free.factor ? trials.factor_at(point, c) : 1.0);
+        if (own == wanted) continue;
+        for (simulation::LoadCase& stored : project.load_cases) {
+            if (stored.name == own.name) stored = own;
+        }
+    }
+}
+
+}  // namespace
+
+std::string_view design_end_name(DesignEnd end) {
+    switch (end) {
+        case DesignEnd::NoSwapImproves:
+            return "no-swap-improves";
+        case DesignEnd::SolutionsSpent:
+            return "solutions-spent";
+        case DesignEnd::TimeSpent:
+            return "time-spent";
+        default:
+            return "stopped";
+    }
+}
+
+DesignReport design(const simulation::Project& project, const library::Library* library, const Target& target,
+                    const DesignOptions& options) {
+    options.validate(project);
+    const Stopwatch watch(options.seconds);
+    const base::Task task(options.control, "design", static_cast<std::size_t>(options.most_solutions));
+    DesignReport report;
+    report.project = project;
+    report.seed = options.seed;
+    detail::Preparation preparation = detail::prepare(project, library, target, options);
+    const std::vector<std::string> names = preparation.load_cases;
+    Designer designer(std::move(preparation), options, watch, report);
+    try {
+        designer.run();
+    } catch (const base::Stopped&) {
+        designer.take_best_of_search();
+        if (!designer.best()) throw;
+        report.end = DesignEnd::Stopped;
+    }
+    if (const FullCheck* check = designer.check_of_best()) {
+        report.error = check->error;
+        report.largest_utilization = check->largest_utilization;
+    }
+    for (const auto& own : designer.trials().parts().cases)
+        report.slides = report.slides || own.goals.slides();
+    write_point(designer.trials(), *designer.best(), names, report);
+    report.solutions = designer.trials().solutions();
+    report.seconds = watch.seconds();
+    return report;
+}
+
+}  // namespace fretwork::design

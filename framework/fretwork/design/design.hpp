@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/base/control.hpp>
+#include <fretwork/design/symmetry.hpp>
+#include <fretwork/design/target/target.hpp>
+#include <fretwork/library/library.hpp>
+#include <fretwork/simulation/project/project.hpp>
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fretwork::design {
+
+/// The best painting so far, while the search goes on.
+struct DesignProgress {
+    int solutions = 0;  ///< nonlinear ones so far
+    double seconds = 0.0;
+    double misfit = 0.0;  ///< root of the weighted mean square distance of the reduced model, a share of the
+                          ///< largest displacement wanted
+};
+
+struct DesignOptions {
+    std::string load_case;  ///< its name in the project; of the goals that name none
+    std::vector<pattern::NamedPattern> palette;
+    std::size_t max_patterns = 0;         ///< that the surface has, kept tiles included; 0: any number
+    std::vector<tiling::TileIndex> keep;  ///< their patterns stay
+    Symmetry symmetry;
+    double max_mass = 0.0;         ///< kg, of all beams; 0: any
+    double max_utilization = 0.0;  ///< of the setting's strength, checked with all beams; 0: any
+    bool free_factor = false;      ///< the factor on each load case's loads is searched, too
+    bool free_prescribed = false;  ///< so are the values of its prescribed displacements
+    double seconds = 0.0;          ///< wall time, checks included; 0: any
+    int most_solutions = 60;       ///< nonlinear ones of the search; those of checks come on top
+    std::size_t uniform_paintings =
+        24;                      ///< that the search begins with, chosen for their differing stiffness
+    std::size_t shortlist = 64;  ///< patterns that one step of the search chooses from
+    std::uint64_t seed = 1;
+    int threads = 0;  ///< 0: all there are. They change no bit.
+    base::Control control{};
+    std::function<void(const DesignProgress&)> on_better{};  ///< called on the calling thread; may be empty
+    /// Throws InputError if a value is invalid, or does not fit the project.
+    void validate(const simulation::Project& project) const;
+};
+
+/// Distances to the target over its goals' nodes, as shares of the largest displacement that it asks for: of
+/// the full model, nonlinear, on the stable path from flat.
+struct TargetError {
+    double mean = 0.0;
+    double largest = 0.0;
+    bool is_stable = true;
+};
+
+/// How the search ended.
+enum class DesignEnd {
+    NoSwapImproves,  ///< no single swap is predicted to improve the painting, or those that were did not
+    SolutionsSpent,
+    TimeSpent,
+    Stopped  ///< by the caller
+};
+std::string_view design_end_name(DesignEnd end);
+
+struct DesignReport {
+    simulation::Project project;       ///< painted; with free unknowns, its load cases have their values
+    std::optional<TargetError> error;  ///< none if the search was stopped before the check
+    std::optional<TargetError> best_uniform;  ///< of the best single pattern of those tried
+    std::string best_uniform_pattern;
+    std::size_t uniform_tried = 0;
+    std::vector<std::string> patterns;  ///< of the painting
+    std::vector<double> factors;        ///< on the loads of each load case, in the order of load_cases
+    std::vector<std::string> load_cases;
+    std::optional<double> largest_utilization;  ///< with all beams; none without a strength
+    /// The largest displacement wanted, as a share of those of the softest and of the stiffest uniform
+    /// painting: far above one, the load is too small for the target.
+    double wanted_of_softest = 0.0;
+    double wanted_of_stiffest = 0.0;
+    double model_error =
+        0.0;  ///< mean distance of the reduced model from the full one, a share like the errors
+    std::vector<double> starts;  ///< the misfit that each start of the search reached (DesignProgress)
+    std::vector<DesignProgress> history;
+    DesignEnd end = DesignEnd::NoSwapImproves;
+    bool slides = false;  ///< nodes may slide along a target's surface
+    double seconds = 0.0;
+    int solutions = 0;       ///< nonlinear ones of the search
+    int full_solutions = 0;  ///< with all beams, of the checks
+    std::uint64_t seed = 0;
+    /// Whether the painting is better than the best single pattern; false where this is not known.
+    [[nodiscard]] bool is_better() const { return error && best_uniform && error->mean < best_uniform->mean; }
+};
+
+/// Paint the tiles of a project so that its surface takes the target's shape: README.md says how. Throws
+/// InputError that names what does not fit (target, palette, load case, kept tiles); base::Stopped only
+/// before there is any painting: afterwards a stop ends the search, and the best painting so far is in the
+/// report.
+DesignReport design(const simulation::Project& project, const library::Library* library, const Target& target,
+                    const DesignOptions& options);
+
+}  // namespace fretwork::design

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/design/design.hpp>
+
+#include <cmath>
+
+namespace fretwork::design {
+namespace {
+
+void require_not_negative(double value, const char* name) {
+    if (value >= 0.0 && std::isfinite(value)) return;
+    throw base::InputError(std::string(name) + " must be zero or more");
+}
+
+}  // namespace
+
+void DesignOptions::validate(const simulation::Project& project) const {
+    if (palette.empty()) throw base::InputError("the palette is empty: there is no pattern to paint with");
+    require_not_negative(max_mass, "the largest mass");
+    require_not_negative(max_utilization, "the largest utilization");
+    require_not_negative(seconds, "the time");
+    if (most_solutions < 1) throw base::InputError("at least one solution is needed");
+    if (uniform_paintings < 1 || shortlist < 1)
+        throw base::InputError("at least one uniform painting and one pattern are needed to begin with");
+    for (const tiling::TileIndex tile : keep) {
+        if (!project.tessellation.tiles.has(tile))
+            throw base::InputError("there is no tile " + std::to_string(tile.value) +
+                                   "; they run from 0 to " +
+                                   std::to_string(project.tessellation.tiles.size() - 1));
+    }
+}
+
+}  // namespace fretwork::design

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/design/search/closest_point.hpp>
+#include <fretwork/design/target/target.hpp>
+#include <fretwork/mechanics/frame/frame.hpp>
+#include <fretwork/tiling/tessellation.hpp>
+
+#include <Eigen/Core>
+
+#include <memory>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace fretwork::design::detail {
+
+/// A linear function of one node's displacement and rotation vector, and how far it is from what is wanted.
+struct Observation {
+    Eigen::Index node = 0;
+    Eigen::Matrix<double, 6, 1> direction = Eigen::Matrix<double, 6, 1>::Zero();
+    double residual = 0.0;  ///< m: what it is less what is wanted
+    double weight = 1.0;    ///< of its square
+};
+
+/// The goals of a target under one load case, for the nodes of a tessellation. Turns count as the
+/// displacements that they make at a distance of one mean tile side.
+class CaseGoals {
+  public:
+    /// Throws InputError that names the goal ("/goals/3") and what is wrong.
+    CaseGoals(const Target& target, const std::string& load_case, const std::string& default_case,
+              const tiling::Tessellation& tessellation);
+
+    [[nodiscard]] bool empty() const { return goals_.empty(); }
+    /// Every component that is not free, in a fixed order. `aim` is added to what is wanted: positions in
+    /// space, a row for each node; may be empty.
+    [[nodiscard]] std::vector<Observation> observe(const mechanics::NodeValues& displacements,
+                                                   const mechanics::NodeValues& aim) const;
+    /// The distance of each node of each goal, m.
+    [[nodiscard]] std::vector<double> distances(const mechanics::NodeValues& displacements) const;
+    /// The largest displacement that is asked for, m.
+    [[nodiscard]] double largest() const { return largest_; }
+    [[nodiscard]] std::size_t node_count() const { return goals_.size(); }
+    /// Whether nodes may slide along a surface.
+    [[nodiscard]] bool slides() const;
+
+  private:
+    struct Components {
+        FreeVector wanted;
+        bool is_rotation = false;
+    };
+    /// What is wanted of one node.
+    struct NodeWish {
+        Eigen::Index node = 0;
+        Eigen::Vector3d place = Eigen::Vector3d::Zero();  ///< at rest
+        std::variant<Components, std::shared_ptr<const SpaceMesh>> what;
+        double weight = 1.0;
+    };
+    void add(const Goal& goal, const tiling::Tessellation& tessellation);
+    void observe(const NodeWish& wish, const mechanics::NodeValues& displacements, const Eigen::Vector3d& aim,
+                 std::vector<Observation>& list) const;
+
+    std::vector<NodeWish> goals_;
+    double length_ = 0.0;  ///< m, on which turns count
+    double largest_ = 0.0;
+};
+
+}  // namespace fretwork::design::detail

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+
+#include <filesystem>
+#include <memory>
+
+namespace fretwork::design::detail {
+
+/// A surface of triangles in space that is asked for its point nearest to another one.
+class SpaceMesh {
+  public:
+    /// Throws InputError if the file is no mesh.
+    explicit SpaceMesh(const std::filesystem::path& path);
+    ~SpaceMesh();
+    SpaceMesh(const SpaceMesh&) = delete;
+    SpaceMesh& operator=(const SpaceMesh&) = delete;
+
+    struct Nearest {
+        Eigen::Vector3d point;
+        Eigen::Vector3d normal;  ///< of the triangle there, of unit length
+    };
+    [[nodiscard]] Nearest nearest(const Eigen::Vector3d& point) const;
+
+  private:
+    class Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace fretwork::design::detail

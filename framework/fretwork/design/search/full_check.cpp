@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/design/search/full_check.hpp>
+#include <fretwork/simulation/results/beam_table.hpp>
+
+#include <algorithm>
+
+namespace fretwork::design::detail {
+namespace {
+
+double largest_utilization(const simulation::Session& session, const mechanics::Solution& solution) {
+    const simulation::BeamTable table = simulation::beam_table(session, solution);
+    double largest = 0.0;
+    for (const simulation::BeamRow& row : table.rows)
+        largest = std::max(largest, table.utilization(row).value_or(0.0));
+    return largest;
+}
+
+}  // namespace
+
+FullCheck check_in_full(const Trials& trials, const Point& point, BeamDemand beams,
+                        const base::Control& control) {
+    FullCheck check;
+    check.is_found = true;
+    const simulation::Surface surface = trials.surface_at(point);
+    const auto nodes = std::ssize(surface.tessellation.interface_nodes);
+    if (beams == BeamDemand::Utilization) check.largest_utilization = 0.0;
+    for (std::size_t c = 0; c < trials.parts().cases.size(); ++c) {
+        simulation::SimulationOptions options{.model = "full", .threads = trials.parts().threads};
+        std::optional<simulation::Session> session(std::in_place, surface, trials.load_case_at(point, c),
+                                                   options);
+        auto result = session->solve(control.silent());
+        ++check.solutions;
+        if (!result.solution.converged() || !result.solution.stable) {
+            // The path from flat loses its stability: go on along the stable branch.
+            options.branch = mechanics::Branch::Stable;
+            session.emplace(surface, trials.load_case_at(point, c), options);
+            result = session->solve(control.silent());
+            ++check.solutions;
+        }
+        check.is_found = check.is_found && result.solution.converged();
+        check.error.is_stable = check.error.is_stable && result.solution.stable;
+        if (beams == BeamDemand::Utilization && check.is_found)
+            check.largest_utilization =
+                std::max(*check.largest_utilization, largest_utilization(*session, result.solution));
+        check.displacements.push_back(result.solution.displacements.topRows(nodes));
+    }
+    if (!check.is_found) return check;
+    const Trials::Distances distances = trials.distances(check.displacements);
+    check.error.mean = distances.mean;
+    check.error.largest = distances.largest;
+    return check;
+}
+
+}  // namespace fretwork::design::detail

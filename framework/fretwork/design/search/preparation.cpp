@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/design/search/preparation.hpp>
+#include <fretwork/pattern/mirror.hpp>
+
+#include <algorithm>
+#include <utility>
+
+namespace fretwork::design::detail {
+namespace {
+
+using pattern::NamedPattern;
+using simulation::CandidateTiles;
+using simulation::Surface;
+using tiling::TileIndex;
+
+/// Condensations that are worth their time and memory: a second or two, 50 MB.
+constexpr std::size_t kMostCondensed = 8000;
+constexpr std::size_t kFewestCandidates = 24;
+
+/// One tile alone, as those of most sides are not: the first with six, else the first.
+Surface reference_surface(const Surface& surface) {
+    Surface reference = surface;
+    auto& tiles = reference.tessellation.tiles;
+    const auto hexagon =
+        std::ranges::find_if(tiles, [](const tiling::Tile& tile) { return tile.vertices.size() == 6; });
+    tiles = {hexagon != tiles.end() ? *hexagon : tiles.front()};
+    return reference;
+}
+
+/// The palette in an order in which its first members differ the most.
+std::vector<NamedPattern> spread_palette(const Surface& surface, const std::vector<NamedPattern>& palette,
+                                         std::size_t count, const DesignOptions& options) {
+    const CandidateTiles tile(reference_surface(surface), palette, {options.threads, options.control});
+    const TileStrains strains(tile, options.threads);
+    const Eigen::MatrixXd logs =
+        stiffness_logarithms(strains, 0, tiling::mean_tile_side(surface.tessellation));
+    std::vector<NamedPattern> spread;
+    std::vector<bool> is_taken(palette.size(), false);
+    for (const std::size_t place : spread_choice(logs, std::min(count, palette.size()))) {
+        spread.push_back(palette[place]);
+        is_taken[place] = true;
+    }
+    for (std::size_t p = 0; p < palette.size(); ++p) {
+        if (!is_taken[p]) spread.push_back(palette[p]);
+    }
+    return spread;
+}
+
+/// Names of the load cases that the goals speak of, in their order.
+std::vector<std::string> case_names(const Target& target, const std::string& own) {
+    std::vector<std::string> names;
+    for (const Goal& goal : target.goals) {
+        const std::string& name = goal.load_case.empty() ? own : goal.load_case;
+        if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+    }
+    return names;
+}
+
+std::size_t place_of(std::vector<NamedPattern>& patterns, const NamedPattern& wanted) {
+    const auto found = std::ranges::find(patterns, wanted.id, &NamedPattern::id);
+    if (found != patterns.end()) return static_cast<std::size_t>(found - patterns.begin());
+    patterns.push_back(wanted);
+    return patterns.size() - 1;
+}
+
+/// Paints all tiles that are not kept with one pattern, so that there is a surface at all.
+void paint_whole(Surface& surface, const std::vector<TileGroup>& groups, const NamedPattern& pattern) {
+    tiling::Tessellation& tessellation = surface.tessellation;
+    const std::size_t place = place_of(tessellation.patterns, pattern);
+    for (const TileGroup& group : groups) {
+        for (const TileGroup::Member& member : group.members)
+            tessellation.tiles[member.tile].pattern = static_cast<int>(place);
+    }
+    surface.calibrations.resize(tessellation.patterns.size());
+}
+
+/// The mirror image of each candidate, which becomes a candidate itself.
+std::vector<std::size_t> mirror_images(const pattern::NodeLayout& layout,
+                                       std::vector<NamedPattern>& candidates) {
+    const pattern::Mirror mirror(layout);
+    std::vector<std::size_t> images;
+    for (std::size_t p = 0; p < candidates.size(); ++p) {
+        const auto image = mirror.image(candidates[p].pattern);
+        if (!image)
+            throw base::InputError("pattern " + candidates[p].id +
+                                   " has no mirror image in its layout, which --symmetry mirror needs");
+        images.push_back(place_of(candidates, {pattern::pattern_id(layout, *image), *image}));
+    }
+    return images;
+}
+
+bool needs_mirror_images(const Symmetry& symmetry) {
+    return symmetry.kind == Symmetry::Kind::MirrorX || symmetry.kind == Symmetry::Kind::MirrorY;
+}
+
+void require_kept_painted(const Surface& surface, const DesignOptions& options) {
+    std::vector<std::string> kept;
+    for (const TileIndex tile : options.keep) {
+        const auto* own = tiling::pattern_of(surface.tessellation, tile);
+        if (own == nullptr)
+            throw base::InputError("tile " + std::to_string(tile.value) +
+                                   " is to be kept, and has no pattern");
+        if (std::ranges::find(kept, own->id) == kept.end()) kept.push_back(own->id);
+    }
+    if (options.max_patterns > 0 && kept.size() >= options.max_patterns)
+        throw base::InputError("the kept tiles have " + std::to_string(kept.size()) +
+                               " patterns already, where all tiles are to have " +
+                               std::to_string(options.max_patterns) + " at most");
+}
+
+}  // namespace
+
+Preparation prepare(const simulation::Project& project, const library::Library* library, const Target& target,
+                    const DesignOptions& options) {
+    Surface surface = simulation::make_surface(project, library);
+    surface.tile_models = {};
+    require_kept_painted(surface, options);
+    std::vector<TileGroup> groups = tile_groups(surface.tessellation, options.keep, options.symmetry);
+    if (groups.empty()) throw base::InputError("all tiles are kept: there is nothing to paint");
+    std::vector<DesignCase> cases;
+    std::vector<std::string> names = case_names(target, options.load_case);
+    for (const std::string& name : names)
+        cases.push_back({simulation::find_load_case(project, name),
+                         CaseGoals(target, name, options.load_case, surface.tessellation)});
+    if (std::ranges::all_of(cases, [](const DesignCase& own) { return own.goals.largest() <= 0.0; }))
+        throw base::InputError("", "/goals",
+                               "the target asks for no displacement: the flat surface has it already");
+    const std::size_t classes = CandidateTiles(surface, {}, {options.threads, options.control}).class_count();
+    const std::size_t most = std::max(kFewestCandidates, kMostCondensed / classes);
+    std::vector<NamedPattern> candidates =
+        spread_palette(surface, options.palette, std::min(most, std::size_t{128}), options);
+    candidates.resize(std::min(candidates.size(), most));
+    paint_whole(surface, groups, candidates.front());
+    std::vector<std::size_t> palette(candidates.size());
+    for (std::size_t p = 0; p < palette.size(); ++p) palette[p] = p;
+    std::vector<std::size_t> mirrored;
+    if (needs_mirror_images(options.symmetry)) mirrored = mirror_images(surface.layout, candidates);
+    for (const TileIndex tile : options.keep)
+        (void)place_of(candidates, *tiling::pattern_of(surface.tessellation, tile));
+    CandidateTiles condensed(surface, std::move(candidates), {options.threads, options.control});
+    return {{std::move(surface),
+             std::move(cases),
+             std::move(condensed),
+             std::move(groups),
+             std::move(mirrored),
+             {options.free_factor, options.free_prescribed},
+             options.threads},
+            std::move(names),
+            std::move(palette)};
+}
+
+}  // namespace fretwork::design::detail

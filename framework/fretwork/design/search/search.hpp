@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/design/design.hpp>
+#include <fretwork/design/search/trials.hpp>
+
+#include <chrono>
+#include <functional>
+#include <optional>
+#include <vector>
+
+namespace fretwork::design::detail {
+
+/// A clock that a search looks at.
+class Stopwatch {
+  public:
+    explicit Stopwatch(double limit) : limit_(limit) {}
+    [[nodiscard]] double seconds() const {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count();
+    }
+    /// Whether so much of the limit is left, s; always without a limit.
+    [[nodiscard]] bool has_left(double needed) const { return limit_ <= 0.0 || seconds() + needed < limit_; }
+
+  private:
+    std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
+    double limit_;
+};
+
+/// A point with what it does.
+struct Solved {
+    Point point;
+    Trial trial;
+};
+
+/// The search for a painting with the reduced model.
+class Search {
+  public:
+    Search(Trials& trials, const DesignOptions& options, const Stopwatch& watch, DesignReport& report)
+        : trials_(trials), options_(options), watch_(watch), report_(report) {}
+
+    /// Uniform paintings of these candidates, the best first; those without a stable equilibrium are left
+    /// out.
+    std::vector<Solved> try_uniform(const std::vector<std::size_t>& patterns);
+    /// Improve a painting until no swap does. `reserve` s of the time are left. Returns the best point found.
+    Solved improve(Solved start, double reserve);
+    /// Other starts, as long as the budget lasts.
+    Solved improve_from_others(Solved best, const std::vector<Solved>& starts, double reserve);
+    /// The patterns that steps choose from.
+    void set_columns(std::vector<std::size_t> shortlist, std::vector<std::size_t> all);
+
+    [[nodiscard]] DesignEnd end() const { return end_; }
+    /// The best point that was solved since the search began, or since its aims were changed.
+    [[nodiscard]] const std::optional<Point>& best_point() const { return best_point_; }
+    /// Other aims: what was best is so no more.
+    void forget_best() {
+        best_ = -1.0;
+        best_point_.reset();
+    }
+    [[nodiscard]] bool may_go_on(double reserve) const;
+
+  private:
+    [[nodiscard]] std::vector<std::size_t> columns_for(const Point& point, int round) const;
+    /// One step: false if none of the proposals is better.
+    bool step(Solved& current, double& radius, int round);
+    void limit_patterns(const SwapTable& table, const std::vector<std::size_t>& start,
+                        const std::vector<std::size_t>& columns);
+    void tell(const Solved& solved);
+
+    Trials& trials_;
+    const DesignOptions& options_;
+    const Stopwatch& watch_;
+    DesignReport& report_;
+    std::vector<std::size_t> shortlist_;
+    std::vector<std::size_t> all_;
+    std::vector<std::size_t>
+        limited_;         ///< the few patterns that may be used; empty: not chosen yet, or no limit
+    double best_ = -1.0;  ///< objective; below zero: none
+    std::optional<Point> best_point_;
+    DesignEnd end_ = DesignEnd::NoSwapImproves;
+};
+
+}  // namespace fretwork::design::detail

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/random.hpp>
+#include <fretwork/design/search/swap_table.hpp>
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+namespace fretwork::design::detail {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr int kMostPasses = 8;
+constexpr int kBisections = 10;
+
+/// Prices on what is to stay small.
+struct Prices {
+    double energy = 0.0;
+    double mass = 0.0;
+};
+
+class Sweeper {
+  public:
+    Sweeper(const SwapTable& table, const SweepOptions& options) : table_(table), options_(options) {
+        squares_.resize(table.energies.rows(), table.energies.cols());
+        for (std::size_t g = 0; g < table.groups(); ++g)
+            squares_.col(static_cast<Index>(g)) = table.responses[g].colwise().squaredNorm().transpose();
+        if (table.by_factors.cols() > 0) factors_.compute(table.by_factors);
+    }
+
+    [[nodiscard]] Choice run(const std::vector<std::size_t>& start, const Prices& prices,
+                             std::uint64_t seed) const {
+        Choice choice{start, VectorXd::Zero(table_.by_factors.cols())};
+        VectorXd residual = residual_of(choice);
+        base::SplitMix64 random(seed);
+        std::vector<std::size_t> order(table_.groups());
+        std::iota(order.begin(), order.end(), std::size_t{0});
+        for (int pass = 0; pass < kMostPasses; ++pass) {
+            for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[random.below(i)]);
+            options_.control.check();
+            bool is_changed = false;
+            for (const std::size_t group : order)
+                is_changed = choose(group, prices, choice, residual) || is_changed;
+            step_factors(choice, residual);
+            if (!is_changed) break;
+        }
+        choice.objective = table_.unreached + residual.squaredNorm();
+        choice.energy = 0.0;
+        for (std::size_t g = 0; g < choice.columns.size(); ++g) choice.energy += energy(g, choice.columns[g]);
+        return choice;
+    }
+
+    [[nodiscard]] double mass(const Choice& choice) const {
+        double sum = 0.0;
+        for (std::size_t g = 0; g < choice.columns.size(); ++g)
+            sum += table_.masses(static_cast<Index>(choice.columns[g]), static_cast<Index>(g));
+        return sum;
+    }
+
+  private:
+    [[nodiscard]] double energy(std::size_t group, std::size_t column) const {
+        return table_.energies(static_cast<Index>(column), static_cast<Index>(group));
+    }
+    [[nodiscard]] VectorXd residual_of(const Choice& choice) const {
+        VectorXd residual = table_.residual;
+        for (std::size_t g = 0; g < choice.columns.size(); ++g)
+            residual += table_.responses[g].col(static_cast<Index>(choice.columns[g]));
+        if (choice.steps.size() > 0) residual += table_.by_factors * choice.steps;
+        return residual;
+    }
+
+    bool choose(std::size_t group, const Prices& prices, Choice& choice, VectorXd& residual) const {
+        const auto g = static_cast<Index>(group);
+        const MatrixXd& responses = table_.responses[group];
+        const auto old = static_cast<Index>(choice.columns[group]);
+        residual -= responses.col(old);
+        VectorXd costs = 2.0 * (responses.transpose() * residual) + squares_.col(g);
+        costs += prices.energy * table_.energies.col(g) + prices.mass * table_.masses.col(g);
+        Index best = old;
+        for (Index c = 0; c < costs.size(); ++c) {
+            if (options_.allowed[static_cast<std::size_t>(c)] && costs[c] < costs[best]) best = c;
+        }
+        if (!options_.allowed[static_cast<std::size_t>(old)] && best == old) {
+            double least = std::numeric_limits<double>::infinity();
+            for (Index c = 0; c < costs.size(); ++c) {
+                if (options_.allowed[static_cast<std::size_t>(c)] && costs[c] < least) {
+                    least = costs[c];
+                    best = c;
+                }
+            }
+        }
+        residual += responses.col(best);
+        choice.columns[group] = static_cast<std::size_t>(best);
+        return best != old;
+    }
+
+    void step_factors(Choice& choice, VectorXd& residual) const {
+        if (choice.steps.size() == 0) return;
+        const VectorXd wanted = choice.steps - factors_.solve(residual);
+        const VectorXd bounded = wanted.cwiseMin(table_.largest_steps).cwiseMax(-table_.largest_steps);
+        residual += table_.by_factors * (bounded - choice.steps);
+        choice.steps = bounded;
+    }
+
+    const SwapTable& table_;
+    const SweepOptions& options_;
+    MatrixXd squares_;
+    Eigen::ColPivHouseholderQR<MatrixXd> factors_;
+};
+
+/// The best of several orders under these prices.
+Choice best_of_orders(const Sweeper& sweeper, const std::vector<std::size_t>& start,
+                      const SweepOptions& options, const Prices& prices) {
+    Choice best;
+    best.objective = std::numeric_limits<double>::infinity();
+    const auto cost = [&](const Choice& choice) {
+        return choice.objective + prices.energy * choice.energy + prices.mass * sweeper.mass(choice);
+    };
+    for (int order = 0; order < options.orders; ++order) {
+        Choice choice = sweeper.run(start, prices, options.seed + static_cast<std::uint64_t>(order));
+        if (order == 0 || cost(choice) < cost(best)) best = std::move(choice);
+    }
+    return best;
+}
+
+/// The least price at which `is_within` holds, by bisection of its logarithm; zero if it holds at none.
+template <class Try>
+Choice at_least_price(double highest, const Try& attempt) {
+    auto [free, is_free_within] = attempt(0.0);
+    if (is_free_within) return free;
+    double low = std::log(highest) - 40.0;
+    double high = std::log(highest);
+    auto [best, is_within] = attempt(highest);
+    for (int i = 0; i < kBisections; ++i) {
+        const double middle = 0.5 * (low + high);
+        auto [choice, is_choice_within] = attempt(std::exp(middle));
+        (is_choice_within ? high : low) = middle;
+        if (is_choice_within) best = std::move(choice);
+    }
+    return best;
+}
+
+Choice within_radius(const Sweeper& sweeper, const SwapTable& table, const std::vector<std::size_t>& start,
+                     const SweepOptions& options, double mass_price) {
+    const double most = options.radius * table.energy;
+    const double scale = (table.residual.squaredNorm() + 1e-300) / std::max(table.energy, 1e-300);
+    double best_price = 1e6 * scale;
+    Choice found = at_least_price(1e6 * scale, [&](double price) {
+        Choice choice = sweeper.run(start, {price, mass_price}, options.seed);
+        const bool is_within = choice.energy <= most;
+        if (is_within) best_price = std::min(best_price, price);
+        return std::pair(std::move(choice), is_within);
+    });
+    Choice better = best_of_orders(sweeper, start, options, {best_price, mass_price});
+    const bool is_better = better.energy <= most && better.objective < found.objective;
+    return mass_price == 0.0 && is_better ? better : found;
+}
+
+}  // namespace
+
+Choice sweep(const SwapTable& table, const std::vector<std::size_t>& start, const SweepOptions& options) {
+    const Sweeper sweeper(table, options);
+    if (options.most_mass <= 0.0) return within_radius(sweeper, table, start, options, 0.0);
+    const double scale = (table.residual.squaredNorm() + 1e-300) / options.most_mass;
+    return at_least_price(1e4 * scale, [&](double price) {
+        Choice choice = within_radius(sweeper, table, start, options, price);
+        const bool is_within = sweeper.mass(choice) <= options.most_mass;
+        return std::pair(std::move(choice), is_within);
+    });
+}
+
+std::vector<bool> fewer_columns(const SwapTable& table, const std::vector<std::size_t>& start,
+                                SweepOptions options, std::size_t most) {
+    options.orders = 1;
+    const auto used_by = [&](const Choice& choice) {
+        std::vector<bool> used(table.columns(), false);
+        for (const std::size_t column : choice.columns) used[column] = true;
+        return used;
+    };
+    Choice choice = sweep(table, start, options);
+    options.allowed = used_by(choice);
+    while (static_cast<std::size_t>(std::ranges::count(options.allowed, true)) > most) {
+        std::vector<std::size_t> counts(table.columns(), 0);
+        for (const std::size_t column : choice.columns) ++counts[column];
+        // Those that are used least are tried first; the others would cost more.
+        constexpr std::size_t kTried = 6;
+        std::vector<std::size_t> candidates;
+        for (std::size_t c = 0; c < counts.size(); ++c) {
+            if (options.allowed[c]) candidates.push_back(c);
+        }
+        std::ranges::stable_sort(candidates, {}, [&](std::size_t c) { return counts[c]; });
+        candidates.resize(std::min(candidates.size(), kTried));
+        Choice best;
+        best.objective = std::numeric_limits<double>::infinity();
+        for (const std::size_t given_up : candidates) {
+            SweepOptions without = options;
+            without.allowed[given_up] = false;
+            Choice found = sweep(table, choice.columns, without);
+            if (found.objective < best.objective) best = std::move(found);
+        }
+        choice = std::move(best);
+        options.allowed = used_by(choice);
+    }
+    return options.allowed;
+}
+
+}  // namespace fretwork::design::detail

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/design/symmetry.hpp>
+#include <fretwork/tiling/tessellation.hpp>
+
+#include <span>
+#include <vector>
+
+namespace fretwork::design::detail {
+
+/// Tiles that are painted together, each with the pattern of the group or with its mirror image.
+struct TileGroup {
+    struct Member {
+        tiling::TileIndex tile;
+        bool is_mirrored = false;
+    };
+    std::vector<Member> members;
+};
+
+/// The groups of the tiles that are not kept: each tile by itself, or with its images. Throws InputError that
+/// names a tile that has no image, or one that is kept while its image is not.
+std::vector<TileGroup> tile_groups(const tiling::Tessellation& tessellation,
+                                   std::span<const tiling::TileIndex> kept, const Symmetry& symmetry);
+
+}  // namespace fretwork::design::detail

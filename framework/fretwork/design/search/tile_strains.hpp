@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/simulation/derivatives/candidate_tiles.hpp>
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace fretwork::design::detail {
+
+/// The stiffness of candidate tiles against strains without rigid motions: K = U k U^T, where the orthonormal
+/// columns of U are those in the plane (ux uy rz), then those out of it. Beams of a flat tile do not couple
+/// the two, so that k has two blocks.
+class TileStrains {
+  public:
+    /// Throws NumericalError if a stiffness couples the two.
+    TileStrains(const simulation::CandidateTiles& candidates, int threads);
+
+    struct Blocks {
+        Eigen::MatrixXd in_plane;
+        Eigen::MatrixXd out_of_plane;
+    };
+    [[nodiscard]] const Eigen::MatrixXd& basis(std::size_t tile_class) const {
+        return classes_[tile_class].basis;
+    }
+    [[nodiscard]] const Blocks& stiffness(std::size_t tile_class, std::size_t pattern) const {
+        return classes_[tile_class].stiffness[pattern];
+    }
+    [[nodiscard]] std::size_t pattern_count(std::size_t tile_class) const {
+        return classes_[tile_class].stiffness.size();
+    }
+
+  private:
+    struct Class {
+        Eigen::MatrixXd basis;          ///< U, 6n x (6n - 6)
+        std::vector<Blocks> stiffness;  ///< of each pattern
+    };
+    std::vector<Class> classes_;
+};
+
+/// The logarithms of the patterns' stiffnesses in one class of tiles, a column each: patterns are as
+/// different as these are far from each other. The part in the plane has a smaller weight. Turns count as
+/// displacements at `length`.
+Eigen::MatrixXd stiffness_logarithms(const TileStrains& strains, std::size_t tile_class, double length);
+
+/// `count` of the columns that lie far from each other: the one nearest to the mean, then each time the one
+/// farthest from those chosen. All if there are no more.
+std::vector<std::size_t> spread_choice(const Eigen::MatrixXd& columns, std::size_t count);
+
+}  // namespace fretwork::design::detail

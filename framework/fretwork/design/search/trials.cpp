@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/error.hpp>
+#include <fretwork/base/parallel.hpp>
+#include <fretwork/design/search/trials.hpp>
+#include <fretwork/simulation/load_cases/conditions.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace fretwork::design::detail {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+using mechanics::NodeValues;
+using simulation::LoadCase;
+using tiling::TileIndex;
+
+/// The largest step of a factor, as a share of it; of a prescribed displacement, in the largest wanted one;
+/// of a prescribed turn, rad.
+constexpr double kFactorStep = 0.5;
+constexpr double kPrescribedStep = 0.25;
+constexpr double kTurnStep = 0.25;
+
+}  // namespace
+
+LoadCase with_factor(LoadCase load_case, double factor) {
+    for (LoadCase::Load& load : load_case.loads) {
+        load.force *= factor;
+        load.moment *= factor;
+    }
+    for (LoadCase::AreaLoad& load : load_case.area_loads) load.per_area *= factor;
+    return load_case;
+}
+
+Trials::Trials(TrialParts parts)
+    : parts_(std::move(parts)), strains_(parts_.candidates, parts_.threads), aims_(parts_.cases.size()) {
+    const auto nodes = parts_.surface.tessellation.interface_nodes.size();
+    std::size_t goal_nodes = 0;
+    for (const DesignCase& own : parts_.cases) {
+        LoadCase weightless = own.load_case;
+        weightless.gravity.setZero();
+        unit_loads_.push_back(simulation::load_rows(simulation::resolve(weightless, parts_.surface), nodes));
+        sessions_.emplace_back(
+            parts_.surface, own.load_case,
+            simulation::SimulationOptions{.model = "corotational", .threads = parts_.threads});
+        largest_ = std::max(largest_, own.goals.largest());
+        goal_nodes += own.goals.node_count();
+    }
+    scale_ = 1.0 / (largest_ * std::sqrt(static_cast<double>(goal_nodes)));
+    const auto& candidates = parts_.candidates.patterns();
+    for (const TileIndex tile : parts_.surface.tessellation.tiles.indices()) {
+        const auto* own = tiling::pattern_of(parts_.surface.tessellation, tile);
+        const auto place = std::ranges::find(candidates, own->id, &pattern::NamedPattern::id);
+        if (place == candidates.end())
+            throw base::InputError("tile " + std::to_string(tile.value) +
+                                   " has a pattern that is no candidate");
+        kept_.push_back(static_cast<std::size_t>(place - candidates.begin()));
+    }
+    painted_ = kept_;
+}
+
+VectorXd Trials::initial_unknowns() const {
+    std::vector<double> values;
+    for (const DesignCase& own : parts_.cases) {
+        if (parts_.free.factor) values.push_back(1.0);
+        if (!parts_.free.prescribed) continue;
+        for (const auto& entry : own.load_case.prescribed) values.push_back(entry.value);
+    }
+    return Eigen::Map<const VectorXd>(values.data(), std::ssize(values));
+}
+
+Point Trials::uniform(std::size_t pattern) const {
+    return {std::vector<std::size_t>(parts_.groups.size(), pattern), initial_unknowns()};
+}
+
+Index Trials::first_unknown(std::size_t which) const {
+    Index first = 0;
+    for (std::size_t c = 0; c < which; ++c)
+        first += (parts_.free.factor ? 1 : 0) +
+                 (parts_.free.prescribed ? std::ssize(parts_.cases[c].load_case.prescribed) : 0);
+    return first;
+}
+
+double Trials::factor_at(const Point& point, std::size_t which) const {
+    return point.unknowns[first_unknown(which)];
+}
+
+LoadCase Trials::load_case_at(const Point& point, std::size_t which) const {
+    Index next = first_unknown(which);
+    LoadCase load_case = parts_.cases[which].load_case;
+    if (parts_.free.factor) load_case = with_factor(std::move(load_case), point.unknowns[next++]);
+    if (parts_.free.prescribed) {
+        for (auto& entry : load_case.prescribed) entry.value = point.unknowns[next++];
+    }
+    return load_case;
+}
+
+std::vector<std::size_t> Trials::painting(const Point& point) const {
+    std::vector<std::size_t> result = kept_;
+    for (std::size_t g = 0; g < parts_.groups.size(); ++g) {
+        for (const TileGroup::Member& member : parts_.groups[g].members)
+            result[static_cast<std::size_t>(member.tile.value)] = member_pattern(member, point.patterns[g]);
+    }
+    return result;
+}
+
+simulation::Surface Trials::surface_at(const Point& point) const {
+    simulation::Surface surface = parts_.surface;
+    tiling::Tessellation& tessellation = surface.tessellation;
+    const std::vector<std::size_t> wanted = painting(point);
+    std::map<std::size_t, int> places;
+    tessellation.patterns.clear();
+    surface.calibrations.clear();
+    for (std::size_t t = 0; t < wanted.size(); ++t) {
+        const auto [entry, is_new] = places.try_emplace(wanted[t], static_cast<int>(places.size()));
+        if (is_new) {
+            tessellation.patterns.push_back(parts_.candidates.patterns()[wanted[t]]);
+            surface.calibrations.emplace_back();
+        }
+        tessellation.tiles[t].pattern = entry->second;
+    }
+    return surface;
+}
+
+void Trials::paint(const std::vector<std::size_t>& wanted) {
+    std::map<std::size_t, std::vector<TileIndex>> changes;
+    for (std::size_t t = 0; t < wanted.size(); ++t) {
+        if (wanted[t] != painted_[t]) changes[wanted[t]].emplace_back(t);
+    }
+    for (const auto& [pattern, tiles] : changes) {
+        for (simulation::Session& session : sessions_)
+            session.paint(tiles, parts_.candidates.patterns()[pattern].id);
+    }
+    painted_ = wanted;
+}
+
+Trial Trials::solve(const Point& point, const base::Control& control) {
+    paint(painting(point));
+    Trial trial;
+    trial.is_found = true;
+    for (std::size_t c = 0; c < sessions_.size(); ++c) {
+        const LoadCase wanted = load_case_at(point, c);
+        if (wanted != sessions_[c].load_case()) sessions_[c].set_load_case(wanted);
+        auto result = sessions_[c].solve(control.silent());
+        ++solutions_;
+        trial.is_found = trial.is_found && result.solution.converged() && result.solution.stable;
+        trial.displacements.push_back(std::move(result.solution.displacements));
+    }
+    if (trial.is_found) trial.objective = objective(trial.displacements, aims_);
+    return trial;
+}
+
+double Trials::objective(const std::vector<NodeValues>& displacements,
+                         const std::vector<NodeValues>& aims) const {
+    double sum = 0.0;
+    for (std::size_t c = 0; c < displacements.size(); ++c) {
+        for (const Observation& own : parts_.cases[c].goals.observe(displacements[c], aims[c]))
+            sum += own.weight * own.residual * own.residual;
+    }
+    return scale_ * scale_ * sum;
+}
+
+Trials::Distances Trials::distances(const std::vector<NodeValues>& displacements) const {
+    Distances result;
+    std::size_t count = 0;
+    for (std::size_t c = 0; c < displacements.size(); ++c) {
+        for (const double distance : parts_.cases[c].goals.distances(displacements[c])) {
+            result.mean += distance / largest_;
+            result.largest = std::max(result.largest, distance / largest_);
+            ++count;
+        }
+    }
+    result.mean /= static_cast<double>(count);
+    return result;
+}
+
+SwapTable Trials::table(const Point& point, const Trial& trial, const std::vector<std::size_t>& columns,
+                        std::uint64_t seed, const base::Control& control) {
+    std::vector<CaseModel> models;
+    for (std::size_t c = 0; c < sessions_.size(); ++c) {
+        const CaseState state{sessions_[c], parts_.cases[c].goals, trial.displacements[c], aims_[c],
+                              scale_,       unit_loads_[c]};
+        models.push_back(linearize_case(state,
+                                        {.candidates = parts_.candidates,
+                                         .strains = strains_,
+                                         .painting = painted_,
+                                         .patterns = columns,
+                                         .seed = seed,
+                                         .threads = parts_.threads},
+                                        control.silent()));
+    }
+    SwapTable table;
+    Index rows = 0;
+    for (const CaseModel& model : models) {
+        rows += model.residual.size();
+        table.unreached += model.unreached;
+        table.energy += model.energy;
+    }
+    table.residual.resize(rows);
+    Index row = 0;
+    for (const CaseModel& model : models) {
+        table.residual.segment(row, model.residual.size()) = model.residual;
+        row += model.residual.size();
+    }
+    table.responses.resize(parts_.groups.size());
+    table.energies.resize(std::ssize(columns), std::ssize(parts_.groups));
+    table.masses.resizeLike(table.energies);
+    base::parallel_for(parts_.groups.size(), parts_.threads, [&](std::size_t group) {
+        control.check();
+        fill_group(group, models, columns, table);
+    });
+    add_unknowns(models, point, table);
+    return table;
+}
+
+void Trials::fill_group(std::size_t group, const std::vector<CaseModel>& models,
+                        const std::vector<std::size_t>& columns, SwapTable& table) const {
+    auto& responses = table.responses[group];
+    responses.setZero(table.residual.size(), std::ssize(columns));
+    for (std::size_t c = 0; c < columns.size(); ++c) {
+        const auto column = static_cast<Index>(c);
+        double energy = 0.0;
+        double mass = 0.0;
+        for (const TileGroup::Member& member : parts_.groups[group].members) {
+            const std::size_t old = painted_[static_cast<std::size_t>(member.tile.value)];
+            const std::size_t wanted = member_pattern(member, columns[c]);
+            const std::size_t tile_class = parts_.candidates.class_of(member.tile);
+            mass += parts_.candidates.mass(tile_class, wanted);
+            if (wanted == old) continue;
+            const double more =
+                parts_.candidates.mass(tile_class, wanted) - parts_.candidates.mass(tile_class, old);
+            Index row = 0;
+            for (const CaseModel& model : models) {
+                const CaseModel::Tile& tile = model.tiles[member.tile];
+                const SwapAnswer answer = swap_answer(tile, strains_.stiffness(tile_class, old),
+                                                      strains_.stiffness(tile_class, wanted));
+                responses.col(column).segment(row, model.residual.size()) +=
+                    tile.reach * answer.stress + more * tile.of_weight;
+                energy += answer.energy;
+                row += model.residual.size();
+            }
+        }
+        table.energies(column, static_cast<Index>(group)) = energy;
+        table.masses(column, static_cast<Index>(group)) = mass;
+    }
+}
+
+void Trials::add_unknowns(const std::vector<CaseModel>& models, const Point& point, SwapTable& table) const {
+    table.by_factors.setZero(table.residual.size(), point.unknowns.size());
+    table.largest_steps.resize(point.unknowns.size());
+    Index row = 0;
+    Index next = 0;
+    for (std::size_t c = 0; c < models.size(); ++c) {
+        const Index rows = models[c].residual.size();
+        if (parts_.free.factor) {
+            table.by_factors.col(next).segment(row, rows) = models[c].by_loads;
+            table.largest_steps[next] = kFactorStep * std::abs(point.unknowns[next]);
+            ++next;
+        }
+        const auto& entries = parts_.cases[c].load_case.prescribed;
+        for (std::size_t e = 0; parts_.free.prescribed && e < entries.size(); ++e, ++next) {
+            table.by_factors.col(next).segment(row, rows) =
+                models[c].by_prescribed.col(static_cast<Index>(e));
+            table.largest_steps[next] =
+                static_cast<int>(entries[e].dof) < 3 ? kPrescribedStep * largest_ : kTurnStep;
+        }
+        row += rows;
+    }
+}
+
+}  // namespace fretwork::design::detail

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/design/search/case_model.hpp>
+#include <fretwork/design/search/swap_table.hpp>
+#include <fretwork/design/search/tile_groups.hpp>
+#include <fretwork/simulation/session.hpp>
+
+#include <cstdint>
+#include <vector>
+
+namespace fretwork::design::detail {
+
+/// A load case that a painting serves, and what it is to do under it.
+struct DesignCase {
+    simulation::LoadCase load_case;
+    CaseGoals goals;
+};
+
+/// What is searched: a pattern for each group of tiles (a place in the candidates), and the continuous
+/// unknowns: for each load case the factor on its loads and the values of its prescribed displacements, as
+/// far as they are free.
+struct Point {
+    std::vector<std::size_t> patterns;
+    Eigen::VectorXd unknowns;
+    friend bool operator==(const Point&, const Point&) = default;
+};
+
+/// What a point does.
+struct Trial {
+    bool is_found = false;  ///< all equilibria were found, and are stable
+    double objective =
+        0.0;  ///< the weighted mean of squared distances, in shares of the largest displacement wanted
+    std::vector<mechanics::NodeValues> displacements{};  ///< of each load case
+};
+
+/// Which unknowns there are besides the painting.
+struct FreeUnknowns {
+    bool factor = false;
+    bool prescribed = false;
+};
+
+/// What trials are made of. `surface` is painted.
+struct TrialParts {
+    simulation::Surface surface;
+    std::vector<DesignCase> cases;
+    simulation::CandidateTiles candidates;
+    std::vector<TileGroup> groups;
+    std::vector<std::size_t> mirrored;  ///< of each candidate its mirror image's place; empty: none is needed
+    FreeUnknowns free;
+    int threads = 0;
+};
+
+/// Solves points one after the other, each from the last equilibrium, and tells what swaps would do there.
+class Trials {
+  public:
+    explicit Trials(TrialParts parts);
+
+    [[nodiscard]] const TrialParts& parts() const { return parts_; }
+    [[nodiscard]] Eigen::VectorXd initial_unknowns() const;
+    [[nodiscard]] Point uniform(std::size_t pattern) const;
+    /// Positions that are added to what is wanted, for each load case (CaseGoals::observe).
+    void set_aims(std::vector<mechanics::NodeValues> aims) { aims_ = std::move(aims); }
+
+    /// Throws Stopped.
+    Trial solve(const Point& point, const base::Control& control);
+    /// The table of swaps at the point of the last trial, which was found. Columns are candidates.
+    SwapTable table(const Point& point, const Trial& trial, const std::vector<std::size_t>& columns,
+                    std::uint64_t seed, const base::Control& control);
+    [[nodiscard]] int solutions() const { return solutions_; }
+    /// Solutions that were made elsewhere.
+    void count_solutions(int more) { solutions_ += more; }
+
+    /// The surface with a point's painting, and the load cases with its unknowns.
+    [[nodiscard]] simulation::Surface surface_at(const Point& point) const;
+    [[nodiscard]] simulation::LoadCase load_case_at(const Point& point, std::size_t which) const;
+    /// The factor on the loads of a load case; only where it is free.
+    [[nodiscard]] double factor_at(const Point& point, std::size_t which) const;
+    /// The mean and largest distance of the goals' nodes, in shares of the largest displacement wanted.
+    struct Distances {
+        double mean = 0.0;
+        double largest = 0.0;
+    };
+    [[nodiscard]] Distances distances(const std::vector<mechanics::NodeValues>& displacements) const;
+    [[nodiscard]] double largest_wanted() const { return largest_; }
+
+  private:
+    [[nodiscard]] std::vector<std::size_t> painting(const Point& point) const;
+    [[nodiscard]] std::size_t member_pattern(const TileGroup::Member& member, std::size_t pattern) const {
+        return member.is_mirrored ? parts_.mirrored[pattern] : pattern;
+    }
+    [[nodiscard]] Eigen::Index first_unknown(std::size_t which) const;
+    void paint(const std::vector<std::size_t>& painting);
+    [[nodiscard]] double objective(const std::vector<mechanics::NodeValues>& displacements,
+                                   const std::vector<mechanics::NodeValues>& aims) const;
+    void fill_group(std::size_t group, const std::vector<CaseModel>& models,
+                    const std::vector<std::size_t>& columns, SwapTable& table) const;
+    void add_unknowns(const std::vector<CaseModel>& models, const Point& point, SwapTable& table) const;
+
+    TrialParts parts_;
+    TileStrains strains_;
+    std::vector<std::size_t> kept_;  ///< the candidate of each tile that belongs to no group
+    std::vector<simulation::Session> sessions_;
+    std::vector<std::size_t> painted_;  ///< as the sessions are
+    std::vector<mechanics::NodeValues> unit_loads_;
+    std::vector<mechanics::NodeValues> aims_;
+    double largest_ = 0.0;
+    double scale_ = 0.0;
+    int solutions_ = 0;
+};
+
+/// A load case whose loads (not its weight) are multiplied.
+simulation::LoadCase with_factor(simulation::LoadCase load_case, double factor);
+
+}  // namespace fretwork::design::detail

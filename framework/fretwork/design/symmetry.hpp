@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace fretwork::design {
+
+/// The symmetry of a painting about the middle of the surface's bounding box.
+struct Symmetry {
+    enum class Kind {
+        None,
+        MirrorX,  ///< left and right are mirror images
+        MirrorY,  ///< below and above are
+        Turn      ///< turned by 1 / `folds` of a whole turn
+    };
+    Kind kind = Kind::None;
+    int folds = 1;
+    friend bool operator==(const Symmetry&, const Symmetry&) = default;
+};
+
+/// From "mirror:x", "mirror:y" or "turn:N". Throws InputError.
+Symmetry parse_symmetry(std::string_view text);
+std::string symmetry_text(const Symmetry& symmetry);
+
+}  // namespace fretwork::design

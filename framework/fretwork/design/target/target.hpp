@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fretwork/simulation/load_cases/selection.hpp>
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace fretwork::design {
+
+/// Three components in the surface's axes, of which some may be free.
+using FreeVector = std::array<std::optional<double>, 3>;
+
+/// Displacements or positions of single interface nodes, one for each of them.
+struct NodesGoal {
+    enum class Quantity { Displacements, Positions };
+    std::vector<int> nodes;
+    Quantity quantity = Quantity::Displacements;
+    std::vector<FreeVector> values;  ///< m
+    friend bool operator==(const NodesGoal&, const NodesGoal&) = default;
+};
+
+/// Displacements of selected nodes by expressions of their places x and y at rest (m).
+struct FormulaGoal {
+    simulation::Selection where;
+    std::array<std::optional<std::string>, 3>
+        displacement;  ///< m; none: free. A number is an expression, too
+    friend bool operator==(const FormulaGoal&, const FormulaGoal&) = default;
+};
+
+/// Selected nodes lie on a surface in space. They may slide along it: only distances count.
+struct MeshGoal {
+    simulation::Selection where;
+    std::filesystem::path mesh;  ///< OBJ, PLY or OFF, metres, in the axes of the project
+    friend bool operator==(const MeshGoal&, const MeshGoal&) = default;
+};
+
+/// Selected nodes turn by this rotation vector (rad).
+struct RotationGoal {
+    simulation::Selection where;
+    FreeVector rotation;
+    friend bool operator==(const RotationGoal&, const RotationGoal&) = default;
+};
+
+struct Goal {
+    std::variant<NodesGoal, FormulaGoal, MeshGoal, RotationGoal> what;
+    double weight = 1.0;      ///< of the squared distance of each of its nodes
+    std::string load_case{};  ///< under which it is wanted; "": that of the design
+    friend bool operator==(const Goal&, const Goal&) = default;
+};
+
+/// The shape that a designed surface shall take, under one load case or several.
+struct Target {
+    std::string name;
+    std::string description;
+    std::vector<Goal> goals;
+    friend bool operator==(const Target&, const Target&) = default;
+};
+
+}  // namespace fretwork::design

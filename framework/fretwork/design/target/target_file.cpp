@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fretwork/base/files/file.hpp>
+#include <fretwork/base/internal/json_text.hpp>
+#include <fretwork/base/json_reader.hpp>
+#include <fretwork/design/target/target_file.hpp>
+#include <fretwork/simulation/internal/load_case_json.hpp>
+
+namespace fretwork::design {
+namespace {
+
+using base::Json;
+using base::JsonReader;
+
+constexpr double kFarthest = 1e4;  // m, and rad
+
+std::optional<double> read_component(const JsonReader& json) {
+    if (json.text() == "null") return std::nullopt;
+    const double value = json.number();
+    if (!(std::abs(value) <= kFarthest))
+        json.fail("is " + json.text() + ", where a number from -10000 to 10000, or null, is needed");
+    return value;
+}
+
+FreeVector read_free_vector(const JsonReader& json) {
+    const auto components = json.elements(3);
+    FreeVector vector;
+    for (std::size_t i = 0; i < 3; ++i) vector[i] = read_component(components[i]);
+    if (!vector[0] && !vector[1] && !vector[2])
+        json.fail("leaves all three components free: it asks for nothing");
+    return vector;
+}
+
+NodesGoal read_nodes_goal(const JsonReader& json) {
+    NodesGoal goal;
+    for (const JsonReader& node : json.at("nodes").elements())
+        goal.nodes.push_back(static_cast<int>(node.integer(0, 1'000'000'000)));
+    if (goal.nodes.empty()) json.at("nodes").fail("is empty, where at least one interface node is needed");
+    const auto displacements = json.find("displacements");
+    const auto positions = json.find("positions");
+    if (displacements.has_value() == positions.has_value())
+        json.fail("gives its nodes either displacements or positions");
+    goal.quantity = positions ? NodesGoal::Quantity::Positions : NodesGoal::Quantity::Displacements;
+    const JsonReader& values = positions ? *positions : *displacements;
+    for (const JsonReader& value : values.elements(goal.nodes.size()))
+        goal.values.push_back(read_free_vector(value));
+    return goal;
+}
+
+std::optional<std::string> read_expression(const JsonReader& json) {
+    if (json.text() == "null") return std::nullopt;
+    if (json.is_number()) return json.text();
+    if (!json.is_string())
+        json.fail("is " + json.text() + ", where a number, an expression of x and y, or null is needed");
+    return json.string();
+}
+
+FormulaGoal read_formula_goal(const simulation::Selection& where, const JsonReader& json) {
+    FormulaGoal goal{where, {}};
+    const auto components = json.elements(3);
+    for (std::size_t i = 0; i < 3; ++i) goal.displacement[i] = read_expression(components[i]);
+    if (!goal.displacement[0] && !goal.displacement[1] && !goal.displacement[2])
+        json.fail("leaves all three components free: it asks for nothing");
+    return goal;
+}
+
+void read_selected_goal(const JsonReader& json, Goal& goal) {
+    const JsonReader select = json.at("select");
+    select.allow_only({"nodes", "box", "nearest", "side"});
+    const simulation::Selection where = simulation::read_selection(select);
+    const auto displacement = json.find("displacement");
+    const auto surface = json.find("surface");
+    const auto rotation = json.find("rotation");
+    if (displacement.has_value() + surface.has_value() + rotation.has_value() != 1)
+        json.fail("asks of the selected nodes exactly one of displacement, surface, rotation");
+    if (displacement) goal.what = read_formula_goal(where, *displacement);
+    if (surface) goal.what = MeshGoal{where, surface->string()};
+    if (rotation) goal.what = RotationGoal{where, read_free_vector(*rotation)};
+}
+
+Goal read_goal(const JsonReader& json) {
+    Goal goal;
+    if (json.find("select")) {
+        json.allow_only({"select", "displacement", "surface", "rotation", "weight", "case"});
+        read_selected_goal(json, goal);
+    } else if (json.find("nodes")) {
+        json.allow_only({"nodes", "displacements", "positions", "weight", "case"});
+        goal.what = read_nodes_goal(json);
+    } else {
+        json.fail("names no nodes: it needs nodes or select");
+    }
+    if (const auto weight = json.find("weight")) goal.weight = weight->positive_number();
+    if (const auto load_case = json.find("case")) goal.load_case = load_case->string();
+    return goal;
+}
+
+Target read_target_json(const JsonReader& json) {
+    json.expect_format("target");
+    json.allow_only({"format", "name", "description", "goals"});
+    Target target;
+    if (const auto name = json.find("name")) target.name = name->string();
+    if (const auto description = json.find("description")) target.description = description->string();
+    for (const JsonReader& goal : json.at("goals").elements()) target.goals.push_back(read_goal(goal));
+    if (target.goals.empty()) json.at("goals").fail("is empty, where at least one goal is needed");
+    return target;
+}
+
+Json free_vector_json(const FreeVector& vector) {
+    Json json = Json::array();
+    for (const auto& component : vector) json.push_back(component ? Json(*component) : Json(nullptr));
+    return json;
+}
+
+Json selection_json(const simulation::Selection& where) {
+    Json json = Json::object();
+    simulation::write_selection(where, json);
+    return json;
+}
+
+Json content_json(const NodesGoal& goal) {
+    Json values = Json::array();
+    for (const FreeVector& value : goal.values) values.push_back(free_vector_json(value));
+    const char* key = goal.quantity == NodesGoal::Quantity::Positions ? "positions" : "displacements";
+    return {{"nodes", goal.nodes}, {key, values}};
+}
+
+Json content_json(const FormulaGoal& goal) {
+    Json components = Json::array();
+    for (const auto& component : goal.displacement)
+        components.push_back(component ? Json(*component) : Json(nullptr));
+    return {{"select", selection_json(goal.where)}, {"displacement", components}};
+}
+
+Json content_json(const MeshGoal& goal) {
+    return {{"select", selection_json(goal.where)}, {"surface", goal.mesh.string()}};
+}
+
+Json content_json(const RotationGoal& goal) {
+    return {{"select", selection_json(goal.where)}, {"rotation", free_vector_json(goal.rotation)}};
+}
+
+Json goal_json(const Goal& goal) {
+    Json json = std::visit([](const auto& what) { return content_json(what); }, goal.what);
+    if (goal.weight != 1.0) json["weight"] = goal.weight;
+    if (!goal.load_case.empty()) json["case"] = goal.load_case;
+    return json;
+}
+
+}  // namespace
+
+Target parse_target(std::string_view text, const std::string& source) {
+    return read_target_json(JsonReader::from_text(text, source));
+}
+
+std::string target_text(const Target& target) {
+    Json goals = Json::array();
+    for (const Goal& goal : target.goals) goals.push_back(goal_json(goal));
+    return base::json_text({{"format", "fretwork/target/1"},
+                            {"name", target.name},
+                            {"description", target.description},
+                            {"goals", goals}});
+}
+
+Target read_target(const std::filesystem::path& path) {
+    Target target = read_target_json(JsonReader::from_file(path));
+    for (Goal& goal : target.goals) {
+        auto* mesh = std::get_if<MeshGoal>(&goal.what);
+        if (mesh != nullptr && mesh->mesh.is_relative()) mesh->mesh = path.parent_path() / mesh->mesh;
+    }
+    return target;
+}
+
+void write_target(const Target& target, const std::filesystem::path& path) {
+    base::write_file_atomically(path, target_text(target));
+}
+
+}  // namespace fretwork::design

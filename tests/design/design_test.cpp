@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hidden.hpp"
+#include "stops.hpp"
+#include "support.hpp"
+
+#include <fretwork/pattern/mirror.hpp>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+namespace fretwork::design {
+namespace THIS_TEST {
+
+using test::cantilever_project;
+using test::complaint_of;
+using test::kDesignPatterns;
+using testing::HasSubstr;
+using tiling::TileIndex;
+
+/// Bent to about half of its length, by a painting that is not known.
+struct Planted {
+    simulation::Project project = cantilever_project(6, 4, 0.03);
+    Target target;
+    Planted() {
+        simulation::Project hidden = project;
+        test::paint_graded(hidden, kDesignPatterns);
+        target = test::target_of(hidden);
+    }
+};
+
+/// The distance of the painting that was written, with all beams, by another way than the report's.
+double mean_error(const DesignReport& report, const Target& target) {
+    const auto& goal = std::get<NodesGoal>(target.goals.front().what);
+    const auto result =
+        simulation::simulate(simulation::make_surface(report.project, nullptr),
+                             report.project.load_cases.front(), {.model = "full", .threads = 1});
+    double sum = 0.0;
+    double largest = 0.0;
+    for (std::size_t i = 0; i < goal.nodes.size(); ++i) {
+        const Eigen::Vector3d wanted(*goal.values[i][0], *goal.values[i][1], *goal.values[i][2]);
+        const Eigen::Vector3d found = result.solution.displacements.row(goal.nodes[i]).head<3>().transpose();
+        sum += (found - wanted).norm();
+        largest = std::max(largest, wanted.norm());
+    }
+    return sum / static_cast<double>(goal.nodes.size()) / largest;
+}
+
+TEST(Design, ComesNearToAPlantedTargetInLargeDisplacements) {
+    const Planted planted;
+    const DesignReport report =
+        design(planted.project, nullptr, planted.target, test::design_options(planted.project));
+    ASSERT_TRUE(report.error);
+    ASSERT_TRUE(report.best_uniform);
+    EXPECT_TRUE(report.error->is_stable);
+    EXPECT_NEAR(report.error->mean, mean_error(report, planted.target), 1e-6);
+    EXPECT_LT(report.error->mean, 0.1 * report.best_uniform->mean);
+    EXPECT_TRUE(report.is_better());
+    EXPECT_EQ(report.uniform_tried, kDesignPatterns.size());
+    for (std::size_t i = 1; i < report.history.size(); ++i) {
+        EXPECT_GE(report.history[i].solutions, report.history[i - 1].solutions);
+    }
+}
+
+TEST(Design, IsTheSameWithAnyNumberOfThreads) {
+    const Planted planted;
+    DesignOptions options = test::design_options(planted.project);
+    options.most_solutions = 12;
+    const DesignReport one = design(planted.project, nullptr, planted.target, options);
+    options.threads = 3;
+    const DesignReport three = design(planted.project, nullptr, planted.target, options);
+    EXPECT_EQ(one.error->mean, three.error->mean);
+    for (std::size_t t = 0; t < one.project.tessellation.tiles.size(); ++t)
+        EXPECT_EQ(one.project.tessellation.tiles[t].pattern, three.project.tessellation.tiles[t].pattern);
+}
+
+const pattern::NamedPattern& pattern_of(const simulation::Project& project, TileIndex tile) {
+    return *tiling::pattern_of(project.tessellation, tile);
+}
+
+TEST(Design, KeepsTilesAndTheNumberOfPatterns) {
+    const Planted planted;
+    DesignOptions options = test::design_options(planted.project);
+    options.keep = {TileIndex(0), TileIndex(7)};
+    options.max_patterns = 3;
+    const DesignReport report = design(planted.project, nullptr, planted.target, options);
+    for (const TileIndex tile : options.keep)
+        EXPECT_EQ(pattern_of(report.project, tile).id, pattern_of(planted.project, tile).id);
+    EXPECT_LE(report.patterns.size(), 3U);
+    EXPECT_EQ(report.patterns.size(), report.project.tessellation.patterns.size());
+    EXPECT_LT(report.error->mean, report.best_uniform->mean);
+}
+
+TEST(Design, KeepsTheMass) {
+    const Planted planted;
+    DesignOptions options = test::design_options(planted.project);
+    const auto mass_of = [](const simulation::Project& project) {
+        double sum = 0.0;
+        for (const double mass : simulation::tile_masses(simulation::make_surface(project, nullptr)))
+            sum += mass;
+        return sum;
+    };
+    simulation::Project heavy = planted.project;
+    test::paint_graded(heavy, {kDesignPatterns.back()});
+    options.max_mass = 0.5 * mass_of(heavy);
+    const DesignReport report = design(planted.project, nullptr, planted.target, options);
+    EXPECT_LE(mass_of(report.project), options.max_mass);
+}
+
+/// 5 columns: the middle one is its own image.
+TEST(Design, KeepsAMirrorSymmetry) {
+    simulation::Project project = cantilever_project(5, 4, 0.03);
+    simulation::Project hidden = project;
+    test::paint_graded(hidden, kDesignPatterns);
+    DesignOptions options = test::design_options(project);
+    options.symmetry = parse_symmetry("mirror:x");
+    const DesignReport report = design(project, nullptr, test::target_of(hidden), options);
+    const pattern::Mirror mirror(project.layout);
+    for (int column = 0; column < 2; ++column) {
+        for (int row = 0; row < 4; ++row) {
+            const auto& left = pattern_of(report.project, TileIndex(4 * column + row));
+            const auto& right = pattern_of(report.project, TileIndex(4 * (4 - column) + row));
+            EXPECT_EQ(pattern::pattern_id(project.layout, *mirror.image(left.pattern)), right.id);
+        }
+    }
+}
+
+/// A target with more load: the factor is found, too.
+TEST(Design, FindsTheFactorOfTheLoad) {
+    const Planted planted;
+    simulation::Project weak = planted.project;
+    weak.load_cases.front().loads.front().force *= 0.6;
+    DesignOptions options = test::design_options(weak);
+    const DesignReport fixed = design(weak, nullptr, planted.target, options);
+    options.free_factor = true;
+    const DesignReport report = design(weak, nullptr, planted.target, options);
+    EXPECT_LT(report.error->mean, 0.1 * report.best_uniform->mean);
+    EXPECT_LT(report.error->mean, fixed.error->mean);
+    EXPECT_NEAR(report.error->mean, mean_error(report, planted.target), 1e-6)
+        << "the load case is written, too";
+    EXPECT_NE(report.factors.front(), 1.0);
+}
+
+TEST(Design, ServesTwoLoadCasesWithOnePainting) {
+    Planted planted;
+    simulation::LoadCase second = test::cantilever({0.0, 0.01, -0.02});
+    second.name = "second";
+    planted.project.load_cases.push_back(second);
+    simulation::Project hidden = planted.project;
+    test::paint_graded(hidden, kDesignPatterns);
+    std::swap(hidden.load_cases[0], hidden.load_cases[1]);
+    Goal goal = test::target_of(hidden).goals.front();
+    goal.load_case = "second";
+    planted.target.goals.push_back(goal);
+    const DesignReport report =
+        design(planted.project, nullptr, planted.target, test::design_options(planted.project));
+    EXPECT_EQ(report.load_cases, (std::vector<std::string>{"cantilever", "second"}));
+    EXPECT_LT(report.error->mean, 0.15 * report.best_uniform->mean);
+}
+
+/// Whenever it is stopped: nothing, or a whole painting that is no worse than what it began with.
+TEST(Design, KeepsTheBestPaintingWhenItIsStopped) {
+    const Planted planted;
+    DesignOptions options = test::design_options(planted.project);
+    options.most_solutions = 10;
+    const test::StopAtLook never;
+    options.control = never.control();
+    (void)design(planted.project, nullptr, planted.target, options);
+    const std::size_t looks = never.looks();
+    int kept = 0;
+    for (std::size_t i = 0; i < 12; ++i) {
+        const test::StopAtLook stop(looks * i / 12);
+        options.control = stop.control();
+        try {
+            const DesignReport report = design(planted.project, nullptr, planted.target, options);
+            EXPECT_EQ(report.end, DesignEnd::Stopped);
+            for (const tiling::Tile& tile : report.project.tessellation.tiles) EXPECT_GE(tile.pattern, 0);
+            ++kept;
+        } catch (const base::Stopped&) {
+            EXPECT_EQ(kept, 0) << "there was a painting before";
+        }
+    }
+    EXPECT_GE(kept, 4);
+}
+
+TEST(Design, RefusesWhatDoesNotFit) {
+    const Planted planted;
+    const auto complaint = [&](const auto& edit) {
+        DesignOptions options = test::design_options(planted.project);
+        simulation::Project project = planted.project;
+        Target target = planted.target;
+        edit(options, project, target);
+        return complaint_of([&] { (void)design(project, nullptr, target, options); });
+    };
+    using Project = simulation::Project;
+    EXPECT_THAT(complaint([](DesignOptions& o, Project&, Target&) { o.palette.clear(); }),
+                HasSubstr("palette"));
+    EXPECT_THAT(complaint([](DesignOptions& o, Project&, Target&) { o.load_case = "rain"; }),
+                HasSubstr("rain"));
+    EXPECT_THAT(complaint([](DesignOptions& o, Project&, Target&) { o.keep = {TileIndex(99)}; }),
+                HasSubstr("no tile 99"));
+    EXPECT_THAT(complaint([](DesignOptions& o, Project& p, Target&) {
+                    for (const TileIndex tile : p.tessellation.tiles.indices()) o.keep.push_back(tile);
+                }),
+                HasSubstr("nothing to paint"));
+    EXPECT_THAT(complaint([](DesignOptions& o, Project&, Target&) { o.symmetry = parse_symmetry("turn:3"); }),
+                HasSubstr("has no image"));
+    EXPECT_THAT(complaint([](DesignOptions& o, Project&, Target&) {
+                    o.keep = {TileIndex(0)};
+                    o.max_patterns = 1;
+                }),
+                HasSubstr("already"));
+    EXPECT_THAT(complaint([](DesignOptions&, Project&, Target& t) {
+                    auto& goal = std::get<NodesGoal>(t.goals.front().what);
+                    for (auto& value : goal.values) value = {0.0, 0.0, 0.0};
+                }),
+                HasSubstr("asks for no displacement"));
+    EXPECT_THAT(complaint_of([] { (void)parse_symmetry("turn:1"); }), HasSubstr("mirror:x"));
+}
+
+}  // namespace THIS_TEST
+}  // namespace fretwork::design

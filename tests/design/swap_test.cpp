@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hidden.hpp"
+
+#include <fretwork/base/random.hpp>
+#include <fretwork/design/search/trials.hpp>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace fretwork::design::detail {
+namespace THIS_TEST {
+
+using mechanics::NodeValues;
+using test::kDesignPatterns;
+
+/// Goals at all nodes that are far from what is there.
+Target anything(double size) {
+    return {"",
+            "",
+            {{FormulaGoal{simulation::NodesInBox{{-10, -10, 10, 10}},
+                          {"0", "0", std::to_string(size) + "*x*x"}}}}};
+}
+
+Trials make_trials(const simulation::Project& project, const Target& target, const FreeUnknowns& free = {}) {
+    simulation::Surface surface = simulation::make_surface(project, nullptr);
+    std::vector<DesignCase> cases;
+    cases.push_back(
+        {project.load_cases.front(), CaseGoals(target, "cantilever", "cantilever", surface.tessellation)});
+    simulation::CandidateTiles candidates(
+        surface, pattern::parse_named_patterns(project.layout, kDesignPatterns), {1, {}});
+    auto groups = tile_groups(surface.tessellation, {}, {});
+    return Trials(
+        {std::move(surface), std::move(cases), std::move(candidates), std::move(groups), {}, free, 1});
+}
+
+const std::vector<std::size_t> kColumns = {0, 1, 2, 3, 4};
+
+Point random_point(const Trials& trials, std::uint64_t seed) {
+    base::SplitMix64 random(seed);
+    Point point = trials.uniform(0);
+    for (std::size_t& pattern : point.patterns) pattern = random.below(kDesignPatterns.size());
+    return point;
+}
+
+/// So little load that the surface is linear: then the answer to one swap is exact, however large.
+TEST(Swaps, PredictTheObjectiveOfASingleSwapExactlyWhereTheSurfaceIsLinear) {
+    const simulation::Project project = test::cantilever_project(4, 3, 1e-7);
+    Trials trials = make_trials(project, anything(1e-5));
+    const Point point = random_point(trials, 5);
+    const Trial trial = trials.solve(point, {});
+    ASSERT_TRUE(trial.is_found);
+    const SwapTable table = trials.table(point, trial, kColumns, 1, {});
+    EXPECT_NEAR(table.unreached + table.residual.squaredNorm(), trial.objective, 1e-9 * trial.objective);
+    base::SplitMix64 random(8);
+    for (int i = 0; i < 15; ++i) {
+        const std::size_t group = random.below(point.patterns.size());
+        const std::size_t column = random.below(kColumns.size());
+        const Eigen::VectorXd residual =
+            table.residual + table.responses[group].col(static_cast<Eigen::Index>(column));
+        Point swapped = point;
+        swapped.patterns[group] = column;
+        const Trial found = trials.solve(swapped, {});
+        ASSERT_TRUE(found.is_found);
+        EXPECT_NEAR(table.unreached + residual.squaredNorm(), found.objective, 1e-5 * trial.objective)
+            << "tile " << group << ", pattern " << column;
+    }
+}
+
+/// Bent: the answers are those of the linearized surface, so that the error falls with the square of the
+/// swap. A small swap is not at hand; its place take the unknowns, and the first order of the patterns is
+/// tested by Sensitivity.
+TEST(Swaps, UnknownsHaveTheDerivativesOfTheResiduals) {
+    simulation::Project project = test::cantilever_project(4, 3, 0.05);
+    project.load_cases.front().prescribed.push_back(
+        {simulation::NodesAtSide{simulation::Side::Top}, mechanics::Dof::uz, 0.004});
+    project.load_cases.front().gravity = {0.0, 0.0, -9.0};
+    Trials trials = make_trials(project, anything(1.0), {true, true});
+    Point point = random_point(trials, 6);
+    ASSERT_EQ(point.unknowns.size(), 2);
+    const Trial trial = trials.solve(point, {});
+    const SwapTable table = trials.table(point, trial, kColumns, 1, {});
+    for (Eigen::Index unknown = 0; unknown < 2; ++unknown) {
+        const double step = unknown == 0 ? 1e-4 : 1e-6;
+        const auto at = [&](double place) {
+            Point moved = point;
+            moved.unknowns[unknown] += place * step;
+            return trials.solve(moved, {}).objective;
+        };
+        const double difference = (at(1.0) - at(-1.0)) / (2.0 * step);
+        const double derivative = 2.0 * table.residual.dot(table.by_factors.col(unknown));
+        EXPECT_NEAR(derivative, difference, 1e-4 * std::abs(difference)) << unknown;
+    }
+}
+
+/// Exhaustively: the sweeps find the best of 5^5 choices of a superposition, from any start.
+TEST(Swaps, SweepsFindTheBestChoiceOfSmallTables) {
+    const simulation::Project project = test::cantilever_project(5, 1, 1e-7);
+    Trials trials = make_trials(project, anything(2e-6));
+    int found_best = 0;
+    for (std::uint64_t seed = 0; seed < 10; ++seed) {
+        const Point point = random_point(trials, seed);
+        const Trial trial = trials.solve(point, {});
+        const SwapTable table = trials.table(point, trial, kColumns, 1, {});
+        double best = std::numeric_limits<double>::infinity();
+        for (int number = 0; number < 3125; ++number) {
+            Eigen::VectorXd residual = table.residual;
+            for (int g = 0, rest = number; g < 5; ++g, rest /= 5)
+                residual += table.responses[static_cast<std::size_t>(g)].col(rest % 5);
+            best = std::min(best, residual.squaredNorm());
+        }
+        const Choice choice =
+            sweep(table, point.patterns,
+                  {.allowed = std::vector<bool>(5, true), .radius = 1e9, .seed = seed, .orders = 8});
+        EXPECT_GE(choice.objective - table.unreached, best * (1.0 - 1e-9));
+        found_best += choice.objective - table.unreached <= best * 1.001;
+    }
+    EXPECT_GE(found_best, 7) << "of 10";
+}
+
+TEST(Swaps, KeepTheRadiusTheMassAndTheColumns) {
+    const simulation::Project project = test::cantilever_project(5, 4, 0.05);
+    Trials trials = make_trials(project, anything(2.0));
+    const Point point = random_point(trials, 3);
+    const Trial trial = trials.solve(point, {});
+    const SwapTable table = trials.table(point, trial, kColumns, 1, {});
+    SweepOptions options{.allowed = {true, true, false, true, false}, .radius = 0.05};
+    options.allowed = std::vector<bool>(5, true);
+    const Choice near = sweep(table, point.patterns, options);
+    EXPECT_LE(near.energy, 0.05 * table.energy);
+    EXPECT_LT(near.objective, trial.objective);
+    const auto mass = [&](const Choice& choice) {
+        double sum = 0.0;
+        for (std::size_t g = 0; g < choice.columns.size(); ++g)
+            sum += table.masses(static_cast<Eigen::Index>(choice.columns[g]), static_cast<Eigen::Index>(g));
+        return sum;
+    };
+    options.radius = 10.0;
+    const double free_mass = mass(sweep(table, point.patterns, options));
+    options.most_mass = 0.9 * free_mass;
+    EXPECT_LE(mass(sweep(table, point.patterns, options)), 0.9 * free_mass);
+    options.most_mass = 0.0;
+    const auto allowed = fewer_columns(table, point.patterns, options, 2);
+    EXPECT_EQ(std::ranges::count(allowed, true), 2);
+    options.allowed = allowed;
+    for (const std::size_t column : sweep(table, point.patterns, options).columns)
+        EXPECT_TRUE(allowed[column]);
+}
+
+}  // namespace THIS_TEST
+}  // namespace fretwork::design::detail
