@@ -176,7 +176,8 @@ void print_enumeration(const Arguments& arguments) {
         if (trial.is_found) best = std::min(best, trial.objective);
     }
     const design::DesignReport report = design::design(instance.project, nullptr, instance.target, options);
-    const double found = report.history.back().misfit * report.history.back().misfit;
+    const double misfit = std::ranges::min(report.starts);  // before the aim is moved by the model's error
+    const double found = misfit * misfit;
     std::printf("enumerate,%zu,arc,%s,%llu,%.3f,,,%.6f,%d,%d,,%.3f,,,,,\n", point.patterns.size(),
                 arguments.patterns.c_str(), static_cast<unsigned long long>(arguments.seed), instance.bent,
                 found / best, report.solutions, report.full_solutions, report.seconds);

@@ -135,6 +135,19 @@ TEST(EquilibriumTangent, MotionsAndAdjointMotionsAreEachOthersTransposed) {
     EXPECT_NEAR(forward, backward, 1e-9 * std::abs(forward));
 }
 
+TEST(EquilibriumTangent, MotionsOfHeldComponentsAreTheTransposedOfDerivativesByTheirValues) {
+    const Assembly assembly = bent(7);
+    EquilibriumSolver solver(tight());
+    ASSERT_TRUE(solver.solve(assembly).converged());
+    const EquilibriumTangent tangent = solver.tangent();
+    const VectorXd gradient = random_gradient(assembly, 5);
+    const VectorXd values = random_gradient(assembly, 6);
+    const double forward = gradient.dot(tangent.as_rotation_vectors(tangent.motions_of_held(values)).col(0));
+    const double backward =
+        values.dot(tangent.by_held_values(gradient, tangent.adjoint_motions(gradient)).col(0));
+    EXPECT_NEAR(forward, backward, 1e-9 * std::abs(forward));
+}
+
 /// Without moments on free nodes the tangent is its symmetric part.
 TEST(EquilibriumTangent, FlexibilitiesAreBlocksOfItsInverse) {
     Assembly assembly = bent(5);

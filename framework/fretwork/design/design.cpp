@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fretwork/base/error.hpp>
 #include <fretwork/base/task.hpp>
+#include <fretwork/base/text.hpp>
 #include <fretwork/design/design.hpp>
 #include <fretwork/design/search/full_check.hpp>
 #include <fretwork/design/search/preparation.hpp>
@@ -32,7 +33,7 @@ class Designer {
   public:
     Designer(detail::Preparation preparation, const DesignOptions& options, const Stopwatch& watch,
              DesignReport& report)
-        : trials_(std::move(preparation.parts)),
+        : trials_(std::move(preparation.parts), options.control.silent()),
           palette_(std::move(preparation.palette)),
           options_(options),
           watch_(watch),
@@ -41,6 +42,11 @@ class Designer {
 
     /// Leaves the best point in best(); throws Stopped, and then that is the best so far.
     void run() {
+        if (const double least = trials_.least_mass(palette_);
+            options_.max_mass > 0.0 && least > options_.max_mass)
+            throw base::InputError("the lightest painting weighs " + base::format_number(least) +
+                                   " kg, more than the " + base::format_number(options_.max_mass) +
+                                   " kg that it may");
         const std::size_t uniform = std::min(palette_.size(), options_.uniform_paintings);
         std::vector<Solved> starts =
             search_.try_uniform({palette_.begin(), palette_.begin() + static_cast<std::ptrdiff_t>(uniform)});
@@ -69,7 +75,7 @@ class Designer {
     [[nodiscard]] const std::optional<Point>& best() const { return best_; }
     /// After a stop: what the search had come to is better than where it began.
     void take_best_of_search() {
-        if (search_.best_point()) best_ = search_.best_point();
+        if (!is_correcting_ && search_.best_point()) best_ = search_.best_point();
     }
     [[nodiscard]] const Trials& trials() const { return trials_; }
     /// What the full model says of the best point; null if it was not asked.
@@ -120,8 +126,9 @@ class Designer {
         report_.wanted_of_stiffest = least > 0.0 ? wanted / least : 0.0;
     }
 
-    [[nodiscard]] bool is_allowed(const FullCheck& check) const {
+    [[nodiscard]] bool is_allowed(const Point& point, const FullCheck& check) const {
         if (!check.is_found) return false;
+        if (options_.max_mass > 0.0 && trials_.mass_of(point) > options_.max_mass) return false;
         return options_.max_utilization <= 0.0 ||
                check.largest_utilization.value_or(0.0) <= options_.max_utilization;
     }
@@ -130,9 +137,10 @@ class Designer {
     void check_and_keep_best(const Solved& solved) {
         best_ = solved.point;  // if the check is stopped
         FullCheck found = check(solved.point);
-        const bool replaces = !checked_ || (is_allowed(found) && !is_allowed(checked_->check));
-        if (found.is_found &&
-            (replaces || (is_allowed(found) && found.error.mean < checked_->check.error.mean))) {
+        const bool replaces =
+            !checked_ || (is_allowed(solved.point, found) && !is_allowed(checked_->point, checked_->check));
+        if (found.is_found && (replaces || (is_allowed(solved.point, found) &&
+                                            found.error.mean < checked_->check.error.mean))) {
             report_.model_error = model_error(solved, found);
             checked_ = {solved.point, std::move(found)};
         }
@@ -152,6 +160,7 @@ class Designer {
 
     /// Aim beside the target by what the reduced model is off, and search on.
     void correct_defect() {
+        is_correcting_ = true;
         for (int round = 0; checked_ && round < kDefectRounds && search_.may_go_on(reserve()); ++round) {
             Solved solved{checked_->point, trials_.solve(checked_->point, options_.control)};
             if (!solved.trial.is_found) return;
@@ -179,6 +188,7 @@ class Designer {
     };
     std::optional<Checked> checked_;  ///< the best of those that were checked
     double check_seconds_ = 0.0;
+    bool is_correcting_ = false;  ///< what the search says is of moved aims
 };
 
 /// The project with a point's painting, and with the load cases of its unknowns.
@@ -186,7 +196,6 @@ void write_point(const Trials& trials, const Point& point, const std::vector<std
                  DesignReport& report) {
     simulation::Project& project = report.project;
     project.tessellation = trials.surface_at(point).tessellation;
-    project.tile_models.clear();
     for (const pattern::NamedPattern& own : project.tessellation.patterns) report.patterns.push_back(own.id);
     std::ranges::sort(report.patterns);
     report.load_cases = names;

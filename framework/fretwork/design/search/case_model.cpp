@@ -137,17 +137,40 @@ class CaseLinearizer {
                 add_at_nodes(linear_.tiles[t], sign * forces[t][random.below(kSwapsOfATile)], all.col(c));
             }
         }
-        all.col(count) = Eigen::Map<const VectorXd>(linear_.loads.data(), linear_.loads.size());
+        all.col(count).head(state_.unit_loads.size()) =
+            Eigen::Map<const VectorXd>(state_.unit_loads.data(), state_.unit_loads.size());
         return all;
+    }
+
+    /// A unit of each prescribed entry at its nodes.
+    [[nodiscard]] MatrixXd prescribed_units() const {
+        const auto& entries = state_.session.load_case().prescribed;
+        MatrixXd units = MatrixXd::Zero(linear_.loads.size(), std::ssize(entries));
+        for (std::size_t e = 0; e < entries.size(); ++e) {
+            for (const auto node :
+                 simulation::select_nodes(entries[e].where, state_.session.surface().tessellation))
+                units(kDofs * node.value + static_cast<Index>(entries[e].dof), static_cast<Index>(e)) = 1.0;
+        }
+        return units;
     }
 
     /// Orthonormal combinations of residuals; all of them where they are few.
     MatrixXd choose_basis() {
         const Index all = std::ssize(observations_);
         if (all <= sample_.directions) return MatrixXd::Identity(all, all);
-        const MatrixXd motions = linear_.tangent.motions(random_swaps(sample_.directions - 1), control_);
-        const MatrixXd answers =
+        MatrixXd motions = linear_.tangent.motions(random_swaps(sample_.directions - 2), control_);
+        const MatrixXd units = prescribed_units();
+        if (units.cols() > 0) {
+            const Index before = motions.cols();
+            motions.conservativeResize(Eigen::NoChange, before + units.cols());
+            motions.rightCols(units.cols()) = linear_.tangent.motions_of_held(units, control_);
+        }
+        // With the residuals themselves among them, all derivatives of the misfit are exact.
+        MatrixXd answers(all, motions.cols() + 1);
+        answers.leftCols(motions.cols()) =
             observed(observations_, state_.scale, linear_.tangent.as_rotation_vectors(motions));
+        answers.rightCols(1) = weighted_residuals();
+        for (auto column : answers.colwise()) column /= std::max(column.norm(), 1e-300);
         Eigen::ColPivHouseholderQR<MatrixXd> factors(answers);
         factors.setThreshold(kSmallDirection);
         const MatrixXd leading = MatrixXd::Identity(all, std::max<Index>(1, factors.rank()));
@@ -178,17 +201,10 @@ class CaseLinearizer {
     }
 
     void take_prescribed(const MatrixXd& gradients, const MatrixXd& adjoint) {
-        const auto& entries = state_.session.load_case().prescribed;
-        model_.by_prescribed.setZero(adjoint.cols(), std::ssize(entries));
-        if (entries.empty()) return;
-        const MatrixXd held = linear_.tangent.by_held_values(gradients, adjoint);
-        for (std::size_t e = 0; e < entries.size(); ++e) {
-            const auto nodes =
-                simulation::select_nodes(entries[e].where, state_.session.surface().tessellation);
-            for (const auto node : nodes)
-                model_.by_prescribed.col(static_cast<Index>(e)) +=
-                    held.row(kDofs * node.value + static_cast<Index>(entries[e].dof)).transpose();
-        }
+        const MatrixXd units = prescribed_units();
+        model_.by_prescribed.setZero(adjoint.cols(), units.cols());
+        if (units.cols() > 0)
+            model_.by_prescribed = linear_.tangent.by_held_values(gradients, adjoint).transpose() * units;
     }
 
     const CaseState& state_;

@@ -32,12 +32,13 @@ Surface reference_surface(const Surface& surface) {
 std::vector<NamedPattern> spread_palette(const Surface& surface, const std::vector<NamedPattern>& palette,
                                          std::size_t count, const DesignOptions& options) {
     const CandidateTiles tile(reference_surface(surface), palette, {options.threads, options.control});
-    const TileStrains strains(tile, options.threads);
+    const base::Control control = options.control.silent();
+    const TileStrains strains(tile, options.threads, control);
     const Eigen::MatrixXd logs =
-        stiffness_logarithms(strains, 0, tiling::mean_tile_side(surface.tessellation));
+        stiffness_logarithms(strains, 0, tiling::mean_tile_side(surface.tessellation), control);
     std::vector<NamedPattern> spread;
     std::vector<bool> is_taken(palette.size(), false);
-    for (const std::size_t place : spread_choice(logs, std::min(count, palette.size()))) {
+    for (const std::size_t place : spread_choice(logs, std::min(count, palette.size()), control)) {
         spread.push_back(palette[place]);
         is_taken[place] = true;
     }
@@ -75,17 +76,28 @@ void paint_whole(Surface& surface, const std::vector<TileGroup>& groups, const N
     surface.calibrations.resize(tessellation.patterns.size());
 }
 
+/// Those of a palette that have a mirror image in their layout.
+std::vector<NamedPattern> with_mirror_image(const pattern::NodeLayout& layout,
+                                            const std::vector<NamedPattern>& palette) {
+    const pattern::Mirror mirror(layout);
+    std::vector<NamedPattern> kept;
+    for (const NamedPattern& own : palette) {
+        if (mirror.image(own.pattern)) kept.push_back(own);
+    }
+    if (kept.empty())
+        throw base::InputError(
+            "no pattern of the palette has a mirror image in its layout, which a mirror symmetry needs");
+    return kept;
+}
+
 /// The mirror image of each candidate, which becomes a candidate itself.
 std::vector<std::size_t> mirror_images(const pattern::NodeLayout& layout,
                                        std::vector<NamedPattern>& candidates) {
     const pattern::Mirror mirror(layout);
     std::vector<std::size_t> images;
     for (std::size_t p = 0; p < candidates.size(); ++p) {
-        const auto image = mirror.image(candidates[p].pattern);
-        if (!image)
-            throw base::InputError("pattern " + candidates[p].id +
-                                   " has no mirror image in its layout, which --symmetry mirror needs");
-        images.push_back(place_of(candidates, {pattern::pattern_id(layout, *image), *image}));
+        const pattern::Pattern image = mirror.image(candidates[p].pattern).value();
+        images.push_back(place_of(candidates, {pattern::pattern_id(layout, image), image}));
     }
     return images;
 }
@@ -128,8 +140,11 @@ Preparation prepare(const simulation::Project& project, const library::Library* 
                                "the target asks for no displacement: the flat surface has it already");
     const std::size_t classes = CandidateTiles(surface, {}, {options.threads, options.control}).class_count();
     const std::size_t most = std::max(kFewestCandidates, kMostCondensed / classes);
+    const std::vector<NamedPattern> allowed = needs_mirror_images(options.symmetry)
+                                                  ? with_mirror_image(surface.layout, options.palette)
+                                                  : options.palette;
     std::vector<NamedPattern> candidates =
-        spread_palette(surface, options.palette, std::min(most, std::size_t{128}), options);
+        spread_palette(surface, allowed, std::min(most, std::size_t{128}), options);
     candidates.resize(std::min(candidates.size(), most));
     paint_whole(surface, groups, candidates.front());
     std::vector<std::size_t> palette(candidates.size());

@@ -31,6 +31,7 @@ bool Search::may_go_on(double reserve) const {
 }
 
 void Search::tell(const Solved& solved) {
+    if (options_.max_mass > 0.0 && trials_.mass_of(solved.point) > options_.max_mass) return;
     if (best_ >= 0.0 && solved.trial.objective >= best_) return;
     best_ = solved.trial.objective;
     best_point_ = solved.point;
@@ -51,6 +52,10 @@ std::vector<Solved> Search::try_uniform(const std::vector<std::size_t>& patterns
         tell(found.back());
     }
     std::ranges::stable_sort(found, {}, [](const Solved& solved) { return solved.trial.objective; });
+    if (options_.max_mass > 0.0)
+        std::ranges::stable_partition(found, [this](const Solved& solved) {
+            return trials_.mass_of(solved.point) <= options_.max_mass;
+        });
     return found;
 }
 
@@ -71,7 +76,17 @@ std::vector<std::size_t> Search::columns_for(const Point& point, int round) cons
     return {chosen.begin(), chosen.end()};
 }
 
-void Search::limit_patterns(const SwapTable& table, const std::vector<std::size_t>& start,
+/// What is left for the groups of the most mass; zero: any.
+double Search::mass_for_groups(const Point& point, const SwapTable& table,
+                               const std::vector<std::size_t>& start) const {
+    if (options_.max_mass <= 0.0) return 0.0;
+    double left = options_.max_mass - trials_.mass_of(point);
+    for (std::size_t g = 0; g < start.size(); ++g)
+        left += table.masses(static_cast<Eigen::Index>(start[g]), static_cast<Eigen::Index>(g));
+    return std::max(left, 1e-300);
+}
+
+void Search::limit_patterns(const Point& point, const SwapTable& table, const std::vector<std::size_t>& start,
                             const std::vector<std::size_t>& columns) {
     std::set<std::size_t> kept;
     for (const tiling::TileIndex tile : options_.keep) {
@@ -83,13 +98,18 @@ void Search::limit_patterns(const SwapTable& table, const std::vector<std::size_
     const std::size_t most = options_.max_patterns - kept.size();
     const SweepOptions sweeps{.allowed = std::vector<bool>(columns.size(), true),
                               .radius = kLargestRadius,
-                              .most_mass = options_.max_mass,
+                              .most_mass = mass_for_groups(point, table, start),
                               .seed = options_.seed,
                               .control = options_.control.silent()};
-    const auto allowed = fewer_columns(table, start, sweeps, std::max<std::size_t>(1, most));
-    for (std::size_t c = 0; c < columns.size(); ++c) {
-        if (allowed[c]) limited_.push_back(columns[c]);
+    // The patterns at the start stay, so that it is a painting that may be.
+    std::set<std::size_t> chosen(point.patterns.begin(), point.patterns.end());
+    if (most > chosen.size()) {
+        const auto allowed = fewer_columns(table, start, sweeps, most - chosen.size());
+        for (std::size_t c = 0; c < columns.size(); ++c) {
+            if (allowed[c]) chosen.insert(columns[c]);
+        }
     }
+    limited_.assign(chosen.begin(), chosen.end());
 }
 
 bool Search::step(Solved& current, double& radius, int round) {
@@ -103,9 +123,9 @@ bool Search::step(Solved& current, double& radius, int round) {
         trials_.table(current.point, current.trial, columns,
                       options_.seed + static_cast<std::uint64_t>(round), options_.control);
     SweepOptions sweeps{.allowed = std::vector<bool>(columns.size(), true),
-                        .most_mass = options_.max_mass,
+                        .most_mass = mass_for_groups(current.point, table, start),
                         .control = options_.control.silent()};
-    if (options_.max_patterns > 0 && limited_.empty()) limit_patterns(table, start, columns);
+    if (options_.max_patterns > 0 && limited_.empty()) limit_patterns(current.point, table, start, columns);
     if (!limited_.empty()) {
         std::fill(sweeps.allowed.begin(), sweeps.allowed.end(), false);
         for (const std::size_t pattern : limited_) sweeps.allowed[column_of(pattern)] = true;
@@ -116,13 +136,15 @@ bool Search::step(Solved& current, double& radius, int round) {
         sweeps.seed = options_.seed + static_cast<std::uint64_t>(100 * round + proposal);
         const Choice choice = sweep(table, start, sweeps);
         const double promised = current.trial.objective - choice.objective;
-        if (!(promised > kLeastGain * current.trial.objective)) return false;
+        const bool is_too_heavy =
+            options_.max_mass > 0.0 && trials_.mass_of(current.point) > options_.max_mass;
+        if (!is_too_heavy && !(promised > kLeastGain * current.trial.objective)) return false;
         Point next = current.point;
         for (std::size_t g = 0; g < start.size(); ++g) next.patterns[g] = columns[choice.columns[g]];
         next.unknowns += choice.steps;
         Trial trial = trials_.solve(next, options_.control);
         const double gained = trial.is_found ? current.trial.objective - trial.objective : -1.0;
-        if (gained > kLeastGain * current.trial.objective) {
+        if (gained > kLeastGain * current.trial.objective || (is_too_heavy && trial.is_found)) {
             if (gained > 0.75 * promised) radius = std::min(kLargestRadius, 2.0 * radius);
             if (gained < 0.25 * promised) radius *= 0.5;
             current = {std::move(next), std::move(trial)};

@@ -62,7 +62,9 @@ class Search {
     [[nodiscard]] std::vector<std::size_t> columns_for(const Point& point, int round) const;
     /// One step: false if none of the proposals is better.
     bool step(Solved& current, double& radius, int round);
-    void limit_patterns(const SwapTable& table, const std::vector<std::size_t>& start,
+    [[nodiscard]] double mass_for_groups(const Point& point, const SwapTable& table,
+                                         const std::vector<std::size_t>& start) const;
+    void limit_patterns(const Point& point, const SwapTable& table, const std::vector<std::size_t>& start,
                         const std::vector<std::size_t>& columns);
     void tell(const Solved& solved);
 

@@ -59,7 +59,8 @@ MatrixXd logarithm_of(const MatrixXd& stiffness) {
 
 }  // namespace
 
-TileStrains::TileStrains(const simulation::CandidateTiles& candidates, int threads)
+TileStrains::TileStrains(const simulation::CandidateTiles& candidates, int threads,
+                         const base::Control& control)
     : classes_(candidates.class_count()) {
     for (std::size_t c = 0; c < classes_.size(); ++c) {
         const MatrixXd rigid = rigid_motions_of(candidates.interface_nodes(c));
@@ -72,6 +73,7 @@ TileStrains::TileStrains(const simulation::CandidateTiles& candidates, int threa
     }
     const std::size_t patterns = candidates.patterns().size();
     base::parallel_for(classes_.size() * patterns, threads, [&](std::size_t i) {
+        control.check();
         Class& own = classes_[i / patterns];
         const MatrixXd reduced =
             own.basis.transpose() * candidates.stiffness(i / patterns, i % patterns) * own.basis;
@@ -84,7 +86,8 @@ TileStrains::TileStrains(const simulation::CandidateTiles& candidates, int threa
     });
 }
 
-MatrixXd stiffness_logarithms(const TileStrains& strains, std::size_t tile_class, double length) {
+MatrixXd stiffness_logarithms(const TileStrains& strains, std::size_t tile_class, double length,
+                              const base::Control& control) {
     constexpr double kInPlaneWeight = 0.3;
     const MatrixXd& basis = strains.basis(tile_class);
     Eigen::VectorXd scale = Eigen::VectorXd::Ones(basis.rows());
@@ -98,6 +101,7 @@ MatrixXd stiffness_logarithms(const TileStrains& strains, std::size_t tile_class
     const std::size_t patterns = strains.pattern_count(tile_class);
     MatrixXd logs(2 * half * half, static_cast<Index>(patterns));
     for (std::size_t p = 0; p < patterns; ++p) {
+        control.check();
         const auto& own = strains.stiffness(tile_class, p);
         const MatrixXd in_plane = kInPlaneWeight * logarithm_of(first * own.in_plane * first.transpose());
         const MatrixXd out_of_plane = logarithm_of(second * own.out_of_plane * second.transpose());
@@ -106,7 +110,8 @@ MatrixXd stiffness_logarithms(const TileStrains& strains, std::size_t tile_class
     return logs;
 }
 
-std::vector<std::size_t> spread_choice(const MatrixXd& columns, std::size_t count) {
+std::vector<std::size_t> spread_choice(const MatrixXd& columns, std::size_t count,
+                                       const base::Control& control) {
     const auto distances_to = [&columns](const Eigen::VectorXd& place) -> Eigen::VectorXd {
         return (columns.colwise() - place).colwise().norm().transpose();
     };
@@ -115,6 +120,7 @@ std::vector<std::size_t> spread_choice(const MatrixXd& columns, std::size_t coun
     std::vector<std::size_t> chosen{static_cast<std::size_t>(first)};
     Eigen::VectorXd nearest = distances_to(columns.col(first));
     while (chosen.size() < std::min(count, static_cast<std::size_t>(columns.cols()))) {
+        control.check();
         Index next = 0;
         nearest.maxCoeff(&next);
         chosen.push_back(static_cast<std::size_t>(next));

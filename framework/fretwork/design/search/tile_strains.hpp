@@ -14,8 +14,8 @@ namespace fretwork::design::detail {
 /// the two, so that k has two blocks.
 class TileStrains {
   public:
-    /// Throws NumericalError if a stiffness couples the two.
-    TileStrains(const simulation::CandidateTiles& candidates, int threads);
+    /// Throws NumericalError if a stiffness couples the two; Stopped.
+    TileStrains(const simulation::CandidateTiles& candidates, int threads, const base::Control& control = {});
 
     struct Blocks {
         Eigen::MatrixXd in_plane;
@@ -42,10 +42,12 @@ class TileStrains {
 /// The logarithms of the patterns' stiffnesses in one class of tiles, a column each: patterns are as
 /// different as these are far from each other. The part in the plane has a smaller weight. Turns count as
 /// displacements at `length`.
-Eigen::MatrixXd stiffness_logarithms(const TileStrains& strains, std::size_t tile_class, double length);
+Eigen::MatrixXd stiffness_logarithms(const TileStrains& strains, std::size_t tile_class, double length,
+                                     const base::Control& control);
 
 /// `count` of the columns that lie far from each other: the one nearest to the mean, then each time the one
 /// farthest from those chosen. All if there are no more.
-std::vector<std::size_t> spread_choice(const Eigen::MatrixXd& columns, std::size_t count);
+std::vector<std::size_t> spread_choice(const Eigen::MatrixXd& columns, std::size_t count,
+                                       const base::Control& control);
 
 }  // namespace fretwork::design::detail

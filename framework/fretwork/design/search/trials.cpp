@@ -35,8 +35,10 @@ LoadCase with_factor(LoadCase load_case, double factor) {
     return load_case;
 }
 
-Trials::Trials(TrialParts parts)
-    : parts_(std::move(parts)), strains_(parts_.candidates, parts_.threads), aims_(parts_.cases.size()) {
+Trials::Trials(TrialParts parts, const base::Control& control)
+    : parts_(std::move(parts)),
+      strains_(parts_.candidates, parts_.threads, control),
+      aims_(parts_.cases.size()) {
     const auto nodes = parts_.surface.tessellation.interface_nodes.size();
     std::size_t goal_nodes = 0;
     for (const DesignCase& own : parts_.cases) {
@@ -123,6 +125,32 @@ simulation::Surface Trials::surface_at(const Point& point) const {
         tessellation.tiles[t].pattern = entry->second;
     }
     return surface;
+}
+
+double Trials::mass_of(const Point& point) const {
+    const std::vector<std::size_t> patterns = painting(point);
+    double sum = 0.0;
+    for (std::size_t t = 0; t < patterns.size(); ++t)
+        sum += parts_.candidates.mass(parts_.candidates.class_of(TileIndex(t)), patterns[t]);
+    return sum;
+}
+
+double Trials::least_mass(const std::vector<std::size_t>& palette) const {
+    double sum = mass_of({std::vector<std::size_t>(parts_.groups.size(), palette.front()), {}});
+    for (const TileGroup& group : parts_.groups) {
+        const auto mass = [&](std::size_t pattern) {
+            double own = 0.0;
+            for (const TileGroup::Member& member : group.members)
+                own += parts_.candidates.mass(parts_.candidates.class_of(member.tile),
+                                              member_pattern(member, pattern));
+            return own;
+        };
+        double least = mass(palette.front());
+        const double first = least;
+        for (const std::size_t pattern : palette) least = std::min(least, mass(pattern));
+        sum += least - first;
+    }
+    return sum;
 }
 
 void Trials::paint(const std::vector<std::size_t>& wanted) {

@@ -54,7 +54,8 @@ struct TrialParts {
 /// Solves points one after the other, each from the last equilibrium, and tells what swaps would do there.
 class Trials {
   public:
-    explicit Trials(TrialParts parts);
+    /// Throws Stopped.
+    explicit Trials(TrialParts parts, const base::Control& control = {});
 
     [[nodiscard]] const TrialParts& parts() const { return parts_; }
     [[nodiscard]] Eigen::VectorXd initial_unknowns() const;
@@ -74,6 +75,10 @@ class Trials {
     /// The surface with a point's painting, and the load cases with its unknowns.
     [[nodiscard]] simulation::Surface surface_at(const Point& point) const;
     [[nodiscard]] simulation::LoadCase load_case_at(const Point& point, std::size_t which) const;
+    /// Of all beams, kg.
+    [[nodiscard]] double mass_of(const Point& point) const;
+    /// Of the lightest painting there is, kg.
+    [[nodiscard]] double least_mass(const std::vector<std::size_t>& palette) const;
     /// The factor on the loads of a load case; only where it is free.
     [[nodiscard]] double factor_at(const Point& point, std::size_t which) const;
     /// The mean and largest distance of the goals' nodes, in shares of the largest displacement wanted.

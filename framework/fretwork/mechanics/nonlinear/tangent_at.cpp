@@ -151,9 +151,11 @@ MatrixXd EquilibriumTangent::Impl::forces_of(const Element& own, const MatrixXd&
     return response.tangent * local;
 }
 
-/// The parts of the tangent at a node alone, times adjoint motions: at nodes whose rotation vector is partly
-/// held, transposed, and against its components.
-void EquilibriumTangent::Impl::add_own_terms(const MatrixXd& adjoint, MatrixXd& forces) const {
+/// The parts of the tangent, or of its transpose, at a node alone: at nodes whose rotation vector is partly
+/// held, against its components.
+void EquilibriumTangent::Impl::add_own_terms(const MatrixXd& motions, nonlinear::Newton::Side side,
+                                             MatrixXd& forces) const {
+    const double sign = side == nonlinear::Newton::Side::Tangent ? 1.0 : -1.0;
     const NodeValues reactions =
         parts_.system.reactions();  // internal less applied, where rotations are held
     for (const int node : unknowns().vector_nodes()) {
@@ -165,31 +167,59 @@ void EquilibriumTangent::Impl::add_own_terms(const MatrixXd& adjoint, MatrixXd& 
         change = 0.5 * (change + change.transpose()).eval();
         const Eigen::Matrix3d skew = -0.5 * map.transpose() * geometry::cross_matrix(moment) * map;
         rotation_of(forces, node) +=
-            (change - skew) * map.inverse() * adjoint.middleRows<3>(Index{kDofsPerNode} * node + 3);
+            (change + sign * skew) * map.inverse() * motions.middleRows<3>(Index{kDofsPerNode} * node + 3);
     }
 }
 
-MatrixXd EquilibriumTangent::Impl::by_held_values(const MatrixXd& gradients, const MatrixXd& adjoint) const {
-    const auto& held = unknowns().constraints().held;
-    const auto has_held = [&held](NodeIndex node) {
-        return std::ranges::any_of(held[place_of(node.value)].contains, [](bool is) { return is; });
+bool EquilibriumTangent::Impl::is_held(Index node, int dof) const {
+    return unknowns().is_held(static_cast<int>(node), dof);
+}
+
+/// What motions do to the forces, conjugate to the unknowns, of all elements that have a held node.
+MatrixXd EquilibriumTangent::Impl::forces_at_held(const MatrixXd& motions,
+                                                  nonlinear::Newton::Side side) const {
+    const auto has_held = [this](NodeIndex node) {
+        for (int d = 0; d < kDofsPerNode; ++d) {
+            if (is_held(node.value, d)) return true;
+        }
+        return false;
     };
-    MatrixXd forces = MatrixXd::Zero(adjoint.rows(), adjoint.cols());
+    MatrixXd forces = MatrixXd::Zero(motions.rows(), motions.cols());
     for (const auto& own : unknowns().assembly().elements) {
         if (std::ranges::none_of(own->nodes(), has_held)) continue;
-        const MatrixXd local = forces_of(*own, adjoint);
+        const MatrixXd local = forces_of(*own, motions);
         for (Index i = 0; i < std::ssize(own->nodes()); ++i)
             forces.middleRows<kDofsPerNode>(kDofsPerNode * own->nodes()[place_of(i)].value) +=
                 local.middleRows<kDofsPerNode>(kDofsPerNode * i);
     }
     moments_to_vectors(forces);
-    add_own_terms(adjoint, forces);
+    add_own_terms(motions, side, forces);
+    return forces;
+}
+
+MatrixXd EquilibriumTangent::Impl::motions_of_held(const MatrixXd& values, const base::Control& control) {
+    MatrixXd motions = MatrixXd::Zero(values.rows(), values.cols());
+    for (Index node = 0; node < nodes(); ++node) {
+        for (int d = 0; d < kDofsPerNode; ++d) {
+            const Index row = kDofsPerNode * node + d;
+            if (is_held(node, d)) motions.row(row) = values.row(row);
+        }
+    }
+    MatrixXd spins = motions;
+    vectors_to_spins(spins);
+    const MatrixXd forces = forces_at_held(spins, nonlinear::Newton::Side::Tangent);
+    motions -= rows_of(solve(equations_of(forces), nonlinear::Newton::Side::Tangent, control));
+    vectors_to_spins(motions);
+    return motions;
+}
+
+MatrixXd EquilibriumTangent::Impl::by_held_values(const MatrixXd& gradients, const MatrixXd& adjoint) const {
+    const MatrixXd forces = forces_at_held(adjoint, nonlinear::Newton::Side::Transposed);
     MatrixXd result = MatrixXd::Zero(adjoint.rows(), adjoint.cols());
     for (Index node = 0; node < nodes(); ++node) {
         for (int d = 0; d < kDofsPerNode; ++d) {
             const Index row = kDofsPerNode * node + d;
-            if (held[place_of(node)].contains[place_of(d)])
-                result.row(row) = gradients.row(row) - forces.row(row);
+            if (is_held(node, d)) result.row(row) = gradients.row(row) - forces.row(row);
         }
     }
     return result;

@@ -34,6 +34,8 @@ class EquilibriumTangent::Impl {
     void gradients_to_spins(Eigen::MatrixXd& rows) const;
     void spins_to_vectors(Eigen::MatrixXd& rows) const;
 
+    [[nodiscard]] Eigen::MatrixXd motions_of_held(const Eigen::MatrixXd& values,
+                                                  const base::Control& control);
     [[nodiscard]] Eigen::MatrixXd by_held_values(const Eigen::MatrixXd& gradients,
                                                  const Eigen::MatrixXd& adjoint) const;
     [[nodiscard]] Eigen::MatrixXd strain_slopes(std::size_t element) const;
@@ -46,7 +48,11 @@ class EquilibriumTangent::Impl {
     [[nodiscard]] const Element& element(std::size_t index) const;
     [[nodiscard]] std::vector<NodeState> states_of(const Element& element) const;
     [[nodiscard]] Eigen::MatrixXd forces_of(const Element& element, const Eigen::MatrixXd& motions) const;
-    void add_own_terms(const Eigen::MatrixXd& adjoint, Eigen::MatrixXd& forces) const;
+    [[nodiscard]] Eigen::MatrixXd forces_at_held(const Eigen::MatrixXd& motions,
+                                                 nonlinear::Newton::Side side) const;
+    void add_own_terms(const Eigen::MatrixXd& motions, nonlinear::Newton::Side side,
+                       Eigen::MatrixXd& forces) const;
+    [[nodiscard]] bool is_held(Eigen::Index node, int dof) const;
     void factorize(const base::Control& control);
     [[nodiscard]] Eigen::Index nodes() const;
 

@@ -23,6 +23,11 @@ Eigen::MatrixXd EquilibriumTangent::motions(const Eigen::MatrixXd& forces,
     return rows;
 }
 
+Eigen::MatrixXd EquilibriumTangent::motions_of_held(const Eigen::MatrixXd& values,
+                                                    const base::Control& control) const {
+    return impl_->motions_of_held(values, control);
+}
+
 Eigen::MatrixXd EquilibriumTangent::adjoint_motions(const Eigen::MatrixXd& gradients,
                                                     const base::Control& control) const {
     Eigen::MatrixXd rows = gradients;

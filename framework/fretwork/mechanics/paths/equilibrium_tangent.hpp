@@ -41,6 +41,10 @@ class EquilibriumTangent {
     /// The motions under small forces, one column each. Throws Stopped.
     [[nodiscard]] Eigen::MatrixXd motions(const Eigen::MatrixXd& forces,
                                           const base::Control& control = {}) const;
+    /// The motions as held components move by these values, one column each; rows of free ones are left
+    /// aside. Held components of rotations are those of the rotation vector. Throws Stopped.
+    [[nodiscard]] Eigen::MatrixXd motions_of_held(const Eigen::MatrixXd& values,
+                                                  const base::Control& control = {}) const;
     /// The adjoint motions of gradients, one column each. Throws Stopped.
     [[nodiscard]] Eigen::MatrixXd adjoint_motions(const Eigen::MatrixXd& gradients,
                                                   const base::Control& control = {}) const;
