@@ -52,7 +52,7 @@ class EvolutionStrategy final : public Optimizer {
     OptimizerOptions options_;
 };
 
-inline constexpr OptimizerRow kEvolutionStrategy{
+inline const OptimizerRow kEvolutionStrategy{
     "evolution-strategy", "(1+1) evolution strategy with the one-fifth rule", OptimizerClass::Random,
     Evaluation::Value, [](const OptimizerOptions& options) -> std::unique_ptr<Optimizer> {
         return std::make_unique<EvolutionStrategy>(options);

@@ -63,7 +63,7 @@ Made nlopt_search(Options common) {
                                      {.common = common, .scale = local ? Compressed : AsItIs});
 }
 
-constexpr std::array kRows = {
+const std::array kRows = {
     OptimizerRow{
         "ceres-multistart",
         "Ceres Levenberg-Marquardt with bounds: kinks smoothed by continuation, curvature of norms kept, "

@@ -3,19 +3,21 @@
 
 #include <fretwork/optimization/optimizer.hpp>
 
+#include <functional>
 #include <memory>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace fretwork::optimization {
 
 /// One method that a user can choose by name.
 struct OptimizerRow {
-    std::string_view name;
-    std::string_view summary;  ///< one line
+    std::string name;
+    std::string summary;  ///< one line
     OptimizerClass kind;
     Evaluation needs;  ///< besides the value
-    std::unique_ptr<Optimizer> (*make)(const OptimizerOptions& options);
+    std::function<std::unique_ptr<Optimizer>(const OptimizerOptions& options)> make;
 };
 
 /// All methods of the library. To add one: a file with its factory, and a row; a method of NLopt is a row

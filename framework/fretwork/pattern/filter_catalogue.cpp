@@ -4,6 +4,7 @@
 #include <fretwork/base/text.hpp>
 #include <fretwork/pattern/filters/filters.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -68,6 +69,12 @@ Rule forbid(const NodeLayout& layout, std::span<const EdgeGroup> groups) {
         for (const EdgeIndex edge : Pattern(group.edges).edges()) rule.conflicts[edge].set(edge);
     }
     return rule;
+}
+
+void add_own(std::vector<Filter>& filters, const Filter& own) {
+    if (std::ranges::find(filters, own.name, &Filter::name) != filters.end())
+        throw base::InputError("there are two filters of the name '" + own.name + "'");
+    filters.push_back(own);
 }
 
 std::optional<LayoutNodeIndex> parse_node(const NodeLayout& layout, std::string_view text) {
@@ -143,6 +150,7 @@ std::vector<Filter> make_filters(const NodeLayout& layout, const FilterSettings&
         filters.push_back({"lacks_required", 0.0, CoverRule{settings.required, "the pattern lacks"}});
     if (!settings.forbidden.empty())
         filters.push_back({"has_forbidden", 0.0, forbid(layout, settings.forbidden)});
+    for (const Filter& own : settings.own) add_own(filters, own);
     return filters;
 }
 

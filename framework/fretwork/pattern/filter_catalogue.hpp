@@ -51,14 +51,6 @@ FilterChoice parse_filter_choice(std::string_view text);
 /// Read an edge ("0-1") or a node ("n5": all edges at this node of the fan). Throws InputError.
 EdgeGroup parse_edge_group(const NodeLayout& layout, std::string_view text);
 
-/// The requirements on patterns.
-struct FilterSettings {
-    std::vector<FilterChoice> choices;  ///< values for the paper's six, and others that are switched on
-    std::vector<EdgeGroup> required;    ///< of each, a pattern has at least one edge
-    std::vector<EdgeGroup> forbidden;   ///< of these, a pattern has no edge
-    FabricationScale scale;
-};
-
 /// A filter that is ready for one layout.
 struct Filter {
     std::string name;
@@ -66,9 +58,18 @@ struct Filter {
     Rule rule;
 };
 
+/// The requirements on patterns.
+struct FilterSettings {
+    std::vector<FilterChoice> choices;  ///< values for the paper's six, and others that are switched on
+    std::vector<EdgeGroup> required;    ///< of each, a pattern has at least one edge
+    std::vector<EdgeGroup> forbidden;   ///< of these, a pattern has no edge
+    FabricationScale scale;
+    std::vector<Filter> own{};  ///< filters of the caller's for this layout; threads may call them at once
+};
+
 /// The paper's six filters, with the values chosen or the paper's, and any others that are chosen, in the
-/// order of the catalogue; then "lacks_required" and "has_forbidden", if anything is. Throws InputError if a
-/// name is unknown or chosen twice, or its value is invalid.
+/// order of the catalogue; then "lacks_required" and "has_forbidden", if anything is, and the caller's own.
+/// Throws InputError if a name is unknown or there twice, or its value is invalid.
 std::vector<Filter> make_filters(const NodeLayout& layout, const FilterSettings& settings = {});
 
 /// The verdict of one filter on a pattern.

@@ -1,0 +1,16 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Fretwork: flat, tileable beam patterns that bend. Enumerate, calibrate, tile, simulate.
+
+The names are those of the C++ framework. Lengths are metres, angles radians, all else SI.
+
+>>> import fretwork
+>>> layout = fretwork.find_node_layout("paper7")
+>>> patterns = fretwork.enumerate_patterns(layout)
+>>> len(patterns)
+1824
+>>> fretwork.pattern_id(layout, patterns[0])
+'0-1+0-3+0-5+1-6'
+"""
+
+from ._core import *  # noqa: F401,F403
+from ._core import __version__  # noqa: F401

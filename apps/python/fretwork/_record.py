@@ -1,0 +1,103 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The manners of values: constructors by keywords, text, comparison and pickling, from the fields of a class."""
+
+import difflib
+
+
+def finish(cls, is_made_by_fields):
+    """Give a class of the extension module the manners of a value. Its fields are the keys of `_setters`."""
+    cls._fields = tuple(cls.__dict__.get("_setters", {}))
+    bare_init = cls.__init__
+
+    def init(self, *values, **named):
+        bare_init(self)
+        _fill(self, cls, values, named)
+
+    def refuse(self, *_values, **_named):
+        raise TypeError(f"{cls.__name__} is made by functions, which check it; see its docstring")
+
+    cls._bare_init = bare_init
+    cls.__init__ = init if is_made_by_fields else refuse
+    cls.__match_args__ = cls._fields
+    cls.__repr__ = _repr
+    cls.__eq__ = _equal
+    cls.__hash__ = None
+    cls.__reduce__ = _reduce
+    cls.__copy__ = lambda self: _restored(cls, *_values(self))
+    cls.__deepcopy__ = lambda self, _memo: _restored(cls, *_values(self))
+
+
+def _fill(record, cls, values, named):
+    if len(values) > len(cls._fields):
+        raise TypeError(f"{cls.__name__}() takes {len(cls._fields)} values, and {len(values)} were given")
+    for name, value in zip(cls._fields, values):
+        if name in named:
+            raise TypeError(f"{cls.__name__}() got two values for '{name}'")
+        named[name] = value
+    for name, value in named.items():
+        set_field(record, cls, name, value)
+
+
+def set_field(record, cls, name, value):
+    """Set a field by its name; the error of an unknown one names the nearest, that of a wrong one the type."""
+    if name not in cls._setters:
+        near = difflib.get_close_matches(name, cls._fields, 1)
+        hint = f"; did you mean '{near[0]}'?" if near else f"; there is: {', '.join(cls._fields)}"
+        raise TypeError(f"{cls.__name__} has no field '{name}'{hint}")
+    try:
+        cls._setters[name](record, value)
+    except TypeError as error:
+        wanted = cls.__dict__[name].fget.__doc__.rpartition("-> ")[2].strip()
+        raise TypeError(f"{cls.__name__}.{name} takes {wanted}, and not {value!r}") from error
+
+
+def fill(record, named):
+    """Set fields by keywords."""
+    for name, value in named.items():
+        set_field(record, type(record), name, value)
+
+
+def _values(record):
+    return tuple(getattr(record, name) for name in record._fields)
+
+
+def _restored(cls, *values):
+    record = cls.__new__(cls)
+    cls._bare_init(record)
+    for name, value in zip(cls._fields, values):
+        cls._setters[name](record, value)
+    return record
+
+
+def _reduce(record):
+    return _restored, (type(record), *_values(record))
+
+
+def _repr(record):
+    shown = ", ".join(f"{name}={_short(getattr(record, name))}" for name in record._fields)
+    return f"{type(record).__name__}({shown})"
+
+
+def _short(value, most=200):
+    if hasattr(value, "shape") and hasattr(value, "dtype"):
+        return f"array({value.tolist()})" if value.size <= 12 else f"<{' x '.join(map(str, value.shape))} array>"
+    if isinstance(value, tuple) and len(value) > 6:
+        return f"<{len(value)} of {type(value[0]).__name__}>"
+    text = repr(value)
+    return text if len(text) <= most else f"<{type(value).__name__}>"
+
+
+def _equal(left, right):
+    if type(left) is not type(right):
+        return NotImplemented
+    return all(_same(a, b) for a, b in zip(_values(left), _values(right)))
+
+
+def _same(left, right):
+    if hasattr(left, "shape") or hasattr(right, "shape"):
+        import numpy
+
+        return numpy.array_equal(left, right)
+    if isinstance(left, tuple) and isinstance(right, tuple):
+        return len(left) == len(right) and all(map(_same, left, right))
+    return bool(left == right)
