@@ -26,6 +26,12 @@ if(NOT TARGET pagmo::archive)
                                                  Eigen3::Eigen Threads::Threads)
 endif()
 
+# Objects of the archive know their place, so a module takes the shared library.
+if(NOT TARGET pagmo::methods)
+  add_library(pagmo::methods INTERFACE IMPORTED)
+  target_link_libraries(pagmo::methods INTERFACE
+    $<IF:$<BOOL:$<TARGET_PROPERTY:FRETWORK_IS_MODULE>>,Pagmo::pagmo,pagmo::archive>)
+endif()
 find_package(CGAL 5.5 REQUIRED)                                # geometry, pattern: exact predicates; outlines: arrangements; tiling: remeshing
 find_package(pugixml 1.12 REQUIRED)                          # outlines: SVG
 find_package(SQLite3 3.40 REQUIRED)                          # library

@@ -7,6 +7,7 @@
 #include <fretwork/geometry/polygon.hpp>
 #include <fretwork/mechanics/frame/frame.hpp>
 #include <fretwork/pattern/pattern.hpp>
+#include <fretwork/reduction/calibration/calibration.hpp>
 
 #include <bitset>
 #include <cstring>
@@ -188,6 +189,24 @@ struct type_caster<std::span<const T>> {
 
   private:
     Owner owner_;
+};
+
+/// Numbers by name: a dict.
+template <>
+struct type_caster<std::vector<fretwork::reduction::NamedValue>> {
+    using Values = std::vector<fretwork::reduction::NamedValue>;
+    PYBIND11_TYPE_CASTER(Values, const_name("Dict[str, float]"));
+    bool load(handle source, bool) {
+        if (!isinstance<dict>(source)) return false;
+        for (const auto& [name, number] : reinterpret_borrow<dict>(source))
+            value.push_back({name.cast<std::string>(), number.cast<double>()});
+        return true;
+    }
+    static handle cast(const Values& values, return_value_policy, handle) {
+        dict named;
+        for (const auto& [name, number] : values) named[str(name)] = number;
+        return named.release();
+    }
 };
 
 /// An enum: a member of its class in Python, or its word.

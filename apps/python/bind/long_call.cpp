@@ -90,9 +90,8 @@ class LongCall::Impl : public base::Progress {
     }
     void finish() override {}
 
-    void raise_reason() {
+    void raise_kept() {
         if (raised_) throw py::error_already_set(*raised_);
-        if (PyErr_CheckSignals() != 0) throw py::error_already_set();
     }
 
   private:
@@ -151,8 +150,12 @@ base::Control LongCall::control() const {
     return impl_->control();
 }
 
-void LongCall::raise_reason() {
-    impl_->raise_reason();
+void LongCall::raise_kept() {
+    impl_->raise_kept();
+}
+
+void LongCall::raise_pending() {
+    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
 }
 
 }  // namespace fretwork::python

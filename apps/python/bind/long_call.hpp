@@ -26,23 +26,35 @@ class LongCall {
 
     [[nodiscard]] base::Control control() const;
 
-    /// Calls work(control) without the GIL. Throws what Python raised meanwhile, in place of Stopped.
+    /// Calls work(control), which returns something, without the GIL. Throws what Python raised meanwhile, in place
+    /// of Stopped.
     template <class Work>
     auto run(const Work& work) {
         try {
-            const py::gil_scoped_release released;
-            return work(control());
+            auto result = without_gil(work);
+            raise_kept();  // work that keeps what is done does not throw Stopped
+            return result;
         } catch (const base::Stopped&) {
-            raise_reason();
+            raise_kept();
+            raise_pending();
             throw;
         } catch (const py::error_already_set&) {
+            raise_kept();  // Stopped, if it passed through a function of Python's
             throw;
         }
     }
 
   private:
     class Impl;
-    void raise_reason();
+    template <class Work>
+    auto without_gil(const Work& work) {
+        const py::gil_scoped_release released;
+        return work(control());
+    }
+    /// Raises what was raised on the way, if anything was.
+    void raise_kept();
+    /// Lets Python handle the signals that have arrived.
+    static void raise_pending();
     std::unique_ptr<Impl> impl_;
 };
 

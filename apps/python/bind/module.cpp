@@ -13,6 +13,11 @@ void bind_all(pybind11::module_& module) {
     bind_enumeration(module);
     bind_frames(module);
     bind_solvers(module);
+    bind_optimization(module);
+    bind_settings(module);
+    bind_tile_models(module);
+    bind_calibration(module);
+    bind_libraries(module);
 }
 
 }  // namespace
