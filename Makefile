@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The two commands of the README, and what else people here do often. All work is done by CMake and scripts/.
-.PHONY: demo studio test check reproduce bench format clean
+.PHONY: demo studio python test check reproduce bench format clean
 
 demo:       ## install what is missing, build, and run the main job: out/ holds the result
 	@scripts/install-dependencies.sh demo
@@ -9,6 +9,10 @@ demo:       ## install what is missing, build, and run the main job: out/ holds 
 studio:     ## install what is missing, build the program and its page, and open the studio in the browser
 	@scripts/install-dependencies.sh studio
 	@scripts/studio.sh
+
+python:     ## install what is missing, build the Python module, and make a wheel in out/
+	@scripts/install-dependencies.sh python
+	@scripts/python.sh
 
 test:       ## install what is missing, build, and pass the tests
 	@scripts/install-dependencies.sh test

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Install what is missing on Debian 12, and nothing else. Works as root and with sudo; says nothing when all is there.
-# Usage: scripts/install-dependencies.sh [demo|test|check|studio]   (test holds demo, check holds test; studio: demo; studio and
-# check: Node.js with npm, unless there is one that fits; default: test)
+# Usage: scripts/install-dependencies.sh [demo|test|check|studio|python]   (test holds demo, check holds test and python; studio and python: demo;
+# studio and check: Node.js with npm, unless there is one that fits; default: test)
 set -euo pipefail
 
 demo=(g++ cmake ninja-build git ca-certificates
@@ -10,7 +10,8 @@ demo=(g++ cmake ninja-build git ca-certificates
       libopenblas0-serial libnauty2-dev libsqlite3-dev nettle-dev nlohmann-json3-dev libcli11-dev libpugixml-dev libmuparser-dev libpng-dev libpolyclipping-dev libzip-dev
       librsvg2-bin fonts-dejavu-core)
 test=("${demo[@]}" libgtest-dev libgmock-dev libbenchmark-dev clang-format gringo sqlite3)
-check=("${test[@]}" clang-tidy-16 calculix-ccx gmsh python3-gmsh slurm-wlm munge snakemake python3-numpy python3-scipy python3-matplotlib python3-ezdxf python3-vtk9 admesh prusa-slicer inkscape chromium)
+python=("${demo[@]}" pybind11-dev python3-dev python3-numpy python3-pip python3-venv)
+check=("${test[@]}" "${python[@]}" python3-pytest mypy python3-pandas clang-tidy-16 calculix-ccx gmsh python3-gmsh slurm-wlm munge snakemake python3-numpy python3-scipy python3-matplotlib python3-ezdxf python3-vtk9 admesh prusa-slicer inkscape chromium)
 
 # A Node.js of 18.18 or newer, wherever it comes from, and npm.
 has_fitting_node() {
@@ -22,8 +23,9 @@ case "${1:-test}" in
   demo) wanted=("${demo[@]}") ;;
   test) wanted=("${test[@]}") ;;
   check) wanted=("${check[@]}"); has_fitting_node || wanted+=(nodejs npm) ;;
+  python) wanted=("${python[@]}") ;;
   studio) wanted=("${demo[@]}"); has_fitting_node || wanted+=(nodejs npm) ;;
-  *) echo "install-dependencies.sh: unknown set '$1'; there is: demo, test, check, studio" >&2; exit 2 ;;
+  *) echo "install-dependencies.sh: unknown set '$1'; there is: demo, test, check, studio, python" >&2; exit 2 ;;
 esac
 
 if ! command -v apt-get >/dev/null; then

@@ -47,7 +47,7 @@ def set_field(record, cls, name, value):
     try:
         cls._setters[name](record, value)
     except TypeError as error:
-        wanted = cls.__dict__[name].fget.__doc__.rpartition("-> ")[2].strip()
+        wanted = getattr(cls, name).fget.__doc__.rpartition("-> ")[2].strip()
         raise TypeError(f"{cls.__name__}.{name} takes {wanted}, and not {value!r}") from error
 
 

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/casters.hpp"
+
+#include <fretwork/base/control.hpp>
+
+#include <memory>
+
+namespace fretwork::python {
+
+/// Long work of the framework, called from Python: without the GIL, with progress, and stopped by Ctrl-C (or
+/// any other signal whose handler raises) within 50 ms.
+///
+/// Python runs the handlers of signals on its main thread alone, when that asks. Of the framework's threads,
+/// the one that called asks every few milliseconds. The others look at a flag that the arrival of SIGINT
+/// raises, since the caller may be waiting for them.
+class LongCall {
+  public:
+    /// @param progress  called with the task, the steps that are done, and all of them; None: nobody listens;
+    ///                  True: a bar
+    explicit LongCall(py::object progress);
+    LongCall(const LongCall&) = delete;
+    LongCall& operator=(const LongCall&) = delete;
+    ~LongCall();
+
+    [[nodiscard]] base::Control control() const;
+
+    /// Calls work(control), which returns something, without the GIL. Throws what Python raised meanwhile, in
+    /// place of Stopped.
+    template <class Work>
+    auto run(const Work& work) {
+        try {
+            auto result = without_gil(work);
+            raise_kept();  // work that keeps what is done does not throw Stopped
+            return result;
+        } catch (const base::Stopped&) {
+            raise_kept();
+            raise_pending();
+            throw;
+        } catch (const py::error_already_set&) {
+            raise_kept();  // Stopped, if it passed through a function of Python's
+            throw;
+        }
+    }
+
+  private:
+    class Impl;
+    template <class Work>
+    auto without_gil(const Work& work) {
+        const py::gil_scoped_release released;
+        return work(control());
+    }
+    /// Raises what was raised on the way, if anything was.
+    void raise_kept();
+    /// Lets Python handle the signals that have arrived.
+    static void raise_pending();
+    std::unique_ptr<Impl> impl_;
+};
+
+/// Runs work(control) as a LongCall.
+template <class Work>
+auto run_long(const py::object& progress, const Work& work) {
+    LongCall call(progress);
+    return call.run(work);
+}
+
+}  // namespace fretwork::python

@@ -1,0 +1,296 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Filters, enumeration, census, samples and sameness of patterns.
+#include "core/bind.hpp"
+
+#include <fretwork/base/error.hpp>
+#include <fretwork/pattern/census.hpp>
+#include <fretwork/pattern/enumerate.hpp>
+#include <fretwork/pattern/filter_catalogue.hpp>
+#include <fretwork/pattern/judge.hpp>
+#include <fretwork/pattern/rejections.hpp>
+#include <fretwork/pattern/sameness.hpp>
+#include <fretwork/pattern/sample.hpp>
+
+namespace pybind11::detail {
+
+/// Counts of graphs: beyond 64 bits.
+template <>
+struct type_caster<fretwork::pattern::GraphCount> {
+    PYBIND11_TYPE_CASTER(fretwork::pattern::GraphCount, const_name("int"));
+    bool load(handle, bool) { return false; }
+    static handle cast(const fretwork::pattern::GraphCount& count, return_value_policy, handle) {
+        return fretwork::python::int_of_digits(fretwork::pattern::count_text(count)).release();
+    }
+};
+
+}  // namespace pybind11::detail
+
+namespace fretwork::python {
+namespace {
+
+using namespace pattern;
+
+void check_groups(const NodeLayout& layout, const FilterSettings& settings) {
+    for (const auto* groups : {&settings.required, &settings.forbidden})
+        for (const EdgeGroup& group : *groups) check(layout, Pattern(group.edges));
+}
+
+void bind_filter_values(py::module_& m) {
+    bind_enum<FilterParameter>(m);
+    Record<FilterKind>(m, "FilterKind", "A row of the catalogue: a reason for which patterns are rejected.")
+        .constant("name", &FilterKind::name, "what the command line calls it")
+        .constant("doc", &FilterKind::doc, "one line: what it rejects")
+        .constant("parameter", &FilterKind::parameter, "radians, a whole number, or metres")
+        .constant("is_of_the_paper", &FilterKind::is_of_the_paper, "always on")
+        .constant("default_value", &FilterKind::default_value, "")
+        .done(Made::ByFunctions);
+    Record<FilterChoice>(m, "FilterChoice", "A filter that is to be used, and its number.")
+        .field("name", &FilterChoice::name, "of the catalogue")
+        .field("value", &FilterChoice::value, "radians, a whole number, or metres; None: the catalogue's")
+        .done();
+    Record<EdgeGroup>(m, "EdgeGroup", "A set of edges with a name for people.")
+        .field("name", &EdgeGroup::name, "'node n6'")
+        .field("edges", &EdgeGroup::edges, "numbers of candidate edges")
+        .done();
+    Record<FabricationScale>(m, "FabricationScale", "The lengths for rules in millimetres.")
+        .field("tile_side", &FabricationScale::tile_side, "m")
+        .field("beam_width", &FabricationScale::beam_width, "m")
+        .done();
+    Record<Verdict>(m, "Verdict", "A filter's verdict on a pattern.")
+        .field("accepted", &Verdict::accepted, "")
+        .field("filter", &Verdict::filter, "the name of the filter that rejects; empty if accepted")
+        .field("reason", &Verdict::reason, "one sentence; empty if accepted")
+        .field("guilty", &Verdict::guilty, "numbers of the candidate edges to be drawn in red")
+        .done();
+}
+
+void bind_filters(py::module_& m) {
+    py::class_<Filter>(
+        m, "Filter",
+        "A filter that is ready for one layout: of make_filters, or one of your own.\n\n"
+        ">>> import fretwork\n"
+        ">>> layout = fretwork.paper_layout()\n"
+        ">>> few = fretwork.Filter('many', lambda pattern: len(pattern) < 4, 'has many beams')\n"
+        ">>> settings = fretwork.FilterSettings(own=[few])\n"
+        ">>> max(map(len, fretwork.enumerate_patterns(layout, filters=settings)))\n"
+        "3\n")
+        .def(py::init([](std::string name, std::function<bool(const Pattern&)> is_kept, std::string phrase) {
+                 return Filter{std::move(name), 0.0, PredicateRule{std::move(is_kept), std::move(phrase)}};
+             }),
+             "name"_a, "is_kept"_a, "phrase"_a = "the pattern is rejected",
+             "A filter of your own: `is_kept(pattern)` says whether a pattern stays. It may be called from "
+             "several threads, one after the other.")
+        .def_property_readonly("name", [](const Filter& self) { return self.name; })
+        .def_property_readonly("value", [](const Filter& self) { return self.value; })
+        .def("__repr__", [](const Filter& self) { return "<Filter " + self.name + ">"; });
+    Record<FilterSettings>(m, "FilterSettings", "The requirements on patterns.")
+        .field("choices", &FilterSettings::choices,
+               "values for the paper's six, and others that are switched on")
+        .field("required", &FilterSettings::required, "of each, a pattern has at least one edge")
+        .field("forbidden", &FilterSettings::forbidden, "of these, a pattern has no edge")
+        .field("scale", &FilterSettings::scale, "")
+        .field("own", &FilterSettings::own, "filters of your own for this layout")
+        .done();
+    m.def(
+        "filter_catalogue", [] { return filter_catalogue(); }, "All filters, the paper's six first.");
+    m.def(
+        "find_filter_kind", [](std::string_view name) { return find_filter_kind(name); }, "name"_a);
+    m.def("parse_filter_choice", &parse_filter_choice, "text"_a,
+          "Read 'small_angle=20deg', 'short_edge=3mm' or 'asymmetric'.");
+    m.def("parse_edge_group", &parse_edge_group, "layout"_a, "text"_a,
+          "Read an edge ('0-1') or a node ('n5': all edges at this node of the fan).");
+    m.def(
+        "make_filters",
+        [](const NodeLayout& layout, const FilterSettings& settings) {
+            check_groups(layout, settings);
+            return make_filters(layout, settings);
+        },
+        "layout"_a, "settings"_a = FilterSettings{}, "The filters that these settings ask for.");
+    m.def(
+        "judge",
+        [](const NodeLayout& layout, const std::vector<Filter>& filters, const Pattern& pattern) {
+            check(layout, pattern);
+            return judge(layout, filters, pattern);
+        },
+        "layout"_a, "filters"_a, "pattern"_a,
+        "The verdict of the first filter that rejects a pattern.\n\n"
+        ">>> import fretwork\n"
+        ">>> layout = fretwork.paper_layout()\n"
+        ">>> lonely = fretwork.parse_pattern_id(layout, '0-1')\n"
+        ">>> fretwork.judge(layout, fretwork.make_filters(layout), lonely).filter\n"
+        "'no_interface'\n");
+}
+
+void bind_enumeration_functions(py::module_& m) {
+    Record<EdgeRange>(m, "EdgeRange", "How many edges a pattern may have, both ends included.")
+        .field("least", &EdgeRange::least, "")
+        .field("most", &EdgeRange::most, "")
+        .done();
+    m.def("default_edge_range", &default_edge_range, "layout"_a,
+          "2 to 11 for the paper's layout, as its table; for any other, 2 to all.");
+    Record<EnumerationOptions>(m, "EnumerationOptions", "How patterns are enumerated.")
+        .field("edges", &EnumerationOptions::edges, "an upper end beyond the number of candidates is clipped")
+        .field("filters", &EnumerationOptions::filters, "")
+        .field("threads", &EnumerationOptions::threads, "0: all there are; the result does not depend on it")
+        .field("most_kept", &EnumerationOptions::most_kept, "patterns that are kept before their turn")
+        .done();
+    Record<PatternCount>(m, "PatternCount", "How many patterns there are.")
+        .constant("by_edges", &PatternCount::by_edges, "entry k: those with k edges")
+        .done(Made::ByFunctions)
+        .def_property_readonly("total", &PatternCount::total);
+    m.def(
+        "enumerate_patterns",
+        [](const NodeLayout& layout, const py::kwargs& named) {
+            Keywords<EnumerationOptions> keywords(named);
+            check_groups(layout, keywords.options.filters);
+            return keywords.run([&](const auto& options) { return enumerate_patterns(layout, options); });
+        },
+        "layout"_a,
+        "All valid patterns, in lexicographic order of their edge lists.\n\n"
+        "Options: EnumerationOptions, progress\n\n"
+        ">>> import fretwork\n"
+        ">>> len(fretwork.enumerate_patterns(fretwork.paper_layout()))\n"
+        "1824\n");
+    m.def(
+        "for_each_pattern",
+        [](const NodeLayout& layout, const std::function<void(const Pattern&)>& visit,
+           const py::kwargs& named) {
+            Keywords<EnumerationOptions> keywords(named);
+            check_groups(layout, keywords.options.filters);
+            return keywords.run(
+                [&](const auto& options) { return for_each_pattern(layout, options, visit); });
+        },
+        "layout"_a, "visit"_a,
+        "Call visit(pattern) for every valid pattern; memory does not grow with their number.\n\n"
+        "Options: EnumerationOptions, progress\n");
+    m.def(
+        "count_patterns",
+        [](const NodeLayout& layout, const py::kwargs& named) {
+            Keywords<EnumerationOptions> keywords(named);
+            check_groups(layout, keywords.options.filters);
+            return keywords.run([&](const auto& options) { return count_patterns(layout, options); });
+        },
+        "layout"_a, "How many valid patterns there are.\n\nOptions: EnumerationOptions, progress\n");
+}
+
+void bind_census(py::module_& m) {
+    Record<CensusRow>(m, "CensusRow", "The graphs of one number of edges.")
+        .constant("edges", &CensusRow::edges, "")
+        .constant("patterns", &CensusRow::patterns, "all graphs of this number of candidate edges")
+        .constant("rejected", &CensusRow::rejected,
+                  "for each filter, how many break its rule; None where that cannot be counted")
+        .constant("valid", &CensusRow::valid, "those that keep every rule")
+        .done(Made::ByFunctions);
+    Record<Census>(m, "Census", "The paper's Table 1, for any layout.")
+        .constant("filters", &Census::filters, "the columns of `rejected`")
+        .constant("rows", &Census::rows, "")
+        .done(Made::ByFunctions)
+        .def_property_readonly("valid", &Census::valid);
+    m.def(
+        "take_census",
+        [](const NodeLayout& layout, const py::kwargs& named) {
+            Keywords<EnumerationOptions> keywords(named);
+            check_groups(layout, keywords.options.filters);
+            return keywords.run([&](const auto& options) { return take_census(layout, options); });
+        },
+        "layout"_a,
+        "Count what each filter rejects and what all of them leave.\n\n"
+        "Options: EnumerationOptions, progress\n\n"
+        ">>> import fretwork\n"
+        ">>> fretwork.take_census(fretwork.paper_layout()).valid\n"
+        "1824\n");
+    m.def("census_csv", &census_csv, "census"_a, "The table as CSV.");
+    Record<Rejection>(m, "Rejection", "A rejected graph, and the reason.")
+        .constant("pattern", &Rejection::pattern, "")
+        .constant("verdict", &Rejection::verdict, "")
+        .done(Made::ByFunctions);
+    m.def(
+        "find_rejections",
+        [](const NodeLayout& layout, std::size_t per_filter, const py::kwargs& named) {
+            Keywords<EnumerationOptions> keywords(named);
+            check_groups(layout, keywords.options.filters);
+            return keywords.run(
+                [&](const auto& options) { return find_rejections(layout, options, per_filter); });
+        },
+        "layout"_a, "per_filter"_a,
+        "For each filter, graphs that break its rule and no other.\n\nOptions: EnumerationOptions, "
+        "progress\n");
+}
+
+void bind_samples(py::module_& m) {
+    Record<CountEstimate>(m, "CountEstimate", "How many valid patterns a layout has, guessed from trials.")
+        .constant("valid", &CountEstimate::valid, "the estimate: unbiased")
+        .constant("lower", &CountEstimate::lower, "with `confidence`, the number lies between these two")
+        .constant("upper", &CountEstimate::upper, "")
+        .constant("confidence", &CountEstimate::confidence, "")
+        .constant("trials", &CountEstimate::trials, "")
+        .constant("hits", &CountEstimate::hits, "trials that met a valid pattern")
+        .constant("proposals", &CountEstimate::proposals, "graphs among which a trial chooses")
+        .done(Made::ByFunctions);
+    py::class_<PatternSampler>(
+        m, "PatternSampler",
+        "Draws valid patterns of layouts that are too large to list, each with exactly "
+        "the same probability.")
+        .def(py::init([](const NodeLayout& layout, std::uint64_t seed, const py::kwargs& named) {
+                 Keywords<EnumerationOptions> keywords(named);
+                 check_groups(layout, keywords.options.filters);
+                 return PatternSampler(layout, keywords.options, seed);
+             }),
+             "layout"_a, "seed"_a, "Options: EnumerationOptions\n")
+        .def("draw", &PatternSampler::draw, "count"_a, "most_trials"_a = std::uint64_t{100'000'000},
+             py::call_guard<py::gil_scoped_release>(), "The next patterns; one may come more than once.")
+        .def("estimate", &PatternSampler::estimate, "trials"_a, py::call_guard<py::gil_scoped_release>(),
+             "Estimate how many valid patterns there are, from additional trials.");
+}
+
+void bind_sameness(py::module_& m) {
+    bind_enum<Symmetry>(m);
+    Record<PatternSameness>(m, "PatternSameness", "The relations of a pattern to the others of a list.")
+        .constant("symmetry", &PatternSameness::symmetry, "")
+        .constant("mirror_partner", &PatternSameness::mirror_partner,
+                  "position of the mirror image, if it is another pattern of the list")
+        .constant("isomorphism_class", &PatternSameness::isomorphism_class,
+                  "patterns whose fans are isomorphic have the same")
+        .done(Made::ByFunctions);
+    Record<SamenessOptions>(m, "SamenessOptions", "How sameness is looked for.")
+        .field("threads", &SamenessOptions::threads, "0: all there are")
+        .done();
+    Record<SamenessReport>(m, "SamenessReport",
+                           "Mirror images and isomorphism classes of a list of patterns.")
+        .constant("of_pattern", &SamenessReport::of_pattern, "in the order of the list")
+        .constant("up_to_mirror", &SamenessReport::up_to_mirror, "patterns, where a mirror pair counts once")
+        .constant("up_to_isomorphism", &SamenessReport::up_to_isomorphism, "isomorphism classes")
+        .done(Made::ByFunctions);
+    m.def(
+        "find_sameness",
+        [](const NodeLayout& layout, const std::vector<Pattern>& patterns, const py::kwargs& named) {
+            check(layout, patterns);
+            return Keywords<SamenessOptions>(named).run(
+                [&](const auto& options) { return find_sameness(layout, patterns, options); });
+        },
+        "layout"_a, "patterns"_a,
+        "Find mirror images and isomorphism classes.\n\nOptions: SamenessOptions, progress\n");
+    m.def(
+        "sameness_csv",
+        [](const NodeLayout& layout, const std::vector<Pattern>& patterns, const SamenessReport& report) {
+            check(layout, patterns);
+            if (report.of_pattern.size() != patterns.size())
+                throw base::InputError("the report is of " + std::to_string(report.of_pattern.size()) +
+                                       " patterns, and there are " + std::to_string(patterns.size()));
+            return sameness_csv(layout, patterns, report);
+        },
+        "layout"_a, "patterns"_a, "report"_a, "The report as CSV.");
+}
+
+}  // namespace
+
+void bind_enumeration(py::module_& m) {
+    bind_filter_values(m);
+    bind_filters(m);
+    bind_enumeration_functions(m);
+    bind_census(m);
+    bind_samples(m);
+    bind_sameness(m);
+}
+
+}  // namespace fretwork::python

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/shared_object.hpp"
+
+#include <fretwork/library/library.hpp>
+
+#include <memory>
+
+namespace fretwork::python {
+
+using LibraryObject = SharedObject<library::Library>;
+using LibraryPointer = std::shared_ptr<LibraryObject>;
+
+/// Calls work(pointer to the library), which is null without one. The library is in use meanwhile.
+template <class Work>
+auto with_library(const LibraryPointer& library, const Work& work) {
+    if (!library) return work(static_cast<const library::Library*>(nullptr));
+    const auto use = library->use();
+    return work(static_cast<const library::Library*>(&*use));
+}
+
+}  // namespace fretwork::python

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/casters.hpp"
+
+#include <fretwork/optimization/optimizer_catalogue.hpp>
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace fretwork::python {
+
+/// An evaluator for the time of a run: used later, it says that the run is over.
+class RunningEvaluator {
+  public:
+    explicit RunningEvaluator(std::shared_ptr<optimization::Evaluator*> evaluator)
+        : evaluator_(std::move(evaluator)) {}
+    /// Throws Error once the run is over.
+    [[nodiscard]] optimization::Evaluator& get() const;
+    /// The same, and throws InputError unless the point has as many numbers as the problem has variables.
+    [[nodiscard]] optimization::Evaluator& at(const Eigen::VectorXd& point) const;
+
+  private:
+    std::shared_ptr<optimization::Evaluator*> evaluator_;  ///< null once the run is over
+};
+
+using RunFunction = std::function<py::object(const RunningEvaluator&, const optimization::OptimizerOptions&)>;
+
+/// A method that is a Python function.
+optimization::OptimizerRow make_method(std::string name, RunFunction run, std::string summary,
+                                       optimization::OptimizerClass kind, optimization::Evaluation needs);
+
+/// The methods of the library and further ones.
+std::vector<optimization::OptimizerRow> rows_and_all(const std::vector<optimization::OptimizerRow>& own);
+
+/// Takes the methods of a call, `optimizers`, out of its keywords: they are added to those of the library.
+std::vector<optimization::OptimizerRow> taken_optimizers(py::dict& named);
+
+}  // namespace fretwork::python

@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Problems, methods that minimize them, and runs.
+#include "core/bind.hpp"
+#include "reduction/methods.hpp"
+#include "reduction/problems.hpp"
+
+#include <fretwork/base/error.hpp>
+#include <fretwork/optimization/minimize.hpp>
+#include <fretwork/optimization/problems/analytic_problems.hpp>
+
+namespace fretwork::python {
+namespace {
+
+using namespace optimization;
+
+void bind_problem(py::module_& m) {
+    Record<Bounds>(m, "Bounds", "lower <= x <= upper, component by component.")
+        .constant("lower", &Bounds::lower, "n floats")
+        .constant("upper", &Bounds::upper, "n floats")
+        .done();
+    py::class_<Problem, std::shared_ptr<Problem>>(
+        m, "Problem",
+        "A function to be minimized inside bounds.\n\n"
+        ">>> import fretwork as fw\n"
+        ">>> bowl = fw.Problem('bowl', [-1, -1], [2, 2], value=lambda x: float(x @ x))\n"
+        ">>> bowl.value([1, 1])\n"
+        "2.0\n")
+        .def(py::init(&make_problem), "name"_a, "lower"_a, "upper"_a, "value"_a, "gradient"_a = py::none(),
+             "residuals"_a = py::none(),
+             "A problem of your own.\n\n"
+             "value(x): the objective, a float\n"
+             "gradient(x): the objective and its n derivatives\n"
+             "residuals(x): m residuals whose squared norm is the objective, and their m x n Jacobian\n")
+        .def_property_readonly("name", &Problem::name)
+        .def_property_readonly("bounds", [](const Problem& self) { return self.bounds(); })
+        .def_property_readonly("cost_unit", &Problem::cost_unit)
+        .def_property_readonly("has_kinks", &Problem::has_kinks)
+        .def("offers", &Problem::offers, "kind"_a)
+        .def("cost", &Problem::cost, "kind"_a, "Of one evaluation, in the problem's unit.")
+        .def(
+            "is_logarithm",
+            [](const Problem& self, int variable) {
+                return self.is_logarithm(static_cast<int>(checked_index(
+                    variable, static_cast<std::size_t>(self.bounds().dimension()), "variable")));
+            },
+            "variable"_a)
+        .def(
+            "value",
+            [](const Problem& self, const Eigen::VectorXd& point) {
+                check_dimension(self, point);
+                return self.value(point);
+            },
+            "point"_a)
+        .def(
+            "gradient",
+            [](const Problem& self, const Eigen::VectorXd& point, double smoothing) {
+                check_dimension(self, point);
+                return self.gradient(point, smoothing);
+            },
+            "point"_a, "smoothing"_a = 0.0)
+        .def(
+            "residuals",
+            [](const Problem& self, const Eigen::VectorXd& point, double smoothing) {
+                check_dimension(self, point);
+                return self.residuals(point, smoothing);
+            },
+            "point"_a, "smoothing"_a = 0.0)
+        .def(
+            "curvature",
+            [](const Problem& self, const Eigen::VectorXd& point, double smoothing) {
+                check_dimension(self, point);
+                return self.curvature(point, smoothing);
+            },
+            "point"_a, "smoothing"_a = 0.0)
+        .def("__repr__", [](const Problem& self) { return "<Problem " + self.name() + ">"; });
+}
+
+void bind_evaluations(py::module_& m) {
+    bind_enum<Evaluation>(m);
+    Record<GradientEvaluation>(m, "GradientEvaluation", "An objective with its gradient.")
+        .constant("objective", &GradientEvaluation::objective, "")
+        .constant("value", &GradientEvaluation::value, "of what is differentiated: kinks may be rounded off")
+        .constant("gradient", &GradientEvaluation::gradient, "n floats")
+        .done();
+    Record<ResidualEvaluation>(m, "ResidualEvaluation", "An objective as a sum of squares.")
+        .constant("objective", &ResidualEvaluation::objective, "")
+        .constant("residuals", &ResidualEvaluation::residuals, "m floats")
+        .constant("jacobian", &ResidualEvaluation::jacobian, "m x n floats")
+        .done();
+    Record<CurvatureEvaluation>(m, "CurvatureEvaluation",
+                                "An objective with gradient and Gauss-Newton matrix.")
+        .constant("objective", &CurvatureEvaluation::objective, "")
+        .constant("value", &CurvatureEvaluation::value, "")
+        .constant("gradient", &CurvatureEvaluation::gradient, "n floats")
+        .constant("curvature", &CurvatureEvaluation::curvature, "n x n floats")
+        .done();
+}
+
+void bind_method(py::module_& m) {
+    bind_enum<OptimizerClass>(m);
+    bind_enum<Ending>(m);
+    Record<OptimizerOptions>(m, "OptimizerOptions", "The options that all methods understand.")
+        .field("starts", &OptimizerOptions::starts, "descents, or repetitions of a method that has none")
+        .field("seed", &OptimizerOptions::seed, "")
+        .done();
+    Record<RunOutcome>(m, "RunOutcome", "How a method left: why, and where it stood.")
+        .field("ending", &RunOutcome::ending, "")
+        .constant("final_point", &RunOutcome::final_point, "n floats")
+        .field("dead_starts", &RunOutcome::dead_starts, "starts that gave no descent")
+        .done();
+    py::class_<RunningEvaluator>(
+        m, "Evaluator",
+        "A problem as a method sees it: every evaluation is charged and remembered. One "
+        "that the budget does not pay for, and one outside of the bounds, is None.")
+        .def_property_readonly("bounds", [](const RunningEvaluator& self) { return self.get().bounds(); })
+        .def_property_readonly("cost", [](const RunningEvaluator& self) { return self.get().cost(); })
+        .def_property_readonly("best_value",
+                               [](const RunningEvaluator& self) { return self.get().best_value(); })
+        .def_property_readonly("best_point",
+                               [](const RunningEvaluator& self) { return self.get().best_point(); })
+        .def(
+            "can_afford",
+            [](const RunningEvaluator& self, Evaluation kind) { return self.get().can_afford(kind); },
+            "kind"_a)
+        .def(
+            "value",
+            [](const RunningEvaluator& self, const Eigen::VectorXd& x) { return self.at(x).value(x); },
+            "point"_a)
+        .def(
+            "gradient",
+            [](const RunningEvaluator& self, const Eigen::VectorXd& x, double smoothing) {
+                return self.at(x).gradient(x, smoothing);
+            },
+            "point"_a, "smoothing"_a = 0.0)
+        .def(
+            "residuals",
+            [](const RunningEvaluator& self, const Eigen::VectorXd& x, double smoothing) {
+                return self.at(x).residuals(x, smoothing);
+            },
+            "point"_a, "smoothing"_a = 0.0)
+        .def(
+            "curvature",
+            [](const RunningEvaluator& self, const Eigen::VectorXd& x, double smoothing) {
+                return self.at(x).curvature(x, smoothing);
+            },
+            "point"_a, "smoothing"_a = 0.0);
+}
+
+void bind_rows(py::module_& m) {
+    py::class_<OptimizerRow>(
+        m, "OptimizerRow",
+        "A method that a user can choose by name: one of the catalogue, or one of your own.\n\n"
+        ">>> import fretwork as fw, numpy as np\n"
+        ">>> def dice(evaluator, options):\n"
+        "...     random = np.random.default_rng(options.seed)\n"
+        "...     bounds = evaluator.bounds\n"
+        "...     while evaluator.value(random.uniform(bounds.lower, bounds.upper)) is not None:\n"
+        "...         pass\n"
+        "...     return fw.RunOutcome('budget-spent')\n"
+        ">>> method = fw.OptimizerRow('dice', dice)\n"
+        ">>> bowl = fw.Problem('bowl', [-1, -1], [2, 2], value=lambda x: float(x @ x))\n"
+        ">>> fw.minimize(bowl, method, cost=500).value < 0.1\n"
+        "True\n")
+        .def(py::init(&make_method), "name"_a, "run"_a, "summary"_a = "", "kind"_a = OptimizerClass::Random,
+             "needs"_a = Evaluation::Value,
+             "A method of your own: run(evaluator, options) evaluates through the Evaluator only, and stops "
+             "once an "
+             "evaluation is None. It returns a RunOutcome, the point where it stood, or None.")
+        .def_property_readonly("name", [](const OptimizerRow& self) { return self.name; })
+        .def_property_readonly("summary", [](const OptimizerRow& self) { return self.summary; })
+        .def_property_readonly("kind", [](const OptimizerRow& self) { return self.kind; })
+        .def_property_readonly(
+            "needs", [](const OptimizerRow& self) { return self.needs; }, "besides the value")
+        .def("__repr__", [](const OptimizerRow& self) { return "<OptimizerRow " + self.name + ">"; });
+    m.def(
+        "optimizer_catalogue", [] { return rows_and_all({}); }, "All methods of the library.");
+    m.def(
+        "find_optimizer",
+        [](std::string_view name, const std::vector<OptimizerRow>& rows) {
+            return OptimizerRow(find_optimizer(name, rows_and_all(rows)));
+        },
+        "name"_a, "rows"_a = std::vector<OptimizerRow>{}, "A row by its name, of these and the library's.");
+}
+
+void bind_minimize(py::module_& m) {
+    Record<TracePoint>(m, "TracePoint", "The best objective value after some cost.")
+        .constant("cost", &TracePoint::cost, "")
+        .constant("value", &TracePoint::value, "")
+        .done();
+    Record<OptimizationReport>(m, "OptimizationReport", "The outcome of a run.")
+        .constant("optimizer", &OptimizationReport::optimizer, "")
+        .constant("ending", &OptimizationReport::ending, "")
+        .constant("point", &OptimizationReport::point, "n floats: the best that was seen; may be empty")
+        .constant("value", &OptimizationReport::value, "the objective there")
+        .constant("final_point", &OptimizationReport::final_point, "where the method itself stood in the end")
+        .constant("cost", &OptimizationReport::cost, "in the problem's unit")
+        .constant("evaluations", &OptimizationReport::evaluations, "of any kind")
+        .constant("derivative_evaluations", &OptimizationReport::derivative_evaluations, "")
+        .constant("dead_starts", &OptimizationReport::dead_starts, "starts that gave no descent")
+        .constant("failures", &OptimizationReport::failures, "evaluations whose objective was not finite")
+        .constant("points_outside", &OptimizationReport::points_outside, "refused")
+        .constant("trace", &OptimizationReport::trace, "the improvements")
+        .done(Made::ByFunctions);
+    m.def(
+        "minimize",
+        [](const std::shared_ptr<Problem>& problem, const std::variant<std::string, OptimizerRow>& method,
+           int starts, std::uint64_t seed, long cost, double seconds, const py::object& progress) {
+            const OptimizerRow row = std::holds_alternative<OptimizerRow>(method)
+                                         ? std::get<OptimizerRow>(method)
+                                         : find_optimizer(std::get<std::string>(method));
+            return run_long(progress, [&](const base::Control& control) {
+                return minimize(*problem, row, {.starts = starts, .seed = seed},
+                                {.cost = cost, .seconds = seconds, .control = control});
+            });
+        },
+        "problem"_a, "method"_a = "ceres-multistart", py::kw_only(), "starts"_a = OptimizerOptions{}.starts,
+        "seed"_a = OptimizerOptions{}.seed, "cost"_a = Budget{}.cost, "seconds"_a = Budget{}.seconds,
+        "progress"_a = py::none(),
+        "Minimize a problem by a method, given by its name or as a row. `cost` and `seconds` are the budget. "
+        "The "
+        "same arguments give the same report, except where seconds cut in.\n\n"
+        ">>> import fretwork as fw\n"
+        ">>> bowl = fw.Problem('bowl', [-1, -1], [2, 2], value=lambda x: float(x @ x))\n"
+        ">>> fw.minimize(bowl, 'bobyqa').value < 1e-6\n"
+        "True\n");
+    m.def(
+        "analytic_problems",
+        [] {
+            std::vector<std::tuple<std::shared_ptr<Problem>, double, Eigen::VectorXd>> found;
+            for (AnalyticProblem& known : analytic_problems())
+                found.emplace_back(std::move(known.problem), known.best_value, known.best_point);
+            return found;
+        },
+        "Functions of the literature with the least value and the point where it is: a list of "
+        "(Problem, float, n floats).");
+}
+
+}  // namespace
+
+void bind_optimization(py::module_& m) {
+    bind_evaluations(m);
+    bind_problem(m);
+    bind_method(m);
+    bind_rows(m);
+    bind_minimize(m);
+}
+
+}  // namespace fretwork::python

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/casters.hpp"
+
+#include <fretwork/simulation/project/painting_choice.hpp>
+
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace fretwork::python {
+
+/// How tiles are painted, as Python gives it: a text as the command line has it, ids to choose from at
+/// random, a painting, or one of the structs.
+using PaintingGiven =
+    std::variant<std::monostate, std::string, std::vector<std::string>, simulation::PaintOnePattern,
+                 simulation::PaintFromFile, simulation::PaintAtRandom, simulation::PaintByField,
+                 simulation::PaintByColours>;
+
+/// Takes what goes with a text (`palette`, `property`, `range`, `dither`) out of the keywords of a call.
+/// Throws InputError if they do not go together.
+simulation::PaintingChoice painting_choice(const PaintingGiven& given, py::dict& named);
+
+}  // namespace fretwork::python

@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Projects, how they are made and painted, and surfaces.
+#include "core/bind.hpp"
+#include "reduction/library_object.hpp"
+#include "surfaces/painting_choices.hpp"
+
+#include <fretwork/base/error.hpp>
+#include <fretwork/simulation/project/new_project.hpp>
+#include <fretwork/simulation/project/painting_choice.hpp>
+#include <fretwork/simulation/project/project_file.hpp>
+#include <fretwork/simulation/project/project_library.hpp>
+#include <fretwork/simulation/surface.hpp>
+#include <fretwork/tiling/painting/painting.hpp>
+#include <fretwork/tiling/tessellation_check.hpp>
+
+namespace fretwork::python {
+namespace {
+
+using namespace simulation;
+using tiling::TileIndex;
+using Tiles = std::vector<TileIndex>;
+
+void bind_painting_choices(py::module_& m) {
+    Record<PaletteChoice>(m, "PaletteChoice", "The patterns that a painting chooses from.")
+        .field("ids", &PaletteChoice::ids, "")
+        .field("file", &PaletteChoice::file, "a painting file; taken where no ids are given")
+        .done();
+    Record<PaintOnePattern>(m, "PaintOnePattern", "All tiles have one pattern.")
+        .field("id", &PaintOnePattern::id, "")
+        .done();
+    Record<PaintFromFile>(m, "PaintFromFile", "As a painting file says.")
+        .field("file", &PaintFromFile::file, "")
+        .done();
+    Record<PaintAtRandom>(m, "PaintAtRandom", "By chance.")
+        .field("seed", &PaintAtRandom::seed, "")
+        .field("palette", &PaintAtRandom::palette, "")
+        .field("weights", &PaintAtRandom::weights, "of the palette's ids; empty: all are equally likely")
+        .done();
+    Record<FieldExpression>(m, "FieldExpression", "A number over the surface: of x, y (m) and u, v (0 to 1).")
+        .field("text", &FieldExpression::text, "")
+        .done();
+    Record<FieldImage>(m, "FieldImage", "How dark a PNG image is that is stretched over the surface.")
+        .field("file", &FieldImage::file, "")
+        .done();
+    Record<PaintByField>(m, "PaintByField", "Along a palette, by a field that goes from 0 to 1.")
+        .field("field", &PaintByField::field, "")
+        .field("palette", &PaintByField::palette, "")
+        .field("property", &PaintByField::property, "of patterns; empty: the palette's order decides")
+        .field("range", &PaintByField::range, "the property's values where the field is 0 and 1")
+        .field("dithering", &PaintByField::dithering, "")
+        .done();
+    Record<PaintByColours>(m, "PaintByColours", "By the colour that a drawing has where a tile lies.")
+        .field("drawing", &PaintByColours::drawing, "SVG")
+        .field("palette", &PaintByColours::palette, "colours '#rrggbb', each with an id")
+        .done();
+}
+
+Tiles tiles_or_all(const tiling::Tessellation& tessellation, const std::optional<Tiles>& tiles) {
+    const auto count = tessellation.tiles.size();
+    if (!tiles) return Tiles(tessellation.tiles.indices().begin(), tessellation.tiles.indices().end());
+    for (const TileIndex tile : *tiles) checked_index(tile.value, count, "tile");
+    return *tiles;
+}
+
+/// Paints some tiles of a project, None: all, and returns those that were painted.
+Tiles paint_project(Project& project, const PaintingGiven& given, const std::optional<Tiles>& tiles,
+                    const LibraryPointer& library, const py::kwargs& named) {
+    py::dict others(named.attr("copy")());
+    const PaintingChoice choice = painting_choice(given, others);
+    if (!others.empty())
+        throw py::type_error("paint() does not take " + py::cast<std::string>(py::str(py::list(others))));
+    return with_library(library, [&](const library::Library* opened) {
+        const reduction::Setting setting = setting_of(project, opened);
+        return paint(project.tessellation, tiles_or_all(project.tessellation, tiles), choice,
+                     {project.layout, setting, opened});
+    });
+}
+
+void bind_project(py::module_& m) {
+    Record<Project> project(
+        m, "Project",
+        "The one document that the command line and the studio share: outline, tessellation, "
+        "painting, setting and load cases.\n\n"
+        ">>> import fretwork as fw\n"
+        ">>> square = fw.make_outline([[0, 0], [0.2, 0], [0.2, 0.2], [0, 0.2]])\n"
+        ">>> project, report = fw.make_project(square, patterns='0-1+1-6', edge_length=0.025)\n"
+        ">>> len(project.tessellation) == report.tiles\n"
+        "True\n");
+    Record<Project::TileModelChoice>(project.type(), "TileModelChoice", "Tiles with their own tile model.")
+        .field("model", &Project::TileModelChoice::model, "a row of the catalogue")
+        .field("tiles", &Project::TileModelChoice::tiles, "")
+        .done();
+    project.constant("layout", &Project::layout, "of the tessellation's patterns")
+        .constant("outline", &Project::outline, "")
+        .constant("further_outlines", &Project::further_outlines, "of a surface of several parts, the others")
+        .constant("tessellation", &Project::tessellation, "with its painting")
+        .field("load_cases", &Project::load_cases, "")
+        .field("setting", &Project::setting, "a copy; None: that of the library, or the paper's")
+        .field("tile_models", &Project::tile_models, "")
+        .field("library_path", &Project::library_path, "relative to the project file; empty: none")
+        .field("library_hash", &Project::library_hash, "")
+        .done(Made::ByFunctions)
+        .def("__repr__", [](const Project& self) {
+            return "<Project: " + std::to_string(self.tessellation.tiles.size()) + " tiles, " +
+                   std::to_string(self.load_cases.size()) + " load cases>";
+        });
+    project.type()
+        .def("paint", &paint_project, "patterns"_a, "tiles"_a = py::none(), "library"_a = py::none(),
+             "Paint tiles (None: all): with one pattern's id, with ids at random, as the command line's "
+             "--patterns says "
+             "('random:1', 'field:u', with palette=, property=, range=, dither=), or by a Paint.. value. "
+             "Returns the "
+             "tiles that were painted.")
+        .def(
+            "paint_as",
+            [](Project& self, const tiling::Painting& painting) {
+                (void)tiling::make_palette(self.layout, pattern::ids_of(painting.patterns));
+                for (const int entry : painting.tiles)
+                    if (entry != -1)
+                        checked_index(entry, painting.patterns.size(), "pattern of the painting");
+                paint(self.tessellation, painting);
+            },
+            "painting"_a, "Paint every tile as a painting says.")
+        .def(
+            "turn",
+            [](Project& self, const Tiles& tiles, int vertices) {
+                for (const TileIndex tile : tiles_or_all(self.tessellation, tiles))
+                    tiling::turn(self.tessellation.tiles[tile], vertices);
+            },
+            "tiles"_a, "vertices"_a, "Turn the patterns of tiles: their first vertex moves on by `vertices`.")
+        .def(
+            "mirror",
+            [](Project& self, const Tiles& tiles) {
+                mirror(self.tessellation, tiles_or_all(self.tessellation, tiles), self.layout);
+            },
+            "tiles"_a, "Replace the patterns of tiles by their mirror images.")
+        .def(
+            "find_load_case",
+            [](const Project& self, const std::string& name) { return find_load_case(self, name); },
+            "name"_a = "", "The load case of a name, with what it combines; '' is the only one there is.");
+    bind_files<Project>(m, "project", {&parse_project, &project_text, &read_project, &write_project});
+    m.def("find_load_case", &find_load_case, "project"_a, "name"_a = "");
+}
+
+void bind_making(py::module_& m) {
+    bind_enum<TilesFrom>(m);
+    Record<NewProjectOptions>(m, "NewProjectOptions", "How an outline becomes a project.")
+        .field("outline_name", &NewProjectOptions::outline_name,
+               "its file; of a mesh, where its faces come from")
+        .field("edge_length", &NewProjectOptions::edge_length,
+               "m, mean side; None: the library's, or the paper's")
+        .field("tiles", &NewProjectOptions::tiles, "")
+        .field("narrow", &NewProjectOptions::narrow, "what to do where the outline is narrower than a tile")
+        .field("layout", &NewProjectOptions::layout, "a name or a file; empty: the library's, or paper7")
+        .done();
+    m.def(
+        "make_project",
+        [](const std::variant<outlines::Outline, std::vector<outlines::Outline>>& outline,
+           const PaintingGiven& patterns, const LibraryPointer& library, const py::kwargs& named) {
+            const auto* one = std::get_if<outlines::Outline>(&outline);
+            const auto parts = one != nullptr ? std::vector{*one} : std::get<1>(outline);
+            if (parts.empty()) throw base::InputError("a project needs an outline");
+            py::dict others(named.attr("copy")());
+            const PaintingChoice choice = painting_choice(patterns, others);
+            auto keywords = Keywords<NewProjectOptions>::rest(others);
+            keywords.options.painting = choice;
+            NewProject made = keywords.run([&](const auto& options) {
+                return with_library(library, [&](const library::Library* opened) {
+                    return make_project(parts, options, opened);
+                });
+            });
+            return std::pair(std::move(made.project), made.report);
+        },
+        "outline"_a, "patterns"_a = py::none(), "library"_a = py::none(),
+        "Tile an outline, or several that lie apart, and paint it as Project.paint does. Returns the project "
+        "and a "
+        "TessellationReport.\n\n"
+        "Options: NewProjectOptions, palette, property, range, dither, progress\n");
+}
+
+void bind_surface(py::module_& m) {
+    Record<Surface> surface(
+        m, "Surface",
+        "A painted tessellation with its setting and calibrations: what its tiles are built from. "
+        "Made by make_surface.\n\n"
+        ">>> import fretwork as fw\n"
+        ">>> square = fw.make_outline([[0, 0], [0.2, 0], [0.2, 0.2], [0, 0.2]])\n"
+        ">>> project, _ = fw.make_project(square, patterns='0-1+1-6', edge_length=0.025)\n"
+        ">>> surface = fw.make_surface(project)\n"
+        ">>> surface.tessellation.tiles[0].pattern\n"
+        "0\n");
+    surface.constant("layout", &Surface::layout, "")
+        .constant("tessellation", &Surface::tessellation, "")
+        .constant("setting", &Surface::setting, "material and section of the beams")
+        .constant("calibrations", &Surface::calibrations, "for each pattern its best one of each tile model")
+        .constant("tile_models", &Surface::tile_models, "of each tile; '' where it is the simulation's");
+    surface.type()
+        .def_property_readonly("tile_masses", &tile_masses, "kg, of each tile's beams")
+        .def("__copy__", [](const Surface& self) { return self; })
+        .def(
+            "__deepcopy__", [](const Surface& self, const py::dict&) { return self; }, "memo"_a)
+        .def("__repr__",
+             [](const Surface& self) {
+                 return "<Surface: " + std::to_string(self.tessellation.tiles.size()) + " tiles, " +
+                        std::to_string(self.tessellation.interface_nodes.size()) + " interface nodes>";
+             })
+        .def(py::pickle(
+            [](const Surface& self) {
+                return py::make_tuple(self.layout, self.tessellation, self.setting, self.calibrations,
+                                      std::vector<std::string>(self.tile_models));
+            },
+            [](const py::tuple& state) {
+                return Surface{state[0].cast<pattern::NodeLayout>(), state[1].cast<tiling::Tessellation>(),
+                               state[2].cast<reduction::Setting>(),
+                               state[3].cast<std::vector<std::vector<reduction::Calibration>>>(),
+                               state[4].cast<std::vector<std::string>>()};
+            }));
+    m.def(
+        "make_surface",
+        [](const Project& project, const LibraryPointer& library) {
+            tiling::validate(project.tessellation, project.layout);
+            return with_library(
+                library, [&](const library::Library* opened) { return make_surface(project, opened); });
+        },
+        "project"_a, "library"_a = py::none(),
+        "Gather a project's surface, with the calibrations of a library.");
+    m.def("surface_fan", &surface_fan, "surface"_a, "All beams of all tiles.");
+    m.def(
+        "open_project_library",
+        [](const std::string& project_file, const Project& project,
+           const std::string& wanted) -> LibraryPointer {
+            auto opened = open_project_library(project_file, project, wanted);
+            if (!opened) return nullptr;
+            return std::make_shared<LibraryObject>(std::move(*opened), "library");
+        },
+        "project_file"_a, "project"_a, "wanted"_a = "",
+        "The library that a project is to be simulated with: the wanted one, else its own, else None.");
+}
+
+}  // namespace
+
+void bind_projects(py::module_& m) {
+    bind_painting_choices(m);
+    bind_project(m);
+    bind_making(m);
+    bind_surface(m);
+}
+
+}  // namespace fretwork::python

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Results of surfaces, their comparison, and the forces in their beams.
+#include "core/bind.hpp"
+#include "reduction/tile_builds.hpp"
+
+#include <fretwork/base/error.hpp>
+#include <fretwork/simulation/results/bar_clearance.hpp>
+#include <fretwork/simulation/results/beam_table.hpp>
+#include <fretwork/simulation/results/comparison.hpp>
+#include <fretwork/simulation/results/model_error.hpp>
+#include <fretwork/simulation/results/surface_beams.hpp>
+#include <fretwork/simulation/results/surface_linear_range.hpp>
+#include <fretwork/simulation/results/surface_modes.hpp>
+#include <fretwork/simulation/results/surface_result.hpp>
+#include <fretwork/simulation/surface_frame.hpp>
+
+namespace fretwork::python {
+namespace {
+
+using namespace simulation;
+using Models = std::optional<std::vector<reduction::TileModel>>;
+
+void bind_subject(py::module_& m) {
+    Record<ResultSubject>(m, "ResultSubject", "The surface, load case and model that a result belongs to.")
+        .constant("model", &ResultSubject::model, "the tile model")
+        .constant("is_reference", &ResultSubject::is_reference, "every tile has all of its beams")
+        .constant("load_case", &ResultSubject::load_case, "its name")
+        .constant("load_case_text", &ResultSubject::load_case_text, "the load case file")
+        .constant("tessellation_hash", &ResultSubject::tessellation_hash, "SHA-256")
+        .constant("painting_hash", &ResultSubject::painting_hash, "SHA-256")
+        .constant("setting_hash", &ResultSubject::setting_hash, "SHA-256")
+        .constant("full_tiles", &ResultSubject::full_tiles, "of a mixed model: those with all of their beams")
+        .constant("stages_text", &ResultSubject::stages_text, "the stages that were followed")
+        .constant("stage_load_cases", &ResultSubject::stage_load_cases, "load case files that stages name")
+        .done(Made::ByFunctions);
+    Record<ModelError>(m, "ModelError", "Estimated distance of a surface's solution from the full model's.")
+        .constant("mean", &ModelError::mean, "as a share of the largest displacement")
+        .constant("largest", &ModelError::largest, "as a share of the largest displacement")
+        .constant("relative_l2", &ModelError::relative_l2, "of all translations")
+        .constant("largest_stress", &ModelError::largest_stress, "a share, or None")
+        .done(Made::ByFunctions);
+}
+
+void bind_surface_result(py::module_& m) {
+    const auto base = py::reinterpret_borrow<py::class_<mechanics::Result>>(m.attr("Result"));
+    Record<SurfaceResult>(
+        m, "SurfaceResult", base,
+        "The solution of a surface. Rows are the interface nodes first; arrays are views that keep "
+        "their result alive.")
+        .constant("subject", &SurfaceResult::subject, "what it is a result of, or None")
+        .constant("linear_range", &SurfaceResult::linear_range, "of linear solutions; only where asked for")
+        .constant("model_error", &SurfaceResult::model_error, "of reduced models; only where asked for")
+        .constant("buckled_tiles", &SurfaceResult::buckled_tiles, "only where the model error was asked for")
+        .done(Made::ByFunctions)
+        .def_property_readonly(
+            "largest_displacement",
+            [](const SurfaceResult& self) { return largest_displacement(self, self.solution); },
+            "m, of the interface nodes")
+        .def_property_readonly(
+            "largest_rotation",
+            [](const SurfaceResult& self) { return largest_rotation(self, self.solution); },
+            "rad, of the interface nodes");
+    bind_files<SurfaceResult>(
+        m, "surface_result",
+        {&parse_surface_result, &surface_result_text, &read_surface_result, &write_surface_result});
+}
+
+void bind_comparison(py::module_& m) {
+    Record<Comparison>(
+        m, "Comparison",
+        "How far a reduced model's interface nodes are from the full model's: a row of Table 3.")
+        .constant("width", &Comparison::width, "m")
+        .constant("height", &Comparison::height, "m")
+        .constant("max_displacement", &Comparison::max_displacement, "m")
+        .constant("max_translation_error", &Comparison::max_translation_error, "m")
+        .constant("mean_translation_error", &Comparison::mean_translation_error, "m")
+        .constant("sd_translation_error", &Comparison::sd_translation_error, "m")
+        .constant("max_rotation", &Comparison::max_rotation, "rad")
+        .constant("max_rotation_error", &Comparison::max_rotation_error, "rad")
+        .constant("mean_rotation_error", &Comparison::mean_rotation_error, "rad")
+        .constant("sd_rotation_error", &Comparison::sd_rotation_error, "rad")
+        .constant("relative_l2_error", &Comparison::relative_l2_error, "of all translations")
+        .constant("full_seconds", &Comparison::full_seconds, "")
+        .constant("reduced_seconds", &Comparison::reduced_seconds, "")
+        .constant("full_is_unstable", &Comparison::full_is_unstable, "")
+        .done(Made::ByFunctions);
+    m.def("compare", &compare, "full"_a, "reduced"_a,
+          "Compare two results of one surface. Raises InputError if they do not belong together.");
+    m.def("comparison_text", &comparison_text, "comparison"_a, "In a few lines for people.");
+    m.def("comparison_header", &comparison_header, "The header of the table.");
+    m.def("comparison_row", &comparison_row, "example"_a, "comparison"_a, "A row of it.");
+}
+
+void bind_beams(py::module_& m) {
+    Record<BeamRow>(m, "BeamRow", "Forces and stress of one beam of a surface.")
+        .constant("beam", &BeamRow::beam, "its number")
+        .constant("tile", &BeamRow::tile, "")
+        .constant("nodes", &BeamRow::nodes, "numbers in the full model")
+        .constant("forces", &BeamRow::forces, "SectionForces at both ends")
+        .constant("stress", &BeamRow::stress, "Pa, the largest normal stress at each end")
+        .constant("von_mises", &BeamRow::von_mises, "Pa, at each end")
+        .done(Made::ByFunctions)
+        .def_property_readonly("largest_stress", &BeamRow::largest_stress, "Pa")
+        .def_property_readonly("largest_von_mises", &BeamRow::largest_von_mises, "Pa");
+    Record<BeamTable>(m, "BeamTable", "The beams of a surface in a result.")
+        .constant("rows", &BeamTable::rows, "over the beams whose tile model gives their motions")
+        .constant("unknown", &BeamTable::unknown, "beams of other tiles")
+        .constant("strength", &BeamTable::strength, "Pa, the reference of utilizations")
+        .constant("is_shape_given", &BeamTable::is_shape_given, "")
+        .done(Made::ByFunctions)
+        .def("utilization", &BeamTable::utilization, "row"_a, "None without a strength.");
+    m.def(
+        "beam_table",
+        [](const Surface& surface, const SurfaceResult& result, const Models& models) {
+            return beam_table(surface, result, models_or_all(models));
+        },
+        "surface"_a, "result"_a, "models"_a = py::none(), "Section forces and stresses of all beams.");
+    m.def("most_stressed", &most_stressed, "table"_a, "count"_a,
+          "The rows of the largest von Mises stress first.");
+    m.def("beam_table_csv", &beam_table_csv, "table"_a, "surface"_a, "As CSV, SI.");
+}
+
+void bind_surface_beams(py::module_& m) {
+    Record<SurfaceBeams>(m, "SurfaceBeams", "The beams of a surface as they lie in the plane.")
+        .constant("interface_nodes", &SurfaceBeams::interface_nodes, "the first nodes")
+        .constant("nodes", &SurfaceBeams::nodes, "n x 3 floats, m: rest positions")
+        .constant("ends", &SurfaceBeams::ends, "pairs of nodes")
+        .constant("tiles", &SurfaceBeams::tiles, "of each beam")
+        .constant("joint_reaches", &SurfaceBeams::joint_reaches, "of each beam")
+        .done(Made::ByFunctions);
+    Record<BeamState>(m, "BeamState", "How the beams of a surface are displaced and strained.")
+        .constant("nodes", &BeamState::nodes, "n x 6 floats; NaN where a tile model does not give it")
+        .constant("forces", &BeamState::forces,
+                  "2b x 8 floats, two rows for each beam: N V2 V3 T M2 M3, stress and von Mises stress (Pa)")
+        .done(Made::ByFunctions);
+    m.def("surface_beams", &surface_beams, "surface"_a);
+    m.def(
+        "beam_state",
+        [](const Surface& surface, const SurfaceResult& result, const Models& models) {
+            const SurfaceBeams beams = surface_beams(surface);
+            return beam_state(surface, result, beams, beam_sections(beams, surface.setting),
+                              models_or_all(models));
+        },
+        "surface"_a, "result"_a, "models"_a = py::none(), "The beams of surface_beams() in a result.");
+}
+
+void bind_checks(py::module_& m) {
+    Record<CloseBars>(m, "CloseBars", "Two bars that come too near to each other.")
+        .constant("bars", &CloseBars::bars, "")
+        .constant("tiles", &CloseBars::tiles, "that they are of")
+        .constant("gap", &CloseBars::gap, "m between their rims, below zero where they overlap")
+        .done(Made::ByFunctions);
+    m.def(
+        "close_bars",
+        [](const Surface& surface, double clearance, const py::object& progress) {
+            return run_long(progress, [&](const base::Control& control) {
+                return close_bars(surface, clearance, control);
+            });
+        },
+        "surface"_a, "clearance"_a, "progress"_a = py::none(), "Bars whose rims are nearer than this (m).");
+    bind_enum<ModeKind>(m);
+    m.def(
+        "surface_modes",
+        [](const Surface& surface, const LoadCase& load_case, ModeKind kind, int count,
+           const py::object& progress) {
+            return run_long(progress, [&](const base::Control& control) {
+                return surface_modes(surface, load_case, kind, count, {.control = control});
+            });
+        },
+        "surface"_a, "load_case"_a, "kind"_a, "count"_a, "progress"_a = py::none(),
+        "The lowest modes of a surface with all of its beams.");
+    m.def(
+        "surface_linear_range",
+        [](const Surface& surface, const LoadCase& load_case, int threads, const py::object& progress) {
+            return run_long(progress, [&](const base::Control& control) {
+                return surface_linear_range(surface, load_case, threads, control);
+            });
+        },
+        "surface"_a, "load_case"_a, "threads"_a = 0, "progress"_a = py::none(),
+        "How far a linear solution of the surface is from that for large displacements.");
+    m.def(
+        "surface_frame",
+        [](const Surface& surface, const LoadCase& load_case, const std::string& model,
+           const Models& models) {
+            const auto rows = models_or_all(models);
+            return surface_frame(surface, {model, rows}, resolve(load_case, surface));
+        },
+        "surface"_a, "load_case"_a, "model"_a = "full", "models"_a = py::none(),
+        "The surface under a load case as a frame, which any other solver can check.");
+}
+
+}  // namespace
+
+void bind_results(py::module_& m) {
+    bind_subject(m);
+    bind_surface_result(m);
+    bind_comparison(m);
+    bind_beams(m);
+    bind_surface_beams(m);
+    bind_checks(m);
+}
+
+}  // namespace fretwork::python
