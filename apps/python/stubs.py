@@ -26,6 +26,7 @@ import numpy.typing as npt
 
 _Got = TypeVar("_Got")
 _Set = TypeVar("_Set")
+_Array = npt.ArrayLike | Sequence[float] | Sequence[Sequence[float]]
 _Progress = Callable[[str, int, int], object] | bool | None
 
 class _Field(Generic[_Got, _Set]):
@@ -91,7 +92,7 @@ class Types:
         return f"npt.NDArray[np.{'bool_' if match[1] == 'bool' else match[1]}]"
 
     def taken(self, text):
-        text = re.sub(r"numpy\.ndarray\[numpy\.\w+(\[[^\]]*\])?(?:, flags[^\]]*)?\]", "npt.ArrayLike", text)
+        text = re.sub(r"numpy\.ndarray\[numpy\.\w+(\[[^\]]*\])?(?:, flags[^\]]*)?\]", "_Array", text)
         text = re.sub(r"\bList\[int\]", "Iterable[int]", text)
         text = re.sub(r"\bList\[", "Sequence[", text)
         text = re.sub(r"\bTuple\[str, \.\.\.\]", "str | Iterable[str]", text)

@@ -9,7 +9,7 @@ The names are those of the C++ framework. Lengths are metres, angles radians, al
 >>> len(patterns)
 1824
 >>> fretwork.pattern_id(layout, patterns[0])
-'0-1+0-3+0-5+1-6'
+'0-1+1-2+1-3+1-4+1-5+2-5+2-6'
 """
 
 from ._core import *  # noqa: F401,F403

@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Errors are data, and classes that Python people expect."""
+
+import pathlib
+import pickle
+import tempfile
+import unittest
+
+import fretwork as fw
+import support
+
+
+class Errors(unittest.TestCase):
+    def test_an_input_error_says_source_and_place(self):
+        with self.assertRaises(fw.InputError) as caught:
+            fw.parse_load_case('{"format": "fretwork/load-case/3", "name": 3}', "my.json")
+        error = caught.exception
+        self.assertEqual((error.source, error.place), ("my.json", "/name"))
+        self.assertEqual(error.kind, fw.ErrorKind.OTHER)
+        self.assertIn(error.problem, str(error))
+        self.assertIsInstance(error, ValueError)
+
+    def test_a_floating_frame_says_so_by_its_kind(self):
+        frame = support.cantilever()
+        frame.supports = []
+        with self.assertRaises(fw.Error) as caught:
+            fw.solve(frame)
+        self.assertEqual(caught.exception.kind, fw.ErrorKind.NOTHING_HELD)
+
+    def test_a_mechanism_is_a_numerical_error(self):
+        frame = support.cantilever()
+        frame.supports = [fw.Support(0, "translations")]
+        with self.assertRaises(fw.Error) as caught:
+            fw.solve(frame, solver="linear")
+        self.assertIsInstance(caught.exception, (ArithmeticError, ValueError))
+
+    def test_a_missing_folder_is_an_io_error(self):
+        with tempfile.TemporaryDirectory() as folder:
+            with self.assertRaises(fw.IoError) as caught:
+                fw.write_frame(support.cantilever(), pathlib.Path(folder) / "no" / "frame.json")
+            self.assertIsInstance(caught.exception, OSError)
+
+    def test_a_bad_outline_is_a_geometry_error(self):
+        with self.assertRaises(fw.GeometryError):
+            fw.make_outline([[0, 0], [1, 1], [1, 0], [0, 1]])
+
+    def test_errors_survive_pickling(self):
+        try:
+            fw.find_node_layout("papr7")
+        except fw.InputError as error:
+            again = pickle.loads(pickle.dumps(error))
+            self.assertEqual((str(again), again.problem), (str(error), error.problem))
+
+    def test_an_unknown_keyword_names_the_nearest(self):
+        with self.assertRaisesRegex(TypeError, "did you mean 'threads'"):
+            fw.enumerate_patterns(fw.paper_layout(), thread=1)
+
+    def test_a_wrong_type_names_field_and_value(self):
+        with self.assertRaisesRegex(TypeError, "threads takes int, and not 'many'"):
+            fw.enumerate_patterns(fw.paper_layout(), threads="many")
+
+    def test_a_pattern_of_another_layout_is_refused(self):
+        other = fw.find_node_layout("fifths12")
+        beyond = fw.Pattern([len(other.candidate_edges) - 1])
+        with self.assertRaisesRegex(fw.InputError, "another layout"):
+            fw.pattern_id(fw.paper_layout(), beyond)
+
+
+if __name__ == "__main__":
+    unittest.main()

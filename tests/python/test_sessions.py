@@ -1,0 +1,161 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Surfaces that are solved, edited, compared; what lives how long; threads."""
+
+import gc
+import tempfile
+import threading
+import unittest
+
+import numpy as np
+
+import fretwork as fw
+import support
+
+
+class Sessions(unittest.TestCase):
+    def test_outlive_their_surface(self):
+        surface = support.surface()
+        session = fw.Session(surface, support.tip(), model="corotational")
+        del surface
+        gc.collect()
+        self.assertTrue(session.solve().converged)
+
+    def test_answer_as_a_simulation_from_nothing(self):
+        session = fw.Session(support.surface(), support.tip(), model="condensed")
+        session.solve()
+        session.paint([0, 5], support.OTHER)
+        again = fw.simulate(session.surface, support.tip(), model="condensed")
+        scale = again.largest_displacement
+        np.testing.assert_allclose(session.solve().displacements, again.displacements, rtol=0, atol=1e-9 * scale)
+
+    def test_a_change_of_load_keeps_the_factors(self):
+        session = fw.Session(support.surface(), support.tip(), model="condensed")
+        one = session.solve().displacements
+        session.set_load_case(support.tip(-0.002))
+        two = session.solve().displacements
+        self.assertEqual(session.last_work.factors, fw.FactorChange.KEPT)
+        np.testing.assert_allclose(two, 2 * one, rtol=0, atol=1e-9 * np.abs(two).max())
+
+    def test_an_edit_that_raises_changes_nothing(self):
+        session = fw.Session(support.surface(), support.tip(), model="condensed")
+        before = session.solve().displacements.copy()
+        for tiles, pattern in (([10**6], support.PATTERN), ([-1], support.PATTERN), ([0], "0-1+9-9")):
+            with self.assertRaises(fw.InputError):
+                session.paint(tiles, pattern)
+        np.testing.assert_array_equal(session.solve().displacements, before)
+
+    def test_adjoint_is_the_inverse_of_the_stiffness(self):
+        # Maxwell and Betti: the displacement at a under a unit force at b is that at b under one at a.
+        session = fw.Session(support.surface(), support.tip(), model="condensed")
+        displacements = session.solve().displacements
+        a, b = (6 * node + 2 for node in np.argsort(displacements[:, 2])[[0, 20]])  # that move
+        unit = np.zeros((displacements.size, 2))
+        unit[a, 0] = unit[b, 1] = 1.0
+        moved = session.solve_adjoint(unit)
+        self.assertNotEqual(moved[b, 0], 0.0)
+        self.assertAlmostEqual(moved[b, 0] / moved[a, 1], 1.0, delta=1e-9)
+
+    def test_different_sessions_may_be_solved_at_once(self):
+        sessions = [fw.Session(support.surface(), support.tip(), model="corotational") for _ in range(4)]
+        results = [None] * 4
+
+        def solve(place):
+            results[place] = sessions[place].solve().displacements.copy()
+
+        threads = [threading.Thread(target=solve, args=(place,)) for place in range(4)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        for other in results[1:]:
+            np.testing.assert_array_equal(other, results[0])
+
+    def test_a_session_in_use_says_so(self):
+        session = fw.Session(support.surface(), support.tip(), model="full")
+        said = []
+
+        def meddle(*_):
+            try:
+                session.solve()
+            except fw.Error as error:
+                said.append(str(error))
+
+        session.solve(progress=meddle)
+        self.assertTrue(said)
+        self.assertIn("in use", said[0])
+
+    def test_results_of_another_state_are_refused(self):
+        session = fw.Session(support.surface(), support.tip(), model="corotational")
+        other = fw.simulate(support.surface(), support.tip(), model="full")
+        session.solve()
+        with self.assertRaises(fw.InputError):
+            session.tile_deformations(other)
+
+
+class Comparisons(unittest.TestCase):
+    def test_corotational_tiles_are_near_the_full_model(self):
+        full = fw.simulate(support.surface(), support.tip())
+        reduced = fw.simulate(support.surface(), support.tip(), model="corotational")
+        self.assertLess(fw.compare(full, reduced).relative_l2_error, 1e-2)
+
+    def test_results_of_different_load_cases_are_refused(self):
+        full = fw.simulate(support.surface(), support.tip())
+        other = fw.simulate(support.surface(), support.tip(-0.002), model="corotational")
+        with self.assertRaisesRegex(fw.InputError, "load case"):
+            fw.compare(full, other)
+
+    def test_a_result_goes_through_its_file(self):
+        result = fw.simulate(support.surface(), support.tip(), model="corotational")
+        with tempfile.TemporaryDirectory() as folder:
+            fw.write_surface_result(result, folder + "/result.json")
+            again = fw.read_surface_result(folder + "/result.json")
+        np.testing.assert_array_equal(again.displacements, result.displacements)
+
+    def test_beam_state_has_two_rows_a_beam(self):
+        surface = support.surface()
+        result = fw.simulate(surface, support.tip())
+        state = fw.beam_state(surface, result)
+        self.assertEqual(state.forces.shape, (2 * len(fw.surface_beams(surface).ends), 8))
+        largest = fw.most_stressed(fw.beam_table(surface, result), 1)[0].largest_von_mises
+        self.assertAlmostEqual(np.nanmax(state.forces[:, 7]) / largest, 1.0, delta=1e-12)
+
+
+class Projects(unittest.TestCase):
+    def test_go_through_their_files(self):
+        project = support.project()
+        self.assertEqual(fw.parse_project(fw.project_text(project)).tessellation, project.tessellation)
+
+    def test_are_painted_as_the_command_line_paints(self):
+        square = fw.make_outline([[0, 0], [0.2, 0], [0.2, 0.2], [0, 0.2]])
+        palette = [support.PATTERN, support.OTHER]
+        first, _ = fw.make_project(square, "random:7", palette=palette, edge_length=0.025)
+        second, _ = fw.make_project(square, fw.PaintAtRandom(7, fw.PaletteChoice(palette)), edge_length=0.025)
+        self.assertEqual(first.tessellation, second.tessellation)
+
+    def test_a_wrong_painting_is_refused(self):
+        project = fw.parse_project(fw.project_text(support.project()))
+        with self.assertRaises(fw.InputError):
+            project.paint("0-1")
+        with self.assertRaises(IndexError):
+            project.turn([10**6], 1)
+
+
+class Libraries(unittest.TestCase):
+    def test_hold_what_is_filled_in(self):
+        layout = fw.paper_layout()
+        patterns = fw.enumerate_patterns(layout)[:3]
+        with tempfile.TemporaryDirectory() as folder:
+            with fw.Library.create(folder + "/own.db", layout, fw.paper_setting()) as library:
+                library.add_patterns(patterns)
+                self.assertEqual(library.fill().done, 3)
+                arrays = library.response_arrays()
+                self.assertEqual(arrays.displacements.shape, (3, 5, 10, 6, 6))
+                single = library.responses(arrays.patterns[1])
+                np.testing.assert_array_equal(arrays.displacements[1, 2, 3], single[2].samples[3].displacements)
+                self.assertIn("bending_stiffness", library.properties(arrays.patterns[0]))
+            with self.assertRaisesRegex(fw.Error, "closed"):
+                library.patterns()
+
+
+if __name__ == "__main__":
+    unittest.main()
