@@ -14,6 +14,7 @@ The names are those of the C++ framework. Lengths are metres, angles radians, al
 
 from ._core import *  # noqa: F401,F403
 from ._core import __version__  # noqa: F401
+from ._gradients import SurfaceFunction, apply, vjp  # noqa: F401
 from ._pictures import Picture, View, install as _install, plot_path  # noqa: F401
 
 _install()

@@ -20,12 +20,14 @@ void bind_all(pybind11::module_& module) {
     bind_settings(module);
     bind_tile_models(module);
     bind_calibration(module);
+    bind_studies(module);
     bind_libraries(module);
     bind_outlines(module);
     bind_tessellations(module);
     bind_load_cases(module);
     bind_projects(module);
     bind_results(module);
+    bind_derivatives(module);
     bind_sessions(module);
     bind_fabrication(module);
     bind_exports(module);
@@ -39,8 +41,11 @@ PYBIND11_MODULE(_core, module) {
     options.disable_enum_members_docstring();
     module.attr("__version__") = fretwork::base::version();
     module.def(
-        "provenance", [] { const auto pairs = fretwork::base::provenance();
-            return std::map<std::string, std::string>(pairs.begin(), pairs.end()); },
+        "provenance",
+        [] {
+            const auto pairs = fretwork::base::provenance();
+            return std::map<std::string, std::string>(pairs.begin(), pairs.end());
+        },
         "The names and values that a result should carry so that it can be made again.");
     bind_all(module);
 }

@@ -7,7 +7,7 @@
 #include <fretwork/simulation/results/bar_clearance.hpp>
 #include <fretwork/simulation/results/beam_table.hpp>
 #include <fretwork/simulation/results/comparison.hpp>
-#include <fretwork/simulation/results/model_error.hpp>
+#include <fretwork/simulation/results/stress_refinement.hpp>
 #include <fretwork/simulation/results/surface_beams.hpp>
 #include <fretwork/simulation/results/surface_linear_range.hpp>
 #include <fretwork/simulation/results/surface_modes.hpp>
@@ -169,6 +169,17 @@ void bind_checks(py::module_& m) {
         },
         "surface"_a, "load_case"_a, "kind"_a, "count"_a, "progress"_a = py::none(),
         "The lowest modes of a surface with all of its beams.");
+    m.def(
+        "refine_stress",
+        [](const Surface& surface, const SurfaceResult& result, const py::object& progress) {
+            RefinedStress refined = run_long(progress, [&](const base::Control& control) {
+                return refine_stress(surface, result, control);
+            });
+            return std::tuple(std::move(refined.result), std::move(refined.table), std::move(refined.full_tiles));
+        },
+        "surface"_a, "result"_a, "progress"_a = py::none(),
+        "From a nonlinear result of corotational or mixed tiles: the tiles around the most stressed beam are put in full "
+        "until they all are. The refined result, its BeamTable, and the tiles in full.");
     m.def(
         "surface_linear_range",
         [](const Surface& surface, const LoadCase& load_case, int threads, const py::object& progress) {

@@ -5,6 +5,7 @@
 #include "reduction/tile_builds.hpp"
 
 #include <fretwork/base/error.hpp>
+#include <fretwork/simulation/derivatives/sensitivity.hpp>
 #include <fretwork/simulation/results/result_subject.hpp>
 #include <fretwork/simulation/session.hpp>
 #include <fretwork/simulation/simulate.hpp>
@@ -219,6 +220,18 @@ void bind_solutions(SessionClass& type) {
             "The linear displacements under nodal loads, one column each (6n rows), with nothing prescribed: "
             "the "
             "adjoint of a linear solution.")
+        .def(
+            "sensitivity",
+            [](SessionObject& self, const mechanics::NodeValues& gradient, const py::object& progress) {
+                const auto use = self.use();
+                return run_long(progress, [&](const base::Control& control) {
+                    return use->session.sensitivity(gradient, control);
+                });
+            },
+            "gradient"_a, "progress"_a = py::none(),
+            "The derivatives of a function J of the displacements at the nonlinear equilibrium of the last "
+            "solve(); "
+            "gradient (n x 6): dJ by displacements and rotation vectors.")
         .def(
             "tile_deformations",
             [](SessionObject& self, const SurfaceResult& result) {
