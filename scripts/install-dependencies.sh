@@ -11,7 +11,7 @@ demo=(g++ cmake ninja-build git ca-certificates
       librsvg2-bin fonts-dejavu-core)
 test=("${demo[@]}" libgtest-dev libgmock-dev libbenchmark-dev clang-format gringo sqlite3)
 python=("${demo[@]}" pybind11-dev python3-dev python3-numpy python3-pip python3-venv)
-check=("${test[@]}" "${python[@]}" python3-pytest mypy python3-pandas clang-tidy-16 calculix-ccx gmsh python3-gmsh slurm-wlm munge snakemake python3-numpy python3-scipy python3-matplotlib python3-ezdxf python3-vtk9 admesh prusa-slicer inkscape chromium)
+check=("${test[@]}" "${python[@]}" mypy python3-pandas python3-torch clang-tidy-16 calculix-ccx gmsh python3-gmsh slurm-wlm munge snakemake python3-numpy python3-scipy python3-matplotlib python3-ezdxf python3-vtk9 admesh prusa-slicer inkscape chromium)
 
 # A Node.js of 18.18 or newer, wherever it comes from, and npm.
 has_fitting_node() {

@@ -26,7 +26,7 @@ result = session.solve(subject=True)
 setting = fw.paper_setting()
 setting.magnitudes = 1
 bowl = fw.Problem("bowl", [-1, -1], [2, 2], value=lambda x: float(x @ x))
-half_made = [kind.__new__(kind) for kind in (fw.Frame, fw.Setting, fw.Surface, fw.Session, fw.Pattern, fw.NodeLayout)]
+half_made = [kind.__new__(kind) for kind in (fw.Frame, fw.Setting, fw.Project, fw.Tessellation, fw.SurfaceResult)]
 pool = [None, True, -1, 0, 1, 3, 2**40, float("nan"), 1e300, -0.5, "", "x", "0-1+1-6", "\0", b"bytes", [], [1], [-5], [10**6],
         [[1, 2], [3, 4]], {}, {"a": 1}, object(), int, len, lambda *a: None, np.zeros((0, 6)), np.zeros((3, 3)), np.full((2, 6), np.nan),
         np.array(["a"]), layout, other, pattern, fw.Pattern([127]), fw.Pattern(), surface, support.project(), case, fw.LoadCase(),

@@ -52,6 +52,8 @@ class Stubs(unittest.TestCase):
             self.skipTest("mypy is not installed")
         examples = sorted((support.SOURCE / "apps/python/examples").glob("*.py"))
         self.assertGreater(len(examples), 0)
+        if importlib.util.find_spec("torch") is None:
+            examples = [example for example in examples if "torch" not in example.name]
         environment = {**os.environ, "MYPYPATH": str(PACKAGE.parent)}
         command = [sys.executable, "-m", "mypy", "--strict", "--cache-dir", os.devnull, *map(str, examples)]
         done = subprocess.run(command, env=environment, capture_output=True, text=True, cwd=support.SOURCE / "apps/python/examples")
@@ -59,6 +61,8 @@ class Stubs(unittest.TestCase):
 
     def test_examples_run(self):
         for example in sorted((support.SOURCE / "apps/python/examples").glob("*.py")):
+            if "torch" in example.name and importlib.util.find_spec("torch") is None:
+                continue
             with self.subTest(example.name):
                 done = subprocess.run([sys.executable, "-B", str(example)], capture_output=True, text=True)
                 self.assertEqual(done.returncode, 0, done.stderr)

@@ -5,7 +5,7 @@ import fretwork as fw
 
 
 def main() -> None:
-    square = fw.make_outline([[0, 0], [0.2, 0], [0.2, 0.2], [0, 0.2]])
+    square = fw.make_outline([[0.0, 0.0], [0.2, 0.0], [0.2, 0.2], [0.0, 0.2]])
     project, report = fw.make_project(square, patterns="0-1+1-6", edge_length=0.025)
     case = fw.LoadCase(
         name="tip",

@@ -7,16 +7,20 @@ import difflib
 def finish(cls, is_made_by_fields):
     """Give a class of the extension module the manners of a value. Its fields are the keys of `_setters`."""
     cls._fields = tuple(cls.__dict__.get("_setters", {}))
-    bare_init = cls.__init__
+    bare_new, bare_init = cls.__mro__[-2].__new__, cls.__init__
+
+    def new(kind, *_values, **_named):  # there is no object without its value
+        made = bare_new(kind)
+        bare_init(made)
+        return made
 
     def init(self, *values, **named):
-        bare_init(self)
         _fill(self, cls, values, named)
 
     def refuse(self, *_values, **_named):
         raise TypeError(f"{cls.__name__} is made by functions, which check it; see its docstring")
 
-    cls._bare_init = bare_init
+    cls.__new__ = new
     cls.__init__ = init if is_made_by_fields else refuse
     cls.__match_args__ = cls._fields
     cls.__repr__ = _repr
@@ -63,7 +67,6 @@ def _values(record):
 
 def _restored(cls, *values):
     record = cls.__new__(cls)
-    cls._bare_init(record)
     for name, value in zip(cls._fields, values):
         cls._setters[name](record, value)
     return record

@@ -139,8 +139,10 @@ OwnedScene make_scene(const Surface& surface, const py::object& results,
 
 constexpr const char* kSceneKeywords =
     "Options: scene, models, progress\n\n"
-    "Of the scene: scale (of displacements), view ('iso', 'top', '30,20'), size ('1600x1000'), colour (one of "
-    "bar_field_names(), or 'plain'), strength (Pa), labels (['tiles', 'nodes']); how the surface is made: fillet, kerf, "
+    "Of the scene: scale (of displacements), view ('iso', 'top', '30,20'), size ('1600x1000'), colour (one "
+    "of "
+    "bar_field_names(), or 'plain'), strength (Pa), labels (['tiles', 'nodes']); how the surface is made: "
+    "fillet, kerf, "
     "frame, bolts, eye, bed, fit, clearance, layer, as texts with units ('2mm').\n";
 
 /// The files that an export writes, all of them or none. Returns the remarks.

@@ -49,7 +49,10 @@ void bind_layout(py::module_& m) {
              "4\n")
         .def_property_readonly("name", [](const NodeLayout& self) { return self.name(); })
         .def_property_readonly(
-            "nodes", [](const NodeLayout& self) { return Frozen<base::IndexVector<LayoutNodeIndex, LayoutNode>>{self.nodes()}; },
+            "nodes",
+            [](const NodeLayout& self) {
+                return Frozen<base::IndexVector<LayoutNodeIndex, LayoutNode>>{self.nodes()};
+            },
             "Tuple of LayoutNode: center, radial nodes on v0 v1, those on v0 v2, face nodes, "
             "interface nodes, corners.")
         .def_property_readonly(

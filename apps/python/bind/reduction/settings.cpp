@@ -223,7 +223,7 @@ void bind_properties(py::module_& m) {
         "property_values",
         [](const EffectiveProperties& properties) {
             std::vector<NamedValue> values;
-                for (const auto& [name, value] : property_values(properties)) values.push_back({name, value});
+            for (const auto& [name, value] : property_values(properties)) values.push_back({name, value});
             return values;
         },
         "properties"_a, "The values that libraries store, by name.");

@@ -20,8 +20,9 @@ using ContenderGiven = std::pair<std::variant<std::string, OptimizerRow>, int>;
 std::vector<OptimizerRow> rows_of(const std::vector<ContenderGiven>& given) {
     std::vector<OptimizerRow> rows;
     for (const auto& [method, starts] : given)
-        rows.push_back(std::holds_alternative<OptimizerRow>(method) ? std::get<OptimizerRow>(method)
-                                                                    : find_optimizer(std::get<std::string>(method)));
+        rows.push_back(std::holds_alternative<OptimizerRow>(method)
+                           ? std::get<OptimizerRow>(method)
+                           : find_optimizer(std::get<std::string>(method)));
     return rows;
 }
 
@@ -43,17 +44,23 @@ void bind_studies(py::module_& m) {
         .constant("runs_left_out", &study::StudyReport::runs_left_out, "since it was asked to stop")
         .done(Made::ByFunctions);
     m.def("study_problem_ids", &reduction::study_problem_ids, "patterns"_a,
-          "Problems on which the framework compares optimizers: calibrations of this many patterns, synthetic and "
+          "Problems on which the framework compares optimizers: calibrations of this many patterns, "
+          "synthetic and "
           "analytic ones. Ids as run_study() takes them.");
-    m.def("default_contenders", [] {
+    m.def(
+        "default_contenders",
+        [] {
             std::vector<std::pair<std::string, int>> found;
             for (const study::Contender& contender : study::default_contenders())
                 found.emplace_back(contender.method->name, contender.starts);
             return found;
-        }, "All methods of the library with the number of starts that a study gives them.");
-    m.def("run_study", [](const std::filesystem::path& folder, const std::vector<std::string>& problems,
-                          const std::vector<ContenderGiven>& contenders, int repetitions, long cost,
-                          std::uint64_t seed, int threads, const py::object& progress) {
+        },
+        "All methods of the library with the number of starts that a study gives them.");
+    m.def(
+        "run_study",
+        [](const std::filesystem::path& folder, const std::vector<std::string>& problems,
+           const std::vector<ContenderGiven>& contenders, int repetitions, long cost, std::uint64_t seed,
+           int threads, const py::object& progress) {
             const std::vector<OptimizerRow> rows = rows_of(contenders);
             study::StudyPlan plan = make_plan(problems, contenders, rows);
             plan.conditions.budget.cost = cost;
@@ -64,13 +71,18 @@ void bind_studies(py::module_& m) {
                 plan.control = control;
                 return study::run_study(plan, folder);
             });
-        }, "folder"_a, "problems"_a, "contenders"_a, py::kw_only(), "repetitions"_a = 15, "cost"_a = 40000, "seed"_a = 1,
-        "threads"_a = 0, "progress"_a = py::none(),
-        "Run methods (pairs of a name or row and a number of starts) on problems, and write the table runs.csv into a "
+        },
+        "folder"_a, "problems"_a, "contenders"_a, py::kw_only(), "repetitions"_a = 15, "cost"_a = 40000,
+        "seed"_a = 1, "threads"_a = 0, "progress"_a = py::none(),
+        "Run methods (pairs of a name or row and a number of starts) on problems, and write the table "
+        "runs.csv into a "
         "folder. Runs that are there already are not repeated. Stopped by Ctrl-C, it keeps what is done.");
-    m.def("spread_over_edges", [](const std::vector<pattern::Pattern>& patterns, std::size_t size) {
+    m.def(
+        "spread_over_edges",
+        [](const std::vector<pattern::Pattern>& patterns, std::size_t size) {
             return reduction::spread_over_edges(patterns, size);
-        }, "patterns"_a, "size"_a, "Up to `size` of these patterns, spread over the numbers of edges.");
+        },
+        "patterns"_a, "size"_a, "Up to `size` of these patterns, spread over the numbers of edges.");
 }
 
 }  // namespace fretwork::python

@@ -92,14 +92,6 @@ void bind_load_case(py::module_& m) {
             return combined(load_case, cases);
         },
         "load_case"_a, "cases"_a, "A load case with what it combines.");
-    m.def(
-        "load_rows",
-        [](const LoadCase& load_case, const Surface& surface) {
-            return load_rows(resolve(load_case, surface), surface.tessellation.interface_nodes.size());
-        },
-        "load_case"_a, "surface"_a,
-        "Forces (N) and moments (N m) on each interface node, the shares of the tiles' weight included: n x "
-        "6 floats.");
     m.def("entry_texts", &entry_texts, "load_case"_a, "tessellation"_a,
           "One line for each entry, for people.");
     m.def("check_selections", &check_selections, "load_case"_a, "tessellation"_a,

@@ -5,6 +5,7 @@
 #include "surfaces/painting_choices.hpp"
 
 #include <fretwork/base/error.hpp>
+#include <fretwork/simulation/load_cases/conditions.hpp>
 #include <fretwork/simulation/project/new_project.hpp>
 #include <fretwork/simulation/project/painting_choice.hpp>
 #include <fretwork/simulation/project/project_file.hpp>
@@ -179,7 +180,7 @@ void bind_making(py::module_& m) {
 }
 
 void bind_surface(py::module_& m) {
-    Record<Surface> surface(
+    Record<Surface> outer(
         m, "Surface",
         "A painted tessellation with its setting and calibrations: what its tiles are built from. "
         "Made by make_surface.\n\n"
@@ -189,12 +190,12 @@ void bind_surface(py::module_& m) {
         ">>> surface = fw.make_surface(project)\n"
         ">>> surface.tessellation.tiles[0].pattern\n"
         "0\n");
-    surface.constant("layout", &Surface::layout, "")
+    outer.constant("layout", &Surface::layout, "")
         .constant("tessellation", &Surface::tessellation, "")
         .constant("setting", &Surface::setting, "material and section of the beams")
         .constant("calibrations", &Surface::calibrations, "for each pattern its best one of each tile model")
         .constant("tile_models", &Surface::tile_models, "of each tile; '' where it is the simulation's");
-    surface.type()
+    outer.type()
         .def_property_readonly("tile_masses", &tile_masses, "kg, of each tile's beams")
         .def("__copy__", [](const Surface& self) { return self; })
         .def(
@@ -224,6 +225,14 @@ void bind_surface(py::module_& m) {
         },
         "project"_a, "library"_a = py::none(),
         "Gather a project's surface, with the calibrations of a library.");
+    m.def(
+        "load_rows",
+        [](const LoadCase& load_case, const Surface& surface) {
+            return load_rows(resolve(load_case, surface), surface.tessellation.interface_nodes.size());
+        },
+        "load_case"_a, "surface"_a,
+        "Forces (N) and moments (N m) on each interface node, the shares of the tiles' weight included: n x "
+        "6 floats.");
     m.def("surface_fan", &surface_fan, "surface"_a, "All beams of all tiles.");
     m.def(
         "open_project_library",

@@ -175,10 +175,12 @@ void bind_checks(py::module_& m) {
             RefinedStress refined = run_long(progress, [&](const base::Control& control) {
                 return refine_stress(surface, result, control);
             });
-            return std::tuple(std::move(refined.result), std::move(refined.table), std::move(refined.full_tiles));
+            return std::tuple(std::move(refined.result), std::move(refined.table),
+                              std::move(refined.full_tiles));
         },
         "surface"_a, "result"_a, "progress"_a = py::none(),
-        "From a nonlinear result of corotational or mixed tiles: the tiles around the most stressed beam are put in full "
+        "From a nonlinear result of corotational or mixed tiles: the tiles around the most stressed beam are "
+        "put in full "
         "until they all are. The refined result, its BeamTable, and the tiles in full.");
     m.def(
         "surface_linear_range",
