@@ -72,3 +72,11 @@ endif()
 if(FRETWORK_BUILD_BENCH)
   find_package(benchmark 1.7 REQUIRED)
 endif()
+if(FRETWORK_BUILD_PYTHON)                                       # apps: the Python module
+  if(NOT Python3_EXECUTABLE AND EXISTS /usr/bin/python3 AND EXISTS /usr/lib/cmake/pybind11)
+    set(Python3_EXECUTABLE /usr/bin/python3)  # Debian's: another one in the PATH has no headers of Debian's packages
+  endif()
+  find_package(Python3 3.11 REQUIRED COMPONENTS Interpreter Development.Module)
+  set(PYBIND11_NOPYTHON ON)
+  find_package(pybind11 2.10 REQUIRED)
+endif()
