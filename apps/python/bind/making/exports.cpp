@@ -9,9 +9,6 @@
 #include <fretwork/exports/colours.hpp>
 #include <fretwork/exports/drawings/pattern_drawing.hpp>
 #include <fretwork/exports/drawings/property_chart.hpp>
-#include <fretwork/exports/drawings/reduced_drawing.hpp>
-#include <fretwork/exports/drawings/rejection_drawing.hpp>
-#include <fretwork/exports/drawings/scenario_drawing.hpp>
 #include <fretwork/exports/space/bar_scene.hpp>
 #include <fretwork/exports/writer_catalogue.hpp>
 #include <fretwork/simulation/results/result_subject.hpp>

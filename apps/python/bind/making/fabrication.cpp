@@ -3,10 +3,10 @@
 #include "core/bind.hpp"
 
 #include <fretwork/base/error.hpp>
-#include <fretwork/exports/making/facts_report.hpp>
+#include <fretwork/exports/making/making_files.hpp>
 #include <fretwork/fabrication/bar_plan.hpp>
 #include <fretwork/fabrication/facts.hpp>
-#include <fretwork/fabrication/shape_remarks.hpp>
+#include <fretwork/fabrication/shape.hpp>
 #include <fretwork/fabrication/sheets.hpp>
 #include <fretwork/fabrication/solid.hpp>
 

@@ -6,7 +6,6 @@
 #include <fretwork/pattern/census.hpp>
 #include <fretwork/pattern/enumerate.hpp>
 #include <fretwork/pattern/filter_catalogue.hpp>
-#include <fretwork/pattern/judge.hpp>
 #include <fretwork/pattern/rejections.hpp>
 #include <fretwork/pattern/sameness.hpp>
 #include <fretwork/pattern/sample.hpp>

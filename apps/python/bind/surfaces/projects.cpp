@@ -12,7 +12,7 @@
 #include <fretwork/simulation/project/project_library.hpp>
 #include <fretwork/simulation/surface.hpp>
 #include <fretwork/tiling/painting/painting.hpp>
-#include <fretwork/tiling/tessellation_check.hpp>
+#include <fretwork/tiling/tessellation.hpp>
 
 namespace fretwork::python {
 namespace {

@@ -3,15 +3,12 @@
 #include "core/bind.hpp"
 
 #include <fretwork/base/error.hpp>
-#include <fretwork/tiling/mesh_tessellation.hpp>
 #include <fretwork/tiling/painting/field.hpp>
 #include <fretwork/tiling/painting/graded_painting.hpp>
 #include <fretwork/tiling/painting/painting.hpp>
 #include <fretwork/tiling/painting/tile_choice.hpp>
-#include <fretwork/tiling/rim_loops.hpp>
 #include <fretwork/tiling/tessellate.hpp>
-#include <fretwork/tiling/tessellate_parts.hpp>
-#include <fretwork/tiling/tessellation_check.hpp>
+#include <fretwork/tiling/tessellation.hpp>
 #include <fretwork/tiling/tessellation_fan.hpp>
 
 namespace fretwork::python {
