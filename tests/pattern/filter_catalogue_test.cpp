@@ -247,5 +247,17 @@ TEST(FilterCatalogue, RefusesWrongChoices) {
     }
 }
 
+TEST(FilterCatalogue, FiltersOfTheCallersOwnTakePart) {
+    const PredicateRule few{[](const Pattern& pattern) { return pattern.edge_count() <= 3; },
+                            "has many beams"};
+    EnumerationOptions options;
+    options.filters.own.push_back({"many", 0.0, few});
+    std::vector<Pattern> wanted = enumerate_patterns(paper7());
+    std::erase_if(wanted, [](const Pattern& pattern) { return pattern.edge_count() > 3; });
+    EXPECT_EQ(enumerate_patterns(paper7(), options), wanted);
+    options.filters.own.push_back({"intersecting", 0.0, few});
+    EXPECT_THROW(enumerate_patterns(paper7(), options), base::InputError);
+}
+
 }  // namespace THIS_TEST
 }  // namespace fretwork::pattern
