@@ -208,7 +208,8 @@ void add_design(CLI::App& app, ExitCode& exit_code) {
     verb->add_option("project", arguments->project, "Project file")->required();
     verb->add_option("--target", arguments->target, "Target file: which nodes go where")->required();
     verb->add_option("--case", options.load_case,
-                     "Name of the load case of goals that name none (default: the only one)");
+                     "Name of the load case of goals that name none (default: the only one)")
+        ->type_name("NAME");
     verb->add_option("--palette", arguments->palette,
                      "Patterns to choose from: ids with commas between, library, all (that are valid), or "
                      "sample:N of these")
@@ -222,7 +223,8 @@ void add_design(CLI::App& app, ExitCode& exit_code) {
                      "prescribed displacements), or both with a comma")
         ->type_name("factor,prescribed");
     verb->add_option("--symmetry", arguments->symmetry,
-                     "Of the painting, about the middle: mirror:x (left and right), mirror:y, turn:N");
+                     "Of the painting, about the middle: mirror:x (left and right), mirror:y, turn:N")
+        ->type_name("SYMMETRY");
     verb->add_option("--max-mass", options.max_mass, "Most mass of all beams, kg");
     verb->add_option("--max-utilization", options.max_utilization,
                      "Largest utilization, checked with all beams: of the paintings that are checked, the "

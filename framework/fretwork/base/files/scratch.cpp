@@ -48,8 +48,14 @@ void remove_abandoned(const fs::path& folder) {
 /// A descriptor of the file or folder that it makes, and names in `path`; -1 with errno if it cannot.
 int make(std::string& path, Scratch::Kind kind) {
     if (kind == Scratch::Kind::File) return ::mkostemp(path.data(), O_CLOEXEC);
-    if (::mkdtemp(path.data()) == nullptr) return -1;
-    return ::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    const std::string pattern = path;
+    while (true) {
+        path = pattern;
+        if (::mkdtemp(path.data()) == nullptr) return -1;
+        const int descriptor = ::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+        // Another process may have taken the new folder for abandoned.
+        if (descriptor >= 0 || errno != ENOENT) return descriptor;
+    }
 }
 
 }  // namespace
@@ -64,9 +70,10 @@ Scratch::Scratch(const fs::path& target, Kind kind) {
         if (descriptor_ < 0)
             throw IoError(target.string(), "", std::string("cannot be written: ") + std::strerror(errno));
         path_ = name;
-        // Where the file system has no locks nobody removes it, either.
-        (void)::flock(descriptor_, LOCK_EX | LOCK_NB);
-        // Another process may have taken it for abandoned before it was locked.
+        // Another process may have taken it for abandoned before it was locked; it holds the lock while it
+        // removes it. Where the file system has no locks, nobody removes it.
+        while (::flock(descriptor_, LOCK_EX) != 0 && errno == EINTR) {
+        }
     } while (!detail::is_still_at(path_, descriptor_, detail::Links::Themselves));
 }
 
