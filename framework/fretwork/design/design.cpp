@@ -63,8 +63,6 @@ class Designer {
         Solved found = search_.improve(starts.front(), reserve());
         best_ = found.point;
         report_.starts.push_back(std::sqrt(found.trial.objective));
-        const std::size_t others = std::min<std::size_t>(starts.size(), 3);
-        starts.resize(others);
         found = search_.improve_from_others(std::move(found), starts, reserve());
         best_ = found.point;
         report_.end = search_.end();

@@ -18,6 +18,13 @@ constexpr int kMostProposals = 4;
 constexpr double kLeastGain = 1e-4;
 /// Objectives (squares of shares) below this are the reduced model's rounding.
 constexpr double kReached = 1e-14;
+/// Uniform paintings from which the search begins, as long as there are solutions left; then the best
+/// painting is kicked: so much of it is painted at random.
+constexpr std::size_t kOtherStarts = 3;
+constexpr std::uint64_t kMostKicks = 100;
+constexpr double kKickedShare = 0.2;
+/// Solutions that are left for the defect correction.
+constexpr int kLeftForDefect = 10;
 
 }  // namespace
 
@@ -27,7 +34,7 @@ void Search::set_columns(std::vector<std::size_t> shortlist, std::vector<std::si
 }
 
 bool Search::may_go_on(double reserve) const {
-    return trials_.solutions() < options_.most_solutions && watch_.has_left(reserve);
+    return trials_.solutions() < options_.most_solutions && watch_.has_left(reserve + step_seconds_);
 }
 
 void Search::tell(const Solved& solved) {
@@ -163,12 +170,18 @@ Solved Search::improve(Solved start, double reserve) {
     int failures = 0;
     // Tables are of the last equilibrium.
     for (int round = 0; may_go_on(reserve); ++round) {
-        if (current.trial.objective <= kReached) break;
+        if (current.trial.objective <= kReached) {
+            end_ = DesignEnd::NoSwapImproves;
+            return current;
+        }
         if (failures > 0 || round == 0) {
             current.trial = trials_.solve(current.point, options_.control);
             if (!current.trial.is_found) break;
         }
-        if (step(current, radius, round)) {
+        const double before = watch_.seconds();
+        const bool is_better = step(current, radius, round);
+        step_seconds_ = std::max(step_seconds_, watch_.seconds() - before);
+        if (is_better) {
             failures = 0;
             continue;
         }
@@ -179,16 +192,41 @@ Solved Search::improve(Solved start, double reserve) {
             return current;
         }
     }
-    end_ = watch_.has_left(reserve) ? DesignEnd::SolutionsSpent : DesignEnd::TimeSpent;
+    end_ = watch_.has_left(reserve + step_seconds_) ? DesignEnd::SolutionsSpent : DesignEnd::TimeSpent;
     return current;
 }
 
+/// A painting with some of its groups painted at random.
+Point Search::kicked(const Point& point, std::uint64_t number) const {
+    base::SplitMix64 random(base::SplitMix64::mix(options_.seed) ^ base::SplitMix64::mix(number));
+    const std::vector<std::size_t>& patterns = limited_.empty() ? shortlist_ : limited_;
+    Point kicked = point;
+    const std::size_t changes = std::max<std::size_t>(
+        1, static_cast<std::size_t>(kKickedShare * static_cast<double>(point.patterns.size())));
+    for (std::size_t i = 0; i < changes; ++i)
+        kicked.patterns[random.below(point.patterns.size())] = patterns[random.below(patterns.size())];
+    return kicked;
+}
+
 Solved Search::improve_from_others(Solved best, const std::vector<Solved>& starts, double reserve) {
-    for (std::size_t i = 1; i < starts.size() && may_go_on(reserve); ++i) {
-        const Solved found = improve(starts[i], reserve);
+    const DesignEnd end = end_;
+    const auto has_budget = [&] {
+        return may_go_on(reserve) && trials_.solutions() + kLeftForDefect < options_.most_solutions &&
+               best.trial.objective > kReached;
+    };
+    const auto try_from = [&](const Solved& start) {
+        const Solved found = improve(start, reserve);
         report_.starts.push_back(std::sqrt(found.trial.objective));
-        if (found.trial.objective < best.trial.objective) best = found;
+        if (found.trial.is_found && found.trial.objective < best.trial.objective) best = found;
+    };
+    for (std::size_t i = 1; i < std::min(starts.size(), kOtherStarts) && has_budget(); ++i)
+        try_from(starts[i]);
+    for (std::uint64_t kick = 0; kick < kMostKicks && has_budget(); ++kick) {
+        Solved start{kicked(best.point, kick), {}};
+        start.trial = trials_.solve(start.point, options_.control);
+        if (start.trial.is_found) try_from(start);
     }
+    end_ = end;
     return best;
 }
 

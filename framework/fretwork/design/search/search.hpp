@@ -43,7 +43,8 @@ class Search {
     std::vector<Solved> try_uniform(const std::vector<std::size_t>& patterns);
     /// Improve a painting until no swap does. `reserve` s of the time are left. Returns the best point found.
     Solved improve(Solved start, double reserve);
-    /// Other starts, as long as the budget lasts.
+    /// From other starts, and from the best painting with a part of it painted at random, as long as the
+    /// budget lasts.
     Solved improve_from_others(Solved best, const std::vector<Solved>& starts, double reserve);
     /// The patterns that steps choose from.
     void set_columns(std::vector<std::size_t> shortlist, std::vector<std::size_t> all);
@@ -60,6 +61,7 @@ class Search {
 
   private:
     [[nodiscard]] std::vector<std::size_t> columns_for(const Point& point, int round) const;
+    [[nodiscard]] Point kicked(const Point& point, std::uint64_t number) const;
     /// One step: false if none of the proposals is better.
     bool step(Solved& current, double& radius, int round);
     [[nodiscard]] double mass_for_groups(const Point& point, const SwapTable& table,
@@ -79,6 +81,7 @@ class Search {
     double best_ = -1.0;  ///< objective; below zero: none
     std::optional<Point> best_point_;
     DesignEnd end_ = DesignEnd::NoSwapImproves;
+    double step_seconds_ = 0.0;  ///< of the longest step so far: the next may take as long
 };
 
 }  // namespace fretwork::design::detail
