@@ -3,6 +3,7 @@
 #include <fretwork/design/design.hpp>
 
 #include <cmath>
+#include <string>
 
 namespace fretwork::design {
 namespace {

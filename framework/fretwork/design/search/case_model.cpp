@@ -7,7 +7,9 @@
 #include <Eigen/Dense>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 namespace fretwork::design::detail {
 namespace {

@@ -5,6 +5,8 @@
 #include <fretwork/design/target/target_file.hpp>
 #include <fretwork/simulation/internal/load_case_json.hpp>
 
+#include <cmath>
+
 namespace fretwork::design {
 namespace {
 

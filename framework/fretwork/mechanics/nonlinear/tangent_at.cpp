@@ -3,7 +3,10 @@
 #include <fretwork/geometry/rotation.hpp>
 #include <fretwork/mechanics/nonlinear/tangent_at.hpp>
 
+#include <Eigen/LU>
+
 #include <algorithm>
+#include <utility>
 
 namespace fretwork::mechanics {
 namespace {

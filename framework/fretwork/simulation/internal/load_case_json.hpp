@@ -10,8 +10,8 @@ namespace fretwork::simulation {
 
 /// Read a load case as it stands in its own file. Throws InputError with the JSON pointer.
 LoadCase read_load_case(const base::JsonReader& json);
-/// Read a selection of interface nodes as the entries of a load case hold it: exactly one of nodes, box, nearest,
-/// side. Other keys are the caller's to refuse. Throws InputError with the JSON pointer.
+/// Read a selection of interface nodes as the entries of a load case hold it: exactly one of nodes, box,
+/// nearest, side. Other keys are the caller's to refuse. Throws InputError with the JSON pointer.
 Selection read_selection(const base::JsonReader& json);
 /// Add the key of a selection to an entry.
 void write_selection(const Selection& selection, base::Json& json);
