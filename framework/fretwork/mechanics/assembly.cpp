@@ -16,7 +16,7 @@ using elements::BeamElement;
 std::array<DofSet, 2> released_dofs(const Beam& beam) {
     std::array<DofSet, 2> free;
     for (const Release& release : beam.releases) {
-        auto& contains = free[static_cast<std::size_t>(release.end)].contains;
+        auto& contains = free[release.end].contains;
         for (std::size_t d = 0; d < kDofsPerNode; ++d) contains[d] = contains[d] || release.free.contains[d];
     }
     for (const std::size_t along : {std::size_t{0}, std::size_t{3}}) {
@@ -56,7 +56,7 @@ class Assembler {
   private:
     using NodeLoad = Eigen::Matrix<double, kDofsPerNode, 1>;
 
-    NodeLoad& load_of(NodeIndex node) { return loads_[static_cast<std::size_t>(node.value)]; }
+    NodeLoad& load_of(NodeIndex node) { return loads_[node]; }
 
     const Eigen::Vector3d& position(NodeIndex node) const { return assembly_.nodes[node]; }
 

@@ -116,7 +116,7 @@ class LinearSolver::Impl {
         for (int node = 0; node < static_cast<int>(structure_.assembly().nodes.size()); ++node) {
             for (int d = 0; d < kDofsPerNode; ++d) {
                 const int equation = system.layout().equation(node, d);
-                if (equation >= 0) rows[static_cast<std::size_t>(equation)] = node * kDofsPerNode + d;
+                if (equation >= 0) rows[equation] = node * kDofsPerNode + d;
             }
         }
         return rows;
@@ -169,9 +169,7 @@ class LinearSolver::Impl {
     }
 
     [[nodiscard]] bool is_held(int node, int dof) const {
-        return structure_.constraints()
-            .held[static_cast<std::size_t>(node)]
-            .contains[static_cast<std::size_t>(dof)];
+        return structure_.constraints().held[node].contains[dof];
     }
 
     /// At the held dofs the negative of what is out of balance; zero at the others.

@@ -18,7 +18,7 @@ inline NodeState node_state(const Eigen::Matrix<double, 1, kDofsPerNode>& row) {
 /// The states of nodes, one row each.
 inline std::vector<NodeState> node_states(const NodeValues& rows) {
     std::vector<NodeState> states;
-    states.reserve(static_cast<std::size_t>(rows.rows()));
+    states.reserve(rows.rows());
     for (Eigen::Index i = 0; i < rows.rows(); ++i) states.push_back(node_state(rows.row(i)));
     return states;
 }

@@ -62,7 +62,7 @@ std::vector<Solution> equilibria(const Assembly& assembly, const SolveOptions& o
 std::vector<Result::Node> reported_nodes(const Assembly& assembly) {
     std::vector<Result::Node> nodes;
     for (int i = 0; i < assembly.reported_nodes; ++i) {
-        const auto place = static_cast<std::size_t>(i);
+        const std::size_t place = i;
         nodes.push_back({assembly.labels.empty() ? i : assembly.labels[place], assembly.nodes[place], false});
     }
     return nodes;

@@ -99,9 +99,7 @@ void add_components(const std::string& name, const Matrix3d& tensor,
     constexpr std::array kVoigt = {"1", "2", "6"};
     for (int i = 0; i < 3; ++i) {
         for (int j = i; j < 3; ++j) {
-            values.emplace_back(
-                name + kVoigt[static_cast<std::size_t>(i)] + kVoigt[static_cast<std::size_t>(j)],
-                tensor(i, j));
+            values.emplace_back(name + kVoigt[i] + kVoigt[j], tensor(i, j));
         }
     }
 }

@@ -9,15 +9,15 @@ namespace fretwork::reduction {
 namespace {
 
 std::vector<Eigen::Index> free_dofs(const Scenario& scenario, Eigen::Index count) {
-    std::vector<bool> held(static_cast<std::size_t>(count), false);
+    std::vector<bool> held(count, false);
     for (const mechanics::Support& support : detail::supports_of(scenario)) {
         for (std::size_t dof = 0; dof < support.fixed.contains.size(); ++dof) {
-            if (support.fixed.contains[dof]) held[6 * static_cast<std::size_t>(support.node) + dof] = true;
+            if (support.fixed.contains[dof]) held[6 * support.node + dof] = true;
         }
     }
     std::vector<Eigen::Index> result;
     for (Eigen::Index dof = 0; dof < count; ++dof) {
-        if (!held[static_cast<std::size_t>(dof)]) result.push_back(dof);
+        if (!held[dof]) result.push_back(dof);
     }
     return result;
 }

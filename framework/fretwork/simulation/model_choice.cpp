@@ -10,7 +10,7 @@ namespace fretwork::simulation {
 
 const reduction::TileModel& tile_model(const Surface& surface, const ModelChoice& choice,
                                        tiling::TileIndex tile) {
-    const auto index = static_cast<std::size_t>(tile);
+    const std::size_t index = tile;
     const bool has_own = index < surface.tile_models.size() && !surface.tile_models[index].empty();
     return reduction::find_tile_model(has_own ? surface.tile_models[index] : choice.name, choice.models);
 }
@@ -29,7 +29,7 @@ std::vector<double> tile_parameters(const Surface& surface, tiling::TileIndex ti
     const int pattern = surface.tessellation.tiles[tile].pattern;
     if (pattern < 0)
         throw base::InputError("tile " + std::to_string(tile.value) + " is not painted with a pattern");
-    const auto index = static_cast<std::size_t>(pattern);
+    const std::size_t index = pattern;
     return detail::calibrated_parameters(surface.calibrations[index], surface.tessellation.patterns[index].id,
                                          model);
 }

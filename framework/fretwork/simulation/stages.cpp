@@ -96,8 +96,7 @@ class Stages {
         std::vector<Place> places;
         for (const mechanics::Support& support : resolve(picked, surface_).supports) {
             for (int d = 0; d < mechanics::kDofsPerNode; ++d)
-                if (support.fixed.contains[static_cast<std::size_t>(d)])
-                    places.emplace_back(support.node.value, d);
+                if (support.fixed.contains[d]) places.emplace_back(support.node.value, d);
         }
         return places;
     }

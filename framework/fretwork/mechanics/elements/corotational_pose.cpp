@@ -12,9 +12,9 @@ using Eigen::Vector3d;
 
 CorotationalPose::CorotationalPose(const CorotationalBody& body) : rotation_weight_(body.rotation_weight()) {
     const Eigen::Matrix3Xd& arms = body.arms();
-    nodes_.resize(static_cast<std::size_t>(arms.cols()));
+    nodes_.resize(arms.cols());
     for (Eigen::Index i = 0; i < arms.cols(); ++i) {
-        Node& node = nodes_[static_cast<std::size_t>(i)];
+        Node& node = nodes_[i];
         node.rest_arm = arms.col(i);
         node.place = node.arm = node.rest_arm;
     }

@@ -23,9 +23,9 @@ HingedElement::HingedEnd HingedElement::compose(const Matrix3d& axes, const Node
 HingedElement::HingedElement(std::unique_ptr<const BeamElement> beam, const std::array<NodeIndex, 2>& hinges)
     : beam_(std::move(beam)), nodes_(beam_->nodes().begin(), beam_->nodes().end()) {
     for (Eigen::Index end = 0; end < 2; ++end) {
-        if (!hinges[static_cast<std::size_t>(end)].is_valid()) continue;
+        if (!hinges[end].is_valid()) continue;
         hinges_.push_back({end, std::ssize(nodes_)});
-        nodes_.push_back(hinges[static_cast<std::size_t>(end)]);
+        nodes_.push_back(hinges[end]);
     }
 }
 
@@ -57,9 +57,9 @@ void HingedElement::mass(Eigen::MatrixXd& mass) const {
 HingedElement::Hung HingedElement::hang(std::span<const NodeState> states) const {
     Hung hung{{states[0], states[1]}, {}, rest_map()};
     for (const Hinge& hinge : hinges_) {
-        const auto end = static_cast<std::size_t>(hinge.end);
+        const std::size_t end = hinge.end;
         HingedEnd& hinged = hung.hinged[end];
-        hinged = compose(beam_->geometry().axes, states[end], states[static_cast<std::size_t>(hinge.slot)]);
+        hinged = compose(beam_->geometry().axes, states[end], states[hinge.slot]);
         hung.ends[end] = hinged.state;
         hung.map.block<3, 3>(6 * hinge.end, 6 * hinge.end + 3) = -geometry::cross_matrix(hinged.arm);
         for (Eigen::Index part = 0; part < 2; ++part)
@@ -117,7 +117,7 @@ void HingedElement::geometric_stiffness(const Eigen::VectorXd& displacements,
 void HingedElement::add_hinge_curvature(const Eigen::VectorXd& force, const std::array<HingedEnd, 2>& hinged,
                                         Eigen::MatrixXd& tangent) const {
     for (const Hinge& hinge : hinges_) {
-        const auto end = static_cast<std::size_t>(hinge.end);
+        const std::size_t end = hinge.end;
         const Vector3d pull = force.segment<3>(6 * hinge.end);
         const Vector3d moment = force.segment<3>(6 * hinge.end + 3);
         const Matrix3d& turned = hinged[end].turned_axes;

@@ -13,7 +13,7 @@ void LinearElement::evaluate(std::span<const NodeState> states, Demand demand,
     const auto count = static_cast<Eigen::Index>(nodes_.size());
     Eigen::VectorXd d(size);
     for (Eigen::Index i = 0; i < count; ++i) {
-        const NodeState& state = states[static_cast<std::size_t>(i)];
+        const NodeState& state = states[i];
         d.segment<3>(i * kDofsPerNode) = state.displacement;
         d.segment<3>(i * kDofsPerNode + 3) = geometry::logarithm(state.rotation);
     }

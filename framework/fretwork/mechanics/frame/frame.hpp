@@ -21,12 +21,16 @@ using BeamIndex = base::Index<struct BeamTag>;
 enum class Dof { ux, uy, uz, rx, ry, rz };
 inline constexpr int kDofsPerNode = 6;
 inline constexpr std::array<const char*, kDofsPerNode> kDofNames = {"ux", "uy", "uz", "rx", "ry", "rz"};
+constexpr const char* dof_name(Dof dof) {
+    return kDofNames[static_cast<std::size_t>(dof)];
+}
 
 /// A set of dofs: bit d is dof d.
 struct DofSet {
     std::array<bool, kDofsPerNode> contains{};
     static constexpr DofSet all() { return {{true, true, true, true, true, true}}; }
     static constexpr DofSet translations() { return {{true, true, true, false, false, false}}; }
+    constexpr bool& operator[](Dof dof) { return contains[static_cast<std::size_t>(dof)]; }
     [[nodiscard]] constexpr bool operator[](Dof dof) const { return contains[static_cast<std::size_t>(dof)]; }
     friend bool operator==(const DofSet&, const DofSet&) = default;
 };

@@ -217,8 +217,7 @@ void append_conditions(Json& document, const Frame& frame) {
     for (const Support& support : frame.supports)
         document["supports"].push_back({{"node", support.node.value}, {"fixed", dofs_json(support.fixed)}});
     for (const PrescribedDisplacement& given : frame.prescribed)
-        document["prescribed"].push_back(
-            {{"node", given.node.value}, {kDofNames[static_cast<std::size_t>(given.dof)], given.value}});
+        document["prescribed"].push_back({{"node", given.node.value}, {dof_name(given.dof), given.value}});
     for (const NodalLoad& load : frame.loads)
         document["loads"].push_back({{"node", load.node.value},
                                      {"force", vector_json(load.force)},

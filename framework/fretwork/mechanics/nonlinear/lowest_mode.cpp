@@ -26,8 +26,7 @@ constexpr int kCriticalSteps = 30;
 double mean_stiffness(const NonlinearSystem& system) {
     double sum = 0.0;
     for (int i = 0; i < system.unknowns().equations(); ++i) {
-        const auto k =
-            static_cast<std::size_t>(system.unknowns().layout().column_start()[static_cast<std::size_t>(i)]);
+        const auto k = system.unknowns().layout().column_start()[i];
         sum += std::abs(system.tangent()[k]) / system.unknowns().weights()[i];
     }
     return sum / std::max(system.unknowns().equations(), 1);

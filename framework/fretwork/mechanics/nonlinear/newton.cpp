@@ -45,12 +45,11 @@ Eigen::VectorXd solve_near_identity(const Operator& b_times, const Eigen::Vector
     for (bool done = false; !done && k < kMostSkewIterations; ++k) {
         Eigen::VectorXd next = basis.back() + b_times(basis.back());
         for (int i = 0; i <= k; ++i) {
-            triangle(i, k) = basis[static_cast<std::size_t>(i)].dot(next);
-            next -= triangle(i, k) * basis[static_cast<std::size_t>(i)];
+            triangle(i, k) = basis[i].dot(next);
+            next -= triangle(i, k) * basis[i];
         }
         const double length = triangle(k + 1, k) = next.norm();
-        for (int i = 0; i < k; ++i)
-            triangle.col(k).applyOnTheLeft(i, i + 1, rotations[static_cast<std::size_t>(i)].adjoint());
+        for (int i = 0; i < k; ++i) triangle.col(k).applyOnTheLeft(i, i + 1, rotations[i].adjoint());
         Eigen::JacobiRotation<double> rotation;
         rotation.makeGivens(triangle(k, k), triangle(k + 1, k));
         triangle.col(k).applyOnTheLeft(k, k + 1, rotation.adjoint());
@@ -62,7 +61,7 @@ Eigen::VectorXd solve_near_identity(const Operator& b_times, const Eigen::Vector
     const Eigen::VectorXd weights =
         triangle.topLeftCorner(k, k).triangularView<Eigen::Upper>().solve(target.head(k));
     Eigen::VectorXd x = Eigen::VectorXd::Zero(right_side.size());
-    for (Eigen::Index i = 0; i < k; ++i) x += weights[i] * basis[static_cast<std::size_t>(i)];
+    for (Eigen::Index i = 0; i < k; ++i) x += weights[i] * basis[i];
     return x;
 }
 
@@ -82,9 +81,7 @@ sparse::Ldlt::Outcome Newton::factorize() {
 sparse::Ldlt::Outcome Newton::factorize(double shift) {
     shifted_.assign(system_.tangent().begin(), system_.tangent().end());
     const auto& start = unknowns_.layout().column_start();
-    for (int i = 0; i < unknowns_.equations(); ++i)
-        shifted_[static_cast<std::size_t>(start[static_cast<std::size_t>(i)])] +=
-            shift * unknowns_.weights()[i];
+    for (int i = 0; i < unknowns_.equations(); ++i) shifted_[start[i]] += shift * unknowns_.weights()[i];
     return factors_.factorize(shifted_, options_.control);
 }
 

@@ -21,8 +21,8 @@ StressWorkspace::StressWorkspace(const Assembly& assembly) : elements_(assembly.
         place.stresses = element->stress_count();
         place.motions = std::ssize(element->nodes()) * kDofsPerNode;
         places_.push_back(place);
-        place.stress += static_cast<std::size_t>(place.stresses);
-        place.slope += static_cast<std::size_t>(place.stresses * place.motions);
+        place.stress += place.stresses;
+        place.slope += place.stresses * place.motions;
     }
     given_.resize(place.stress);
     own_.resize(place.stress);
@@ -31,9 +31,9 @@ StressWorkspace::StressWorkspace(const Assembly& assembly) : elements_(assembly.
 
 ElementStresses StressWorkspace::of(std::size_t element) {
     const Place& place = places_[element];
-    const auto count = static_cast<std::size_t>(place.stresses);
+    const std::size_t count = place.stresses;
     return {std::span(given_).subspan(place.stress, count), std::span(own_).subspan(place.stress, count),
-            std::span(slopes_).subspan(place.slope, count * static_cast<std::size_t>(place.motions))};
+            std::span(slopes_).subspan(place.slope, count * place.motions)};
 }
 
 Eigen::Map<Eigen::MatrixXd> StressWorkspace::slopes(std::size_t element) {
@@ -51,7 +51,7 @@ void StressWorkspace::extrapolate(std::size_t element, const Eigen::VectorXd& mo
     } else {
         strain.noalias() = ConstMatrix(slope, place.stresses, place.motions) * motion;
     }
-    const auto count = static_cast<std::size_t>(place.stresses);
+    const std::size_t count = place.stresses;
     const std::span<double> given = std::span(given_).subspan(place.stress, count);
     elements_[element]->stresses_of({strain.data(), count}, given);
     for (std::size_t i = 0; i < count; ++i) given[i] += own_[place.stress + i];

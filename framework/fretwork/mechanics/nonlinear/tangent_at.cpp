@@ -15,7 +15,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 
 std::size_t place_of(Index number) {
-    return static_cast<std::size_t>(number);
+    return number;
 }
 
 /// The rows of a node's rotation in a table of columns.

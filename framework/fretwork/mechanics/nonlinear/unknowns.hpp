@@ -69,7 +69,7 @@ class Unknowns {
     /// Nodes some of whose rotation vector's components are unknowns or prescribed, and a node's place among
     /// them, or -1.
     [[nodiscard]] const std::vector<int>& vector_nodes() const { return vector_nodes_; }
-    [[nodiscard]] int vector_slot(int node) const { return vector_slot_[static_cast<std::size_t>(node)]; }
+    [[nodiscard]] int vector_slot(int node) const { return vector_slot_[node]; }
 
   private:
     void find_vector_nodes();

@@ -27,7 +27,7 @@ NodeValues internal_forces(const Assembly& assembly, const NodeValues& state) {
     ElementResponse response;
     for (const auto& element : assembly.elements) {
         own.clear();
-        for (const NodeIndex node : element->nodes()) own.push_back(states[static_cast<std::size_t>(node)]);
+        for (const NodeIndex node : element->nodes()) own.push_back(states[node]);
         element->evaluate(own, Demand::Force, response);
         Eigen::Index first = 0;
         for (const NodeIndex node : element->nodes()) {

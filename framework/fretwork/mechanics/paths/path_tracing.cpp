@@ -32,8 +32,7 @@ class Tracer {
     }
 
     std::vector<Solution> run() {
-        const base::Task task(options_.equilibrium.control, "path (points)",
-                              static_cast<std::size_t>(options_.steps));
+        const base::Task task(options_.equilibrium.control, "path (points)", options_.steps);
         std::vector<Solution> path;
         const double shortest = arc_ / std::pow(2.0, options_.largest_cut_back);
         while (static_cast<int>(path.size()) < options_.steps &&

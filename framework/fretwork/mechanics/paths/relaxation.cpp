@@ -55,14 +55,13 @@ class Relaxation {
     }
 
     Solution run() {
-        const base::Task task(options_.control, "dynamic relaxation (iterations)",
-                              static_cast<std::size_t>(options_.iterations));
+        const base::Task task(options_.control, "dynamic relaxation (iterations)", options_.iterations);
         double last_energy = 0.0;
         Termination termination = Termination::IterationsSpent;
         int iteration = 0;
         for (; iteration < options_.iterations; ++iteration) {
             options_.control.check();
-            task.update(static_cast<std::size_t>(iteration));
+            task.update(iteration);
             if (!std::isfinite(system_.relative_residual())) {
                 configuration_ = last_peak_;
                 termination = Termination::Diverged;
@@ -112,10 +111,9 @@ class Relaxation {
         const auto& row = unknowns_.layout().row();
         mass_.setZero(unknowns_.equations());
         for (int column = 0; column < unknowns_.equations(); ++column) {
-            for (int k = start[static_cast<std::size_t>(column)];
-                 k < start[static_cast<std::size_t>(column) + 1]; ++k) {
-                const int i = row[static_cast<std::size_t>(k)];
-                const double entry = std::abs(system_.tangent()[static_cast<std::size_t>(k)]);
+            for (int k = start[column]; k < start[column + 1]; ++k) {
+                const int i = row[k];
+                const double entry = std::abs(system_.tangent()[k]);
                 mass_[i] += entry * scale[i] / scale[column];
                 if (i != column) mass_[column] += entry * scale[column] / scale[i];
             }

@@ -31,7 +31,7 @@ HeldValues held_values(const StageTarget& target) {
     HeldValues held;
     for (const Support& support : target.supports) {
         for (int d = 0; d < kDofsPerNode; ++d)
-            if (support.fixed.contains[static_cast<std::size_t>(d)]) held[{support.node.value, d}] = 0.0;
+            if (support.fixed.contains[d]) held[{support.node.value, d}] = 0.0;
     }
     for (const PrescribedDisplacement& given : target.prescribed)
         held[{given.node.value, static_cast<int>(given.dof)}] = given.value;
@@ -39,7 +39,7 @@ HeldValues held_values(const StageTarget& target) {
 }
 
 double component(const Configuration& configuration, const std::pair<int, int>& place) {
-    const auto node = static_cast<std::size_t>(place.first);
+    const std::size_t node = place.first;
     return place.second < 3 ? configuration.states[node].displacement[place.second]
                             : configuration.rotation_vectors[node][place.second - 3];
 }

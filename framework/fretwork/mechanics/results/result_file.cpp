@@ -49,7 +49,7 @@ void append_solution(Json& json, const Solution& solution, const std::vector<Res
     for (const StabilityLoss& loss : solution.stability_losses)
         json["stability_losses"].push_back({{"load_factor", loss.load_factor},
                                             {"node", nodes[loss.node].id},
-                                            {"component", kDofNames[static_cast<std::size_t>(loss.dof)]},
+                                            {"component", dof_name(loss.dof)},
                                             {"pushed", loss.pushed}});
     json["displacements"] = rows_json(solution.displacements);
     json["reactions"] = rows_json(solution.reactions);
@@ -69,7 +69,7 @@ NodeValues read_rows(const JsonReader& reader, std::size_t count, const RowLimit
     for (const JsonReader& row : reader.elements(count)) {
         const std::vector<double> numbers = row.numbers(kDofsPerNode);
         for (int d = 0; d < kDofsPerNode; ++d) {
-            const double value = numbers[static_cast<std::size_t>(d)];
+            const double value = numbers[d];
             const base::Limits& allowed = d < 3 ? limits.first : limits.last;
             if (!base::is_within(value, allowed))
                 row.fail("has " + base::format_number(value) + ", where " + base::range_text(allowed) +
@@ -108,7 +108,7 @@ StabilityLoss read_loss(const JsonReader& reader, const std::vector<Result::Node
     loss.node = NodeIndex(named - nodes.begin());
     const std::string name = reader.at("component").choice({"ux", "uy", "uz", "rx", "ry", "rz"});
     for (int d = 0; d < kDofsPerNode; ++d) {
-        if (kDofNames[static_cast<std::size_t>(d)] == name) loss.dof = static_cast<Dof>(d);
+        if (kDofNames[d] == name) loss.dof = static_cast<Dof>(d);
     }
     loss.pushed = reader.at("pushed").boolean();
     return loss;

@@ -220,9 +220,9 @@ void update_later(const Front& front, const Slice& slice, double* packed, const 
         update_strip(front, slice.to + static_cast<Index>(strip) * kStrip, slice, packed);
     };
     if (crew.threads == 1) {
-        for (Index strip = 0; strip < strips; ++strip) update(static_cast<std::size_t>(strip));
+        for (Index strip = 0; strip < strips; ++strip) update(strip);
     } else {
-        base::parallel_for(static_cast<std::size_t>(strips), crew.threads, update);
+        base::parallel_for(strips, crew.threads, update);
     }
 }
 
@@ -302,10 +302,9 @@ Pivots eliminate(const Front& front, const ZeroPivot& zero, std::vector<double>&
     const Index blocks = stride / kBlock + 2;
     const Index packed_size = std::min(front.width, kDepth) * blocks * kBlock;
     if (static_cast<Index>(scratch.size()) < packed_size + front.width)
-        scratch.resize(static_cast<std::size_t>(packed_size + front.width));
+        scratch.resize(packed_size + front.width);
     double* least_pivot = scratch.data() + packed_size;
-    for (int j = 0; j < front.width; ++j)
-        least_pivot[j] = zero.share * std::abs(zero.diagonal[static_cast<std::size_t>(j)]);
+    for (int j = 0; j < front.width; ++j) least_pivot[j] = zero.share * std::abs(zero.diagonal[j]);
     const bool is_large = 0.5 * front.width * static_cast<double>(stride * stride) >= kLargeFront;
     const Crew useful{is_large ? crew.threads : 1, crew.control};
     Pivots pivots;

@@ -22,9 +22,7 @@ struct EliminationPlan {
     std::size_t storage_size = 0;
 
     [[nodiscard]] std::span<const int> supernodes_of(std::size_t task) const {
-        return std::span(supernode).subspan(
-            static_cast<std::size_t>(task_start[task]),
-            static_cast<std::size_t>(task_start[task + 1] - task_start[task]));
+        return std::span(supernode).subspan(task_start[task], task_start[task + 1] - task_start[task]);
     }
 };
 

@@ -52,9 +52,7 @@ class Ldlt {
 
     [[nodiscard]] int equations() const { return analysis_->layout->equations(); }
     /// The diagonal entry of A in an equation.
-    [[nodiscard]] double diagonal(int equation) const {
-        return diagonal_[static_cast<std::size_t>(equation)];
-    }
+    [[nodiscard]] double diagonal(int equation) const { return diagonal_[equation]; }
 
     /// Multiplications of factorize(), of solve() for one column, and of inverse_form().
     [[nodiscard]] double factorization_work() const;

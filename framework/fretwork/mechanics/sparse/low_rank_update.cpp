@@ -35,7 +35,7 @@ LowRankUpdate::Modes LowRankUpdate::modes_of(const Ldlt& factors, const MatrixCh
     if (change.equations.empty()) return {};
     Eigen::VectorXd scale(change.values.rows());
     for (Eigen::Index i = 0; i < scale.size(); ++i)
-        scale[i] = std::sqrt(factors.diagonal(change.equations[static_cast<std::size_t>(i)]));
+        scale[i] = std::sqrt(factors.diagonal(change.equations[i]));
     const Eigen::VectorXd inverse = scale.cwiseInverse();
     const Eigen::MatrixXd scaled = inverse.asDiagonal() * change.values * inverse.asDiagonal();
     const geometry::SymmetricEigen eigen = geometry::symmetric_eigen(scaled);

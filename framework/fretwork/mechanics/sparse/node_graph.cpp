@@ -39,9 +39,9 @@ Pattern upper_pattern(const NodeGraph& graph, const std::vector<int>& nodes, con
     Pattern pattern{{0}, {}};
     pattern.row.reserve(graph.neighbour.size() / 2 + nodes.size());
     for (std::size_t column = 0; column < nodes.size(); ++column) {
-        const auto node = static_cast<std::size_t>(nodes[column]);
+        const std::size_t node = nodes[column];
         for (int k = graph.start[node]; k < graph.start[node + 1]; ++k) {
-            const int other = number[static_cast<std::size_t>(graph.neighbour[static_cast<std::size_t>(k)])];
+            const int other = number[graph.neighbour[k]];
             if (other >= 0 && other < static_cast<int>(column)) pattern.row.push_back(other);
         }
         pattern.row.push_back(static_cast<int>(column));
@@ -142,8 +142,8 @@ NodeGraph node_graph(int nodes, Cliques cliques) {
     NodeGraph graph;
     graph.nodes = nodes;
     graph.cliques = std::move(cliques);
-    graph.start.assign(static_cast<std::size_t>(nodes) + 1, 0);
-    for (const auto& pair : pairs) ++graph.start[static_cast<std::size_t>(pair.first) + 1];
+    graph.start.assign(nodes + 1, 0);
+    for (const auto& pair : pairs) ++graph.start[pair.first + 1];
     for (std::size_t i = 1; i < graph.start.size(); ++i) graph.start[i] += graph.start[i - 1];
     graph.neighbour.reserve(pairs.size());
     for (const auto& pair : pairs) graph.neighbour.push_back(pair.second);
@@ -153,10 +153,10 @@ NodeGraph node_graph(int nodes, Cliques cliques) {
 std::vector<int> elimination_order(const NodeGraph& graph, std::span<const Components> free,
                                    const base::Control& control) {
     std::vector<int> nodes;
-    std::vector<int> number(static_cast<std::size_t>(graph.nodes), -1);
+    std::vector<int> number(graph.nodes, -1);
     for (int i = 0; i < graph.nodes; ++i) {
-        if (free[static_cast<std::size_t>(i)] == Components{}) continue;
-        number[static_cast<std::size_t>(i)] = static_cast<int>(nodes.size());
+        if (free[i] == Components{}) continue;
+        number[i] = static_cast<int>(nodes.size());
         nodes.push_back(i);
     }
     if (nodes.empty()) return {};

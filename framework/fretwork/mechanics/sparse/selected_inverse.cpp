@@ -64,7 +64,7 @@ std::vector<Eigen::MatrixXd> Ldlt::inverse_blocks(std::span<const std::vector<in
         const int first = std::ranges::min(cliques[c]);
         const auto after =
             std::upper_bound(tree.supernodes.begin(), tree.supernodes.end(), first, starts_after);
-        cliques_at[static_cast<std::size_t>(after - tree.supernodes.begin()) - 1].push_back(c);
+        cliques_at[after - tree.supernodes.begin() - 1].push_back(c);
     }
     std::vector<Eigen::MatrixXd> inverse(count);  // on each front, as long as a child waits for it
     std::vector<int> waiting(count);

@@ -24,10 +24,8 @@ class SystemLayout {
     [[nodiscard]] const std::vector<int>& column_start() const { return column_start_; }
     [[nodiscard]] const std::vector<int>& row() const { return row_; }
     /// The equation of a node's component, or -1.
-    [[nodiscard]] int equation(int node, int component) const {
-        return equation_[static_cast<std::size_t>(node)][static_cast<std::size_t>(component)];
-    }
-    [[nodiscard]] int node_of(int equation) const { return node_of_[static_cast<std::size_t>(equation)]; }
+    [[nodiscard]] int equation(int node, int component) const { return equation_[node][component]; }
+    [[nodiscard]] int node_of(int equation) const { return node_of_[equation]; }
 
     /// Add a clique's symmetric matrix, kBlockSize rows a node, to the values of the system's.
     void add(std::size_t clique, const Eigen::MatrixXd& matrix, std::span<double> values) const;

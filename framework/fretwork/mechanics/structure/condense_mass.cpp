@@ -28,8 +28,7 @@ void add(std::span<const NodeIndex> nodes, std::span<const Eigen::Index> rows, c
          Eigen::MatrixXd& sum) {
     std::vector<Eigen::Index> places;
     for (const NodeIndex node : nodes) {
-        for (int d = 0; d < kDofsPerNode; ++d)
-            places.push_back(rows[static_cast<std::size_t>(node.value * kDofsPerNode + d)]);
+        for (int d = 0; d < kDofsPerNode; ++d) places.push_back(rows[node.value * kDofsPerNode + d]);
     }
     for (std::size_t j = 0; j < places.size(); ++j) {
         for (std::size_t i = 0; i < places.size(); ++i) {

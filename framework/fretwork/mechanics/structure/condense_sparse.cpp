@@ -31,7 +31,7 @@ class SparseCondensation {
             task_.assembly.elements[e]->rest_stiffness(stiffness);
             layout.add(e, stiffness, values_);
             for (std::size_t i = 0; i < nodes.size(); ++i) {
-                const int slot = task_.slot[static_cast<std::size_t>(nodes[i].value)];
+                const int slot = task_.slot[nodes[i]];
                 if (slot >= 0) add_kept_columns(layout, nodes, {static_cast<int>(i), slot}, stiffness);
             }
         }
@@ -47,7 +47,7 @@ class SparseCondensation {
         for (std::size_t j = 0; j < nodes.size(); ++j) {
             const auto block = stiffness.block<kDofsPerNode, kDofsPerNode>(
                 static_cast<Eigen::Index>(j) * kDofsPerNode, column.local * kDofsPerNode);
-            const Eigen::Index slot = task_.slot[static_cast<std::size_t>(nodes[j].value)];
+            const Eigen::Index slot = task_.slot[nodes[j]];
             if (slot >= 0) {
                 kept_stiffness_.block<kDofsPerNode, kDofsPerNode>(slot * kDofsPerNode,
                                                                   column.slot * kDofsPerNode) += block;

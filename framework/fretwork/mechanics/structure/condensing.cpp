@@ -15,7 +15,7 @@ std::vector<int> slots_of(std::span<const NodeIndex> kept, std::size_t nodes) {
     for (const NodeIndex node : kept) {
         if (node.value < 0 || node.value >= static_cast<int>(nodes))
             throw base::InputError("there is no node " + std::to_string(node.value) + " to condense onto");
-        int& slot = slots[static_cast<std::size_t>(node.value)];
+        int& slot = slots[node];
         if (slot >= 0)
             throw base::InputError("node " + std::to_string(node.value) + " is to be condensed onto twice");
         slot = count++;
@@ -30,7 +30,7 @@ CondensingTask condensing_task(const Assembly& assembly, std::span<const NodeInd
     task.inner.assign(assembly.nodes.size(), DofSet::all());
     for (const Support& support : assembly.supports) {
         if (support.node.value < assembly.reported_nodes) continue;  // not a hinge's own
-        auto& contains = task.inner[static_cast<std::size_t>(support.node.value)].contains;
+        auto& contains = task.inner[support.node].contains;
         for (std::size_t d = 0; d < kDofsPerNode; ++d)
             contains[d] = contains[d] && !support.fixed.contains[d];
     }

@@ -12,12 +12,11 @@ Constraints constraints_of(const Assembly& assembly) {
     constraints.held.resize(assembly.nodes.size());
     constraints.values = NodeValues::Zero(static_cast<Eigen::Index>(assembly.nodes.size()), kDofsPerNode);
     for (const Support& support : assembly.supports) {
-        auto& held = constraints.held[static_cast<std::size_t>(support.node.value)].contains;
+        auto& held = constraints.held[support.node].contains;
         for (std::size_t d = 0; d < kDofsPerNode; ++d) held[d] = held[d] || support.fixed.contains[d];
     }
     for (const PrescribedDisplacement& given : assembly.prescribed) {
-        constraints.held[static_cast<std::size_t>(given.node.value)]
-            .contains[static_cast<std::size_t>(given.dof)] = true;
+        constraints.held[given.node][given.dof] = true;
         constraints.values(given.node.value, static_cast<Eigen::Index>(given.dof)) = given.value;
     }
     return constraints;

@@ -222,15 +222,13 @@ void FactorizedStructure::keep_held_entries(const base::Control& control) {
         if (e % kElementsAtATime == 0) control.check();
         const auto& element = assembly_.elements[e];
         const std::span<const NodeIndex> nodes = element->nodes();
-        const auto is_held = [&](NodeIndex node) {
-            return constraints_.held[static_cast<std::size_t>(node.value)] != DofSet{};
-        };
+        const auto is_held = [&](NodeIndex node) { return constraints_.held[node] != DofSet{}; };
         if (std::ranges::none_of(nodes, is_held)) continue;
         element->rest_stiffness(stiffness);
         for (std::size_t i = 0; i < nodes.size(); ++i) {
-            const DofSet& held = constraints_.held[static_cast<std::size_t>(nodes[i].value)];
+            const DofSet& held = constraints_.held[nodes[i]];
             for (int d = 0; d < kDofsPerNode; ++d) {
-                if (held.contains[static_cast<std::size_t>(d)])
+                if (held.contains[d])
                     keep_row(nodes, static_cast<Eigen::Index>(i) * kDofsPerNode + d, stiffness);
             }
         }

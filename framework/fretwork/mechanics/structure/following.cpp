@@ -40,7 +40,7 @@ class Blocks {
         for (std::size_t node = 0; node < task_.slot.size(); ++node) {
             if (task_.slot[node] >= 0 || static_cast<int>(node) >= task_.assembly.reported_nodes) continue;
             for (Index d = 0; d < kDofsPerNode; ++d) {
-                const Index from = rows_[node * kDofsPerNode + static_cast<std::size_t>(d)];
+                const Index from = rows_[node * kDofsPerNode + d];
                 if (from >= 0) result.row(row + d) = moved.row(from);
             }
             row += kDofsPerNode;
@@ -56,10 +56,10 @@ class Blocks {
     [[nodiscard]] std::vector<Place> places(std::span<const NodeIndex> nodes) const {
         std::vector<Place> result;
         for (const NodeIndex node : nodes) {
-            const auto n = static_cast<std::size_t>(node.value);
+            const std::size_t n = node;
             for (Index d = 0; d < kDofsPerNode; ++d) {
                 const Index kept = task_.slot[n] < 0 ? -1 : task_.slot[n] * Index{kDofsPerNode} + d;
-                result.push_back({rows_[n * kDofsPerNode + static_cast<std::size_t>(d)], kept});
+                result.push_back({rows_[n * kDofsPerNode + d], kept});
             }
         }
         return result;

@@ -21,11 +21,10 @@ constexpr double kUnbalancedShare = 1e-2;
 std::vector<bool> connected_to(const Assembly& assembly, NodeIndex from) {
     base::DisjointSets nodes(assembly.nodes.size());
     for (const auto& element : assembly.elements) {
-        const auto first = static_cast<std::size_t>(element->nodes().front().value);
-        for (const NodeIndex node : element->nodes())
-            nodes.unite(first, static_cast<std::size_t>(node.value));
+        const std::size_t first = element->nodes().front();
+        for (const NodeIndex node : element->nodes()) nodes.unite(first, node);
     }
-    const std::size_t wanted = nodes.first_of(static_cast<std::size_t>(from.value));
+    const std::size_t wanted = nodes.first_of(from);
     std::vector<bool> connected;
     for (std::size_t node = 0; node < assembly.nodes.size(); ++node)
         connected.push_back(nodes.first_of(node) == wanted);
@@ -42,9 +41,7 @@ std::string place_text(const Eigen::Vector3d& place) {
 [[noreturn]] void refuse(const Assembly& assembly, NodeIndex node) {
     const std::string where = node_text(assembly, node) + ", " + place_text(assembly.nodes[node]);
     const std::vector<bool> connected = connected_to(assembly, node);
-    const auto is_beside = [&](const auto& held) {
-        return connected[static_cast<std::size_t>(held.node.value)];
-    };
+    const auto is_beside = [&](const auto& held) { return connected[held.node]; };
     if (std::ranges::none_of(assembly.supports, is_beside) &&
         std::ranges::none_of(assembly.prescribed, is_beside)) {
         const bool is_all = std::ranges::find(connected, false) == connected.end();
@@ -74,9 +71,7 @@ void refuse_mechanisms(const Assembly& assembly, const sparse::SystemLayout& lay
     if (!outcome.has_weak_pivot) return;
     // By each equation's own stiffness, so that units do not matter.
     Eigen::VectorXd scale(layout.equations());
-    for (int i = 0; i < layout.equations(); ++i)
-        scale[i] =
-            std::sqrt(values[static_cast<std::size_t>(layout.column_start()[static_cast<std::size_t>(i)])]);
+    for (int i = 0; i < layout.equations(); ++i) scale[i] = std::sqrt(values[layout.column_start()[i]]);
     const Eigen::VectorXd load = scale.cwiseProduct(sparse::arbitrary_numbers(layout.equations()).col(0));
     Eigen::VectorXd displacements = load;
     factors.solve(displacements);

@@ -220,7 +220,7 @@ SubspaceIteration::Pairs SubspaceIteration::project(MatrixXd vectors, double shi
     const geometry::SymmetricEigen solver =
         geometry::symmetric_eigen(basis.transpose() * times(operand_, basis));
     const VectorXd& values = solver.values;
-    std::vector<Eigen::Index> order(static_cast<std::size_t>(rank));
+    std::vector<Eigen::Index> order(rank);
     std::iota(order.begin(), order.end(), Eigen::Index{0});
     const auto growth = [&](Eigen::Index i) { return std::abs(values[i] / (1.0 - shift * values[i])); };
     std::ranges::stable_sort(order, [&](auto a, auto b) { return growth(a) > growth(b); });

@@ -19,7 +19,7 @@ std::vector<std::string> parameters_at_bound(const optimization::Bounds& bounds,
     for (Eigen::Index i = 0; i < point.size(); ++i) {
         const double margin = kNear * (bounds.upper[i] - bounds.lower[i]);
         if (point[i] - bounds.lower[i] > margin && bounds.upper[i] - point[i] > margin) continue;
-        names.push_back(model.parameters[static_cast<std::size_t>(i)].name);
+        names.push_back(model.parameters[i].name);
     }
     return names;
 }

@@ -37,7 +37,7 @@ DifferenceProblem::DifferenceProblem(base::Borrowed<TileModel> model, base::Borr
     const auto count = static_cast<Eigen::Index>(model->parameters.size());
     bounds_ = {Eigen::VectorXd(count), Eigen::VectorXd(count)};
     for (Eigen::Index i = 0; i < count; ++i) {
-        const TileParameter& parameter = model->parameters[static_cast<std::size_t>(i)];
+        const TileParameter& parameter = model->parameters[i];
         const TileParameter::Bounds bounds = parameter.bounds(setting);
         check_bounds(model, parameter, bounds);
         bounds_.lower[i] = is_logarithmic(parameter) ? std::log(bounds.lower) : bounds.lower;
@@ -52,7 +52,7 @@ long DifferenceProblem::cost(optimization::Evaluation kind) const {
 }
 
 bool DifferenceProblem::is_logarithm(int variable) const {
-    return is_logarithmic(model_->parameters[static_cast<std::size_t>(variable)]);
+    return is_logarithmic(model_->parameters[variable]);
 }
 
 std::vector<double> DifferenceProblem::parameter_values(const Eigen::VectorXd& point) const {

@@ -112,7 +112,7 @@ class Objective::Differentiation {
         errors.resize(jacobian.rows());
         bends_.resize(model.displacements.size());
         for (std::size_t s = 0; s < bends_.size(); ++s) {
-            bends_[s].resize(static_cast<std::size_t>(model.displacements[s].rows()));
+            bends_[s].resize(model.displacements[s].rows());
         }
         slopes_.resize(6 * model.displacements.front().rows(), jacobian.rows());
         for (std::size_t s = 0; s < bends_.size(); ++s) add_scenario(s);

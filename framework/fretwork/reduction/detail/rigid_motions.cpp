@@ -60,8 +60,8 @@ void require_free(Eigen::MatrixXd stiffness, const Eigen::Matrix3Xd& nodes, cons
     // Several motions are often resisted equally, up to rounding: then the simplest is named.
     Eigen::Index worst = 0;
     while (forces[worst] < (1.0 - kFree) * force) ++worst;
-    throw base::InputError(what + "resists a rigid motion, the " + kMotions[static_cast<std::size_t>(worst)] +
-                           ": its force is " + base::format_number(force / largest) +
+    throw base::InputError(what + "resists a rigid motion, the " + kMotions[worst] + ": its force is " +
+                           base::format_number(force / largest) +
                            " of the largest entry, where rounding leaves " + base::format_number(kFree) +
                            " at most; is it in the tile's own axes?");
 }

@@ -13,11 +13,10 @@ namespace {
 void require_beams_at_interface(const mechanics::Frame& tile, int interface_nodes) {
     std::vector<bool> has_beam(tile.nodes.size(), false);
     for (const mechanics::Beam& beam : tile.beams) {
-        for (const mechanics::NodeIndex node : beam.nodes)
-            has_beam[static_cast<std::size_t>(node.value)] = true;
+        for (const mechanics::NodeIndex node : beam.nodes) has_beam[node] = true;
     }
     for (int i = 0; i < interface_nodes; ++i) {
-        if (has_beam[static_cast<std::size_t>(i)]) continue;
+        if (has_beam[i]) continue;
         throw base::InputError("interface node " + std::to_string(i) +
                                " has no beam: the pattern does not connect the tile to its neighbours");
     }

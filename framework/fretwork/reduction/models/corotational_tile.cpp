@@ -57,7 +57,7 @@ class CorotationalTile final : public TileStructure {
                                      const Eigen::Matrix3d& turn) const {
         NodeValues result(rows.rows(), kDofsPerNode);
         for (Eigen::Index i = 0; i < rows.rows(); ++i) {
-            const Eigen::Vector3d arm = inner_->places()[static_cast<std::size_t>(i)] - mean_;
+            const Eigen::Vector3d arm = inner_->places()[i] - mean_;
             const Eigen::Vector3d arm_now = arm + rows.row(i).head<3>().transpose();
             result.row(i).head<3>() = (moved.shift + moved.axes * arm_now - turn * arm).transpose();
             const Eigen::Quaterniond spin = geometry::exponential(rows.row(i).tail<3>().transpose());

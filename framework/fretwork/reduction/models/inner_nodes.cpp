@@ -11,7 +11,7 @@ InnerNodes::InnerNodes(mechanics::Frame tile, int interface_nodes)
     : tile_(std::move(tile)), interface_nodes_(interface_nodes) {}
 
 std::span<const Eigen::Vector3d> InnerNodes::places() const {
-    return std::span(tile_.nodes).subspan(static_cast<std::size_t>(interface_nodes_));
+    return std::span(tile_.nodes).subspan(interface_nodes_);
 }
 
 mechanics::NodeValues InnerNodes::follow(const mechanics::NodeValues& interface_nodes) const {

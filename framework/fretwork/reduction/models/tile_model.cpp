@@ -24,7 +24,7 @@ const TileModel& find_tile_model(std::string_view name, std::span<const TileMode
 
 std::size_t parameter_index(const TileModel& model, std::string_view name) {
     const auto place = std::ranges::find(model.parameters, name, &TileParameter::name);
-    if (place != model.parameters.end()) return static_cast<std::size_t>(place - model.parameters.begin());
+    if (place != model.parameters.end()) return place - model.parameters.begin();
     std::vector<std::string> names;
     for (const TileParameter& parameter : model.parameters) names.push_back(parameter.name);
     throw base::InputError("tile model " + model.name + ": " +

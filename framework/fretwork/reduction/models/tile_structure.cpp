@@ -15,9 +15,7 @@ using mechanics::NodeIndex;
 class BeamTile final : public TileStructure {
   public:
     BeamTile(mechanics::Frame frame, int interface_nodes, TileBeams beams)
-        : frame_(std::move(frame)),
-          interface_nodes_(static_cast<std::size_t>(interface_nodes)),
-          beams_(beams) {}
+        : frame_(std::move(frame)), interface_nodes_(interface_nodes), beams_(beams) {}
 
     [[nodiscard]] std::span<const Eigen::Vector3d> inner_nodes() const override {
         return std::span(frame_.nodes).subspan(interface_nodes_);

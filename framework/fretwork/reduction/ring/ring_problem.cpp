@@ -43,7 +43,7 @@ UnitDisplacements RingProblem::displacements(const Eigen::VectorXd& x) const {
 Eigen::VectorXd RingProblem::point(std::span<const double> values) const {
     Eigen::VectorXd x(units_.size());
     for (Eigen::Index i = 0; i < x.size(); ++i) {
-        const double share = values[static_cast<std::size_t>(i)] / units_[i];
+        const double share = values[i] / units_[i];
         x[i] = is_logarithm(static_cast<int>(i)) ? std::log(share) : share;
     }
     return x;
@@ -56,8 +56,7 @@ double RingProblem::value(const Eigen::VectorXd& x) const {
 RingDirections RingProblem::directions_at(std::span<const double> values) const {
     RingDirections directions = parameters_->ties;
     for (Eigen::Index i = 0; i < directions.cols(); ++i)
-        directions.col(i) *=
-            is_logarithm(static_cast<int>(i)) ? values[static_cast<std::size_t>(i)] : units_[i];
+        directions.col(i) *= is_logarithm(static_cast<int>(i)) ? values[i] : units_[i];
     return directions;
 }
 

@@ -62,8 +62,8 @@ std::vector<Joint> joints_of(const pattern::Fan& fan, std::span<const geometry::
                              std::vector<double>& reaches) {
     std::vector<Joint> joints(fan.nodes.size());
     for (std::size_t i = 0; i < fan.edges.size(); ++i) {
-        const auto first = static_cast<std::size_t>(fan.edges[i][0]);
-        const auto second = static_cast<std::size_t>(fan.edges[i][1]);
+        const std::size_t first = fan.edges[i][0];
+        const std::size_t second = fan.edges[i][1];
         joints[first].push_back({angle_between(places[first], places[second]), &reaches[i]});
         joints[second].push_back({angle_between(places[second], places[first]), &reaches[i]});
     }
@@ -72,7 +72,7 @@ std::vector<Joint> joints_of(const pattern::Fan& fan, std::span<const geometry::
 
 /// The number of the interface node that lies on another one when its side is turned by half a turn.
 std::size_t opposite_on_side(const pattern::Fan& fan, std::size_t node) {
-    const auto a_side = static_cast<std::size_t>(fan.interface_node_count / fan.sides);
+    const std::size_t a_side = fan.interface_node_count / fan.sides;
     return node - node % a_side + (a_side - 1 - node % a_side);
 }
 
@@ -91,7 +91,7 @@ Joint with_bars_beyond(Joint own, const Joint& opposite) {
 std::vector<double> joint_reaches(const pattern::Fan& fan, std::span<const geometry::Point2> places) {
     std::vector<double> reaches(fan.edges.size(), 0.0);
     const std::vector<Joint> joints = joints_of(fan, places, reaches);
-    const auto interface_nodes = static_cast<std::size_t>(fan.interface_node_count);
+    const std::size_t interface_nodes = fan.interface_node_count;
     for (std::size_t node = 0; node < joints.size(); ++node) {
         if (joints[node].empty()) continue;
         add_reaches(node < interface_nodes

@@ -25,7 +25,7 @@ mechanics::DofSet read_dofs(const JsonReader& json) {
     for (const JsonReader& element : json.elements()) {
         const std::string name = element.choice({"ux", "uy", "uz", "rx", "ry", "rz"});
         const auto position = std::ranges::find(mechanics::kDofNames, name) - mechanics::kDofNames.begin();
-        bool& contained = dofs.contains[static_cast<std::size_t>(position)];
+        bool& contained = dofs.contains[position];
         if (std::exchange(contained, true)) element.fail("this component is listed twice");
     }
     return dofs;

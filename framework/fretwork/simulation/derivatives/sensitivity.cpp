@@ -107,7 +107,7 @@ Eigen::MatrixXd pattern_derivatives(const Sensitivity& sensitivity, const Candid
             row = -forms_of_all.row(static_cast<Eigen::Index>(i)).array() - tile.stiffness;
             if (tile.mass == 0.0) continue;
             for (Eigen::Index p = 0; p < patterns; ++p)
-                row[p] += tile.mass * (candidates.mass(c, static_cast<std::size_t>(p)) - tile.own_mass);
+                row[p] += tile.mass * (candidates.mass(c, p) - tile.own_mass);
         }
     }
     return result;

@@ -42,7 +42,7 @@ JoinedTiles join_tiles(const Surface& surface, std::span<const BuiltTile> tiles,
 
 std::optional<mechanics::Elements> replacement(std::span<const TileStart> starts, const Surface& surface,
                                                tiling::TileIndex tile, const BuiltTile& built) {
-    const auto t = static_cast<std::size_t>(tile);
+    const std::size_t t = tile;
     const TileStart& start = starts[t];
     const TileStart& end = starts[t + 1];
     const bool had_only_elements = start.inner_node == end.inner_node && start.beam == end.beam;

@@ -40,7 +40,7 @@ Conditions Session::Impl::resolved(const LoadCase& load_case) {
 /// The place of a pattern in the palette, or that behind its end.
 std::size_t Session::Impl::palette_entry(const pattern::NamedPattern& pattern) const {
     const std::vector<pattern::NamedPattern>& palette = surface_.tessellation.patterns;
-    return static_cast<std::size_t>(std::ranges::find(palette, pattern) - palette.begin());
+    return std::ranges::find(palette, pattern) - palette.begin();
 }
 
 void Session::Impl::paint(std::span<const TileIndex> tiles, const std::string& wanted) {

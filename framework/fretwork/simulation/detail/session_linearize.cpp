@@ -11,7 +11,7 @@ using tiling::TileIndex;
 /// A tile whose model has a stiffness is one element.
 TileLinearization Session::Impl::linearized_tile(TileIndex tile,
                                                  const mechanics::EquilibriumTangent& tangent) const {
-    const auto t = static_cast<std::size_t>(tile.value);
+    const std::size_t t = tile;
     TileLinearization result;
     result.nodes = surface_.tessellation.tiles[tile].interface_nodes;
     if (tile_masses_ && !load_case_.gravity.isZero(0)) result.mass = (*tile_masses_)[t];
@@ -19,8 +19,7 @@ TileLinearization Session::Impl::linearized_tile(TileIndex tile,
     if (body == nullptr) return result;
     const std::size_t element = assembly_.elements.size() - starts_.back().element + starts_[t].element;
     std::vector<mechanics::NodeState> states;
-    for (const tiling::InterfaceIndex node : result.nodes)
-        states.push_back(tangent.states()[static_cast<std::size_t>(node.value)]);
+    for (const tiling::InterfaceIndex node : result.nodes) states.push_back(tangent.states()[node]);
     const auto moved = mechanics::corotational_motion(*body, tiles_[t].turn, states);
     if (!moved) return result;
     result.strains = moved->in_frame.transpose().reshaped();

@@ -25,8 +25,7 @@ void Session::Mixture::choose(const Impl& plain) {
     std::ranges::sort(full_tiles_);
     std::vector<std::string> wanted = own;
     wanted.resize(deformations.size());
-    for (const TileIndex tile : full_tiles_)
-        wanted[static_cast<std::size_t>(tile)] = reference_choice(options_).name;
+    for (const TileIndex tile : full_tiles_) wanted[tile] = reference_choice(options_).name;
     std::vector<std::string> present = impl_.surface().tile_models;
     present.resize(deformations.size());
     std::map<std::string, std::vector<TileIndex>> changed;

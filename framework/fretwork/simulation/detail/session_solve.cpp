@@ -43,7 +43,7 @@ bool Session::Impl::replace_elements(std::span<const TileIndex> tiles,
         replacements.push_back(std::move(*elements));
     }
     for (std::size_t i = 0; i < tiles.size(); ++i) {
-        const auto start = starts_[static_cast<std::size_t>(tiles[i])].element;
+        const auto start = starts_[tiles[i]].element;
         std::ranges::copy(replacements[i],
                           assembly_.elements.begin() + static_cast<std::ptrdiff_t>(first + start));
     }
@@ -57,8 +57,7 @@ void Session::Impl::update_tiles(const base::Control& control) {
     std::vector<detail::BuiltTile> built =
         builder_.build({surface_, choice(), tiles}, {options_.threads, control});
     const auto put_into = [&](std::vector<detail::BuiltTile>& all) {
-        for (std::size_t i = 0; i < tiles.size(); ++i)
-            all[static_cast<std::size_t>(tiles[i])] = std::move(built[i]);
+        for (std::size_t i = 0; i < tiles.size(); ++i) all[tiles[i]] = std::move(built[i]);
     };
     if (replace_elements(tiles, built)) {
         put_into(tiles_);
@@ -166,7 +165,7 @@ std::vector<TileDeformation> Session::Impl::tile_deformations(const mechanics::S
 
 std::optional<reduction::BeamMotion> Session::Impl::beam_motion(TileIndex tile,
                                                                 const mechanics::Solution& solution) const {
-    const auto t = static_cast<std::size_t>(tile);
+    const std::size_t t = tile;
     const auto& interface_nodes = surface_.tessellation.tiles[t].interface_nodes;
     const auto first = static_cast<Eigen::Index>(starts_[t].inner_node);
     const auto inner = static_cast<Eigen::Index>(starts_[t + 1].inner_node) - first;

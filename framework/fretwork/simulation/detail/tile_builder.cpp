@@ -35,7 +35,7 @@ struct TileBuilder::Request {
 };
 
 const pattern::Fan& TileBuilder::fan_of(const Surface& surface, const tiling::Tile& tile) {
-    const auto& pattern = surface.tessellation.patterns[static_cast<std::size_t>(tile.pattern)];
+    const auto& pattern = surface.tessellation.patterns[tile.pattern];
     const std::size_t sides = tile.vertices.size();
     const auto [entry, is_new] = fans_.try_emplace({pattern.id, sides});
     if (is_new) entry->second = pattern::make_fan(surface.layout, pattern.pattern, static_cast<int>(sides));

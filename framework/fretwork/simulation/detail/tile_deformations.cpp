@@ -18,8 +18,7 @@ std::vector<TileDeformation> tile_deformations(const mechanics::Assembly& assemb
         for (std::size_t e = starts[t].element; e < starts[t + 1].element; ++e) {
             const mechanics::Element& element = *assembly.elements[first + e];
             own.clear();
-            for (const mechanics::NodeIndex node : element.nodes())
-                own.push_back(states[static_cast<std::size_t>(node.value)]);
+            for (const mechanics::NodeIndex node : element.nodes()) own.push_back(states[node]);
             element.evaluate(own, mechanics::Demand::Force, response);
             tiles[t].energy += response.energy;
             tiles[t].rotation = std::max(tiles[t].rotation, element.relative_turn(own));

@@ -46,7 +46,7 @@ class AreaBearers {
         if (const auto* where = std::get_if<Selection>(&load.where)) {
             nodes_.assign(nodes_.size(), false);
             for (const auto node : EntryPicker(load_case, tessellation)(*where, "loads", place))
-                nodes_[static_cast<std::size_t>(node)] = true;
+                nodes_[node] = true;
             return;
         }
         tiles_.assign(tiles_.size(), false);
@@ -56,13 +56,11 @@ class AreaBearers {
                                        "/loads/" + std::to_string(place) + "/tiles",
                                        "there is no tile " + std::to_string(tile) + "; the last one is " +
                                            std::to_string(tiles_.size() - 1));
-            tiles_[static_cast<std::size_t>(tile)] = true;
+            tiles_[tile] = true;
         }
     }
     [[nodiscard]] bool has(std::size_t tile) const { return tiles_[tile]; }
-    [[nodiscard]] bool has(tiling::InterfaceIndex node) const {
-        return nodes_[static_cast<std::size_t>(node)];
-    }
+    [[nodiscard]] bool has(tiling::InterfaceIndex node) const { return nodes_[node]; }
 
   private:
     std::vector<bool> tiles_;

@@ -107,7 +107,7 @@ LoadCase::Support read_support(const JsonReader& json) {
     LoadCase::Support support{read_selection(json), {}};
     for (const JsonReader& name : json.at("fixed").elements()) {
         const std::string dof = name.choice({"ux", "uy", "uz", "rx", "ry", "rz"});
-        support.fixed.contains[static_cast<std::size_t>(*dof_of(dof))] = true;
+        support.fixed[*dof_of(dof)] = true;
     }
     return support;
 }
@@ -183,7 +183,7 @@ void read_prescribed(const JsonReader& json, std::vector<LoadCase::PrescribedDis
 Json prescribed_json(const LoadCase::PrescribedDisplacement& prescribed) {
     Json json;
     write_selection(prescribed.where, json);
-    json[kDofNames[static_cast<std::size_t>(prescribed.dof)]] = prescribed.value;
+    json[dof_name(prescribed.dof)] = prescribed.value;
     return json;
 }
 

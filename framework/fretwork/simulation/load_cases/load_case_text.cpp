@@ -56,8 +56,8 @@ class EntryTexts {
         }
         for (const LoadCase::PrescribedDisplacement& entry : load_case_.prescribed)
             add("prescribed", picked(entry.where),
-                std::string(mechanics::kDofNames[static_cast<std::size_t>(entry.dof)]) + " = " +
-                    geometry::short_number(entry.value) + (entry.dof < mechanics::Dof::rx ? " m" : " rad"));
+                std::string(mechanics::dof_name(entry.dof)) + " = " + geometry::short_number(entry.value) +
+                    (entry.dof < mechanics::Dof::rx ? " m" : " rad"));
         for (const LoadCase::Load& load : load_case_.loads) add_load(load);
         for (const LoadCase::AreaLoad& load : load_case_.area_loads) add_area_load(load);
         if (!load_case_.gravity.isZero(0))
@@ -148,7 +148,7 @@ class Doubts {
 
     void look_at_prescribed(const LoadCase::PrescribedDisplacement& entry) {
         look_at(entry.where);
-        const std::string name = mechanics::kDofNames[static_cast<std::size_t>(entry.dof)];
+        const std::string name = mechanics::dof_name(entry.dof);
         if (entry.dof < mechanics::Dof::rx && std::abs(entry.value) > size_)
             doubts_.push_back("a prescribed " + name + " of " + geometry::short_number(entry.value) +
                               " m is larger than the surface of " + geometry::short_number(size_) +

@@ -30,7 +30,7 @@ std::vector<InterfaceIndex> nodes_where(const Tessellation& tessellation, const 
 std::vector<bool> rim_nodes(const Tessellation& tessellation) {
     std::vector<int> uses(tessellation.interface_nodes.size(), 0);
     for (const tiling::Tile& tile : tessellation.tiles) {
-        for (const InterfaceIndex node : tile.interface_nodes) ++uses[static_cast<std::size_t>(node)];
+        for (const InterfaceIndex node : tile.interface_nodes) ++uses[node];
     }
     std::vector<bool> on_rim(uses.size());
     std::transform(uses.begin(), uses.end(), on_rim.begin(), [](int count) { return count == 1; });

@@ -90,7 +90,7 @@ class Painter {
                 palette, [&](const auto& known) { return colour && known.first == *colour; });
             if (entry == palette.end()) continue;
             painted.push_back(tiles_[i]);
-            painting.tiles.push_back(places_of_patterns[static_cast<std::size_t>(entry - palette.begin())]);
+            painting.tiles.push_back(places_of_patterns[entry - palette.begin()]);
         }
         tiles_ = std::move(painted);
         return painting;
@@ -166,9 +166,9 @@ void mirror(Tessellation& tessellation, std::span<const TileIndex> tiles, const 
     for (const TileIndex tile : tiles) {
         const int now = tessellation.tiles[tile].pattern;
         if (now < 0) throw base::InputError("tile " + std::to_string(tile) + " is not painted");
-        if (painting.patterns[static_cast<std::size_t>(now)].id.empty())
+        if (painting.patterns[now].id.empty())
             throw base::InputError("the layout '" + layout.name() + "' has no mirror image of " +
-                                   tessellation.patterns[static_cast<std::size_t>(now)].id);
+                                   tessellation.patterns[now].id);
         painting.tiles.push_back(now);
     }
     tiling::paint_tiles(tessellation, tiles, painting);

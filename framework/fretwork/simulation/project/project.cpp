@@ -22,8 +22,7 @@ std::vector<std::string> models_by_tile(const Project& project) {
     if (project.tile_models.empty()) return models;
     models.resize(project.tessellation.tiles.size());
     for (const Project::TileModelChoice& choice : project.tile_models) {
-        for (const tiling::TileIndex tile : choice.tiles)
-            models[static_cast<std::size_t>(tile)] = choice.model;
+        for (const tiling::TileIndex tile : choice.tiles) models[tile] = choice.model;
     }
     return models;
 }

@@ -163,7 +163,7 @@ void read_tile_models(const JsonReader& json, Project& project) {
         for (const JsonReader& tile : element.at("tiles").elements()) {
             const long long last = std::ssize(is_chosen) - 1;
             choice.tiles.emplace_back(tile.integer(0, last));
-            auto chosen = is_chosen[static_cast<std::size_t>(choice.tiles.back())];
+            auto chosen = is_chosen[choice.tiles.back()];
             if (chosen) tile.fail("is a tile for which a model is chosen twice");
             chosen = true;
         }

@@ -48,8 +48,7 @@ std::string tessellation_hash(const Surface& surface) {
 std::string painting_hash(const Tessellation& tessellation) {
     base::Sha256 hash;
     for (const Tile& tile : tessellation.tiles) {
-        const std::string id =
-            tile.pattern < 0 ? "-" : tessellation.patterns[static_cast<std::size_t>(tile.pattern)].id;
+        const std::string id = tile.pattern < 0 ? "-" : tessellation.patterns[tile.pattern].id;
         hash.update(id + " " + std::to_string(first_place(tile)) + "\n");
     }
     return hash.hexadecimal();

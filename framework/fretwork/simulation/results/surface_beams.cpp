@@ -64,7 +64,7 @@ std::vector<SurfaceBeams::Start> starts_of(const tiling::Tessellation& tessellat
         starts.push_back(next);
         if (tile.pattern < 0) continue;
         next.inner_node += fan.tile_nodes[painted].size() - tile.interface_nodes.size();
-        next.beam = static_cast<std::size_t>(fan.first_edge[painted + 1]);
+        next.beam = fan.first_edge[painted + 1];
         ++painted;
     }
     starts.push_back(next);
@@ -83,7 +83,7 @@ class StateWriter {
           state_(state) {}
 
     void write(TileIndex tile, const std::optional<reduction::BeamMotion>& motion) const {
-        const auto t = static_cast<std::size_t>(tile);
+        const std::size_t t = tile;
         const auto first = static_cast<Eigen::Index>(beams_.starts[t].inner_node);
         const auto count = static_cast<Eigen::Index>(beams_.starts[t + 1].inner_node) - first;
         if (!motion) return;
@@ -100,10 +100,10 @@ class StateWriter {
               interface_count_(beams.interface_nodes),
               first_inner_(beams.starts[tile].inner_node) {}
         Eigen::Index operator()(mechanics::NodeIndex node) const {
-            const auto n = static_cast<std::size_t>(node);
+            const std::size_t n = node;
             if (n >= interface_count_) return static_cast<Eigen::Index>(interface_.size() + n - first_inner_);
             Eigen::Index row = 0;
-            while (interface_[static_cast<std::size_t>(row)].value != node.value) ++row;
+            while (interface_[row].value != node.value) ++row;
             return row;
         }
 
@@ -171,7 +171,7 @@ class ReadTiles {
     };
     ReadTiles(const Origin& origin, const SurfaceResult& result, const SurfaceBeams& beams)
         : surface_(origin.surface), models_(origin.models), result_(result) {
-        const auto rows = static_cast<std::size_t>(result.solution.displacements.rows());
+        const std::size_t rows = result.solution.displacements.rows();
         if (rows < beams.interface_nodes)
             throw base::InputError("the result is not one of this project: it has too few nodes");
         if (result.subject)
@@ -186,7 +186,7 @@ class ReadTiles {
 
     [[nodiscard]] std::optional<reduction::BeamMotion> beam_motion(TileIndex tile) const {
         if (tiles_.empty()) return std::nullopt;
-        const auto t = static_cast<std::size_t>(tile);
+        const std::size_t t = tile;
         const auto& interface_nodes = surface_.tessellation.tiles[t].interface_nodes;
         const auto inner = static_cast<Eigen::Index>(starts_[t + 1] - starts_[t]);
         const mechanics::NodeValues& rows = result_.solution.displacements;
@@ -238,7 +238,7 @@ SurfaceBeams surface_beams(const Surface& surface) {
     for (const tiling::TessellationFan::Edge& edge : fan.edges) {
         beams.ends.push_back(
             {mechanics::NodeIndex(edge.nodes[0].value), mechanics::NodeIndex(edge.nodes[1].value)});
-        beams.tiles.push_back(painted[static_cast<std::size_t>(edge.tile)]);
+        beams.tiles.push_back(painted[edge.tile]);
     }
     beams.starts = starts_of(surface.tessellation, fan);
     beams.joint_reaches = reaches_of(surface, painted);

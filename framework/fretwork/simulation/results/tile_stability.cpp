@@ -76,7 +76,7 @@ std::vector<tiling::TileIndex> buckled_tiles(const Surface& surface, const mecha
         for (const tiling::InterfaceIndex node : surface.tessellation.tiles[t].interface_nodes) {
             const auto& place = surface.tessellation.interface_nodes[node];
             places.emplace_back(place.x, place.y, 0.0);
-            own.push_back(states[static_cast<std::size_t>(node)]);
+            own.push_back(states[node]);
         }
         if (buckles(held_tile(*built[t].structure, places, local_states(places, own)), control))
             is_buckled[t] = 1;

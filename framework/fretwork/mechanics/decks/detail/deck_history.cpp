@@ -29,7 +29,7 @@ void DeckHistory::put_into(Frame& frame) const {
         }
         if (frame.supports.empty() || frame.supports.back().node != node)
             frame.supports.push_back({node, {}});
-        frame.supports.back().fixed.contains[static_cast<std::size_t>(dof)] = true;
+        frame.supports.back().fixed[dof] = true;
     });
     loads_.for_each([&](const Place& place, double value) {
         const auto [node, dof] = place;

@@ -69,8 +69,7 @@ class FrameCheck {
         return "node " + std::to_string(label);
     }
     [[nodiscard]] std::string node_place(NodeIndex node) const {
-        return names_.node_labels.empty() ? place("nodes", static_cast<std::size_t>(node.value))
-                                          : name_of(node);
+        return names_.node_labels.empty() ? place("nodes", node) : name_of(node);
     }
     [[nodiscard]] std::string beam_place(std::size_t beam) const {
         return names_.beam_labels.empty() ? place("beams", beam)
@@ -169,7 +168,7 @@ class FrameCheck {
         for (std::size_t i = 0; i < frame_.prescribed.size(); ++i) {
             const PrescribedDisplacement& given = frame_.prescribed[i];
             require_node(given.node, place("prescribed", i) + "/node");
-            const char* name = kDofNames[static_cast<std::size_t>(given.dof)];
+            const char* name = dof_name(given.dof);
             const base::Limits& limits = given.dof < Dof::rx ? base::kLengthLimits : base::kAngleLimits;
             if (!base::is_within(given.value, limits))
                 fail(place("prescribed", i) + "/" + name, "is " + format_number(given.value) + ", where " +
@@ -199,7 +198,7 @@ class FrameCheck {
         const auto massless = std::ranges::find_if(
             frame_.beams, [](const Beam& beam) { return !(beam.material.density > 0.0); });
         if (massless != frame_.beams.end())
-            fail(beam_place(static_cast<std::size_t>(massless - frame_.beams.begin())),
+            fail(beam_place(massless - frame_.beams.begin()),
                  "has no density, and gravity acts on the frame: give its material one");
     }
 

@@ -16,9 +16,7 @@ namespace {
 /// The nodes of each connected part, parts in the order of their first nodes.
 std::vector<std::vector<std::size_t>> connected_parts(const Frame& frame) {
     base::DisjointSets nodes(frame.nodes.size());
-    for (const Beam& beam : frame.beams)
-        nodes.unite(static_cast<std::size_t>(beam.nodes[0].value),
-                    static_cast<std::size_t>(beam.nodes[1].value));
+    for (const Beam& beam : frame.beams) nodes.unite(beam.nodes[0], beam.nodes[1]);
     std::vector<std::vector<std::size_t>> members(frame.nodes.size());
     for (std::size_t i = 0; i < frame.nodes.size(); ++i) members[nodes.first_of(i)].push_back(i);
     std::erase_if(members, [](const auto& part) { return part.empty(); });
@@ -67,8 +65,8 @@ Eigen::Matrix<double, 6, 6> held_motion_form(const Frame& frame, const std::vect
             Eigen::Matrix<double, 6, 1> row = Eigen::Matrix<double, 6, 1>::Zero();
             row[c] = 1.0;
             row.tail<3>() = arm.cross(Eigen::Vector3d::Unit(c));
-            if (held[i].contains[static_cast<std::size_t>(c)]) form += row * row.transpose();
-            if (held[i].contains[static_cast<std::size_t>(c + 3)]) form(c + 3, c + 3) += 1.0;
+            if (held[i].contains[c]) form += row * row.transpose();
+            if (held[i].contains[c + 3]) form(c + 3, c + 3) += 1.0;
         }
     }
     return form;
@@ -88,12 +86,12 @@ std::vector<DofSet> held_dofs(const Frame& frame) {
     std::vector<DofSet> held(frame.nodes.size());
     for (const Support& support : frame.supports) {
         for (std::size_t d = 0; d < kDofsPerNode; ++d) {
-            auto& dofs = held[static_cast<std::size_t>(support.node.value)];
+            auto& dofs = held[support.node];
             dofs.contains[d] = dofs.contains[d] || support.fixed.contains[d];
         }
     }
     for (const PrescribedDisplacement& given : frame.prescribed) {
-        held[static_cast<std::size_t>(given.node.value)].contains[static_cast<std::size_t>(given.dof)] = true;
+        held[given.node][given.dof] = true;
     }
     return held;
 }
