@@ -237,9 +237,9 @@ TEST(LinearSolverEdits, AnElementMayListItsNodesInAnotherOrder) {
     // The chain's stiffness has a condition of some 1e6.
     EXPECT_LT((by_correction - by_factors).norm(), 1e-9 * by_factors.norm());
     LinearSolver solver(before);
-    EXPECT_EQ(solver.update(all), FactorChange::Anew);
+    EXPECT_EQ(solver.update(all), FactorChange::Refactorized);
     EXPECT_EQ(solver.solve().displacements, solve_linear(all).displacements);
-    EXPECT_EQ(solver.update(before), FactorChange::Anew);
+    EXPECT_EQ(solver.update(before), FactorChange::Refactorized);
     EXPECT_EQ(solver.solve().displacements, solve_linear(before).displacements);
 }
 
@@ -298,7 +298,7 @@ TEST(LinearSolverEdits, AStructureThatBecomesFarSofterIsFactorizedAnew) {
         edited.elements[b] = assemble(soft).elements[b];
     }
     LinearSolver solver(grid.assembly());
-    EXPECT_EQ(solver.update(edited), FactorChange::Anew);
+    EXPECT_EQ(solver.update(edited), FactorChange::Refactorized);
     EXPECT_EQ(solver.solve().displacements, solve_linear(edited).displacements);
 }
 

@@ -45,7 +45,7 @@ simulation::SurfaceResult from_nothing(const Session& session) {
 TEST(Session, KeepsTheFactorsUnderANewLoad) {
     Session session(sample_surface(), cantilever({0.1, 0.05, -0.2}), condensed());
     (void)session.solve();
-    EXPECT_EQ(session.last_work().factors, Session::Work::Factors::Anew);
+    EXPECT_EQ(session.last_work().factors, Session::Work::Factors::Refactorized);
     session.set_load_case(cantilever({0.0, 0.3, 0.1}));
     const auto result = session.solve();
     EXPECT_EQ(session.last_work().factors, Session::Work::Factors::Kept);
@@ -96,7 +96,7 @@ TEST(Session, ATurnedTileCostsNoMoreThanARepaintedOne) {
     for (int t = 0; t < 300; ++t) all.emplace_back(t);
     session.turn(all, 1);
     const auto result = session.solve();
-    EXPECT_EQ(session.last_work().factors, Session::Work::Factors::Anew);
+    EXPECT_EQ(session.last_work().factors, Session::Work::Factors::Refactorized);
     EXPECT_EQ(largest_difference(result.solution.displacements, from_nothing(session).solution.displacements),
               0.0);
 }
@@ -157,7 +157,7 @@ TEST(Session, GivesTheAnswerOfTheFinalProjectAfterAnyEdits) {
             EXPECT_LT(largest_difference(edited.solution.displacements, anew.solution.displacements),
                       1e-10 * size);
             EXPECT_LT(edited.solution.residual, 1e-9);
-            if (session.last_work().factors == Session::Work::Factors::Anew) {
+            if (session.last_work().factors == Session::Work::Factors::Refactorized) {
                 EXPECT_EQ(largest_difference(edited.solution.displacements, anew.solution.displacements), 0.0)
                     << "run " << run << ", edit " << i;
             }

@@ -19,7 +19,7 @@ struct LinearOptions {
 enum class FactorChange {
     Kept,     ///< nothing; a correction that they had is dropped if no element differs from those factorized
     Updated,  ///< a correction of low rank for the elements that differ from those factorized
-    Anew,     ///< factorized again, with the bits of a new solver's
+    Refactorized,  ///< all factors are computed again, with the bits of a new solver's
 };
 
 /// The linear equilibrium K d = F of a structure at rest, factorized once: another load is a

@@ -134,7 +134,7 @@ class Session {
     struct Work {
         std::size_t tiles_built = 0;  ///< shared ones once
         using Factors = mechanics::FactorChange;
-        Factors factors = Factors::Anew;  ///< of a linear solution
+        Factors factors = Factors::Refactorized;  ///< of a linear solution
         /// For a nonlinear solution: the state to go on from.
         mechanics::StartingPoint starting_point = mechanics::StartingPoint::Rest;
     };

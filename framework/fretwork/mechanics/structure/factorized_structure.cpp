@@ -126,7 +126,7 @@ void FactorizedStructure::factorize(const base::Control& control) {
     for (Subsystem& system : systems_) system.factorize(assembly_, control);
     factorized_ = assembly_.elements;
     corrected_elements_ = 0;
-    last_change_ = FactorChange::Anew;
+    last_change_ = FactorChange::Refactorized;
     keep_held_entries(control);
 }
 

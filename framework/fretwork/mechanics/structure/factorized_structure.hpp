@@ -84,7 +84,7 @@ class FactorizedStructure {
     std::vector<Subsystem> systems_;
     Elements factorized_;  ///< the elements of which these factors are
     std::size_t corrected_elements_ = 0;
-    FactorChange last_change_ = FactorChange::Anew;
+    FactorChange last_change_ = FactorChange::Refactorized;
     std::vector<HeldEntry> held_entries_;
 };
 

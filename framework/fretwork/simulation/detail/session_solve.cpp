@@ -84,7 +84,7 @@ void Session::Impl::update(const base::Control& control) {
 
 const mechanics::LinearSolver& Session::Impl::updated_solver(const base::Control& control) {
     if (!solver_) {
-        work_.factors = Work::Factors::Anew;
+        work_.factors = Work::Factors::Refactorized;
         return solver_.emplace(assembly_,
                                mechanics::LinearOptions{.threads = options_.threads, .control = control});
     }
