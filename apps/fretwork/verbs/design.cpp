@@ -3,6 +3,7 @@
 #include "interrupt.hpp"
 #include "options/file_options.hpp"
 #include "typed/palette_text.hpp"
+#include "typed/symmetry_text.hpp"
 #include "verbs.hpp"
 
 #include <fretwork/base/error.hpp>
@@ -176,7 +177,7 @@ ExitCode run(DesignArguments arguments) {
         }
     }
     read_free(arguments.free, options);
-    if (!arguments.symmetry.empty()) options.symmetry = design::parse_symmetry(arguments.symmetry);
+    if (!arguments.symmetry.empty()) options.symmetry = typed::read_symmetry(arguments.symmetry);
     if (options.max_utilization > 0.0 && !simulation::setting_of(project, given).strength)
         throw base::InputError("--max-utilization", "",
                                "needs a strength, and the project's setting has none");

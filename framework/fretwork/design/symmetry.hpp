@@ -2,7 +2,6 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 
 namespace fretwork::design {
 
@@ -19,8 +18,7 @@ struct Symmetry {
     friend bool operator==(const Symmetry&, const Symmetry&) = default;
 };
 
-/// From "mirror:x", "mirror:y" or "turn:N". Throws InputError.
-Symmetry parse_symmetry(std::string_view text);
+/// As people type it: "mirror:x", "mirror:y" or "turn:N"; "none".
 std::string symmetry_text(const Symmetry& symmetry);
 
 }  // namespace fretwork::design
