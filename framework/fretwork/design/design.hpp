@@ -18,16 +18,17 @@ namespace fretwork::design {
 
 /// The best painting so far, while the search goes on.
 struct DesignProgress {
-    int solutions = 0;  ///< nonlinear ones so far
+    int solutions = 0;  ///< nonlinear solutions so far
     double seconds = 0.0;
     double misfit = 0.0;  ///< root of the weighted mean square distance of the reduced model, a share of the
                           ///< largest displacement wanted
 };
 
 struct DesignOptions {
-    std::string load_case;  ///< its name in the project; of the goals that name none
+    std::string load_case;  ///< a name of the project: the load case of goals that name none
     std::vector<pattern::NamedPattern> palette;
-    std::size_t max_patterns = 0;         ///< that the surface has, kept tiles included; 0: any number
+    std::size_t max_patterns =
+        0;  ///< most different patterns of the surface, kept tiles included; 0: any number
     std::vector<tiling::TileIndex> keep;  ///< their patterns stay
     Symmetry symmetry;
     double max_mass = 0.0;         ///< kg, of all beams; 0: any
@@ -35,10 +36,10 @@ struct DesignOptions {
     bool free_factor = false;      ///< the factor on each load case's loads is searched, too
     bool free_prescribed = false;  ///< so are the values of its prescribed displacements
     double seconds = 0.0;          ///< wall time, checks included; 0: any
-    int most_solutions = 60;       ///< nonlinear ones of the search; those of checks come on top
+    int most_solutions = 60;       ///< most nonlinear solutions of the search; checks take further ones
     std::size_t uniform_paintings =
-        24;                      ///< that the search begins with, chosen for their differing stiffness
-    std::size_t shortlist = 64;  ///< patterns that one step of the search chooses from
+        24;                      ///< the search begins with this number of them, of very different stiffness
+    std::size_t shortlist = 64;  ///< number of patterns that one step of the search chooses from
     std::uint64_t seed = 1;
     int threads = 0;  ///< 0: all there are. They change no bit.
     base::Control control{};
@@ -47,8 +48,8 @@ struct DesignOptions {
     void validate(const simulation::Project& project) const;
 };
 
-/// Distances to the target over its goals' nodes, as shares of the largest displacement that it asks for: of
-/// the full model, nonlinear, on the stable path from flat.
+/// Distances to the target over its goals' nodes, as shares of the largest displacement that it asks for.
+/// They are those of the full model: the nonlinear equilibrium on the stable path from flat.
 struct TargetError {
     double mean = 0.0;
     double largest = 0.0;
@@ -57,7 +58,7 @@ struct TargetError {
 
 /// How the search ended.
 enum class DesignEnd {
-    NoSwapImproves,  ///< no single swap is predicted to improve the painting, or those that were did not
+    NoSwapImproves,  ///< no single swap is predicted to improve the painting, or none of the predicted did
     SolutionsSpent,
     TimeSpent,
     Stopped  ///< by the caller
@@ -74,8 +75,8 @@ struct DesignReport {
     std::vector<double> factors;        ///< on the loads of each load case, in the order of load_cases
     std::vector<std::string> load_cases;
     std::optional<double> largest_utilization;  ///< with all beams; none without a strength
-    /// The largest displacement wanted, as a share of those of the softest and of the stiffest uniform
-    /// painting: far above one, the load is too small for the target.
+    /// The largest displacement wanted, as a multiple of the largest one of the softest and of the stiffest
+    /// uniform painting. If it is far above one, the load is too small for the target.
     double wanted_of_softest = 0.0;
     double wanted_of_stiffest = 0.0;
     double model_error =
@@ -85,17 +86,16 @@ struct DesignReport {
     DesignEnd end = DesignEnd::NoSwapImproves;
     bool slides = false;  ///< nodes may slide along a target's surface
     double seconds = 0.0;
-    int solutions = 0;       ///< nonlinear ones of the search
-    int full_solutions = 0;  ///< with all beams, of the checks
+    int solutions = 0;       ///< nonlinear solutions of the search
+    int full_solutions = 0;  ///< nonlinear solutions with all beams, of the checks
     std::uint64_t seed = 0;
     /// Whether the painting is better than the best single pattern; false where this is not known.
     [[nodiscard]] bool is_better() const { return error && best_uniform && error->mean < best_uniform->mean; }
 };
 
-/// Paint the tiles of a project so that its surface takes the target's shape: README.md says how. Throws
-/// InputError that names what does not fit (target, palette, load case, kept tiles); base::Stopped only
-/// before there is any painting: afterwards a stop ends the search, and the best painting so far is in the
-/// report.
+/// Paint the tiles of a project so that its surface takes the target's shape (the method: README.md). A stop
+/// ends the search, and the report has the best painting so far; before there is a painting, it throws
+/// base::Stopped. Throws InputError that names the target, palette, load case or kept tile that does not fit.
 DesignReport design(const simulation::Project& project, const library::Library* library, const Target& target,
                     const DesignOptions& options);
 

@@ -10,15 +10,15 @@ struct Symmetry {
     enum class Kind {
         None,
         MirrorX,  ///< left and right are mirror images
-        MirrorY,  ///< below and above are
-        Turn      ///< turned by 1 / `folds` of a whole turn
+        MirrorY,  ///< below and above are mirror images
+        Turn      ///< unchanged by 1 / `folds` of a whole turn
     };
     Kind kind = Kind::None;
     int folds = 1;
     friend bool operator==(const Symmetry&, const Symmetry&) = default;
 };
 
-/// As people type it: "mirror:x", "mirror:y" or "turn:N"; "none".
+/// The text that people type for it: "mirror:x", "mirror:y" or "turn:N"; or "none".
 std::string symmetry_text(const Symmetry& symmetry);
 
 }  // namespace fretwork::design

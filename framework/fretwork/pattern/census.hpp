@@ -9,20 +9,20 @@
 
 namespace fretwork::pattern {
 
-/// How many graphs there are: up to C(128, 64), which is beyond 64 bits.
+/// A number of graphs: up to C(128, 64), which needs more than 64 bits.
 __extension__ using GraphCount = unsigned __int128;
 
 /// A count in decimal digits.
 std::string count_text(GraphCount count);
 
-/// One row: the graphs of this number of edges.
+/// A row of the census: the graphs with this number of edges.
 struct CensusRow {
     int edges = 0;
-    GraphCount patterns = 0;  ///< all graphs of this number of candidate edges
-    /// For each filter, how many of them break its rule, counted independently of the other filters; none
-    /// where that cannot be counted without walking all graphs.
+    GraphCount patterns = 0;  ///< all graphs with this number of candidate edges
+    /// For each filter, the number of graphs that break its rule, whatever the other filters say; none where
+    /// counting them takes a walk over all graphs.
     std::vector<std::optional<GraphCount>> rejected;
-    GraphCount valid = 0;  ///< those that keep every rule
+    GraphCount valid = 0;  ///< the graphs that keep every rule
 };
 
 /// The paper's Table 1, for any layout.
@@ -32,14 +32,15 @@ struct Census {
     [[nodiscard]] GraphCount valid() const;
 };
 
-/// The most candidate edges with which every graph is walked: about a million graphs.
+/// With more candidate edges than this (a million graphs), the graphs are not walked one by one.
 inline constexpr int kMostEdgesWalked = 20;
 
-/// Count what each filter rejects and what all of them leave. Up to kMostEdgesWalked candidate edges every
-/// graph is walked. Beyond, valid patterns are searched for, rules about pairs, loads and groups of edges are
-/// counted in closed form, and the columns of the graph rules stay empty.
+/// Count the graphs that each filter rejects, and those that all filters accept. Up to kMostEdgesWalked
+/// candidate edges, every graph is walked. Beyond that, a search counts the valid patterns, closed forms
+/// count the rejections by rules about pairs, loads and groups of edges, and the columns of the other filters
+/// stay empty.
 Census take_census(const NodeLayout& layout, const EnumerationOptions& options = {});
-/// The same after a search: `valid` is what it counted under the same options.
+/// The same after a search that has counted the `valid` patterns under the same options.
 Census take_census(const NodeLayout& layout, const EnumerationOptions& options, const PatternCount& valid);
 
 /// The table as CSV with LF: edges, patterns, one column for each filter, valid. Numbers that could not be

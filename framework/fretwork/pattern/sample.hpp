@@ -9,23 +9,23 @@
 
 namespace fretwork::pattern {
 
-/// How many valid patterns a layout has, guessed from random trials.
+/// The number of valid patterns of a layout, estimated from random trials.
 struct CountEstimate {
-    double valid = 0.0;  ///< the estimate: unbiased
-    double lower = 0.0;  ///< with `confidence`, the number lies between these two
-    double upper = 0.0;  ///< (Clopper and Pearson's interval, which errs on the safe side)
+    double valid = 0.0;  ///< the unbiased estimate
+    double lower = 0.0;  ///< with probability `confidence`, the true number lies between these two
+    double upper = 0.0;  ///< (Clopper and Pearson's interval, which is never too narrow)
     double confidence = 0.95;
     std::uint64_t trials = 0;
-    std::uint64_t hits = 0;    ///< trials that met a valid pattern
-    GraphCount proposals = 0;  ///< graphs among which a trial chooses
+    std::uint64_t hits = 0;    ///< trials that drew a valid pattern
+    GraphCount proposals = 0;  ///< the graphs that a trial draws from
 };
 
 /// Draws valid patterns of layouts that are too large to list, each with exactly the same probability.
 ///
 /// A trial draws a graph uniformly among those that keep all rules about pairs of edges (crossings, angles,
-/// clearances, forbidden edges) and have a wanted number of edges; these are counted exactly, so that the
-/// draw is exact. The trial is kept if the graph keeps the other rules too. Every valid pattern is such a
-/// graph, so what is kept is uniform over the valid patterns. Trial n depends on nothing but the seed and n.
+/// clearances, forbidden edges) and have an allowed number of edges. These graphs are counted exactly, so the
+/// draw is exactly uniform. A graph that breaks one of the other rules is rejected. Every valid pattern is
+/// one of the graphs, so the patterns that remain are uniform, too. Trial n depends on the seed and n alone.
 class PatternSampler {
   public:
     /// Throws NumericalError if the layout is too large even for counting the graphs without conflicts.
@@ -34,8 +34,8 @@ class PatternSampler {
     PatternSampler& operator=(PatternSampler&&) noexcept;
     ~PatternSampler();
 
-    /// The next `count` patterns; one may come more than once, as draws are independent. Throws
-    /// NumericalError if `most_trials` trials in a row meet none.
+    /// The next `count` patterns. Draws are independent, so a pattern may come more than once. Throws
+    /// NumericalError if `most_trials` trials in a row find no valid pattern.
     std::vector<Pattern> draw(std::size_t count, std::uint64_t most_trials = 100'000'000);
 
     /// Estimate how many valid patterns there are, from this many additional trials.

@@ -9,11 +9,12 @@
 
 namespace fretwork::reduction {
 
-/// Choose up to `size` items: equally many of each stratum until it is used up, evenly spread within it.
-/// Returns ascending indices; deterministic.
+/// Choose up to `size` items: the same number from each stratum (fewer if it has fewer), evenly spread within
+/// it. Returns ascending indices. The choice is deterministic.
+/// @param strata  the stratum of each item
 std::vector<std::size_t> stratified_sample(std::span<const int> strata, std::size_t size);
 
-/// Up to `size` of these patterns, spread over the numbers of edges, in their order.
+/// Up to `size` of these patterns, in their order: the numbers of edges are the strata.
 std::vector<pattern::Pattern> spread_over_edges(std::span<const pattern::Pattern> patterns, std::size_t size);
 
 }  // namespace fretwork::reduction

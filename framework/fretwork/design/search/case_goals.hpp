@@ -15,30 +15,30 @@
 
 namespace fretwork::design::detail {
 
-/// A linear function of one node's displacement and rotation vector, and how far it is from what is wanted.
+/// A linear function of one node's displacement and rotation vector, and its distance from the wanted value.
 struct Observation {
     Eigen::Index node = 0;
     Eigen::Matrix<double, 6, 1> direction = Eigen::Matrix<double, 6, 1>::Zero();
-    double residual = 0.0;  ///< m: what it is less what is wanted
-    double weight = 1.0;    ///< of its square
+    double residual = 0.0;  ///< m: its value less the wanted one
+    double weight = 1.0;    ///< of the residual's square
 };
 
-/// The goals of a target under one load case, for the nodes of a tessellation. Turns count as the
-/// displacements that they make at a distance of one mean tile side.
+/// The goals of a target under one load case, for the nodes of a tessellation. A turn counts as the
+/// displacement that it makes at a distance of one mean tile side.
 class CaseGoals {
   public:
-    /// Throws InputError that names the goal ("/goals/3") and what is wrong.
+    /// Throws InputError that names the goal ("/goals/3") and its error.
     CaseGoals(const Target& target, const std::string& load_case, const std::string& default_case,
               const tiling::Tessellation& tessellation);
 
     [[nodiscard]] bool empty() const { return goals_.empty(); }
-    /// Every component that is not free, in a fixed order. `aim` is added to what is wanted: positions in
-    /// space, a row for each node; may be empty.
+    /// The observation of every component that is not free, in a fixed order.
+    /// @param aim  added to the wanted positions in space, a row for each node; may be empty
     [[nodiscard]] std::vector<Observation> observe(const mechanics::NodeValues& displacements,
                                                    const mechanics::NodeValues& aim) const;
     /// The distance of each node of each goal, m.
     [[nodiscard]] std::vector<double> distances(const mechanics::NodeValues& displacements) const;
-    /// The largest displacement that is asked for, m.
+    /// The largest wanted displacement, m.
     [[nodiscard]] double largest() const { return largest_; }
     [[nodiscard]] std::size_t node_count() const { return goals_.size(); }
     /// Whether nodes may slide along a surface.
@@ -49,7 +49,7 @@ class CaseGoals {
         FreeVector wanted;
         bool is_rotation = false;
     };
-    /// What is wanted of one node.
+    /// The goal of one node.
     struct NodeWish {
         Eigen::Index node = 0;
         Eigen::Vector3d place = Eigen::Vector3d::Zero();  ///< at rest
@@ -61,7 +61,7 @@ class CaseGoals {
                  std::vector<Observation>& list) const;
 
     std::vector<NodeWish> goals_;
-    double length_ = 0.0;  ///< m, on which turns count
+    double length_ = 0.0;  ///< m, the distance at which turns count
     double largest_ = 0.0;
 };
 

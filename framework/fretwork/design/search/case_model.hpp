@@ -13,27 +13,28 @@
 
 namespace fretwork::design::detail {
 
-/// The goals of one load case near an equilibrium. Of all that they observe, it keeps the part that swaps of
-/// patterns reach: k numbers, an orthonormal basis of the observed answers to random swaps.
+/// The goals of one load case, linearized at an equilibrium. Swaps of patterns reach only a part of the
+/// observations: an orthonormal basis of the answers to random swaps spans it, and k coefficients describe
+/// it.
 struct CaseModel {
     Eigen::VectorXd
-        residual;  ///< k numbers; without unit, so that the square of all is a mean of squared shares
-    double unreached = 0.0;  ///< square of the residual's part that is left out
-    /// A tile and its answer to another stiffness, in the strains of TileStrains.
+        residual;  ///< k coefficients, dimensionless: the sum of their squares is a mean of squared shares
+    double unreached = 0.0;  ///< squared norm of the part of the residual outside of the basis
+    /// One tile, in the strains of TileStrains.
     struct Tile {
         Eigen::VectorXd strains;
         Eigen::MatrixXd flexibility;
         Eigen::MatrixXd reach;      ///< from stresses on the tile to residuals, k rows
-        Eigen::VectorXd of_weight;  ///< residuals by the tile's mass, 1/kg
+        Eigen::VectorXd of_weight;  ///< derivative of the residuals by the tile's mass, 1/kg
     };
     base::IndexVector<tiling::TileIndex, Tile> tiles;
-    Eigen::MatrixXd by_loads;       ///< residuals by the factor on the loads, k x 1
-    Eigen::MatrixXd by_prescribed;  ///< by the value of each prescribed entry, k rows
+    Eigen::MatrixXd by_loads;       ///< derivative of the residuals by the factor on the loads, k x 1
+    Eigen::MatrixXd by_prescribed;  ///< the same by the value of each prescribed entry, k rows
     double energy = 0.0;            ///< J, elastic
 };
 
-/// How the stress on a tile changes if its stiffness does: the answer f = -(1 + dk G)^-1 dk e, exact for one
-/// tile in the linearized surface, with e its strains and G its flexibility; and its energy f . G f.
+/// The stress on a tile after a change dk of its stiffness, f = -(1 + dk G)^-1 dk e, where e are its strains
+/// and G its flexibility; and the energy f . G f. Exact for one tile of the linearized surface.
 struct SwapAnswer {
     Eigen::VectorXd stress;
     double energy = 0.0;
@@ -46,21 +47,21 @@ struct CaseState {
     simulation::Session& session;
     const CaseGoals& goals;
     const mechanics::NodeValues& displacements;
-    const mechanics::NodeValues& aim;  ///< as CaseGoals::observe
-    double scale = 1.0;                ///< 1/m: residuals are made shares by it
-    mechanics::NodeValues unit_loads;  ///< at the factor 1, without weight; a row for each node
+    const mechanics::NodeValues& aim;  ///< the argument of CaseGoals::observe()
+    double scale = 1.0;                ///< 1/m, from distances to shares
+    mechanics::NodeValues unit_loads;  ///< at the factor 1, without the surface's weight; a row for each node
 };
-/// Which swaps the basis is made of.
+/// The swaps that span the basis.
 struct SwapSample {
     const simulation::CandidateTiles& candidates;
     const TileStrains& strains;
     std::span<const std::size_t> painting;  ///< the pattern of each tile
-    std::span<const std::size_t> patterns;  ///< those that are swapped in
-    Eigen::Index directions = 96;           ///< k, at most
+    std::span<const std::size_t> patterns;  ///< the patterns that are swapped in
+    Eigen::Index directions = 96;           ///< the largest k
     std::uint64_t seed = 1;
     int threads = 0;
 };
-/// The session is at an equilibrium. Throws Stopped.
+/// Linearize the goals of a case. The session has to be at an equilibrium. Throws Stopped.
 CaseModel linearize_case(const CaseState& state, const SwapSample& sample, const base::Control& control);
 
 }  // namespace fretwork::design::detail

@@ -8,7 +8,7 @@
 
 namespace fretwork::design::detail {
 
-/// A surface of triangles in space that is asked for its point nearest to another one.
+/// A surface of triangles in space that finds its point nearest to a given one.
 class SpaceMesh {
   public:
     /// Throws InputError if the file is no mesh.

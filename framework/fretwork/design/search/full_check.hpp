@@ -9,7 +9,7 @@
 
 namespace fretwork::design::detail {
 
-/// A point as the full model answers it, on the stable path from flat.
+/// The answer of the full model to a point, on the stable path from flat.
 struct FullCheck {
     bool is_found = false;
     TargetError error;
@@ -18,10 +18,10 @@ struct FullCheck {
     int solutions = 0;
 };
 
-/// What of the beams is asked for, too.
+/// Whether the largest utilization of the beams is computed.
 enum class BeamDemand { None, Utilization };
 
-/// Throws Stopped.
+/// Solve all load cases with all beams. Throws Stopped.
 FullCheck check_in_full(const Trials& trials, const Point& point, BeamDemand beams,
                         const base::Control& control);
 

@@ -9,14 +9,14 @@
 
 namespace fretwork::design::detail {
 
-/// What a search starts from.
+/// The input of a search.
 struct Preparation {
     TrialParts parts;
     std::vector<std::string> load_cases;  ///< their names
     std::vector<std::size_t> palette;     ///< candidates that groups may have, the most different ones first
 };
 
-/// Condense the candidates that there is time for. Throws InputError that names what does not fit, and
+/// Condense as many candidates as the time allows. Throws InputError that names the value that does not fit;
 /// Stopped.
 Preparation prepare(const simulation::Project& project, const library::Library* library, const Target& target,
                     const DesignOptions& options);

@@ -18,7 +18,7 @@ class Stopwatch {
     [[nodiscard]] double seconds() const {
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count();
     }
-    /// Whether so much of the limit is left, s; always without a limit.
+    /// Whether `needed` s of the limit are left; without a limit always.
     [[nodiscard]] bool has_left(double needed) const { return limit_ <= 0.0 || seconds() + needed < limit_; }
 
   private:
@@ -26,7 +26,7 @@ class Stopwatch {
     double limit_;
 };
 
-/// A point with what it does.
+/// A point and its solution.
 struct Solved {
     Point point;
     Trial trial;
@@ -41,18 +41,19 @@ class Search {
     /// Uniform paintings of these candidates, the best first; those without a stable equilibrium are left
     /// out.
     std::vector<Solved> try_uniform(const std::vector<std::size_t>& patterns);
-    /// Improve a painting until no swap does. `reserve` s of the time are left. Returns the best point found.
+    /// Improve a painting until no swap improves it, or only `reserve` s are left. Returns the best point
+    /// found.
     Solved improve(Solved start, double reserve);
-    /// From other starts, and from the best painting with a part of it painted at random, as long as the
-    /// budget lasts.
+    /// Improve other starts, and the best painting with a random part of it painted at random, until the
+    /// budget is spent or only `reserve` s are left.
     Solved improve_from_others(Solved best, const std::vector<Solved>& starts, double reserve);
     /// The patterns that steps choose from.
     void set_columns(std::vector<std::size_t> shortlist, std::vector<std::size_t> all);
 
     [[nodiscard]] DesignEnd end() const { return end_; }
-    /// The best point that was solved since the search began, or since its aims were changed.
+    /// The best point that was solved since the search began or forget_best() was called.
     [[nodiscard]] const std::optional<Point>& best_point() const { return best_point_; }
-    /// Other aims: what was best is so no more.
+    /// Forget the best point: after a change of the aims it need not be the best.
     void forget_best() {
         best_ = -1.0;
         best_point_.reset();
@@ -62,7 +63,7 @@ class Search {
   private:
     [[nodiscard]] std::vector<std::size_t> columns_for(const Point& point, int round) const;
     [[nodiscard]] Point kicked(const Point& point, std::uint64_t number) const;
-    /// One step: false if none of the proposals is better.
+    /// Take one step. Returns false if no proposal is better than the current point.
     bool step(Solved& current, double& radius, int round);
     [[nodiscard]] double mass_for_groups(const Point& point, const SwapTable& table,
                                          const std::vector<std::size_t>& start) const;

@@ -10,13 +10,13 @@
 
 namespace fretwork::design::detail {
 
-/// What every swap does to the residuals of all load cases, to first order in their superposition. *Groups*
-/// of tiles are painted together; a *choice* is a column of the table for each group.
+/// The change of all load cases' residuals by every swap; changes by several swaps are added. The tiles of a
+/// *group* are painted together. A *choice* is one column of the table for each group.
 struct SwapTable {
-    Eigen::VectorXd residual;  ///< rho, k numbers
-    double unreached = 0.0;    ///< what no choice changes of the sum of squares
+    Eigen::VectorXd residual;  ///< rho, k coefficients
+    double unreached = 0.0;    ///< the part of the sum of squares that no choice changes
     std::vector<Eigen::MatrixXd>
-        responses;                  ///< of each group: k rows, a column for each pattern of the table
+        responses;                  ///< for each group k rows and a column for each pattern of the table
     Eigen::MatrixXd energies;       ///< f . G f, columns x groups, J
     Eigen::MatrixXd masses;         ///< kg, columns x groups
     Eigen::MatrixXd by_factors;     ///< k rows; a column for each continuous unknown
@@ -27,16 +27,16 @@ struct SwapTable {
     [[nodiscard]] std::size_t columns() const { return static_cast<std::size_t>(energies.rows()); }
 };
 
-/// What is chosen for each group, and steps of the continuous unknowns.
+/// A column for each group, and steps of the continuous unknowns.
 struct Choice {
     std::vector<std::size_t> columns;
     Eigen::VectorXd steps;
-    double objective = 0.0;  ///< predicted: the sum of squares
+    double objective = 0.0;  ///< the predicted sum of squares
     double energy = 0.0;     ///< of the change, J
 };
 
 struct SweepOptions {
-    std::vector<bool> allowed;  ///< columns
+    std::vector<bool> allowed;  ///< for each column, whether it may be chosen
     double radius = 0.5;        ///< the energy of the change is at most this share of the surface's
     double most_mass = 0.0;     ///< kg, of all groups; 0: any
     std::uint64_t seed = 1;
@@ -44,13 +44,14 @@ struct SweepOptions {
     base::Control control{};
 };
 
-/// Integer least squares by sweeps: each group in turn takes the column that is best with all the others as
-/// they are, and the continuous unknowns take theirs; in several random orders, with a price on the energy of
-/// the change that keeps it within the radius. The best of what was found. Throws Stopped.
+/// Solve the integer least squares problem by sweeps. Each group in turn takes its best column while the
+/// other groups stay; then the continuous unknowns take their best values. A price on the energy of the
+/// change keeps it within the radius. Sweeps run in several random orders. Returns the best choice found.
+/// Throws Stopped.
 Choice sweep(const SwapTable& table, const std::vector<std::size_t>& start, const SweepOptions& options);
 
-/// Leave so few columns that a choice has at most `most` different ones, of which `kept` are: again and again
-/// the column is given up without which the sweep is least worse.
+/// Remove columns until a choice has at most `most` different ones. Each time, the column goes whose loss
+/// worsens the sweep least. Returns for each column whether it is left.
 std::vector<bool> fewer_columns(const SwapTable& table, const std::vector<std::size_t>& start,
                                 SweepOptions options, std::size_t most);
 

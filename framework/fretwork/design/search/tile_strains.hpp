@@ -9,9 +9,9 @@
 
 namespace fretwork::design::detail {
 
-/// The stiffness of candidate tiles against strains without rigid motions: K = U k U^T, where the orthonormal
-/// columns of U are those in the plane (ux uy rz), then those out of it. Beams of a flat tile do not couple
-/// the two, so that k has two blocks.
+/// The stiffness k of candidate tiles in coordinates without rigid motions: K = U k U^T. The orthonormal
+/// columns of U are first strains in the plane (ux uy rz), then strains out of it. Beams of a flat tile do
+/// not couple the two, so k has two blocks.
 class TileStrains {
   public:
     /// Throws NumericalError if a stiffness couples the two; Stopped.
@@ -39,14 +39,14 @@ class TileStrains {
     std::vector<Class> classes_;
 };
 
-/// The logarithms of the patterns' stiffnesses in one class of tiles, a column each: patterns are as
-/// different as these are far from each other. The part in the plane has a smaller weight. Turns count as
-/// displacements at `length`.
+/// The logarithms of the patterns' stiffnesses in one class of tiles, one column for each pattern. The
+/// distance of two columns measures how different two patterns are; stiffness in the plane has a smaller
+/// weight. A turn counts as the displacement that it makes at the distance `length` (m).
 Eigen::MatrixXd stiffness_logarithms(const TileStrains& strains, std::size_t tile_class, double length,
                                      const base::Control& control);
 
-/// `count` of the columns that lie far from each other: the one nearest to the mean, then each time the one
-/// farthest from those chosen. All if there are no more.
+/// Choose `count` columns that lie far from each other: first the one nearest to the mean, then each time the
+/// one farthest from those chosen. Chooses all if there are not more.
 std::vector<std::size_t> spread_choice(const Eigen::MatrixXd& columns, std::size_t count,
                                        const base::Control& control);
 

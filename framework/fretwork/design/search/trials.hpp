@@ -11,22 +11,22 @@
 
 namespace fretwork::design::detail {
 
-/// A load case that a painting serves, and what it is to do under it.
+/// A load case of a design, and the goals under it.
 struct DesignCase {
     simulation::LoadCase load_case;
     CaseGoals goals;
 };
 
-/// What is searched: a pattern for each group of tiles (a place in the candidates), and the continuous
-/// unknowns: for each load case the factor on its loads and the values of its prescribed displacements, as
-/// far as they are free.
+/// A point of the search space: a pattern for each group of tiles (its place among the candidates), and the
+/// continuous unknowns. These are, for each load case, the factor on its loads and the values of its
+/// prescribed displacements, if they are free.
 struct Point {
     std::vector<std::size_t> patterns;
     Eigen::VectorXd unknowns;
     friend bool operator==(const Point&, const Point&) = default;
 };
 
-/// What a point does.
+/// The solution of a point.
 struct Trial {
     bool is_found = false;  ///< all equilibria were found, and are stable
     double objective =
@@ -34,24 +34,24 @@ struct Trial {
     std::vector<mechanics::NodeValues> displacements{};  ///< of each load case
 };
 
-/// Which unknowns there are besides the painting.
+/// The unknowns besides the painting that are free.
 struct FreeUnknowns {
     bool factor = false;
     bool prescribed = false;
 };
 
-/// What trials are made of. `surface` is painted.
+/// The input of Trials. `surface` has to be painted.
 struct TrialParts {
     simulation::Surface surface;
     std::vector<DesignCase> cases;
     simulation::CandidateTiles candidates;
     std::vector<TileGroup> groups;
-    std::vector<std::size_t> mirrored;  ///< of each candidate its mirror image's place; empty: none is needed
+    std::vector<std::size_t> mirrored;  ///< the place of each candidate's mirror image; empty: none is needed
     FreeUnknowns free;
     int threads = 0;
 };
 
-/// Solves points one after the other, each from the last equilibrium, and tells what swaps would do there.
+/// Solves one point after the other, each from the last equilibrium, and predicts the effect of swaps there.
 class Trials {
   public:
     /// Throws Stopped.
@@ -60,24 +60,25 @@ class Trials {
     [[nodiscard]] const TrialParts& parts() const { return parts_; }
     [[nodiscard]] Eigen::VectorXd initial_unknowns() const;
     [[nodiscard]] Point uniform(std::size_t pattern) const;
-    /// Positions that are added to what is wanted, for each load case (CaseGoals::observe).
+    /// Set the positions that are added to the wanted ones, for each load case (CaseGoals::observe).
     void set_aims(std::vector<mechanics::NodeValues> aims) { aims_ = std::move(aims); }
 
     /// Throws Stopped.
     Trial solve(const Point& point, const base::Control& control);
-    /// The table of swaps at the point of the last trial, which was found. Columns are candidates.
+    /// The table of swaps at the point of the last trial, whose equilibria were found. Columns are
+    /// candidates.
     SwapTable table(const Point& point, const Trial& trial, const std::vector<std::size_t>& columns,
                     std::uint64_t seed, const base::Control& control);
     [[nodiscard]] int solutions() const { return solutions_; }
-    /// Solutions that were made elsewhere.
+    /// Count solutions that were made elsewhere.
     void count_solutions(int more) { solutions_ += more; }
 
     /// The surface with a point's painting, and the load cases with its unknowns.
     [[nodiscard]] simulation::Surface surface_at(const Point& point) const;
     [[nodiscard]] simulation::LoadCase load_case_at(const Point& point, std::size_t which) const;
-    /// Of all beams, kg.
+    /// The mass of all beams, kg.
     [[nodiscard]] double mass_of(const Point& point) const;
-    /// Of the lightest painting there is, kg.
+    /// The mass of the lightest painting, kg.
     [[nodiscard]] double least_mass(const std::vector<std::size_t>& palette) const;
     /// The factor on the loads of a load case; only where it is free.
     [[nodiscard]] double factor_at(const Point& point, std::size_t which) const;
@@ -106,7 +107,7 @@ class Trials {
     TileStrains strains_;
     std::vector<std::size_t> kept_;  ///< the candidate of each tile that belongs to no group
     std::vector<simulation::Session> sessions_;
-    std::vector<std::size_t> painted_;  ///< as the sessions are
+    std::vector<std::size_t> painted_;  ///< the candidate of each tile in the sessions
     std::vector<mechanics::NodeValues> unit_loads_;
     std::vector<mechanics::NodeValues> aims_;
     double largest_ = 0.0;
@@ -114,7 +115,7 @@ class Trials {
     int solutions_ = 0;
 };
 
-/// A load case whose loads (not its weight) are multiplied.
+/// The load case with its loads, but not the weight, multiplied by a factor.
 simulation::LoadCase with_factor(simulation::LoadCase load_case, double factor);
 
 }  // namespace fretwork::design::detail

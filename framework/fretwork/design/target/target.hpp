@@ -12,10 +12,10 @@
 
 namespace fretwork::design {
 
-/// Three components in the surface's axes, of which some may be free.
+/// Three components in the surface's axes; one without a value is free.
 using FreeVector = std::array<std::optional<double>, 3>;
 
-/// Displacements or positions of single interface nodes, one for each of them.
+/// A wanted displacement or position for each of these interface nodes.
 struct NodesGoal {
     enum class Quantity { Displacements, Positions };
     std::vector<int> nodes;
@@ -24,22 +24,22 @@ struct NodesGoal {
     friend bool operator==(const NodesGoal&, const NodesGoal&) = default;
 };
 
-/// Displacements of selected nodes by expressions of their places x and y at rest (m).
+/// Wanted displacements of selected nodes, as expressions of their coordinates x and y at rest (m).
 struct FormulaGoal {
     simulation::Selection where;
     std::array<std::optional<std::string>, 3>
-        displacement;  ///< m; none: free. A number is an expression, too
+        displacement;  ///< m; free if there is none. A number is an expression, too
     friend bool operator==(const FormulaGoal&, const FormulaGoal&) = default;
 };
 
-/// Selected nodes lie on a surface in space. They may slide along it: only distances count.
+/// Selected nodes shall lie on a surface in space. They may slide along it: only distances count.
 struct MeshGoal {
     simulation::Selection where;
     std::filesystem::path mesh;  ///< OBJ, PLY or OFF, metres, in the axes of the project
     friend bool operator==(const MeshGoal&, const MeshGoal&) = default;
 };
 
-/// Selected nodes turn by this rotation vector (rad).
+/// Selected nodes shall turn by this rotation vector (rad).
 struct RotationGoal {
     simulation::Selection where;
     FreeVector rotation;
@@ -49,7 +49,7 @@ struct RotationGoal {
 struct Goal {
     std::variant<NodesGoal, FormulaGoal, MeshGoal, RotationGoal> what;
     double weight = 1.0;      ///< of the squared distance of each of its nodes
-    std::string load_case{};  ///< under which it is wanted; "": that of the design
+    std::string load_case{};  ///< the load case under which it is wanted; "": that of the design
     friend bool operator==(const Goal&, const Goal&) = default;
 };
 

@@ -9,11 +9,11 @@ namespace fretwork::design {
 
 /// Read a target ("fretwork/target/1", README.md). Throws InputError with source and JSON pointer.
 Target parse_target(std::string_view text, const std::string& source);
-/// Paths of meshes are as in the target.
+/// The text of a target. Paths of meshes are written as they are.
 std::string target_text(const Target& target);
-/// The same from a file; relative paths of meshes start at its folder.
+/// Read a target file. Relative paths of meshes start at its folder.
 Target read_target(const std::filesystem::path& path);
-/// The file is replaced whole or not touched. Throws IoError.
+/// Replace the file as a whole. Throws IoError, and then the file is as it was.
 void write_target(const Target& target, const std::filesystem::path& path);
 
 }  // namespace fretwork::design

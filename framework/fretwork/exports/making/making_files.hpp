@@ -13,24 +13,24 @@ namespace fretwork::exports {
 /// A sheet for a laser, a mill or a plotter, in millimetres at true scale, with the layers `cut`, `engrave`,
 /// `labels` and `guides`.
 ///
-/// DXF (R2000): each contour a closed LWPOLYLINE with bulges in model space; $INSUNITS says millimetres.
+/// DXF (R2000): each contour is a closed LWPOLYLINE with bulges in model space; $INSUNITS says millimetres.
 std::string cut_dxf(const fabrication::CutSheet& sheet);
-/// SVG: each piece a path with true arcs; layers as Inkscape's. y points up as in the DXF.
+/// SVG: each piece is a path with true arcs, and layers are marked for Inkscape. y points up as in the DXF.
 std::string cut_svg(const fabrication::CutSheet& sheet);
 
-/// Binary STL in millimetres, as slicers take it; the header says so.
+/// Binary STL in millimetres, the unit that slicers assume; the header names it.
 std::string solid_stl(const fabrication::Solid& solid);
-/// Wavefront OBJ in millimetres; its first line says so.
+/// Wavefront OBJ in millimetres; the first line names the unit.
 std::string solid_obj(const fabrication::Solid& solid);
-/// PLY (ASCII) in millimetres; its header says so.
+/// PLY (ASCII) in millimetres; the header names the unit.
 std::string solid_ply(const fabrication::Solid& solid);
 
 /// 3MF (core specification 1.3) in millimetres: one object.
 std::string solid_3mf(const fabrication::Solid& solid);
-/// 3MF with the bars as a beam lattice (extension 1.1) of round bars with the area of the section.
+/// 3MF with a beam lattice (extension 1.1): each bar is round and has the section's area.
 std::string lattice_3mf(const fabrication::BarPlan& plan);
 
-/// A table for people, in millimetres, grams and megapascals; then the warnings, one a line.
+/// A table for people, in millimetres, grams and megapascals; then one line for each warning.
 std::string facts_text(const fabrication::Facts& facts);
 /// "fretwork/facts/2", SI.
 std::string facts_json(const fabrication::Facts& facts);
@@ -39,7 +39,7 @@ struct FactsOfScene {
     fabrication::Facts facts;
     fabrication::CutSheet sheet;
 };
-/// One page without anything else: the table, and a picture in which the warnings are marked.
+/// A page that needs no other file: the table, and a picture in which the warnings are marked.
 std::string facts_html(const FactsOfScene& scene);
 
 }  // namespace fretwork::exports

@@ -10,11 +10,11 @@
 
 namespace fretwork::mechanics::elements {
 
-/// How the nodes of a corotational element lie against its frame.
+/// The positions and rotations of a corotational element's nodes, measured in the frame that turns with it.
 ///
-/// The frame's turn F makes g = sum of P_i x u_i + weight theta_i vanish, where P_i are the arms at rest, u_i
-/// the displacements and theta_i the rotation vectors that F leaves. All vectors are in the body's axes as
-/// they turn with the frame, until turn_into_structure() gives them in the structure's axes.
+/// The frame's turn F is the one at which g = sum of P_i x u_i + weight theta_i vanishes. P_i are the arms at
+/// rest, u_i the displacements, and theta_i the rotation vectors that remain after F. All vectors are in the
+/// body's turned axes, until turn_into_structure() expresses them in the structure's axes.
 class CorotationalPose {
   public:
     /// At rest.
@@ -27,19 +27,18 @@ class CorotationalPose {
     /// @param turn  from the body's axes at rest to the structure's
     void turn_into_structure(const Eigen::Quaterniond& turn);
 
-    /// False where no frame was found: the nodes are too far from any turn of their places at rest.
+    /// False if no frame was found: the nodes are too far from every rigid motion of their places at rest.
     [[nodiscard]] bool has_frame() const { return has_frame_; }
     [[nodiscard]] std::size_t count() const { return nodes_.size(); }
-    /// From the body's axes as they turn with the frame to those of the structure.
+    /// The rotation from the body's turned axes to the structure's axes.
     [[nodiscard]] const Eigen::Matrix3d& axes() const { return axes_; }
-    [[nodiscard]] const Eigen::Vector3d& rest_arm(std::size_t i) const {
-        return nodes_[i].rest_arm;
-    }                                                                                        ///< P_i, m
-    [[nodiscard]] const Eigen::Vector3d& arm(std::size_t i) const { return nodes_[i].arm; }  ///< P_i + u_i, m
-    [[nodiscard]] const Eigen::Vector3d& rotation(std::size_t i) const {
-        return nodes_[i].rotation;
-    }  ///< theta_i
-    /// From spins to changes of theta_i.
+    /// P_i, m.
+    [[nodiscard]] const Eigen::Vector3d& rest_arm(std::size_t i) const { return nodes_[i].rest_arm; }
+    /// P_i + u_i, m.
+    [[nodiscard]] const Eigen::Vector3d& arm(std::size_t i) const { return nodes_[i].arm; }
+    /// theta_i, rad.
+    [[nodiscard]] const Eigen::Vector3d& rotation(std::size_t i) const { return nodes_[i].rotation; }
+    /// The map from spins of a node to changes of theta_i.
     [[nodiscard]] const Eigen::Matrix3d& inverse_map(std::size_t i) const { return nodes_[i].inverse_map; }
     /// The inverse of dg/dw, where w is a spin of the frame.
     [[nodiscard]] const Eigen::Matrix3d& inverse_slope() const { return inverse_slope_; }

@@ -9,9 +9,9 @@ namespace fretwork::mechanics {
 
 /// Which equilibria to follow where a path becomes unstable.
 enum class Branch {
-    Primary,  ///< the path itself: a flat structure stays flat
-    Stable,   ///< the branch on which the structure stays: after a push along the critical mode
-    Snapping  ///< as Stable, and beyond limit loads to the stable equilibrium downhill
+    Primary,  ///< the path itself, stable or not: a flat structure stays flat
+    Stable,   ///< the stable branch, reached by a push along the critical mode
+    Snapping  ///< as Stable; at a limit load the structure snaps to the stable equilibrium downhill
 };
 /// "primary", "stable", "snapping"
 std::string_view branch_name(Branch branch);

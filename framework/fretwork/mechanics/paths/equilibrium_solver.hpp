@@ -9,38 +9,37 @@
 
 namespace fretwork::mechanics {
 
-/// Where an equilibrium was looked for from.
+/// The state from which an equilibrium was found.
 enum class StartingPoint {
-    Rest,            ///< by the path from rest
-    LastEquilibrium  ///< by continuation from the equilibrium before
+    Rest,            ///< rest, by following the load path
+    LastEquilibrium  ///< the equilibrium before the edit, by continuation
 };
 
-/// Whether the stability of an equilibrium is decided. That takes a factorization, which a small change of
-/// the loads does not need otherwise.
+/// Whether the stability of an equilibrium is decided. This takes a factorization, without which a small
+/// change of the loads could be solved.
 enum class StabilityCheck {
     Made,
-    Left  ///< Solution::stability is None: for loads that are dragged. The next solution that is checked
-          ///< makes it up: an equilibrium that has lost its stability meanwhile is looked for from rest
+    Left  ///< Solution::stability is None: for loads that are dragged. If the equilibrium turns out to have
+          ///< lost its stability at the next check, it is solved from rest
 };
 
-/// Receives the first iterate on the way to an equilibrium: the prediction of the tangent in the last
-/// equilibrium. It is no equilibrium (Solution::converged is false, and it has no reactions), but is near one
-/// after small edits. Not called if there is no last equilibrium to go on from.
+/// Receives the first iterate on the way to an equilibrium: the prediction by the tangent at the last
+/// equilibrium. After small edits it is close to the new equilibrium, but it is none: Solution::converged is
+/// false, and there are no reactions. Not called if there is no last equilibrium to go on from.
 using FirstIterate = std::function<void(const Solution&)>;
 
-/// The nonlinear equilibrium of a structure under its full load, found again and again between edits: the
-/// large displacements' counterpart of LinearSolver.
+/// Solves for the nonlinear equilibrium of a structure under its full load after each of many edits. It is
+/// the counterpart of LinearSolver for large displacements.
 ///
-/// An answer from the last equilibrium is one to which the structure goes from there as the edit is made,
-/// without losing its stability on the way: the last and the new equilibrium are stable, and the move between
-/// them is of the size that the tangents at both ends account for. Where that cannot be said, the path is
-/// followed from rest. Both answers agree wherever the loads have one stable equilibrium only. Where they
-/// have several (a buckled surface, a snapped dome), an answer from the last equilibrium stays with the one
-/// that the edits led to, and the path from rest may lead to another.
+/// A solution from the last equilibrium is accepted only if the structure gets there, as the edit is made,
+/// without losing its stability: both equilibria are stable, and the tangents at both ends account for the
+/// move between them. Otherwise the path is followed from rest. Both ways agree if the loads have only one
+/// stable equilibrium. If they have several (a buckled surface, a snapped dome), a solution from the last
+/// equilibrium stays on the branch to which the edits led, and the path from rest may lead to another.
 class EquilibriumSolver {
   public:
-    /// Branch::Stable and located critical loads ask for the path: they are always answered from rest. Throws
-    /// InputError as EquilibriumOptions::validate.
+    /// Branch::Stable and located critical loads need the whole path, so they are always solved from rest.
+    /// Throws InputError as EquilibriumOptions::validate.
     explicit EquilibriumSolver(const EquilibriumOptions& options = {});
     EquilibriumSolver(EquilibriumSolver&&) noexcept;
     EquilibriumSolver& operator=(EquilibriumSolver&&) noexcept;
@@ -52,14 +51,14 @@ class EquilibriumSolver {
     /// - elements replaced by others of the same nodes: the same after new factors in the last equilibrium;
     /// - supports: a new order of elimination and new factors, in the last equilibrium;
     /// - other nodes, or a last solution that had not converged or was not stable: everything, from rest.
-    /// Throws as follow_load_path; then the next call starts from rest. A stop on the way from the last
-    /// equilibrium keeps that one to go on from.
+    /// Throws as follow_load_path; then the next call starts from rest. After a stop on the way from the
+    /// last equilibrium, the next call starts from that one.
     ///
     /// @param first_iterate  may be empty
     Solution solve(const Assembly& assembly, const base::Control& control = {},
                    StabilityCheck check = StabilityCheck::Made, const FirstIterate& first_iterate = {});
 
-    /// Stability of the last solution.
+    /// The state from which the last solution was found.
     [[nodiscard]] StartingPoint starting_point() const;
 
     /// The derivatives at the last equilibrium; valid until the next solve(). Throws InputError if the last

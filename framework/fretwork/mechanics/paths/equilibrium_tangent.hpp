@@ -13,20 +13,20 @@
 
 namespace fretwork::mechanics {
 
-/// How a structure answers small changes at an equilibrium: derivatives of anything that depends on its
-/// nodes' displacements, without another equilibrium.
+/// The response of a structure to small changes at an equilibrium. It gives the derivatives of any function
+/// of the nodes' displacements, without solving for another equilibrium.
 ///
-/// Matrices have six rows for each node of the assembly, in their order. *Motions* are displacements (m) and
-/// spins (rad; R <- exp(w) R), *forces* are true forces and moments (N, N m). *Gradients* are derivatives of
-/// a function J by the displacements and rotation vectors in which a solution is given. With T the derivative
-/// of the internal less the applied forces along motions,
+/// Matrices have six rows for each node of the assembly, in the order of the nodes. *Motions* are
+/// displacements (m) and spins (rad; R <- exp(w) R), *forces* are true forces and moments (N, N m).
+/// *Gradients* are derivatives of a function J by the displacements and rotation vectors in which a solution
+/// is given. With T the derivative of the internal less the applied forces along motions,
 ///
 ///     motions = T^-1 forces,    adjoint motions l = T^-T gradient:  dJ = l . d(forces).
 ///
 /// T is not symmetric where moments of fixed direction act. Held components do not move.
 ///
-/// EquilibriumSolver makes it from the equilibrium that it has found, with the factors that are there; it is
-/// valid until the next call of that solver.
+/// EquilibriumSolver makes it from the equilibrium that it has found, with factors that it has; it is valid
+/// until the next call of that solver.
 class EquilibriumTangent {
   public:
     class Impl;
@@ -35,14 +35,14 @@ class EquilibriumTangent {
     EquilibriumTangent& operator=(EquilibriumTangent&&) noexcept;
     ~EquilibriumTangent();
 
-    /// The states of all nodes at the equilibrium, those inside of beams included.
+    /// The states of all nodes at the equilibrium, the nodes between the elements of a beam included.
     [[nodiscard]] std::span<const NodeState> states() const;
 
     /// The motions under small forces, one column each. Throws Stopped.
     [[nodiscard]] Eigen::MatrixXd motions(const Eigen::MatrixXd& forces,
                                           const base::Control& control = {}) const;
-    /// The motions as held components move by these values, one column each; rows of free ones are left
-    /// aside. Held components of rotations are those of the rotation vector. Throws Stopped.
+    /// The motions when held components move by these values, one column each; rows of free components are
+    /// ignored. Held rotation components are components of the rotation vector. Throws Stopped.
     [[nodiscard]] Eigen::MatrixXd motions_of_held(const Eigen::MatrixXd& values,
                                                   const base::Control& control = {}) const;
     /// The adjoint motions of gradients, one column each. Throws Stopped.
@@ -53,15 +53,16 @@ class EquilibriumTangent {
     [[nodiscard]] Eigen::MatrixXd by_held_values(const Eigen::MatrixXd& gradients,
                                                  const Eigen::MatrixXd& adjoint_motions) const;
 
-    /// Small motions as changes of displacements and rotation vectors.
+    /// Convert small motions to changes of displacements and rotation vectors.
     [[nodiscard]] Eigen::MatrixXd as_rotation_vectors(const Eigen::MatrixXd& motions) const;
 
-    /// B = de/dx along motions of an element's nodes: stress_count() x 6n. Empty for one without stresses.
+    /// B = de/dx along motions of an element's nodes: stress_count() x 6n. Empty if the element has no
+    /// stresses.
     [[nodiscard]] Eigen::MatrixXd strain_slopes(std::size_t element) const;
     /// The internal forces of an element on its nodes: 6n.
     [[nodiscard]] Eigen::VectorXd internal_forces(std::size_t element) const;
-    /// What the motions of an element's nodes are under unit forces on them, 6n x 6n, of the symmetric part
-    /// of T; of all of these elements at once, by selected inversion. Throws Stopped.
+    /// For each of these elements the motions of its nodes under unit forces on them, 6n x 6n, with the
+    /// symmetric part of T. One selected inversion gives them all. Throws Stopped.
     [[nodiscard]] std::vector<Eigen::MatrixXd> flexibilities(std::span<const std::size_t> elements,
                                                              const base::Control& control = {}) const;
 

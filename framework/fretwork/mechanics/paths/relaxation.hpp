@@ -23,18 +23,17 @@ struct RelaxationOptions {
     void validate() const;
 };
 
-/// Find the equilibrium under the full load by dynamic relaxation with kinetic damping: the structure is let
-/// go at rest, and stopped whenever its kinetic energy has a peak. The paper's ground truth works so
-/// [Sakai2020]; here it acts on the very forces of follow_load_path and finds the same equilibria at some
-/// hundred times the cost: stable ones, unless a symmetry that nothing disturbs holds it on an unstable one
-/// (a perfect column). Fictitious masses bound the stiffness of each equation from
-/// above, so that unit time steps are stable; those of rotations are larger by 1 / l^2 (l: the mean length of
-/// an element, below one metre) with RotationalMass::Published.
+/// Find the equilibrium under the full load by dynamic relaxation with kinetic damping: the structure is
+/// released from rest, and stopped whenever its kinetic energy has a peak. The paper's ground truth is
+/// computed in this way [Sakai2020]. Here the forces are those of follow_load_path(), so both find the same
+/// equilibria; relaxation costs some hundred times as much. The equilibria are stable, unless an undisturbed
+/// symmetry keeps the structure at an unstable one (a perfect column). Fictitious masses bound the stiffness
+/// of each equation from above, so that unit time steps are stable. With RotationalMass::Published, those of
+/// rotations are larger by 1 / l^2 (l: the mean length of an element, below one metre).
 ///
-/// Prescribed displacements are there from the start, in one jump: so no rotation may be prescribed that
-/// turns a node, or one end of an element against its other, by more than pi, since it would be taken for one
-/// the other way round. Throws InputError that names the node if one does, or if an option is invalid, and
-/// Stopped.
+/// Prescribed displacements act from the start, in one jump. So no prescribed rotation may turn a node, or
+/// one end of an element against its other, by more than pi: it would be taken for a turn the other way
+/// round. Throws InputError that names such a node, or an invalid option; Stopped.
 Solution relax(const Assembly& assembly, const RelaxationOptions& options = {});
 
 }  // namespace fretwork::mechanics

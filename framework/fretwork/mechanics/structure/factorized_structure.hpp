@@ -18,23 +18,25 @@ struct HeldEntry {
     double value;
 };
 
-/// How an edit that replaces elements is taken up.
+/// How factors follow an edit that replaces elements.
 enum class ElementEdit {
-    Cheaper,   ///< a correction of the factors where that takes less time, and keeps their accuracy
+    Cheaper,   ///< a correction of the factors where it saves time and keeps their accuracy
     Refactor,  ///< new factors
-    Correct,   ///< a correction wherever it keeps the accuracy, whatever it costs
+    Correct,   ///< a correction wherever it keeps their accuracy, at any cost
 };
 
-/// The linear stiffness of a structure as it is held, factorized: in one or, where the structure is flat and
-/// its elements decouple, in two subsystems. A value: an edited one shares with the one before what still
-/// holds, and nothing of the caller's assembly is borrowed but its immutable elements.
+/// The factorized linear stiffness of a structure with its supports. It is one system of equations; two, if
+/// the structure is flat and its elements decouple. The class is a value: after an edit it shares all that is
+/// still valid with the value before the edit. It refers to no part of the caller's assembly but the
+/// immutable elements.
 class FactorizedStructure {
   public:
     /// Throws NumericalError that names a node if the structure, as held, can move without strain; Stopped.
     FactorizedStructure(const Assembly& assembly, const LinearOptions& options);
-    /// The same for a structure that differs from another in whatever way. Where only loads and prescribed
-    /// values do, its factors are shared; where elements are replaced by others of the same nodes, listed in
-    /// whatever order, see ElementEdit; where supports are, the elimination order.
+    /// The same for a structure that is an edit of another. If only loads and prescribed values differ, the
+    /// factors are shared. If elements are replaced by others of the same nodes, in any order of these nodes,
+    /// `edit` decides. If supports differ, the elimination order is shared. Any other edit starts from
+    /// nothing.
     FactorizedStructure(const FactorizedStructure& before, const Assembly& assembly,
                         ElementEdit edit = ElementEdit::Cheaper, const base::Control& control = {});
 
@@ -42,19 +44,19 @@ class FactorizedStructure {
     [[nodiscard]] const Constraints& constraints() const { return constraints_; }
     [[nodiscard]] std::span<const Subsystem> systems() const { return systems_; }
     [[nodiscard]] std::span<const HeldEntry> held_entries() const { return held_entries_; }
-    /// How the factors came about.
+    /// How the last edit changed the factors.
     [[nodiscard]] FactorChange last_change() const { return last_change_; }
-    /// Elements that differ from those that were factorized.
+    /// The number of elements that differ from those that were factorized.
     [[nodiscard]] std::size_t corrected_elements() const { return corrected_elements_; }
     [[nodiscard]] int threads() const { return threads_; }
 
   private:
-    /// The connections, whatever is held, and the order of elimination.
+    /// The connections of all nodes, held or not, and the order of elimination.
     struct Connections {
         sparse::NodeGraph graph;
         std::vector<int> order;
     };
-    /// Whether halves in and out of the plane are tried.
+    /// Whether the split into problems in and out of the plane is tried.
     enum class Split { Tried, Refused };
 
     static std::shared_ptr<const Connections> connections_of(const Assembly& assembly,
@@ -82,7 +84,7 @@ class FactorizedStructure {
     Constraints constraints_;
     bool split_ = false;
     std::vector<Subsystem> systems_;
-    Elements factorized_;  ///< the elements of which these factors are
+    Elements factorized_;  ///< the elements from which the factors were made
     std::size_t corrected_elements_ = 0;
     FactorChange last_change_ = FactorChange::Refactorized;
     std::vector<HeldEntry> held_entries_;

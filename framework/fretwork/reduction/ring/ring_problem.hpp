@@ -7,16 +7,17 @@
 
 namespace fretwork::reduction {
 
-/// The calibration of a ring with links to one pattern as a problem to be minimized. Variables: the natural
-/// logarithms of sections as multiples of the setting's, theta in radians, and R as a share of the
-/// centroid-to-side distance. An evaluation of any kind costs one factorization of the model's stiffness.
-/// The gradient comes from one adjoint solution a scenario; residuals and curvature need one a parameter.
+/// The minimization problem by which a ring with links is calibrated to one pattern. Its variables are the
+/// natural logarithms of the sections (as multiples of the setting's), theta in radians, and R as a share of
+/// the centroid-to-side distance. An evaluation of any kind costs one factorization of the model's stiffness.
+/// The gradient takes one adjoint solution for each scenario; residuals and curvature take one for each
+/// parameter.
 class RingProblem final : public CalibrationProblem {
   public:
-    /// Keeps references to the model and the objective.
+    /// Keeps references to the model, the parameters and the objective.
     RingProblem(base::Borrowed<RingHexagon> model, base::Borrowed<RingParameters> parameters,
                 base::Borrowed<Objective> objective, const Setting& setting);
-    /// Keeps a reference to the objective, and the model.
+    /// Owns the model, and keeps references to the parameters and the objective.
     RingProblem(std::unique_ptr<const RingHexagon> model, base::Borrowed<RingParameters> parameters,
                 base::Borrowed<Objective> objective, const Setting& setting);
 
@@ -25,7 +26,7 @@ class RingProblem final : public CalibrationProblem {
     [[nodiscard]] bool offers(optimization::Evaluation) const override { return true; }
     [[nodiscard]] std::string cost_unit() const override { return "stiffness factorizations"; }
     [[nodiscard]] bool has_kinks() const override { return true; }
-    /// All but the last two.
+    /// True for all variables but the last two, theta and R.
     [[nodiscard]] bool is_logarithm(int variable) const override {
         return variable < static_cast<int>(units_.size()) - 2;
     }
@@ -45,7 +46,7 @@ class RingProblem final : public CalibrationProblem {
     [[nodiscard]] Eigen::VectorXd point(std::span<const double> values) const;
 
   private:
-    /// How the model's parts change with the variables.
+    /// The derivatives of the model's parts by the variables.
     [[nodiscard]] RingDirections directions_at(std::span<const double> values) const;
     [[nodiscard]] UnitDisplacementsAndDerivatives model_at(const Eigen::VectorXd& point) const;
 
@@ -53,7 +54,7 @@ class RingProblem final : public CalibrationProblem {
     base::Borrowed<RingHexagon> model_;
     base::Borrowed<RingParameters> parameters_;
     base::Borrowed<Objective> objective_;
-    Eigen::VectorXd units_;  ///< what the variables are multiples of
+    Eigen::VectorXd units_;  ///< the value of each parameter whose multiple the variable is
     optimization::Bounds bounds_;
 };
 

@@ -10,15 +10,15 @@
 
 namespace fretwork::simulation {
 
-/// The condensed stiffness of every tile of a surface with each pattern of a palette. Congruent tiles share
-/// it: they are of one *class*.
+/// The condensed stiffness of every tile of a surface with each pattern of a palette. Congruent tiles form a
+/// *class* and share it.
 class CandidateTiles {
   public:
     struct Options {
         int threads = 0;  ///< 0: all there are. They change no bit.
         base::Control control{};
     };
-    /// Condenses classes x patterns. Throws InputError if a pattern does not connect a tile, and Stopped.
+    /// Condenses each pattern in each class. Throws InputError if a pattern does not connect a tile; Stopped.
     CandidateTiles(const Surface& surface, std::vector<pattern::NamedPattern> patterns,
                    const Options& options);
     CandidateTiles(const Surface& surface, std::vector<pattern::NamedPattern> patterns)
@@ -31,8 +31,7 @@ class CandidateTiles {
 
     /// K, 6n x 6n, in the axes in which the tiles of a class are built.
     [[nodiscard]] Eigen::MatrixXd stiffness(std::size_t tile_class, std::size_t pattern) const;
-    /// The same for all patterns, a column each: the lower triangle by columns, entries off the diagonal
-    /// once.
+    /// The stiffnesses of all patterns, one column each: the lower triangle of K, column by column.
     [[nodiscard]] const Eigen::MatrixXd& packed(std::size_t tile_class) const {
         return classes_[tile_class].packed;
     }
@@ -43,7 +42,7 @@ class CandidateTiles {
     [[nodiscard]] const std::vector<Eigen::Vector3d>& interface_nodes(std::size_t tile_class) const {
         return classes_[tile_class].interface_nodes;
     }
-    /// The places in packed() of K's quadratic form: a . K e = pack_form(a, e) . packed column.
+    /// The coefficients of a . K e in a column of packed(): a . K e = pack_form(a, e) . column.
     static Eigen::VectorXd pack_form(const Eigen::VectorXd& a, const Eigen::VectorXd& e);
 
   private:

@@ -15,8 +15,8 @@
 
 namespace fretwork::simulation {
 
-/// Forces and stress of one beam of a surface. No loads act on it between its ends, so its largest stress is
-/// at one of them.
+/// Forces and stresses of one beam of a surface. No loads act between its ends, so the largest stress is at
+/// one of them.
 struct BeamRow {
     std::size_t beam = 0;  ///< its number, in the order of the full model
     tiling::TileIndex tile;
@@ -31,17 +31,18 @@ struct BeamRow {
 
 /// The beams of a surface in a result.
 struct BeamTable {
-    std::vector<BeamRow> rows;         ///< over the beams whose tile model gives their motions
-    std::size_t unknown = 0;           ///< beams of other tiles
+    std::vector<BeamRow> rows;         ///< the beams whose tile model gives their motions
+    std::size_t unknown = 0;           ///< number of beams of other tiles
     std::optional<double> strength{};  ///< Pa, the reference of utilizations
     mechanics::SectionShape shape{};   ///< of the section, over which stresses are taken
-    bool is_shape_given = false;       ///< else the rectangle of the section's area and second moments
+    bool is_shape_given =
+        false;  ///< else `shape` is the rectangle with the section's area and second moments
     /// The largest von Mises stress over the strength; none without a strength.
     [[nodiscard]] std::optional<double> utilization(const BeamRow& row) const;
 };
 
-/// With the strength of the setting's material, if it has one. Throws InputError if the result is not one of
-/// the surface, or its models are no rows of `models`.
+/// The table of a result, with the strength of the setting's material, if it has one. Throws InputError if
+/// the result is not one of the surface, or one of its models is no row of `models`.
 BeamTable beam_table(const Surface& surface, const SurfaceResult& result,
                      std::span<const reduction::TileModel> models = reduction::tile_models());
 
@@ -51,7 +52,7 @@ BeamTable beam_table(const Session& session, const mechanics::Solution& solution
 /// The rows with the largest von Mises stress first; `count` of them at most.
 std::vector<BeamRow> most_stressed(const BeamTable& table, std::size_t count);
 
-/// By which formula utilizations are computed, in one line.
+/// The formula of the utilizations, in one line.
 std::string utilization_formula(const BeamTable& table);
 
 /// CSV with LF: beam, tile, pattern, nodes, places, and section forces and stresses at both ends, in SI.

@@ -7,11 +7,11 @@
 
 namespace fretwork::simulation {
 
-/// How far a reduced model's interface nodes are from the full model's: a row of the paper's Table 3.
+/// The distances of a reduced model's interface nodes from the full model's: a row of the paper's Table 3.
 ///
-/// Means run over the interface nodes; sd is the population's standard deviation of the errors (the paper's
-/// two sd columns cannot be that of the errors which it prints, so they are not to be compared). A rotation
-/// error is the angle between the two rotated frames.
+/// Means are taken over the interface nodes; sd is the population standard deviation of the errors. The sd
+/// columns of the paper do not fit the errors that it prints, so they cannot be compared with these. A
+/// rotation error is the angle between the two rotated frames.
 struct Comparison {
     double width = 0.0;                   ///< m, of the interface nodes' bounding box at rest
     double height = 0.0;                  ///< m
@@ -26,20 +26,18 @@ struct Comparison {
     double relative_l2_error = 0.0;       ///< of all translations: |full - reduced| / |full|
     double full_seconds = 0.0;
     double reduced_seconds = 0.0;
-    bool full_is_unstable =
-        false;  ///< a specimen would go elsewhere: the errors are from a state that none has
+    bool full_is_unstable = false;  ///< the errors are against a state that no specimen would stay in
 };
 
-/// The largest displacement (m) and rotation (rad, of the rotation vector) of the interface nodes, which
-/// every model of a surface has: what all of the program calls the largest, whatever nodes a model has
-/// inside.
+/// The largest displacement (m) and rotation (rad, length of the rotation vector) of the interface nodes.
+/// Every model of a surface has these nodes, so the program takes no largest value over others.
 double largest_displacement(const SurfaceResult& result, const mechanics::Solution& solution);
 double largest_rotation(const SurfaceResult& result, const mechanics::Solution& solution);
 
-/// Compare two results of one surface; nodes are matched by id. Throws InputError if the results say that
-/// they are of different tessellations, paintings, settings or load cases, of one model, or that the second
-/// is the full one; if an interface node of one is missing in the other or lies elsewhere; or if a result did
-/// not converge. Results without a subject (files of the first format) are not checked for that.
+/// Compare two results of one surface; nodes are matched by id. Throws InputError if a result did not
+/// converge; if an interface node of one is missing in the other or lies elsewhere; if the subjects differ in
+/// tessellation, painting, setting or load case; or if they have the same model, or only the second is the
+/// full one. The subjects are compared only if both results have one.
 Comparison compare(const SurfaceResult& full, const SurfaceResult& reduced);
 
 /// The comparison in a few lines for people.

@@ -8,26 +8,26 @@
 
 namespace fretwork::simulation {
 
-/// Above one of these the error is estimated: rad, and a share of the largest displacement. No result of
-/// experiments/error_warnings that is off by 5 % at its worst node is below all three.
+/// Above one of these three limits the error is estimated: rad, and a share of the largest displacement. No
+/// result of experiments/error_warnings whose worst node is off by 5 % is below all of them.
 inline constexpr double kDoubtfulRotation = 0.09;
 inline constexpr double kDoubtfulChange = 0.03;
-/// Linear solves from rest, above which a path has passed places where small differences decide.
+/// Linear solves from rest. A path with more of them has passed places where small differences decide.
 inline constexpr int kDoubtfulIterations = 40;
-/// Estimated errors above this are warned of, as a share of the largest displacement, at the worst node: less
-/// than 5 %, since an estimate may be too small by a third.
+/// An estimated error above this gives a warning: at the worst node, as a share of the largest displacement.
+/// It is less than 5 %, since an estimate may be too small by a third.
 inline constexpr double kWarnedError = 0.03;
 
 /// The doubt about the last solution of a session, if it is a nonlinear one.
 ModelDoubt model_doubt(const Session& session, const SurfaceResult& result);
-/// The same of tiles that are deformed so far.
+/// The doubt about a solution with these deformations of its tiles.
 ModelDoubt model_doubt(std::span<const TileDeformation> tiles);
 
-/// Whether the error of a result with a doubt may be large, and has to be estimated.
+/// Whether the doubt of a result is above one of the limits, so that its error has to be estimated.
 bool is_doubtful(const SurfaceResult& result);
 
-/// What a user has to be told of a converged result: that its error is estimated to be large, or may be, and
-/// is not known. Empty: nothing.
+/// The warning about a converged result: its estimated error is large, or its error may be large and is not
+/// known. Empty if there is no reason to warn.
 std::string model_warning(const SurfaceResult& result);
 
 }  // namespace fretwork::simulation

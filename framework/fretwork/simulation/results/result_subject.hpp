@@ -14,24 +14,24 @@ namespace fretwork::simulation {
 
 /// The subject of a result of this surface under this load case.
 ///
-/// The tessellation's hash is that of its polygons and nodes, wherever a tile's first vertex is; the
-/// painting's that of each tile's pattern and first vertex.
+/// The tessellation's hash covers its polygons and nodes, but not the choice of each tile's first vertex. The
+/// painting's hash covers each tile's pattern and first vertex.
 ResultSubject result_subject(const Surface& surface, const LoadCase& load_case,
                              const SimulationOptions& options);
 
-/// The model of the tiles without their own, as `simulate --model` takes it.
+/// The model of the tiles that have no model of their own, as `simulate --model` takes it.
 std::string main_model(const ResultSubject& subject);
 
-/// Check a subject that was read from a file: its models are in the catalogue, it is a reference only if they
-/// are, and its load case is one. Throws InputError that names `source` and the place.
+/// Check a subject that was read from a file: its models are in the catalogue, it is a reference only if its
+/// models are, and its load case is valid. Throws InputError that names `source` and the place.
 void check_subject(const ResultSubject& subject, const std::string& source,
                    std::span<const reduction::TileModel> models = reduction::tile_models());
 
-/// The difference of two subjects except their models, in words ("the painting"); empty if there is none.
-/// Descriptions of load cases do not count.
+/// The differences of two subjects, in words ("the painting, the setting"); empty if there are none. Models
+/// and descriptions of load cases are not compared.
 std::string subject_difference(const ResultSubject& left, const ResultSubject& right);
 
-/// The part of the subject that all results of a surface share. It takes some time, so make it once.
+/// The part of the subject that all results of a surface share. Computing the hashes takes time: do it once.
 struct SurfaceIdentity {
     std::string tessellation_hash;
     std::string painting_hash;
@@ -40,7 +40,7 @@ struct SurfaceIdentity {
 };
 SurfaceIdentity surface_identity(const Surface& surface);
 
-/// The difference of a result's subject and a surface, with any load case; empty if there is none.
+/// The differences of a result's subject and a surface, under any load case; empty if there are none.
 std::string subject_difference(const ResultSubject& result, const SurfaceIdentity& surface);
 
 }  // namespace fretwork::simulation

@@ -8,30 +8,30 @@
 
 namespace fretwork::simulation {
 
-/// A solution whose largest stress lies where all beams are computed.
+/// A solution in which all beams around the largest stress are computed.
 struct RefinedStress {
     SurfaceResult result;
     BeamTable table;
-    std::vector<tiling::TileIndex> full_tiles;  ///< those with all of their beams, ascending
-    int solutions = 0;                          ///< that it took
-    /// Whether the tiles around the most stressed beam are in full; else no equilibrium was found on the way.
+    std::vector<tiling::TileIndex> full_tiles;  ///< tiles with all of their beams, ascending
+    int solutions = 0;                          ///< number of solutions that it took
+    /// Whether the tiles around the most stressed beam are in full. If not, an equilibrium was not found.
     bool is_settled = false;
 };
 
-/// A beam's tile, and the tiles that share an interface node with it, ascending.
+/// The tile of a beam, and the tiles that share an interface node with the beam's tile, ascending.
 std::vector<tiling::TileIndex> tiles_around(const Surface& surface, const BeamRow& beam);
 
-/// Solves a session of reduced tiles again and again, and each time puts the tiles around the most stressed
-/// beam in full, until they all are: reduced tiles smooth stresses, which peak at few places. The session
-/// keeps these tile models.
+/// Solve a session of reduced tiles repeatedly. After each solution, the tiles around the most stressed beam
+/// get all of their beams, until these tiles have them already: reduced tiles smooth stresses, which peak at
+/// few places. The session keeps these tile models.
 ///
-/// @param full_tiles  to begin with
+/// @param full_tiles  the tiles in full at the beginning
 RefinedStress refine_stress(Session& session, std::vector<tiling::TileIndex> full_tiles,
                             const base::Control& control = {});
 
-/// The same for a nonlinear result of corotational or mixed tiles that was read: from rest, along the primary
-/// path, beginning with the result's own tiles in full. Throws InputError if the result is of another model,
-/// linear, or one of stages.
+/// The same for a nonlinear result of corotational or mixed tiles that was read from a file. It solves from
+/// rest, along the primary path, and begins with the result's own tiles in full. Throws InputError if the
+/// result is of another model, linear, or one of load stages.
 RefinedStress refine_stress(const Surface& surface, const SurfaceResult& result,
                             const base::Control& control = {});
 

@@ -12,14 +12,15 @@
 
 namespace fretwork::simulation {
 
-/// The beams of a surface as they lie in the plane, whatever models its tiles have: what is drawn.
+/// The beams of a surface at rest, whatever models its tiles have. Drawings show them.
 struct SurfaceBeams {
-    std::size_t interface_nodes = 0;     ///< the first nodes, with their own ids
-    std::vector<Eigen::Vector3d> nodes;  ///< rest positions, m; behind the interface nodes tile by tile
+    std::size_t interface_nodes = 0;  ///< number of them; they are the first nodes, with their own ids
+    std::vector<Eigen::Vector3d>
+        nodes;  ///< positions at rest, m; inner nodes follow the interface nodes, tile by tile
     std::vector<std::array<mechanics::NodeIndex, 2>> ends;
     std::vector<tiling::TileIndex> tiles;  ///< of each beam
     std::vector<double> joint_reaches;     ///< of each beam: reduction::joint_reaches
-    /// For each tile the first of its inner nodes and of its beams, and behind the last tile their numbers.
+    /// For each tile its first inner node and its first beam; after the last tile, the numbers of both.
     struct Start {
         std::size_t inner_node = 0;
         std::size_t beam = 0;
@@ -30,8 +31,7 @@ struct SurfaceBeams {
 /// The nodes are those of the full model, in its order. Tiles that are not painted have no beams.
 SurfaceBeams surface_beams(const Surface& surface);
 
-/// Computes section forces from the motions of the beams' ends, for each beam of a setting's material and
-/// section.
+/// For each beam the section, with the setting's material, that turns motions of its ends into forces.
 std::vector<mechanics::BeamSection> beam_sections(const SurfaceBeams& beams,
                                                   const reduction::Setting& setting);
 
@@ -48,15 +48,15 @@ inline constexpr std::array<const char*, 8> kBeamFields = {"N",  "V2", "V3",    
 inline constexpr Eigen::Index kStressField = 6;
 inline constexpr Eigen::Index kVonMisesField = 7;
 
-/// The beams in a solution that the session gave since its last edit.
+/// The state of the beams in a solution that the session gave since its last edit.
 ///
-/// @param sections  of the beams; empty: no forces are wanted
+/// @param sections  one for each beam; empty: forces are not computed
 BeamState beam_state(const Session& session, const mechanics::Solution& solution, const SurfaceBeams& beams,
                      std::span<const mechanics::BeamSection> sections);
-/// The same in a result that was read from a file, with the tile models that its subject names
-/// (rows of `models`); without a
-/// subject, with all beams if it has a row for each of their nodes. The tiles are built for it. Throws
-/// InputError if the result is not one of the surface with these models.
+/// The same in a result that was read from a file. Its tiles are built with the models that its subject
+/// names, which are rows of `models`. A result without a subject is taken as one of the full model if it has
+/// a row for each node of the beams. Throws InputError if the result is not one of the surface with these
+/// models.
 BeamState beam_state(const Surface& surface, const SurfaceResult& result, const SurfaceBeams& beams,
                      std::span<const mechanics::BeamSection> sections,
                      std::span<const reduction::TileModel> models = reduction::tile_models());

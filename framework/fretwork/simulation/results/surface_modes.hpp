@@ -9,11 +9,12 @@
 
 namespace fretwork::simulation {
 
-/// Which modes of a surface are wanted.
+/// The kind of modes.
 enum class ModeKind { Vibration, Buckling };
 
-/// The lowest modes of a surface with all of its beams, as a load case holds and (for buckling) loads it;
-/// rows as those of surface_beams. Throws as mechanics::vibration_modes, and InputError as surface_frame.
+/// The lowest modes of a surface with all of its beams, under the supports and (for buckling) the loads of a
+/// load case; rows are the nodes of surface_beams(). Throws as mechanics::vibration_modes, and InputError as
+/// surface_frame.
 std::vector<mechanics::Mode> surface_modes(const Surface& surface, const LoadCase& load_case, ModeKind kind,
                                            int count, const mechanics::ModeOptions& options = {});
 

@@ -16,17 +16,17 @@ namespace fretwork::simulation {
 /// The surface, load case and model that a result belongs to. Two results belong together if the hashes
 /// agree.
 struct ResultSubject {
-    std::string model;              ///< the tile model; with the others of a mixed surface
-    bool is_reference = false;      ///< others are compared with it: every tile has all of its beams
+    std::string model;              ///< the tile model, with the further ones of a mixed surface
+    bool is_reference = false;      ///< every tile has all of its beams: other results are compared with it
     std::string load_case;          ///< its name
     std::string load_case_text;     ///< the load case file
-    std::string tessellation_hash;  ///< SHA-256, as the others
+    std::string tessellation_hash;  ///< SHA-256, as the hashes below
     std::string painting_hash;
     std::string setting_hash;
-    std::optional<reduction::Joints> joints{};  ///< of that setting; none: the file is older and does not say
-    std::vector<int> full_tiles{};  ///< of a mixed model: those with all of their beams, ascending
-    std::string stages_text{};      ///< the stages that were followed, as a file; empty: none
-    std::vector<std::string> stage_load_cases{};  ///< the load case files that stages name, by name
+    std::optional<reduction::Joints> joints{};  ///< of the setting; none in older files
+    std::vector<int> full_tiles{};  ///< of a mixed model: the tiles with all of their beams, ascending
+    std::string stages_text{};      ///< the load stages that were followed, as a file; empty: none
+    std::vector<std::string> stage_load_cases{};  ///< the load case files that the load stages name, by name
     friend bool operator==(const ResultSubject&, const ResultSubject&) = default;
 };
 
@@ -42,25 +42,26 @@ struct ModelError {
     friend bool operator==(const ModelError&, const ModelError&) = default;
 };
 
-/// What tells, at next to no cost, that a solution of tiles that turn with their frames may be far from the
-/// full model's.
+/// Indicators that a solution of corotational tiles may be far from the full model's. They cost next to
+/// nothing.
 struct ModelDoubt {
-    /// rad: the largest turn of a node against its corotational tile's frame. Such a tile is linear in its
-    /// frame, and knows nothing of its own large displacements.
+    /// rad: the largest turn of a node against the frame of its corotational tile. Such a tile is linear in
+    /// its frame: it is wrong where displacements against the frame are large.
     double tile_rotation = 0.0;
-    /// Of mixed models: how far the tiles in full moved the answer of corotational tiles, at the worst
+    /// Of mixed models: the distance between the solutions with and without tiles in full, at the worst
     /// interface node, as a share of the largest displacement.
     double change = 0.0;
     friend bool operator==(const ModelDoubt&, const ModelDoubt&) = default;
 };
 
-/// The solution of a surface, and what else was asked for. Rows are the interface nodes first.
+/// The solution of a surface, and the estimates that were asked for. The first rows are the interface nodes.
 struct SurfaceResult : mechanics::Result {
     std::optional<ResultSubject>
         subject{};  ///< simulate() and files have one; Session::solve() leaves it out
     std::optional<mechanics::LinearRange> linear_range{};  ///< of linear solutions; only where asked for
-    /// Of linear solutions of tiles with fitted parameters, with linear_range: how far the translations are
-    /// from those of the tiles' own linear stiffness, the largest, as a share of the largest displacement.
+    /// Of linear solutions of tiles with fitted parameters, together with linear_range: the largest distance
+    /// of a translation from that with the tiles' condensed stiffness, as a share of the largest
+    /// displacement.
     std::optional<double> fit_error{};
     std::optional<ModelDoubt> model_doubt{};  ///< of nonlinear results of reduced tiles; only where asked for
     std::optional<ModelError> model_error{};  ///< of reduced models; only where asked for, and known
@@ -76,9 +77,9 @@ SurfaceResult parse_surface_result(std::string_view text, const std::string& sou
 /// subject.
 std::string surface_result_text(const SurfaceResult& result);
 
-/// Throws as parse_surface_result.
+/// Read a surface's result file. Throws as parse_surface_result.
 SurfaceResult read_surface_result(const std::filesystem::path& path);
-/// Throws IoError, or as surface_result_text; then nothing is written.
+/// Write a surface's result file. Throws IoError, or as surface_result_text; then nothing is written.
 void write_surface_result(const SurfaceResult& result, const std::filesystem::path& path);
 
 }  // namespace fretwork::simulation

@@ -10,9 +10,10 @@
 
 namespace fretwork::simulation {
 
-/// The tiles, ascending, whose beams buckle with their interface nodes held where a solution of the surface
-/// has them: the full tile, alone, has no stable equilibrium on the way there. A reduced tile cannot show
-/// that. Tiles whose equilibrium is not found are included.
+/// The tiles, ascending, whose beams buckle between their interface nodes. Each tile is solved alone, with
+/// all of its beams, while its interface nodes move to their places in a solution of the surface: a buckled
+/// tile has no stable equilibrium on the way. A reduced tile cannot show this. Tiles whose equilibrium is not
+/// found are included.
 ///
 /// @param solution  its first rows are the interface nodes
 /// Throws as TileBuilder does, and Stopped.

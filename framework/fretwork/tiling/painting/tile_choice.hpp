@@ -12,19 +12,19 @@ namespace fretwork::tiling {
 /// The smallest box around all tiles.
 geometry::Box bounding_box(const Tessellation& tessellation);
 
-/// The centroid of each tile: a tile lies where its centroid does.
+/// The centroid of each tile. It decides whether a tile lies in a box or a polygon.
 base::IndexVector<TileIndex, geometry::Point2> tile_centers(const Tessellation& tessellation);
 
-/// The tiles of numbers and ranges of numbers: "3,7-11". Each once, ascending. Throws InputError that names
-/// what there is.
+/// The tiles that a list of numbers and ranges names ("3,7-11"), each once, ascending. Throws InputError that
+/// names the numbers there are.
 std::vector<TileIndex> parse_tiles(std::string_view text, const Tessellation& tessellation);
 
-/// Whether a point lies inside a closed polygon, which may cross itself: it winds around the point.
+/// Whether a closed polygon winds around a point. The polygon may cross itself.
 bool is_inside(const geometry::Polygon& polygon, geometry::Point2 point);
 
-/// The tiles in a box, its rim included; none is an empty list.
+/// The tiles in a box, its border included; empty if there are none.
 std::vector<TileIndex> tiles_in(const geometry::Box& box, const Tessellation& tessellation);
-/// The tiles in a polygon.
+/// The tiles in a polygon; empty if there are none.
 std::vector<TileIndex> tiles_in(const geometry::Polygon& polygon, const Tessellation& tessellation);
 
 }  // namespace fretwork::tiling
