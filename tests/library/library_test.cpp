@@ -98,6 +98,31 @@ TEST_F(LibraryTest, AdoptsAnotherSettingOnlyBeforeAnythingIsComputed) {
     EXPECT_EQ(library.setting(), other);
 }
 
+TEST_F(LibraryTest, NothingIsStoredWithASettingThatAnotherProcessHasReplaced) {
+    reduction::Setting other = reduction::paper_setting();
+    other.tile_side = 0.05;
+    Library first = make_library(path());
+    Library second = Library::open(path(), Access::ReadWrite);
+    first.adopt_setting(other);
+    EXPECT_THAT(complaint_of([&] { second.store(std::vector{sample_data("0-1+1-6", 2.0)}); }),
+                HasSubstr("another setting meanwhile: /tile_side"));
+    EXPECT_TRUE(Library::open(path()).responses("0-1+1-6").empty());
+    second.adopt_setting(other);
+    EXPECT_EQ(second.setting(), other);
+}
+
+TEST_F(LibraryTest, OfTwoProcessesThatChooseASettingTheFirstToStoreDecides) {
+    reduction::Setting other = reduction::paper_setting();
+    other.tile_side = 0.05;
+    Library first = make_library(path());
+    Library second = Library::open(path(), Access::ReadWrite);
+    first.adopt_setting(other);
+    PatternData data{"0-1+1-6", sample_responses(other, 1.0), {}, {}};
+    first.store(std::vector{data});
+    EXPECT_THAT(complaint_of([&] { second.adopt_setting(reduction::paper_setting()); }),
+                HasSubstr("is of another setting: /tile_side"));
+}
+
 TEST_F(LibraryTest, AdoptsAStrengthAlsoAfterSomethingIsComputed) {
     Library library = make_library(path());
     library.store(std::vector{sample_data("0-1+1-6", 2.0)});

@@ -174,7 +174,8 @@ void Library::Impl::replace_setting(detail::Transaction& transaction, const redu
 }
 
 void Library::adopt_setting(const reduction::Setting& wanted) {
-    const auto transaction = impl_->begin_writing();
+    const auto transaction = impl_->begin_choosing_setting();
+    impl_->setting = impl_->stored_setting();
     if (detail::query_integer(impl_->database,
                               "SELECT 1 FROM response_state UNION SELECT 1 FROM calibration "
                               "UNION SELECT 1 FROM property UNION SELECT 1 FROM failure")) {

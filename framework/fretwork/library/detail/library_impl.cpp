@@ -33,7 +33,20 @@ detail::ResponseShape Library::Impl::shape() const {
     return {&setting, setting.sides * static_cast<int>(layout.interface_nodes().size())};
 }
 
+reduction::Setting Library::Impl::stored_setting() const {
+    return reduction::parse_setting(stored_json(database, "setting"), database.path().string());
+}
+
 std::unique_ptr<Transaction> Library::Impl::begin_writing() {
+    auto transaction = begin_choosing_setting();
+    const std::string difference = reduction::setting_difference(setting, stored_setting());
+    if (!difference.empty())
+        throw base::InputError(database.path().string(), "",
+                               "another process has given it another setting meanwhile: " + difference);
+    return transaction;
+}
+
+std::unique_ptr<Transaction> Library::Impl::begin_choosing_setting() {
     if (database.is_read_only())
         throw base::IoError(database.path().string(), "", "cannot be written: no permission");
     auto transaction = std::make_unique<Transaction>(database, Transaction::Kind::Write);

@@ -19,9 +19,14 @@ struct Library::Impl {
 
     [[nodiscard]] detail::ResponseShape shape() const;
 
+    /// That of the file, which another process may have changed since it was opened.
+    [[nodiscard]] reduction::Setting stored_setting() const;
     /// Begin a transaction; the first one also records the writer's provenance. Throws IoError if the file
-    /// cannot be written.
+    /// cannot be written, and InputError if another process has given it another setting: what was computed
+    /// with the one that was read does not belong to it.
     [[nodiscard]] std::unique_ptr<detail::Transaction> begin_writing();
+    /// The same for one that chooses the setting.
+    [[nodiscard]] std::unique_ptr<detail::Transaction> begin_choosing_setting();
     void commit(detail::Transaction& transaction);
     /// Ends the transaction. Scenarios keep their own tables.
     void replace_setting(detail::Transaction& transaction, const reduction::Setting& wanted);
