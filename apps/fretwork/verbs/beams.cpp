@@ -92,8 +92,9 @@ simulation::BeamTable refined_table(const simulation::Surface& surface,
         throw base::NumericalError(
             "no equilibrium was found with the tiles around the most stressed beam in full");
     if (!options.json)
-        std::printf("%zu tiles in full, those around the most stressed beam among them; %d solutions\n",
-                    refined.full_tiles.size(), refined.solutions);
+        std::printf(
+            "solved %d times; %zu tiles are in full, among them those around the most stressed beam\n",
+            refined.solutions, refined.full_tiles.size());
     return refined.table;
 }
 

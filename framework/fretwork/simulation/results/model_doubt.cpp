@@ -34,7 +34,7 @@ std::string model_warning(const SurfaceResult& result) {
     if (!result.solution.converged()) return "";
     const auto& error = result.model_error;
     if (!error)
-        return is_doubtful(result) ? "this model may be off by more than 5 %, and how far is not known" : "";
+        return is_doubtful(result) ? "this model may be off by more than 5 %; nothing was estimated" : "";
     if (error->largest <= kWarnedError) return "";
     char text[160];
     std::snprintf(text, sizeof text,

@@ -64,12 +64,20 @@ bool is_out_of_range(const SurfaceResult& result) {
 }
 
 std::string linear_doubt_text(const SurfaceResult& result) {
-    std::string text = linear_range_text(result.linear_range.value());
-    if (!result.fit_error) return text;
-    char fit[120];
-    std::snprintf(fit, sizeof fit, "; the fit of the tiles is off by about %.2g %% besides",
-                  100.0 * *result.fit_error);
-    return text + fit;
+    const mechanics::LinearRange& range = result.linear_range.value();
+    if (!result.fit_error) return linear_range_text(range);
+    const double fit = 100.0 * *result.fit_error;
+    char text[160];
+    if (!range.loses_stability && !is_exceeded(range)) {
+        std::snprintf(
+            text, sizeof text,
+            "the linear solution is off by about %.0f %% of the largest displacement, and the fitted "
+            "tiles by about %.2g %% more",
+            100.0 * range.error, fit);
+        return text;
+    }
+    std::snprintf(text, sizeof text, "; the fitted tiles are off by about %.2g %% more", fit);
+    return linear_range_text(range) + text;
 }
 
 mechanics::LinearRange surface_linear_range(const Surface& surface, const LoadCase& load_case, int threads,
