@@ -47,6 +47,7 @@ KEYWORDS = {
     "palette": ["palette: str | Sequence[str] | None = ..."],
     "property": ["property: str | None = ..."],
     "range": ["range: str | None = ..."],
+    "on_better": ["on_better: Callable[[DesignProgress], object] | None = ..."],
     "dither": ["dither: bool = ..."],
     "scene": ["scale: float = ...", "view: str | None = ...", "size: str | None = ...", "colour: str | None = ...",
               "strength: float | None = ...", 'labels: Sequence[Literal["tiles", "nodes"]] = ...']

@@ -74,6 +74,37 @@ class Gradients(unittest.TestCase):
         self.assertEqual(slopes.shape, (len(surface.tessellation), 2))
         self.assertLess(np.abs(slopes[:, 0]).max(), 1e-9 * np.abs(slopes[:, 1]).max())
 
+    def test_weights_of_patterns(self):
+        """At random mixtures, against differences of fourth order in every direction of a few tiles."""
+        random = np.random.default_rng(7)
+        surface = support.surface()
+        function = fw.SurfaceFunction(surface, lifted(), patterns=[support.PATTERN, support.OTHER])
+        tiles = len(surface.tessellation)
+        cotangent = random.normal(size=(len(surface.tessellation.interface_nodes), 6))
+        for weights in (random.uniform(0.2, 1.0, size=(tiles, 2)) for _ in range(2)):
+            design = {"weights": weights}
+            slopes = function.vjp(design, function.apply(design), {"displacements": cotangent})["weights"]
+
+            def along(tile, pattern, step):
+                moved = weights.copy()
+                moved[tile, pattern] += step
+                return (function.apply({"weights": moved})["displacements"] * cotangent).sum()
+
+            h, places = 2e-3, [(tile, pattern) for tile in (0, 7, 20) for pattern in (0, 1)]
+            wanted = np.array([(8 * (along(*at, h) - along(*at, -h)) - (along(*at, 2 * h) - along(*at, -2 * h))) / (12 * h)
+                               for at in places])
+            found = np.array([slopes[at] for at in places])
+            cosine = found @ wanted / np.linalg.norm(found) / np.linalg.norm(wanted)
+            self.assertGreaterEqual(cosine, 0.999999)
+            self.assertLess(np.linalg.norm(found - wanted), 1e-4 * np.linalg.norm(wanted))
+
+    def test_a_row_with_a_single_one_is_a_painted_tile(self):
+        surface = support.surface()
+        function = fw.SurfaceFunction(surface, lifted(), patterns=[support.PATTERN, support.OTHER])
+        painted = function.apply({})["displacements"]
+        weights = np.tile([1.0, 0.0], (len(surface.tessellation), 1))
+        np.testing.assert_allclose(function.apply({"weights": weights})["displacements"], painted, atol=1e-9)
+
     def test_wrong_designs_are_refused(self):
         function = fw.SurfaceFunction(support.surface(), lifted())
         for design in ({"force": 1}, {"forces": [[1, 2, 3]]}, {"prescribed": [1.0]}):

@@ -129,7 +129,9 @@ void add_beams(CLI::App& app, ExitCode& exit_code) {
     const auto options = std::make_shared<BeamsOptions>();
     verb->add_option("project", options->project, "Project file")->required();
     verb->add_option("result", options->result, "Result file of this project")->required();
-    verb->add_option("--top", options->top, "Number of beams to print")->capture_default_str();
+    verb->add_option("--top", options->top, "Number of beams to print")
+        ->check(CLI::Range(0, 1'000'000'000))
+        ->capture_default_str();
     verb->add_option(
             "--strength", options->strength,
             "Stress that the material bears, such as 40MPa (default: that of the setting's material)")

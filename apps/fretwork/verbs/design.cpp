@@ -141,18 +141,17 @@ void print(const design::DesignReport& report) {
 
 /// Says what keeps the target out of reach, where that is known.
 void warn(const design::DesignReport& report, const design::DesignOptions& options) {
+    const char* hint = options.free_factor ? "" : " (--free factor searches one)";
     if (report.wanted_of_softest > 2.0)
         std::fprintf(stderr,
                      "fretwork: the target asks for %.3g times the displacement of the softest single "
-                     "pattern tried: the "
-                     "load is too small for it (--free factor searches one)\n",
-                     report.wanted_of_softest);
+                     "pattern tried: the load is too small for it%s\n",
+                     report.wanted_of_softest, hint);
     if (report.wanted_of_stiffest > 0.0 && report.wanted_of_stiffest < 0.5)
         std::fprintf(stderr,
                      "fretwork: the target asks for %.3g times the displacement of the stiffest single "
-                     "pattern tried: the "
-                     "load is too large for it (--free factor searches one)\n",
-                     report.wanted_of_stiffest);
+                     "pattern tried: the load is too large for it%s\n",
+                     report.wanted_of_stiffest, hint);
     if (options.max_utilization > 0.0 && report.largest_utilization.value_or(0.0) > options.max_utilization)
         std::fprintf(stderr, "fretwork: no painting that was checked keeps the utilization below %.3g\n",
                      options.max_utilization);
@@ -216,7 +215,8 @@ void add_design(CLI::App& app, ExitCode& exit_code) {
                      "sample:N of these")
         ->capture_default_str();
     verb->add_option("--max-patterns", options.max_patterns,
-                     "Most different patterns, those of kept tiles included");
+                     "Most different patterns, those of kept tiles included (default: any number)")
+        ->check(CLI::Range(1, 1'000'000));
     verb->add_option("--keep", arguments->keep, "Tiles that keep their patterns: 3,7-11")->type_name("TILES");
     verb->add_option("--free", arguments->free,
                      "What is searched besides the painting: factor (on the loads, not the weight), "
@@ -232,7 +232,7 @@ void add_design(CLI::App& app, ExitCode& exit_code) {
                      "best that keeps it");
     verb->add_option("--seconds", options.seconds,
                      "Wall time, checks included (default: until no swap improves)")
-        ->check(CLI::NonNegativeNumber);
+        ->check(CLI::Range(0.0, 1e9));
     verb->add_option("--solutions", options.most_solutions, "Most nonlinear solutions of the search")
         ->check(CLI::Range(1, 1'000'000))
         ->capture_default_str();

@@ -12,9 +12,11 @@ The names are those of the C++ framework. Lengths are metres, angles radians, al
 '0-1+1-2+1-3+1-4+1-5+2-5+2-6'
 """
 
+from . import _core, _record
 from ._core import *  # noqa: F401,F403
 from ._core import __version__  # noqa: F401
 from ._gradients import SurfaceFunction, apply, vjp  # noqa: F401
 from ._pictures import Picture, View, install as _install, plot_path  # noqa: F401
 
+_record.guard(_core)
 _install()

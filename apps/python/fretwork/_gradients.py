@@ -8,12 +8,12 @@ from typing import TYPE_CHECKING, Any
 from . import _core
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Mapping, Sequence
 
     import numpy as np
     import numpy.typing as npt
 
-    from ._core import LoadCase, Surface, SurfaceResult
+    from ._core import LoadCase, Session, Surface, SurfaceResult
 
     Floats = npt.NDArray[np.float64]
     Design = Mapping[str, npt.ArrayLike]
@@ -30,19 +30,28 @@ class SurfaceFunction:
     prescribed: m floats (m or rad), the values of the load case's prescribed displacements, entry by entry
     young_modulus: a float, Pa
     section: 4 floats: area (m^2), I2, I3, J (m^4)
+    weights: tiles x patterns floats: each tile's stiffness is this sum of those that the `patterns` give it
+
+    `weights` want `patterns` (ids), the model "corotational", no gravity, and the surface's own material and section; a row
+    with a single 1 is a painted tile.
 
     The outputs are a dict, too: displacements (n x 6), and positions (n x 3, m). With `model` "corotational" they are
     those of a nonlinear equilibrium, which continues from the one before; with "condensed" those of small
     displacements.
     """
 
-    def __init__(self, surface: Surface, load_case: LoadCase, model: str = "corotational") -> None:
+    def __init__(self, surface: Surface, load_case: LoadCase, model: str = "corotational",
+                 patterns: Sequence[str] = ()) -> None:
         if model not in ("corotational", "condensed"):
             raise _core.InputError(f"gradients are of the models corotational and condensed, and not of '{model}'")
         self._surface = surface
         self._case = load_case
         self._model = model
         self._session = _core.Session(surface, load_case, model=model)
+        self._candidates = _core.CandidateTiles(surface, list(patterns)) if patterns else None
+        if patterns and (model != "corotational" or any(load_case.gravity)):
+            raise _core.InputError("weights of patterns are for the model corotational, and load cases without gravity")
+        self._weights: Any = None  # those of the session
         self._applied: dict[str, Any] | None = None
         self._result: SurfaceResult | None = None
 
@@ -84,6 +93,8 @@ class SurfaceFunction:
 
         shapes = {"forces": (len(self._surface.tessellation.interface_nodes), 3),
                   "prescribed": (len(self._case.prescribed),), "young_modulus": (), "section": (4,)}
+        if self._candidates is not None:
+            shapes["weights"] = (len(self._surface.tessellation), len(self._candidates.patterns))
         numbers = {}
         for name, value in design.items():
             if name not in shapes:
@@ -91,6 +102,8 @@ class SurfaceFunction:
             numbers[name] = np.array(value, dtype=float)
             if numbers[name].shape != shapes[name]:
                 raise _core.InputError(f"{name} has the shape {numbers[name].shape}, and not {shapes[name]}")
+        if "weights" in numbers and numbers.keys() & {"young_modulus", "section"}:
+            raise _core.InputError("weights are of the surface's own material and section")
         return numbers
 
     def _case_of(self, numbers: Mapping[str, Any]) -> LoadCase:
@@ -117,10 +130,36 @@ class SurfaceFunction:
 
     def _edit(self, numbers: Mapping[str, Any]) -> None:
         before = self._applied or {}
+        weights = numbers.get("weights")
+        if not _same({"weights": self._weights}, {"weights": weights}):
+            self._applied, before = None, {}
+            self._session, self._weights = self._session_of(weights), weights
         kept = {name: before.get(name) for name in ("young_modulus", "section")}
         if not _same(kept, {name: numbers.get(name) for name in kept}):
             self._session.set_setting(self._setting_of(numbers))
         self._session.set_load_case(self._case_of(numbers))
+
+    def _session_of(self, weights: Any) -> Session:
+        """A session whose tiles are mixed, each by a tile model of its own; None: painted ones."""
+        if weights is None:
+            return _core.Session(self._surface, self._case, model=self._model)
+        rows = list(enumerate(weights))
+        models = [_core.TileModel(f"mixed {tile}", self._mixed(tile, row), displacements="large", sharing="congruent")
+                  for tile, row in rows]
+        session = _core.Session(self._surface, self._case, model=self._model, models=models)
+        for tile, _ in rows:
+            session.set_tile_model([tile], f"mixed {tile}")
+        return session
+
+    def _mixed(self, tile: int, weights: Any) -> Any:
+        candidates = self._candidates
+        assert candidates is not None
+        stiffness = sum(weight * candidates.stiffness(tile, pattern) for pattern, weight in enumerate(weights))
+
+        def build(given: Any) -> Any:
+            return _core.corotational_tile(given.frame().nodes[: given.interface_nodes], stiffness)
+
+        return build
 
     def _at_prescribed(self, rows: Floats) -> Floats:
         """For each prescribed entry, the sum of a component over its nodes."""
@@ -138,6 +177,10 @@ class SurfaceFunction:
             return np.array(sensitivity.loads[: len(gradient), :3])
         if name == "prescribed":
             return self._at_prescribed(sensitivity.held_values)
+        if name == "weights":
+            assert self._candidates is not None
+            instead = _core.pattern_derivatives(sensitivity, self._candidates)  # of K_p - K
+            return np.array(instead + sensitivity.tile_stiffness[:, None])
         assert self._applied is not None
         setting = self._setting_of(self._applied)
         if name == "young_modulus":

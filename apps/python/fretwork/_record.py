@@ -31,6 +31,45 @@ def finish(cls, is_made_by_fields):
     cls.__deepcopy__ = lambda self, _memo: _restored(cls, *_values(self))
 
 
+def guard(module):
+    """No class of the extension module gives an object without its value: `X.__new__(X)` asks what `X()` asks.
+
+    A subclass with other parameters defines `__new__`, as one of tuple does.
+    """
+    for kind in _classes(vars(module)):
+        if not hasattr(kind, "_fields"):
+            _guard(kind)
+
+
+def _classes(names):
+    for part in list(names.values()):
+        if type(part).__name__ == "pybind11_type":
+            yield part
+            yield from _classes(vars(part))
+
+
+def _guard(cls):
+    bare_new, bare_init = cls.__mro__[-2].__new__, cls.__init__
+    is_made_by_functions = "__init__" not in vars(cls)
+
+    def new(kind, *values, **named):
+        if is_made_by_functions:
+            raise TypeError(f"{cls.__name__} is made by functions; see its docstring")
+        made = bare_new(kind)
+        bare_init(made, *values, **named)  # a second call of it does nothing
+        return made
+
+    cls.__new__ = new
+    if hasattr(cls, "__setstate__"):
+        cls.__reduce__ = lambda self: (_thawed, (type(self), self.__getstate__()))
+
+
+def _thawed(cls, state):
+    made = cls.__mro__[-2].__new__(cls)
+    cls.__setstate__(made, state)
+    return made
+
+
 def _fill(record, cls, values, named):
     if len(values) > len(cls._fields):
         raise TypeError(f"{cls.__name__}() takes {len(cls._fields)} values, and {len(values)} were given")

@@ -31,6 +31,7 @@ void bind_results(py::module_& module);
 void bind_derivatives(py::module_& module);
 void bind_sessions(py::module_& module);
 void bind_fabrication(py::module_& module);
+void bind_designs(py::module_& module);
 void bind_exports(py::module_& module);
 
 /// Sets fields of a struct by keywords. Throws TypeError that names the nearest field.

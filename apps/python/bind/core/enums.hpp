@@ -6,6 +6,7 @@
 #include "core/casters.hpp"
 
 #include <fretwork/base/error.hpp>
+#include <fretwork/design/design.hpp>
 #include <fretwork/exports/scene.hpp>
 #include <fretwork/exports/tables/library_meshes.hpp>
 #include <fretwork/exports/writer_catalogue.hpp>
@@ -124,6 +125,10 @@ FRETWORK_ENUM(simulation::ModeKind, "ModeKind", "Which modes of a surface are wa
 
 FRETWORK_ENUM(fabrication::NarrowPlace::Kind, "NarrowKind",
               "A gap, or an opening of which a sliver falls out.", "gap", "opening");
+FRETWORK_ENUM(design::NodesGoal::Quantity, "Quantity", "What a target gives of single nodes.",
+              "displacements", "positions");
+FRETWORK_ENUM(design::DesignEnd, "DesignEnd", "How the search for a painting ended.", "no-swap-improves",
+              "solutions-spent", "time-spent", "stopped");
 FRETWORK_ENUM(exports::Content, "Content", "The kind of content of a file.", "drawing", "centrelines", "cut",
               "solid", "facts");
 FRETWORK_ENUM(exports::WriterRow::Kind, "WriterKind", "What a writer reads besides surface and results.",

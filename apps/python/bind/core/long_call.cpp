@@ -94,6 +94,15 @@ class LongCall::Impl : public base::Progress {
         if (raised_) throw py::error_already_set(*raised_);
     }
 
+    void forget_interrupt() {
+        const py::gil_scoped_acquire acquired;
+        if (PyErr_CheckSignals() != 0) keep_raised();
+        const std::lock_guard lock(mutex_);
+        if (!raised_ || !raised_->matches(PyExc_KeyboardInterrupt)) return;
+        raised_.reset();
+        has_raised_.store(false);
+    }
+
   private:
     /// Whether the work is to stop. On whichever thread looks.
     bool ask() {
@@ -152,6 +161,10 @@ base::Control LongCall::control() const {
 
 void LongCall::raise_kept() {
     impl_->raise_kept();
+}
+
+void LongCall::forget_interrupt() {
+    impl_->forget_interrupt();
 }
 
 void LongCall::raise_pending() {

@@ -44,6 +44,17 @@ class LongCall {
         }
     }
 
+    /// The same for work that returns what it has when it is stopped, which `was_stopped(result)` says: then
+    /// KeyboardInterrupt is not raised. What else Python raised is.
+    template <class Work, class WasStopped>
+    auto run_to_keep(const Work& work, const WasStopped& was_stopped) {
+        return run([&](const base::Control& control) {
+            auto result = work(control);
+            if (was_stopped(result)) forget_interrupt();
+            return result;
+        });
+    }
+
   private:
     class Impl;
     template <class Work>
@@ -53,6 +64,8 @@ class LongCall {
     }
     /// Raises what was raised on the way, if anything was.
     void raise_kept();
+    /// Takes KeyboardInterrupt from what was raised, with the signals that have arrived. Without the GIL.
+    void forget_interrupt();
     /// Lets Python handle the signals that have arrived.
     static void raise_pending();
     std::unique_ptr<Impl> impl_;

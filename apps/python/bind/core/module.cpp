@@ -30,6 +30,7 @@ void bind_all(pybind11::module_& module) {
     bind_derivatives(module);
     bind_sessions(module);
     bind_fabrication(module);
+    bind_designs(module);
     bind_exports(module);
 }
 

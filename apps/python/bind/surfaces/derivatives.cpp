@@ -57,6 +57,16 @@ void bind_derivatives(py::module_& m) {
              }),
              "surface"_a, "patterns"_a, "threads"_a = 0, py::call_guard<py::gil_scoped_release>())
         .def_property_readonly("patterns", &CandidateTiles::patterns)
+        .def(
+            "stiffness",
+            [](const CandidateTiles& self, std::ptrdiff_t tile, std::ptrdiff_t pattern) {
+                const std::size_t known = checked_index(tile, self.tile_count(), "tile");
+                const tiling::TileIndex index(static_cast<std::int32_t>(known));
+                return self.stiffness(self.class_of(index),
+                                      checked_index(pattern, self.patterns().size(), "pattern"));
+            },
+            "tile"_a, "pattern"_a,
+            "6n x 6n floats, SI, in the axes in which tile models with sharing='congruent' build the tile.")
         .def_property_readonly("class_count", &CandidateTiles::class_count,
                                "congruent tiles are of one class");
     m.def(

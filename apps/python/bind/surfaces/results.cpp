@@ -7,6 +7,7 @@
 #include <fretwork/simulation/results/bar_clearance.hpp>
 #include <fretwork/simulation/results/beam_table.hpp>
 #include <fretwork/simulation/results/comparison.hpp>
+#include <fretwork/simulation/results/model_doubt.hpp>
 #include <fretwork/simulation/results/stress_refinement.hpp>
 #include <fretwork/simulation/results/surface_beams.hpp>
 #include <fretwork/simulation/results/surface_linear_range.hpp>
@@ -39,6 +40,14 @@ void bind_subject(py::module_& m) {
         .constant("relative_l2", &ModelError::relative_l2, "of all translations")
         .constant("largest_stress", &ModelError::largest_stress, "a share, or None")
         .done(Made::ByFunctions);
+    Record<ModelDoubt>(m, "ModelDoubt",
+                       "What tells that a solution of tiles that turn with their frames may be far from the full "
+                       "model's.")
+        .constant("tile_rotation", &ModelDoubt::tile_rotation,
+                  "rad, the largest turn of a node against its tile's frame")
+        .constant("change", &ModelDoubt::change,
+                  "of mixed models: how far tiles in full moved the answer, a share of the largest displacement")
+        .done(Made::ByFunctions);
 }
 
 void bind_surface_result(py::module_& m) {
@@ -49,6 +58,8 @@ void bind_surface_result(py::module_& m) {
         "their result alive.")
         .constant("subject", &SurfaceResult::subject, "what it is a result of, or None")
         .constant("linear_range", &SurfaceResult::linear_range, "of linear solutions; only where asked for")
+        .constant("fit_error", &SurfaceResult::fit_error, "of linear solutions of fitted tiles, a share, or None")
+        .constant("model_doubt", &SurfaceResult::model_doubt, "of nonlinear results of reduced tiles, or None")
         .constant("model_error", &SurfaceResult::model_error, "of reduced models; only where asked for")
         .constant("buckled_tiles", &SurfaceResult::buckled_tiles, "only where the model error was asked for")
         .done(Made::ByFunctions)
@@ -60,6 +71,9 @@ void bind_surface_result(py::module_& m) {
             "largest_rotation",
             [](const SurfaceResult& self) { return largest_rotation(self, self.solution); },
             "rad, of the interface nodes");
+    m.def("is_doubtful", &is_doubtful, "result"_a, "Whether its error may be large, and has to be estimated.");
+    m.def("model_warning", &model_warning, "result"_a,
+          "What there is to know of a result whose error is or may be large; '': nothing.");
     bind_files<SurfaceResult>(
         m, "surface_result",
         {&parse_surface_result, &surface_result_text, &read_surface_result, &write_surface_result});
@@ -158,6 +172,15 @@ void bind_checks(py::module_& m) {
             });
         },
         "surface"_a, "clearance"_a, "progress"_a = py::none(), "Bars whose rims are nearer than this (m).");
+    Record<RefinedStress>(m, "RefinedStress",
+                          "A solution whose largest stress lies where all beams are computed.")
+        .constant("result", &RefinedStress::result, "")
+        .constant("table", &RefinedStress::table, "of its beams")
+        .constant("full_tiles", &RefinedStress::full_tiles, "with all of their beams, ascending")
+        .constant("solutions", &RefinedStress::solutions, "that it took")
+        .constant("is_settled", &RefinedStress::is_settled,
+                  "the tiles around the most stressed beam are in full; else an equilibrium was not found")
+        .done(Made::ByFunctions);
     bind_enum<ModeKind>(m);
     m.def(
         "surface_modes",
@@ -172,16 +195,14 @@ void bind_checks(py::module_& m) {
     m.def(
         "refine_stress",
         [](const Surface& surface, const SurfaceResult& result, const py::object& progress) {
-            RefinedStress refined = run_long(progress, [&](const base::Control& control) {
+            return run_long(progress, [&](const base::Control& control) {
                 return refine_stress(surface, result, control);
             });
-            return std::tuple(std::move(refined.result), std::move(refined.table),
-                              std::move(refined.full_tiles));
         },
         "surface"_a, "result"_a, "progress"_a = py::none(),
         "From a nonlinear result of corotational or mixed tiles: the tiles around the most stressed beam are "
         "put in full "
-        "until they all are. The refined result, its BeamTable, and the tiles in full.");
+        "until they all are.");
     m.def(
         "surface_linear_range",
         [](const Surface& surface, const LoadCase& load_case, int threads, const py::object& progress) {

@@ -175,13 +175,15 @@ void bind_paintings(py::module_& m) {
 }
 
 void bind_choices(py::module_& m) {
-    Record<PlaneBox>(m, "PlaneBox", "A part of the plane.")
-        .field("low", &PlaneBox::low, "m")
-        .field("high", &PlaneBox::high, "m")
+    Record<geometry::Box>(m, "Box", "A part of the plane.")
+        .field("xmin", &geometry::Box::xmin, "m")
+        .field("ymin", &geometry::Box::ymin, "m")
+        .field("xmax", &geometry::Box::xmax, "m")
+        .field("ymax", &geometry::Box::ymax, "m")
         .done();
     m.def("bounding_box", &bounding_box, "tessellation"_a);
     m.def("parse_tiles", &parse_tiles, "text"_a, "tessellation"_a, "Tiles of numbers and ranges: '3,7-11'.");
-    m.def("tiles_in", py::overload_cast<const PlaneBox&, const Tessellation&>(&tiles_in), "box"_a,
+    m.def("tiles_in", py::overload_cast<const geometry::Box&, const Tessellation&>(&tiles_in), "box"_a,
           "tessellation"_a, "Tiles whose centroid lies in a box.");
     m.def("tiles_in", py::overload_cast<const geometry::Polygon&, const Tessellation&>(&tiles_in),
           "polygon"_a, "tessellation"_a, "Tiles whose centroid lies in a polygon (n x 2, m).");

@@ -49,12 +49,16 @@ void insert_sample(Statement& states, Statement& rows, const Sample& sample, std
     }
 }
 
-std::vector<Sample> read_states(const Database& database, std::string_view pattern_id,
+/// The statements that read one response; each is prepared once for all scenarios, since that costs more than
+/// its rows.
+constexpr std::string_view kStates =
+    "SELECT step, magnitude, converged, stable, limit_load, discretization_error FROM response_state "
+    "WHERE pattern_id = ? AND scenario = ? ORDER BY step";
+constexpr std::string_view kDisplacements =
+    "SELECT step, node, ux, uy, uz, rx, ry, rz FROM response WHERE pattern_id = ? AND scenario = ?";
+
+std::vector<Sample> read_states(Statement& statement, std::string_view pattern_id,
                                 const std::string& scenario) {
-    Statement statement(
-        database,
-        "SELECT step, magnitude, converged, stable, limit_load, discretization_error FROM response_state "
-        "WHERE pattern_id = ? AND scenario = ? ORDER BY step");
     statement.bind_all(pattern_id, scenario);
     std::vector<Sample> samples;
     while (statement.step()) {
@@ -69,10 +73,8 @@ std::vector<Sample> read_states(const Database& database, std::string_view patte
     return samples;
 }
 
-void read_displacements(const Database& database, std::string_view pattern_id, Response& response) {
-    Statement statement(database,
-                        "SELECT step, node, ux, uy, uz, rx, ry, rz FROM response "
-                        "WHERE pattern_id = ? AND scenario = ?");
+void read_displacements(const Database& database, Statement& statement, std::string_view pattern_id,
+                        Response& response) {
     statement.bind_all(pattern_id, response.scenario);
     while (statement.step()) {
         const std::size_t step = statement.integer(0);
@@ -129,12 +131,14 @@ void insert_responses(const Database& database, const std::string& pattern_id,
 std::vector<Response> read_responses(const Database& database, std::string_view pattern_id,
                                      const ResponseShape& shape) {
     std::vector<Response> responses;
+    Statement states(database, kStates);
+    Statement displacements(database, kDisplacements);
     for (const reduction::Scenario& scenario : shape.setting->scenarios) {
-        Response response{scenario.name, read_states(database, pattern_id, scenario.name)};
+        Response response{scenario.name, read_states(states, pattern_id, scenario.name)};
         if (response.samples.empty()) continue;
         for (Sample& sample : response.samples)
             sample.displacements = mechanics::NodeValues::Zero(shape.nodes, mechanics::kDofsPerNode);
-        read_displacements(database, pattern_id, response);
+        read_displacements(database, displacements, pattern_id, response);
         responses.push_back(std::move(response));
     }
     return responses;

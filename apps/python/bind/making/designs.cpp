@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The search for a painting whose surface takes a wanted shape.
+#include "core/bind.hpp"
+#include "reduction/library_object.hpp"
+#include "typed/palette_text.hpp"
+
+#include <fretwork/base/error.hpp>
+#include <fretwork/design/design.hpp>
+#include <fretwork/design/target/target_file.hpp>
+
+namespace pybind11::detail {
+
+/// The symmetry of a painting: its text, None for none.
+template <>
+struct type_caster<fretwork::design::Symmetry> {
+    PYBIND11_TYPE_CASTER(fretwork::design::Symmetry, const_name("Optional[str]"));
+    bool load(handle source, bool) {
+        if (source.is_none()) return true;
+        if (!isinstance<str>(source)) return false;
+        value = fretwork::design::parse_symmetry(source.cast<std::string>());
+        return true;
+    }
+    static handle cast(const fretwork::design::Symmetry& symmetry, return_value_policy, handle) {
+        if (symmetry.kind == fretwork::design::Symmetry::Kind::None) return none().release();
+        return str(fretwork::design::symmetry_text(symmetry)).release();
+    }
+};
+
+/// Expressions of x and y: texts, or numbers; None where a component is free.
+template <>
+struct type_caster<std::array<std::optional<std::string>, 3>> {
+    using Expressions = std::array<std::optional<std::string>, 3>;
+    PYBIND11_TYPE_CASTER(Expressions, const_name("Tuple[Optional[str], Optional[str], Optional[str]]"));
+    bool load(handle source, bool) {
+        if (!isinstance<sequence>(source) || isinstance<str>(source) || len(source) != value.size())
+            return false;
+        const auto given = reinterpret_borrow<sequence>(source);
+        for (std::size_t c = 0; c < value.size(); ++c) {
+            const object one = given[c];
+            const bool is_number = PyFloat_Check(one.ptr()) != 0 || PyLong_Check(one.ptr()) != 0;
+            if (!one.is_none() && !is_number && !isinstance<str>(one)) return false;
+            if (!one.is_none()) value[c] = str(one).cast<std::string>();
+        }
+        return true;
+    }
+    static handle cast(const Expressions& expressions, return_value_policy, handle) {
+        return pybind11::make_tuple(expressions[0], expressions[1], expressions[2]).release();
+    }
+};
+
+}  // namespace pybind11::detail
+
+namespace fretwork::python {
+namespace {
+
+using namespace design;
+using PaletteGiven = std::variant<std::string, std::vector<std::string>>;
+
+void bind_goals(py::module_& m) {
+    bind_enum<NodesGoal::Quantity>(m);
+    Record<NodesGoal>(m, "NodesGoal", "Displacements or positions of single interface nodes.")
+        .field("nodes", &NodesGoal::nodes, "n numbers")
+        .field("values", &NodesGoal::values, "n rows of three, m; None: the component is free")
+        .field("quantity", &NodesGoal::quantity, "")
+        .done();
+    Record<FormulaGoal>(m, "FormulaGoal", "Displacements of nodes by expressions of their places at rest.")
+        .field("where", &FormulaGoal::where, "a selection")
+        .field("displacement", &FormulaGoal::displacement,
+               "three expressions of x and y (m), or numbers, m; None: the component is free")
+        .done();
+    Record<MeshGoal>(m, "MeshGoal", "Nodes lie on a surface in space, and may slide along it.")
+        .field("where", &MeshGoal::where, "a selection")
+        .field("mesh", &MeshGoal::mesh, "OBJ, PLY or OFF, m, in the axes of the project")
+        .done();
+    Record<RotationGoal>(m, "RotationGoal", "Nodes turn by a rotation vector.")
+        .field("where", &RotationGoal::where, "a selection")
+        .field("rotation", &RotationGoal::rotation, "three floats, rad; None: the component is free")
+        .done();
+}
+
+void bind_target(py::module_& m) {
+    Record<Goal>(m, "Goal", "A part of a target.")
+        .field("what", &Goal::what, "a NodesGoal, FormulaGoal, MeshGoal or RotationGoal")
+        .field("weight", &Goal::weight, "of the squared distance of each of its nodes")
+        .field("load_case", &Goal::load_case, "under which it is wanted; '': that of the design")
+        .done();
+    Record<Target>(m, "Target",
+                   "The shape that a designed surface shall take, under one load case or several.\n\n"
+                   ">>> import fretwork as fw\n"
+                   ">>> lifted = fw.FormulaGoal(fw.NodesAtSide('right'), [None, None, 0.02])\n"
+                   ">>> target = fw.Target('lifted', goals=[fw.Goal(lifted)])\n"
+                   ">>> fw.parse_target(fw.target_text(target)) == target\n"
+                   "True\n")
+        .field("name", &Target::name, "")
+        .field("description", &Target::description, "")
+        .field("goals", &Target::goals, "")
+        .done();
+    bind_files<Target>(m, "target", {&parse_target, &target_text, &read_target, &write_target});
+}
+
+void bind_options(py::module_& m) {
+    Record<DesignOptions>(m, "DesignOptions", "What design() searches, and how long.")
+        .field("load_case", &DesignOptions::load_case, "of goals that name none; '': the only one")
+        .field("max_patterns", &DesignOptions::max_patterns, "different ones, at most; 0: any number")
+        .field("keep", &DesignOptions::keep, "tiles that keep their patterns")
+        .field("symmetry", &DesignOptions::symmetry, "'mirror:x', 'mirror:y', 'turn:N', or None")
+        .field("max_mass", &DesignOptions::max_mass, "kg, of all beams; 0: any")
+        .field("max_utilization", &DesignOptions::max_utilization, "of the setting's strength; 0: any")
+        .field("free_factor", &DesignOptions::free_factor, "the factor on the loads is searched, too")
+        .field("free_prescribed", &DesignOptions::free_prescribed, "so are prescribed displacements")
+        .field("seconds", &DesignOptions::seconds, "wall time, checks included; 0: any")
+        .field("most_solutions", &DesignOptions::most_solutions, "nonlinear ones of the search")
+        .field("uniform_paintings", &DesignOptions::uniform_paintings, "that the search begins with")
+        .field("shortlist", &DesignOptions::shortlist, "patterns that one step chooses from")
+        .field("seed", &DesignOptions::seed, "")
+        .field("threads", &DesignOptions::threads, "0: all there are; no bit of the result depends on it")
+        .done();
+}
+
+void bind_report(py::module_& m) {
+    bind_enum<DesignEnd>(m);
+    Record<DesignProgress>(m, "DesignProgress", "The best painting so far.")
+        .constant("solutions", &DesignProgress::solutions, "nonlinear ones so far")
+        .constant("seconds", &DesignProgress::seconds, "")
+        .constant("misfit", &DesignProgress::misfit, "of the reduced model, a share of the largest wanted")
+        .done(Made::ByFunctions);
+    Record<TargetError>(m, "TargetError",
+                        "Distances to the target, as shares of the largest displacement that it asks for, of "
+                        "the full model, nonlinear, on the stable path from flat.")
+        .constant("mean", &TargetError::mean, "")
+        .constant("largest", &TargetError::largest, "")
+        .constant("is_stable", &TargetError::is_stable, "")
+        .done(Made::ByFunctions);
+    Record<DesignReport>(m, "DesignReport", "The painted project, and how far it is from the target.")
+        .constant("project", &DesignReport::project, "painted; its load cases have the values found")
+        .constant("error", &DesignReport::error, "None if the search was stopped before the check")
+        .constant("best_uniform", &DesignReport::best_uniform, "of the best single pattern of those tried")
+        .constant("best_uniform_pattern", &DesignReport::best_uniform_pattern, "its id")
+        .constant("uniform_tried", &DesignReport::uniform_tried, "single patterns")
+        .constant("patterns", &DesignReport::patterns, "ids of the painting")
+        .constant("factors", &DesignReport::factors, "on the loads of each load case of load_cases")
+        .constant("load_cases", &DesignReport::load_cases, "names")
+        .constant("largest_utilization", &DesignReport::largest_utilization, "None without a strength")
+        .constant("wanted_of_softest", &DesignReport::wanted_of_softest,
+                  "largest displacement wanted, by that of the softest single pattern")
+        .constant("wanted_of_stiffest", &DesignReport::wanted_of_stiffest, "the same of the stiffest")
+        .constant("model_error", &DesignReport::model_error, "of the reduced model, a share like the errors")
+        .constant("starts", &DesignReport::starts, "the misfit that each start of the search reached")
+        .constant("history", &DesignReport::history, "")
+        .constant("end", &DesignReport::end, "")
+        .constant("slides", &DesignReport::slides, "nodes may slide along a target's surface")
+        .constant("seconds", &DesignReport::seconds, "")
+        .constant("solutions", &DesignReport::solutions, "nonlinear ones of the search")
+        .constant("full_solutions", &DesignReport::full_solutions, "with all beams, of the checks")
+        .constant("seed", &DesignReport::seed, "")
+        .done(Made::ByFunctions)
+        .def_property_readonly("is_better", &DesignReport::is_better,
+                               "whether the painting is better than the best single pattern");
+}
+
+std::vector<pattern::NamedPattern> palette_of(const PaletteGiven& given, const simulation::Project& project,
+                                              const library::Library* library, std::uint64_t seed) {
+    if (const auto* ids = std::get_if<std::vector<std::string>>(&given))
+        return pattern::parse_named_patterns(project.layout, *ids);
+    return typed::read_palette({std::get<std::string>(given), seed}, project.layout, library);
+}
+
+/// A listener of Python's. A KeyboardInterrupt in it ends the search as one outside of it does.
+std::function<void(const DesignProgress&)> listener(const py::object& given) {
+    return [call = given.cast<std::function<void(const DesignProgress&)>>()](const DesignProgress& progress) {
+        const py::gil_scoped_acquire acquired;
+        try {
+            call(progress);
+        } catch (const py::error_already_set& error) {
+            if (!error.matches(PyExc_KeyboardInterrupt)) throw;
+            PyErr_SetInterrupt();
+        }
+    };
+}
+
+DesignReport run_design(const simulation::Project& project, const Target& target, const PaletteGiven& palette,
+                        const LibraryPointer& library, const py::kwargs& named) {
+    py::dict others(named.attr("copy")());
+    const py::object on_better = taken(others, "on_better");
+    Keywords<DesignOptions> keywords = Keywords<DesignOptions>::rest(others);
+    DesignOptions& options = keywords.options;
+    if (!on_better.is_none()) options.on_better = listener(on_better);
+    if (options.load_case.empty() && project.load_cases.size() == 1)
+        options.load_case = project.load_cases.front().name;
+    return with_library(library, [&](const library::Library* opened) {
+        options.palette = palette_of(palette, project, opened, options.seed);
+        LongCall call(keywords.progress);
+        return call.run_to_keep(
+            [&](const base::Control& control) {
+                options.control = control;
+                return design::design(project, opened, target, options);
+            },
+            [](const DesignReport& report) { return report.end == DesignEnd::Stopped; });
+    });
+}
+
+}  // namespace
+
+void bind_designs(py::module_& m) {
+    bind_goals(m);
+    bind_target(m);
+    bind_options(m);
+    bind_report(m);
+    m.def("design", &run_design, "project"_a, "target"_a, "palette"_a = "sample:64", "library"_a = py::none(),
+          "Paint the tiles of a project so that its surface takes the target's shape. `palette` is a list of "
+          "ids, or as the command line has it: 'library', 'all', 'sample:N'. `on_better` is called with a "
+          "DesignProgress. Ctrl-C ends the search and raises nothing once there is a painting: the report "
+          "has the best one, and its `end` is 'stopped'.\n\n"
+          "Options: DesignOptions, on_better, progress\n");
+}
+
+}  // namespace fretwork::python
