@@ -65,8 +65,9 @@ void bind_setting(py::module_& m) {
         .done()
         .def("validate", &Setting::validate, "source"_a = "setting",
              "Raises InputError if a value is invalid.");
-    m.def("made_setting", &made_setting,
-          "The paper's setting with stiff joints: of things that are made, whose bars merge where they meet.");
+    m.def(
+        "made_setting", &made_setting,
+        "The paper's setting with stiff joints: of things that are made, whose bars merge where they meet.");
     m.def("find_setting", &find_setting, "name_or_path"_a,
           "The setting called 'paper' or 'made', or that of a file. Raises InputError.");
     m.def("setting_name", &setting_name, "setting"_a, "'paper' or 'made'; 'own' for any other.");

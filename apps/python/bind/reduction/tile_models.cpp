@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tile models: those of the framework, and those of Python functions.
+// Tile models: those of the framework, those of Python functions, and tiles of a stiffness that was given.
 #include "core/bind.hpp"
 #include "reduction/tile_builds.hpp"
 
@@ -218,7 +218,8 @@ void bind_structures(py::module_& m) {
                 mechanics::CorotationalBody::Parts{std::move(nodes), std::move(stiffness)});
         },
         "nodes"_a, "stiffness"_a,
-        "The same of interface nodes (n x 3, m) and a symmetric stiffness (6n x 6n, SI). Raises InputError if it "
+        "The same of interface nodes (n x 3, m) and a symmetric stiffness (6n x 6n, SI). Raises InputError "
+        "if it "
         "resists a rigid motion.");
 }
 

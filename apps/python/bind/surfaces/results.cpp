@@ -40,13 +40,15 @@ void bind_subject(py::module_& m) {
         .constant("relative_l2", &ModelError::relative_l2, "of all translations")
         .constant("largest_stress", &ModelError::largest_stress, "a share, or None")
         .done(Made::ByFunctions);
-    Record<ModelDoubt>(m, "ModelDoubt",
-                       "What tells that a solution of tiles that turn with their frames may be far from the full "
-                       "model's.")
+    Record<ModelDoubt>(
+        m, "ModelDoubt",
+        "What tells that a solution of tiles that turn with their frames may be far from the full "
+        "model's.")
         .constant("tile_rotation", &ModelDoubt::tile_rotation,
                   "rad, the largest turn of a node against its tile's frame")
-        .constant("change", &ModelDoubt::change,
-                  "of mixed models: how far tiles in full moved the answer, a share of the largest displacement")
+        .constant(
+            "change", &ModelDoubt::change,
+            "of mixed models: how far tiles in full moved the answer, a share of the largest displacement")
         .done(Made::ByFunctions);
 }
 
@@ -58,8 +60,10 @@ void bind_surface_result(py::module_& m) {
         "their result alive.")
         .constant("subject", &SurfaceResult::subject, "what it is a result of, or None")
         .constant("linear_range", &SurfaceResult::linear_range, "of linear solutions; only where asked for")
-        .constant("fit_error", &SurfaceResult::fit_error, "of linear solutions of fitted tiles, a share, or None")
-        .constant("model_doubt", &SurfaceResult::model_doubt, "of nonlinear results of reduced tiles, or None")
+        .constant("fit_error", &SurfaceResult::fit_error,
+                  "of linear solutions of fitted tiles, a share, or None")
+        .constant("model_doubt", &SurfaceResult::model_doubt,
+                  "of nonlinear results of reduced tiles, or None")
         .constant("model_error", &SurfaceResult::model_error, "of reduced models; only where asked for")
         .constant("buckled_tiles", &SurfaceResult::buckled_tiles, "only where the model error was asked for")
         .done(Made::ByFunctions)
@@ -71,7 +75,8 @@ void bind_surface_result(py::module_& m) {
             "largest_rotation",
             [](const SurfaceResult& self) { return largest_rotation(self, self.solution); },
             "rad, of the interface nodes");
-    m.def("is_doubtful", &is_doubtful, "result"_a, "Whether its error may be large, and has to be estimated.");
+    m.def("is_doubtful", &is_doubtful, "result"_a,
+          "Whether its error may be large, and has to be estimated.");
     m.def("model_warning", &model_warning, "result"_a,
           "What there is to know of a result whose error is or may be large; '': nothing.");
     bind_files<SurfaceResult>(
