@@ -220,6 +220,14 @@ TEST(Design, RefusesWhatDoesNotFit) {
                     o.max_patterns = 1;
                 }),
                 HasSubstr("already"));
+    EXPECT_THAT(complaint([](DesignOptions& o, Project&, Target&) { o.free_prescribed = true; }),
+                HasSubstr("prescribes no displacement"));
+    EXPECT_THAT(complaint([](DesignOptions& o, Project& p, Target&) {
+                    o.free_factor = true;
+                    p.load_cases.front().loads.clear();
+                    p.load_cases.front().gravity = {0.0, 0.0, -9.81};
+                }),
+                HasSubstr("has no load besides its weight"));
     EXPECT_THAT(complaint([](DesignOptions&, Project&, Target& t) {
                     auto& goal = std::get<NodesGoal>(t.goals.front().what);
                     for (auto& value : goal.values) value = {0.0, 0.0, 0.0};

@@ -65,6 +65,9 @@ enum class DesignEnd {
 };
 std::string_view design_end_name(DesignEnd end);
 
+/// A gain below this share is rounding, or chance.
+inline constexpr double kLeastDesignGain = 0.01;
+
 struct DesignReport {
     simulation::Project project;       ///< painted; with free unknowns, its load cases have their values
     std::optional<TargetError> error;  ///< none if the search was stopped before the check
@@ -89,8 +92,13 @@ struct DesignReport {
     int solutions = 0;       ///< nonlinear solutions of the search
     int full_solutions = 0;  ///< nonlinear solutions with all beams, of the checks
     std::uint64_t seed = 0;
-    /// Whether the painting is better than the best single pattern; false where this is not known.
-    [[nodiscard]] bool is_better() const { return error && best_uniform && error->mean < best_uniform->mean; }
+    /// Whether the painting is nearer to the target than the best single pattern by a share of
+    /// kLeastDesignGain, and no farther than the largest displacement wanted, which standing still is; false
+    /// where this is not known.
+    [[nodiscard]] bool is_better() const {
+        return error && best_uniform && error->mean < (1.0 - kLeastDesignGain) * best_uniform->mean &&
+               error->mean < 1.0;
+    }
 };
 
 /// Paint the tiles of a project so that its surface takes the target's shape (the method: README.md). A stop

@@ -121,6 +121,25 @@ void require_kept_painted(const Surface& surface, const DesignOptions& options) 
                                std::to_string(options.max_patterns) + " at most");
 }
 
+/// A factor or a value that is searched must act on something.
+void require_free(const std::vector<DesignCase>& cases, const DesignOptions& options) {
+    const auto is_loaded = [](const DesignCase& own) {
+        return !own.load_case.loads.empty() || !own.load_case.area_loads.empty() ||
+               !own.load_case.combines.empty();
+    };
+    const auto is_moved = [](const DesignCase& own) {
+        return !own.load_case.prescribed.empty() || !own.load_case.combines.empty();
+    };
+    const std::string which = cases.size() == 1 ? "load case '" + cases.front().load_case.name + "'"
+                                                : "none of the target's load cases";
+    if (options.free_factor && std::ranges::none_of(cases, is_loaded))
+        throw base::InputError(which + " has " + (cases.size() == 1 ? "no" : "a") +
+                               " load besides its weight whose factor could be searched");
+    if (options.free_prescribed && std::ranges::none_of(cases, is_moved))
+        throw base::InputError(which + " prescribes " + (cases.size() == 1 ? "no" : "a") +
+                               " displacement that could be searched");
+}
+
 }  // namespace
 
 Preparation prepare(const simulation::Project& project, const library::Library* library, const Target& target,
@@ -135,6 +154,7 @@ Preparation prepare(const simulation::Project& project, const library::Library* 
     for (const std::string& name : names)
         cases.push_back({simulation::find_load_case(project, name),
                          CaseGoals(target, name, options.load_case, surface.tessellation)});
+    require_free(cases, options);
     if (std::ranges::all_of(cases, [](const DesignCase& own) { return own.goals.largest() <= 0.0; }))
         throw base::InputError("", "/goals",
                                "the target asks for no displacement: the flat surface has it already");
