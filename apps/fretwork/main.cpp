@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "complaint.hpp"
 #include "program.hpp"
 
 #include <fretwork/base/control.hpp>
@@ -17,15 +18,6 @@
 
 namespace fretwork::app {
 namespace {
-
-/// One line of at most 300 characters, whatever a message quotes.
-void complain(std::string message) {
-    constexpr std::string_view kStart = "fretwork: ";
-    constexpr std::size_t kLongestLine = 300;
-    std::ranges::replace(message, '\n', ' ');
-    const std::string line = base::shortened(base::printable(message), kLongestLine - kStart.size());
-    std::fprintf(stderr, "%s%s\n", std::string(kStart).c_str(), line.c_str());
-}
 
 /// `fflush` is where a full disk is reported.
 void flush_output() {

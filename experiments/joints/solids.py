@@ -80,13 +80,13 @@ def append(path, row):
         writer.writerow({name: f"{value:.7g}" if isinstance(value, float) else value for name, value in row.items()})
 
 
-def version(*command):
+def version(*command, line=-1):
     done = subprocess.run(command, capture_output=True, text=True)
-    return (done.stdout + done.stderr).strip().splitlines()[-1].strip()
+    return (done.stdout + done.stderr).strip().splitlines()[line].strip()
 
 
 def write_provenance(fretwork, options):
-    told = {"fretwork": version(fretwork.program, "--version"), "gmsh": version("gmsh", "--version"),
+    told = {"fretwork": version(fretwork.program, "--version", line=0).split()[-1], "gmsh": version("gmsh", "--version"),
             "calculix": version(options.ccx, "-v").split()[-1], "python": platform.python_version(), "machine": platform.machine(),
             "layout": study.LAYOUT, "tile_side_mm": study.SIDE, "young_modulus": study.YOUNG, "poisson_ratio": study.POISSON,
             "options": {name: str(value) for name, value in vars(options).items() if name not in ("program", "out", "ccx")},

@@ -13,8 +13,9 @@ using testing::HasSubstr;
 
 TEST(Help, OfEveryVerbHasAnExample) {
     const TemporaryFolder folder;
-    for (const std::string verb : {"enumerate", "calibrate", "library", "tile", "paint", "case", "simulate",
-                                   "compare", "solve", "optimizers", "export", "draw", "beams", "studio"}) {
+    for (const std::string verb :
+         {"enumerate", "calibrate", "library", "tile", "paint", "case", "simulate", "compare", "solve",
+          "optimizers", "export", "draw", "beams", "studio", "design", "check", "help"}) {
         const auto outcome = run_command("fretwork " + verb + " --help", folder.path());
         EXPECT_EQ(outcome.exit_code, 0) << verb;
         EXPECT_THAT(outcome.out, testing::ContainsRegex("Examples?:(.|\n)* fretwork " + verb)) << verb;
@@ -35,10 +36,42 @@ TEST(Help, OfEveryActionHasAnExample) {
     }
 }
 
-TEST(Help, VersionIsOneLine) {
+TEST(Help, VersionNamesCommitCompilerAndLibraries) {
     const TemporaryFolder folder;
-    EXPECT_THAT(run_command("fretwork --version", folder.path()).out,
-                testing::MatchesRegex("[0-9]+\\.[0-9]+\\.[0-9]+\n"));
+    const auto outcome = run_command("fretwork --version", folder.path());
+    EXPECT_EQ(outcome.exit_code, 0);
+    EXPECT_THAT(outcome.out, testing::MatchesRegex("fretwork [0-9]+\\.[0-9]+\\.[0-9]+\n"
+                                                   "commit (release|[0-9a-z.-]+)\n"
+                                                   "compiler [A-Za-z]+ [0-9.]+\n"
+                                                   "libraries ([A-Za-z0-9-]+ [0-9.]+(, |\n))+"));
+    for (const std::string library : {"Boost", "Ceres", "CGAL", "Eigen", "SQLite"})
+        EXPECT_THAT(outcome.out, HasSubstr(library + " "));
+}
+
+TEST(Help, OfAVerbIsWhatTheVerbHelpPrints) {
+    const TemporaryFolder folder;
+    for (const std::string verb : {"tile", "library", "case add", "help"}) {
+        const auto outcome = run_command("fretwork help " + verb, folder.path());
+        EXPECT_EQ(outcome.exit_code, 0) << verb;
+        EXPECT_EQ(outcome.out, run_command("fretwork " + verb + " --help", folder.path()).out);
+    }
+    EXPECT_EQ(run_command("fretwork help", folder.path()).out,
+              run_command("fretwork --help", folder.path()).out);
+}
+
+TEST(Help, OfAnUnknownVerbNamesTheNearest) {
+    const TemporaryFolder folder;
+    const auto outcome = run_command("fretwork help simulat", folder.path());
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_THAT(outcome.err, HasSubstr("'simulate'"));
+    EXPECT_EQ(run_command("fretwork help tile add", folder.path()).exit_code, 2);
+}
+
+TEST(Help, GroupsTheVerbsByTheirPurpose) {
+    const TemporaryFolder folder;
+    EXPECT_THAT(run_command("fretwork --help", folder.path()).out,
+                testing::ContainsRegex("\nPattern library:\n  enumerate (.|\n)*\nSurface:\n  tile (.|\n)*"
+                                       "\nMaking and output:\n  export (.|\n)*\nTools:\n  solve "));
 }
 
 TEST(Help, IsWhatTheProgramAlonePrints) {

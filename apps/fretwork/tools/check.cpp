@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// fretwork check: whether files are valid files of their kinds.
+#include "complaint.hpp"
+#include "json_output.hpp"
+#include "options/file_options.hpp"
+#include "tools/file_kinds.hpp"
+#include "tools/tools.hpp"
+
+#include <fretwork/base/error.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+
+namespace fretwork::app {
+namespace {
+
+struct CheckOptions {
+    std::vector<std::string> files;
+    std::string layout;
+    bool json = false;
+};
+
+struct CheckedFile {
+    std::string file;
+    std::string kind;   ///< empty if it is not valid
+    std::string error;  ///< empty if it is
+};
+
+/// One bad file of many does not end the check of the rest.
+CheckedFile checked(const std::string& file, const std::string& layout) {
+    try {
+        return {file, check_file(file, layout), ""};
+    } catch (const base::Error& error) {
+        return {file, "", error.what()};
+    }
+}
+
+void print_line(const CheckedFile& file) {
+    if (file.error.empty())
+        std::printf("%s: valid %s\n", file.file.c_str(), file.kind.c_str());
+    else
+        complain(file.error);
+}
+
+base::Json checked_json(const CheckedFile& file) {
+    base::Json json = {{"file", file.file}, {"valid", file.error.empty()}};
+    if (file.error.empty())
+        json["kind"] = file.kind;
+    else
+        json["error"] = file.error;
+    return json;
+}
+
+ExitCode run(const CheckOptions& options) {
+    std::vector<CheckedFile> files;
+    for (const std::string& name : options.files) {
+        files.push_back(checked(name, options.layout));
+        if (!options.json) print_line(files.back());
+    }
+    if (options.json) {
+        base::Json list = base::Json::array();
+        for (const CheckedFile& file : files) list.push_back(checked_json(file));
+        print_document({{"files", list}});
+    }
+    const bool is_valid =
+        std::ranges::all_of(files, [](const CheckedFile& file) { return file.error.empty(); });
+    return is_valid ? ExitCode::Done : ExitCode::BadInput;
+}
+
+}  // namespace
+
+void add_check(CLI::App& app, ExitCode& exit_code) {
+    CLI::App* verb = app.add_subcommand("check", "Check that files are valid files of their kinds");
+    const auto options = std::make_shared<CheckOptions>();
+    verb->add_option("file", options->files, "Files: JSON, library, outline, mesh or deck")->required();
+    verb->add_option("--layout", options->layout,
+                     "Node layout of paintings: a name or a file (default: the one they name)");
+    verb->add_flag("--json", options->json, "Print JSON");
+    declare_files(*verb, {input("file"), input("--layout")});
+    verb->footer(
+        "Exit code 0: all are valid; 2: one is not.\nExample: fretwork check project.json outline.svg");
+    verb->callback([options, &exit_code] { exit_code = run(*options); });
+}
+
+}  // namespace fretwork::app

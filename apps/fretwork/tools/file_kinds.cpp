@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tools/file_kinds.hpp"
+
+#include <fretwork/base/error.hpp>
+#include <fretwork/base/files/file.hpp>
+#include <fretwork/base/json_reader.hpp>
+#include <fretwork/base/text.hpp>
+#include <fretwork/design/target/target_file.hpp>
+#include <fretwork/library/library.hpp>
+#include <fretwork/mechanics/decks/calculix_file.hpp>
+#include <fretwork/mechanics/frame/frame_file.hpp>
+#include <fretwork/mechanics/results/result_file.hpp>
+#include <fretwork/outlines/flat_mesh.hpp>
+#include <fretwork/outlines/outline.hpp>
+#include <fretwork/pattern/node_layout.hpp>
+#include <fretwork/reduction/scenarios/scenario.hpp>
+#include <fretwork/reduction/scenarios/setting_file.hpp>
+#include <fretwork/simulation/load_cases/load_case_file.hpp>
+#include <fretwork/simulation/project/project_file.hpp>
+#include <fretwork/simulation/results/surface_result.hpp>
+#include <fretwork/simulation/stages.hpp>
+#include <fretwork/tiling/painting/painting.hpp>
+
+#include <algorithm>
+#include <cctype>
+#include <fstream>
+#include <string_view>
+#include <vector>
+
+namespace fretwork::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct JsonText {
+    std::string text;
+    std::string source;
+    std::string layout;  ///< that of paintings, as check_file() takes it
+};
+
+struct JsonKind {
+    std::string_view name;  ///< the K of "fretwork/K/N"
+    void (*read)(const JsonText& file);
+};
+
+void read_painting_text(const JsonText& file) {
+    std::string layout = file.layout;
+    if (layout.empty()) layout = base::JsonReader::from_text(file.text, file.source).at("layout").string();
+    (void)tiling::parse_painting(file.text, file.source, pattern::find_node_layout(layout));
+}
+
+/// Results of surfaces say more than those of frames: their subject.
+void read_result_text(const JsonText& file) {
+    if (base::JsonReader::from_text(file.text, file.source).find("subject"))
+        (void)simulation::parse_surface_result(file.text, file.source);
+    else
+        (void)mechanics::parse_result(file.text, file.source);
+}
+
+constexpr JsonKind kJsonKinds[] = {
+    {"layout", [](const JsonText& f) { (void)pattern::parse_node_layout(f.text, f.source); }},
+    {"frame", [](const JsonText& f) { (void)mechanics::parse_frame(f.text, f.source); }},
+    {"scenario", [](const JsonText& f) { (void)reduction::parse_scenario(f.text, f.source); }},
+    {"setting", [](const JsonText& f) { (void)reduction::parse_setting(f.text, f.source); }},
+    {"load-case", [](const JsonText& f) { (void)simulation::parse_load_case(f.text, f.source); }},
+    {"painting", read_painting_text},
+    {"project", [](const JsonText& f) { (void)simulation::parse_project(f.text, f.source); }},
+    {"result", read_result_text},
+    {"stages", [](const JsonText& f) { (void)simulation::parse_stages(f.text, f.source); }},
+    {"target", [](const JsonText& f) { (void)design::parse_target(f.text, f.source); }},
+    {"outline", [](const JsonText& f) { (void)outlines::parse_outline(f.text, f.source); }},
+};
+
+struct EndingKind {
+    std::string_view ending;
+    std::string_view name;
+    void (*read)(const fs::path& path);
+};
+
+void read_outlines(const fs::path& path) {
+    (void)outlines::read_outline_file(path);
+}
+
+/// A mesh may be an outline or a surface in space that a design is to take: any mesh is valid.
+void read_mesh(const fs::path& path) {
+    (void)outlines::read_space_mesh(path);
+}
+
+constexpr EndingKind kEndingKinds[] = {
+    {".svg", "outline", read_outlines},
+    {".dxf", "outline", read_outlines},
+    {".obj", "mesh", read_mesh},
+    {".ply", "mesh", read_mesh},
+    {".off", "mesh", read_mesh},
+    {".inp", "deck", [](const fs::path& p) { (void)mechanics::read_calculix(p); }},
+};
+
+std::string check_json(const fs::path& path, const std::string& layout) {
+    const JsonText file{base::read_text_file(path), path.string(), layout};
+    const base::JsonReader format = base::JsonReader::from_text(file.text, file.source).at("format");
+    const std::string name = format.string();
+    std::vector<std::string> known;
+    for (const JsonKind& kind : kJsonKinds) {
+        known.emplace_back(kind.name);
+        if (!name.starts_with("fretwork/" + known.back() + "/")) continue;
+        kind.read(file);
+        return name;
+    }
+    format.fail("is " + format.text() + ", where \"fretwork/KIND/N\" is needed, with KIND one of " +
+                base::join(known, ", "));
+}
+
+bool is_database(const fs::path& path) {
+    constexpr std::string_view kStart("SQLite format 3\0", 16);
+    std::string start(kStart.size(), '\0');
+    std::ifstream(path, std::ios::binary).read(start.data(), static_cast<std::streamsize>(start.size()));
+    return start == kStart;
+}
+
+std::string check_library(const fs::path& path) {
+    (void)library::Library::open(path).summaries();
+    return "library";
+}
+
+}  // namespace
+
+std::string check_file(const fs::path& path, const std::string& layout) {
+    if (is_database(path)) return check_library(path);
+    std::string ending = path.extension().string();
+    std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
+    if (ending == ".json") return check_json(path, layout);
+    std::vector<std::string> known{".json"};
+    for (const EndingKind& kind : kEndingKinds) {
+        known.emplace_back(kind.ending);
+        if (ending != kind.ending) continue;
+        kind.read(path);
+        return std::string(kind.name) + " (" + ending.substr(1) + ")";
+    }
+    (void)base::read_text_file(path);  // says if there is no such file
+    throw base::InputError(
+        path.string(), "",
+        "is of no kind that can be checked: a library, or a file that ends in " + base::join(known, ", "));
+}
+
+}  // namespace fretwork::app

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// fretwork help: the help of a verb.
+#include "tools/tools.hpp"
+
+#include <fretwork/base/error.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+
+namespace fretwork::app {
+namespace {
+
+const CLI::App& find_verb(const CLI::App& app, const std::string& wanted) {
+    std::vector<std::string> names;
+    for (const CLI::App* verb : app.get_subcommands({})) {
+        if (verb->get_name() == wanted) return *verb;
+        names.push_back(verb->get_name());
+    }
+    if (names.empty()) throw base::InputError("'" + app.get_name() + "' has no verbs of its own");
+    throw base::InputError(base::unknown_name_message("verb", wanted, names));
+}
+
+/// The same text as that of --help.
+std::string help_of(const CLI::App& program, const std::vector<std::string>& words) {
+    const CLI::App* verb = &program;
+    std::string usage = program.get_name();
+    for (const std::string& word : words) {
+        verb = &find_verb(*verb, word);
+        usage += " " + word;
+    }
+    return verb->get_formatter()->make_help(verb, usage, CLI::AppFormatMode::Normal);
+}
+
+}  // namespace
+
+void add_help(CLI::App& app, ExitCode&) {
+    CLI::App* verb = app.add_subcommand("help", "Print the help of a verb");
+    const auto words = std::make_shared<std::vector<std::string>>();
+    verb->add_option("verb", *words, "A verb, and a verb of that one if it has some (default: all verbs)");
+    verb->footer("Examples:\n  fretwork help simulate\n  fretwork help case add");
+    verb->callback([&app, words] { std::fputs(help_of(app, *words).c_str(), stdout); });
+}
+
+}  // namespace fretwork::app

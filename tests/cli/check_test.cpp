@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/command.hpp"
+#include "support.hpp"
+
+#include <algorithm>
+#include <fstream>
+
+namespace fretwork::app {
+namespace THIS_TEST {
+
+using test::run_command;
+using test::TemporaryFolder;
+using testing::HasSubstr;
+
+/// A file of a kind: its name, its text, and its kind as the program prints it.
+struct Sample {
+    std::string name;
+    std::string text;
+    std::string kind;
+};
+
+const std::vector<Sample>& samples() {
+    static const std::vector<Sample> kSamples = {
+        {"layout.json", R"({"format":"fretwork/layout/1","name":"one","center":true,"interface":["1/2"]})",
+         "fretwork/layout/1"},
+        {"frame.json",
+         R"({"format":"fretwork/frame/1","nodes":[[0,0,0],[1,0,0]],
+            "materials":{"m":{"young_modulus":1e9,"poisson_ratio":0.3}},
+            "sections":{"s":{"type":"rectangle","width":0.1,"height":0.1}},
+            "beams":[{"nodes":[0,1],"section":"s","material":"m"}],
+            "supports":[{"node":0,"fixed":["ux","uy","uz","rx","ry","rz"]}]})",
+         "fretwork/frame/1"},
+        {"scenario.json",
+         R"({"format":"fretwork/scenario/1","name":"pull","weight":1,"max_magnitude":2,
+            "held":[{"interface_node":0,"fixed":["ux","uy","uz","rx","ry","rz"]}],
+            "loads":[{"interface_node":3,"force":[0,1,0]}]})",
+         "fretwork/scenario/1"},
+        {"setting.json", R"({"format":"fretwork/setting/2","tile_side":0.02})", "fretwork/setting/2"},
+        {"case.json", R"({"format":"fretwork/load-case/1","name":"hang","gravity":[0,0,-9.81]})",
+         "fretwork/load-case/1"},
+        {"painting.json", R"({"format":"fretwork/painting/1","layout":"paper7","patterns":["0-1+1-6"]})",
+         "fretwork/painting/1"},
+        {"stages.json",
+         R"({"format":"fretwork/stages/1","stages":[{"name":"a","loads":[{"load_case":"hang","factor":1}]}]})",
+         "fretwork/stages/1"},
+        {"target.json",
+         R"({"format":"fretwork/target/1","goals":[{"nodes":[0],"displacements":[[null,null,0.01]]}]})",
+         "fretwork/target/1"},
+        {"outline.json", R"({"format":"fretwork/outline/1","boundary":[[0,0],[0.4,0],[0,0.3]]})",
+         "fretwork/outline/1"},
+        {"outline.svg",
+         R"(<svg xmlns="http://www.w3.org/2000/svg" width="200mm" height="200mm" viewBox="0 0 200 200"><path d="M0 0H200V200H0Z"/></svg>)",
+         "outline (svg)"},
+        {"outline.dxf", "0\nSECTION\n2\nENTITIES\n0\nCIRCLE\n10\n0\n20\n0\n40\n0.2\n0\nENDSEC\n0\nEOF\n",
+         "outline (dxf)"},
+        {"mesh.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0.2\nf 1 2 3\n", "mesh (obj)"},
+        {"mesh.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "mesh (off)"},
+        {"mesh.ply",
+         "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+         "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n",
+         "mesh (ply)"}};
+    return kSamples;
+}
+
+void write(const std::filesystem::path& path, const std::string& text) {
+    std::ofstream(path) << text;
+}
+
+TEST(Check, NamesTheKindOfEveryValidFile) {
+    const TemporaryFolder folder;
+    for (const Sample& sample : samples()) {
+        write(folder.path() / sample.name, sample.text);
+        const auto outcome = run_command("fretwork check " + sample.name, folder.path());
+        EXPECT_EQ(outcome.out, sample.name + ": valid " + sample.kind + "\n") << outcome.err;
+        EXPECT_EQ(outcome.exit_code, 0) << sample.name;
+    }
+}
+
+TEST(Check, RefusesEveryKindCutShortInOneLine) {
+    const TemporaryFolder folder;
+    for (const Sample& sample : samples()) {
+        write(folder.path() / sample.name, sample.text.substr(0, sample.text.size() / 3));
+        const auto outcome = run_command("fretwork check " + sample.name, folder.path());
+        EXPECT_EQ(outcome.exit_code, 2) << sample.name;
+        EXPECT_EQ(outcome.out, "");
+        EXPECT_EQ(std::ranges::count(outcome.err, '\n'), 1) << outcome.err;
+        EXPECT_THAT(outcome.err, HasSubstr(sample.name));
+    }
+}
+
+TEST(Check, RefusesAnUnknownKeyInEveryKindOfJson) {
+    const TemporaryFolder folder;
+    for (const Sample& sample : samples()) {
+        if (!sample.name.ends_with(".json")) continue;
+        write(folder.path() / sample.name, "{\"surprise\":1," + sample.text.substr(1));
+        const auto outcome = run_command("fretwork check " + sample.name, folder.path());
+        EXPECT_EQ(outcome.exit_code, 2) << sample.name;
+        EXPECT_THAT(outcome.err, HasSubstr("surprise"));
+    }
+}
+
+TEST(Check, TakesTheFilesThatTheProgramWrites) {
+    const TemporaryFolder folder;
+    write(folder.path() / "frame.json", samples()[1].text);
+    write(folder.path() / "square.svg", samples()[9].text);
+    const auto made = run_command(
+        "fretwork solve frame.json --out frame_result.json && "
+        "fretwork tile square.svg --patterns 0-1+1-6 --edge-length 40mm --out project.json && "
+        "fretwork simulate project.json --case experiments/cases/cantilever.json --model full --linear "
+        "--out result.json && "
+        "fretwork enumerate --layout faces5 --library made.db",
+        folder.path());
+    ASSERT_EQ(made.exit_code, 0) << made.err;
+    const auto outcome =
+        run_command("fretwork check frame_result.json project.json result.json made.db", folder.path());
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_THAT(outcome.out, testing::MatchesRegex("frame_result.json: valid fretwork/result/[45]\n"
+                                                   "project.json: valid fretwork/project/2\n"
+                                                   "result.json: valid fretwork/result/[45]\n"
+                                                   "made.db: valid library\n"));
+    const auto broken = run_command(
+        "for f in frame_result.json project.json result.json made.db; do "
+        "head -c $(($(stat -c %s $f) / 3)) $f > cut_$f; fretwork check cut_$f; test $? = 2 || exit 1; done",
+        folder.path());
+    EXPECT_EQ(broken.exit_code, 0) << broken.out;
+    EXPECT_EQ(std::ranges::count(broken.err, '\n'), 4) << broken.err;
+}
+
+TEST(Check, OneBadFileFailsAllAndTheRestIsChecked) {
+    const TemporaryFolder folder;
+    write(folder.path() / "notes.txt", "no file of fretwork");
+    const auto outcome =
+        run_command("fretwork check notes.txt missing.json experiments/settings/paper.json", folder.path());
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_EQ(outcome.out, "experiments/settings/paper.json: valid fretwork/setting/1\n");
+    EXPECT_EQ(std::ranges::count(outcome.err, '\n'), 2) << outcome.err;
+    const auto json =
+        run_command("fretwork check notes.txt experiments/settings/paper.json --json", folder.path());
+    EXPECT_EQ(json.exit_code, 2);
+    EXPECT_EQ(json.err, "");
+    EXPECT_THAT(json.out, HasSubstr("\"valid\": false"));
+    EXPECT_THAT(json.out, HasSubstr("\"kind\": \"fretwork/setting/1\""));
+}
+
+}  // namespace THIS_TEST
+}  // namespace fretwork::app
