@@ -1,0 +1,123 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The JSON schemas of docs/schemas against the data files of the repository, and files that the program writes."""
+import json
+import os
+import pathlib
+import subprocess
+import tempfile
+import unittest
+import warnings
+
+import jsonschema
+
+warnings.simplefilter("ignore", DeprecationWarning)  # RefResolver: newer releases have another way; Debian's has not
+
+ROOT = pathlib.Path(os.environ["FRETWORK_SOURCE_DIR"])
+PROGRAM = os.environ["FRETWORK_PROGRAM"]
+SCHEMAS = {path.name.removesuffix(".schema.json"): json.loads(path.read_text())
+           for path in (ROOT / "docs" / "schemas").glob("*.schema.json")}
+STORE = {schema["$id"]: schema for schema in SCHEMAS.values()}
+
+FRAME = {"format": "fretwork/frame/2", "nodes": [[0, 0, 0], [1, 0, 0]], "materials": {"m": {"young_modulus": 1e9, "poisson_ratio": 0.3, "density": 1000}},
+         "sections": {"s": {"type": "I", "width": 0.1, "height": 0.1, "flange_thickness": 0.01, "web_thickness": 0.01}},
+         "beams": [{"nodes": [0, 1], "section": "s", "material": "m"}], "supports": [{"node": 0, "fixed": ["ux", "uy", "uz", "rx", "ry", "rz"]}],
+         "loads": [{"node": 1, "force": [0, 0, -1]}]}
+PAINTING = {"format": "fretwork/painting/1", "layout": "paper7", "patterns": ["0-1+1-6"], "tiles": [0]}
+STAGES = {"format": "fretwork/stages/1", "stages": [{"name": "pull", "loads": [{"load_case": "cantilever", "factor": 1}]}]}
+
+
+def kind_of(document):
+    return document["format"].split("/")[1]
+
+
+def validator(kind):
+    schema = SCHEMAS[kind]
+    return jsonschema.Draft202012Validator(schema, resolver=jsonschema.RefResolver(schema["$id"], schema, store=STORE))
+
+
+def repository_documents():
+    for folder in ("experiments", "tests"):
+        for path in sorted((ROOT / folder).rglob("*.json")):
+            document = json.loads(path.read_text())
+            if isinstance(document, dict) and str(document.get("format", "")).startswith("fretwork/"):
+                yield str(path.relative_to(ROOT)), document
+
+
+def run(folder, *arguments):
+    return subprocess.run([PROGRAM, *arguments], cwd=folder, capture_output=True, text=True)
+
+
+def made_documents():
+    """Files of the program, and those written here, which the program must find valid, too."""
+    case = str(ROOT / "experiments" / "cases" / "cantilever.json")
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        for file, document in (("frame.json", FRAME), ("painting.json", PAINTING), ("stages.json", STAGES)):
+            (folder / file).write_text(json.dumps(document))
+        (folder / "square.json").write_text(json.dumps({"format": "fretwork/outline/1", "boundary": [[0, 0], [0.2, 0], [0.2, 0.2], [0, 0.2]]}))
+        commands = (("solve", "frame.json", "--steps", "2", "--modes", "1", "--buckling", "1", "--out", "frame_result.json"),
+                    ("tile", "square.json", "--patterns", "0-1+1-6", "--edge-length", "40mm", "--out", "project.json"),
+                    ("case", "add", "project.json", case),
+                    ("simulate", "project.json", "--case", "cantilever", "--model", "full", "--steps", "2", "--out", "full.json"),
+                    ("simulate", "project.json", "--case", "cantilever", "--model", "corotational", "--estimate-model-error", "--out", "tiles.json"),
+                    ("simulate", "project.json", "--case", "cantilever", "--model", "condensed", "--linear", "--modes", "1", "--out", "linear.json"))
+        for command in commands:
+            done = run(folder, *command)
+            if done.returncode != 0:
+                raise AssertionError(f"{' '.join(command)}: {done.stderr}")
+        files = sorted(folder.glob("*.json"))
+        checked = run(folder, "check", *(file.name for file in files))
+        if checked.returncode != 0:
+            raise AssertionError(checked.stderr)
+        return [(file.name, json.loads(file.read_text())) for file in files]
+
+
+class Schemas(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.documents = [*repository_documents(), *made_documents()]
+
+    def test_each_is_a_valid_schema(self):
+        for schema in SCHEMAS.values():
+            jsonschema.Draft202012Validator.check_schema(schema)
+
+    def test_every_kind_has_a_document(self):
+        self.assertEqual({kind_of(document) for _, document in self.documents}, set(SCHEMAS))
+
+    def test_every_document_is_valid(self):
+        for name, document in self.documents:
+            errors = [f"{'/'.join(map(str, error.absolute_path))}: {error.message}" for error in validator(kind_of(document)).iter_errors(document)]
+            self.assertEqual(errors, [], name)
+
+    def test_an_unknown_key_is_refused_wherever_it_stands(self):
+        for name, document in self.documents:
+            check = validator(kind_of(document))
+            for place, owner in objects_in(document):
+                if place[-1:] in (["materials"], ["sections"]):  # their keys are names
+                    continue
+                owner["surprise"] = 1
+                self.assertFalse(check.is_valid(document), f"{name}: {place}")
+                del owner["surprise"]
+
+    def test_a_missing_key_or_another_format_is_refused(self):
+        for name, document in self.documents:
+            check = validator(kind_of(document))
+            for key in SCHEMAS[kind_of(document)]["required"]:
+                less = {other: value for other, value in document.items() if other != key}
+                self.assertFalse(check.is_valid(less), f"{name}: {key}")
+            self.assertFalse(check.is_valid({**document, "format": document["format"].rsplit("/", 1)[0] + "/99"}), name)
+
+
+def objects_in(value, place=()):
+    """Objects of a document with their places; of a list the first and the last element stand for all."""
+    if isinstance(value, dict):
+        yield list(place), value
+        for key, member in list(value.items()):
+            yield from objects_in(member, (*place, key))
+    elif isinstance(value, list) and value:
+        for index in sorted({0, len(value) - 1}):
+            yield from objects_in(value[index], (*place, index))
+
+
+if __name__ == "__main__":
+    unittest.main()
