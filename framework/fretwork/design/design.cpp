@@ -133,7 +133,7 @@ class Designer {
 
     /// Checks a point, and goes back to the best one that was checked if it is no better.
     void check_and_keep_best(const Solved& solved) {
-        best_ = solved.point;  // if the check is stopped
+        if (!is_correcting_) best_ = solved.point;  // if the check is stopped; else the checked one stays
         FullCheck found = check(solved.point);
         const bool replaces =
             !checked_ || (is_allowed(solved.point, found) && !is_allowed(checked_->point, checked_->check));
