@@ -24,7 +24,7 @@ constexpr Verb kVerbs[] = {{kLibrary, add_enumerate}, {kLibrary, add_calibrate},
                            {kSurface, add_simulate},  {kSurface, add_design},    {kSurface, add_compare},
                            {kSurface, add_beams},     {kSurface, add_studio},    {kMaking, add_export},
                            {kMaking, add_draw},       {kTools, add_solve},       {kTools, add_optimizers},
-                           {kTools, add_check},       {kTools, add_help}};
+                           {kTools, add_check},       {kTools, add_help},        {kTools, add_manual}};
 
 }  // namespace
 

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include <string>
+#include <vector>
+
+namespace fretwork::app {
+
+/// An option as --help describes it.
+struct OptionText {
+    std::string long_name;             ///< "--out"; empty if it has none
+    std::string short_name;            ///< "-h"; empty if it has none
+    std::string positional;            ///< the name of one that is given by its place, else empty
+    std::string value;                 ///< the kind of its value, such as "FILE"; empty for a flag
+    std::vector<std::string> choices;  ///< the values that it takes, where they are few
+    std::string description;
+    bool is_required = false;
+};
+
+/// A verb with its options and its own verbs: all that --help says of it.
+struct CommandText {
+    std::vector<std::string> words;  ///< "fretwork", "case", "add"
+    std::string description;
+    std::string footer;
+    std::vector<OptionText> options;
+    std::vector<CommandText> verbs;
+};
+
+/// @param parents  the words before the name of `app`
+CommandText command_tree(const CLI::App& app, std::vector<std::string> parents = {});
+
+/// A command and all verbs below it, each before its own verbs.
+std::vector<const CommandText*> all_commands(const CommandText& command);
+
+/// The manual page of section 1, for man and groff.
+std::string man_page(const CommandText& program);
+
+// The files with which a shell completes verbs, options, and the values that are among few. All other
+// words are completed as names of files.
+std::string bash_completion(const CommandText& program);
+std::string zsh_completion(const CommandText& program);
+std::string fish_completion(const CommandText& program);
+
+}  // namespace fretwork::app
