@@ -9,7 +9,7 @@ demo=(g++ cmake ninja-build git ca-certificates
       libcgal-dev libceres-dev libnlopt-dev libpagmo-dev libeigen3-dev libboost-dev libboost-graph-dev libboost-serialization-dev libtbb-dev libopenmesh-dev libsuitesparse-dev
       libopenblas0-serial libnauty2-dev libsqlite3-dev nettle-dev nlohmann-json3-dev libcli11-dev libpugixml-dev libmuparser-dev libpng-dev libpolyclipping-dev libzip-dev
       librsvg2-bin fonts-dejavu-core)
-test=("${demo[@]}" libgtest-dev libgmock-dev libbenchmark-dev clang-format gringo python3-jsonschema sqlite3)
+test=("${demo[@]}" libgtest-dev libgmock-dev libbenchmark-dev clang-format gringo groff-base python3-jsonschema sqlite3)
 python=("${demo[@]}" pybind11-dev python3-dev python3-numpy python3-pip python3-venv)
 check=("${test[@]}" "${python[@]}" mypy python3-pandas python3-torch clang-tidy-16 calculix-ccx gmsh python3-gmsh slurm-wlm munge snakemake python3-numpy python3-scipy python3-matplotlib python3-ezdxf python3-vtk9 admesh prusa-slicer inkscape chromium)
 
