@@ -13,9 +13,8 @@ Symmetry read_symmetry(const std::string& text) {
     for (int folds = 2; folds <= 12; ++folds) {
         if (text == "turn:" + std::to_string(folds)) return {Symmetry::Kind::Turn, folds};
     }
-    throw base::InputError(
-        "--symmetry", "",
-        "'" + text + "' is no symmetry: expected mirror:x, mirror:y, or turn:N with N from 2 to 12");
+    throw base::InputError("'" + text +
+                           "' is no symmetry: expected mirror:x, mirror:y, or turn:N with N from 2 to 12");
 }
 
 }  // namespace fretwork::typed

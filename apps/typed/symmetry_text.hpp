@@ -8,7 +8,7 @@
 namespace fretwork::typed {
 
 /// The symmetry of a painting, as people write it: "mirror:x", "mirror:y", or "turn:N" with N from 2 to 12.
-/// Throws InputError that names --symmetry.
+/// Throws InputError.
 design::Symmetry read_symmetry(const std::string& text);
 
 }  // namespace fretwork::typed

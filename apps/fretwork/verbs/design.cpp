@@ -176,7 +176,13 @@ ExitCode run(DesignArguments arguments) {
         }
     }
     read_free(arguments.free, options);
-    if (!arguments.symmetry.empty()) options.symmetry = typed::read_symmetry(arguments.symmetry);
+    if (!arguments.symmetry.empty()) {
+        try {
+            options.symmetry = typed::read_symmetry(arguments.symmetry);
+        } catch (const base::InputError& error) {
+            throw base::within("--symmetry", "", error);
+        }
+    }
     if (options.max_utilization > 0.0 && !simulation::setting_of(project, given).strength)
         throw base::InputError("--max-utilization", "",
                                "needs a strength, and the project's setting has none");

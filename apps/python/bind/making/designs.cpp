@@ -3,6 +3,7 @@
 #include "core/bind.hpp"
 #include "reduction/library_object.hpp"
 #include "typed/palette_text.hpp"
+#include "typed/symmetry_text.hpp"
 
 #include <fretwork/base/error.hpp>
 #include <fretwork/design/design.hpp>
@@ -17,7 +18,7 @@ struct type_caster<fretwork::design::Symmetry> {
     bool load(handle source, bool) {
         if (source.is_none()) return true;
         if (!isinstance<str>(source)) return false;
-        value = fretwork::design::parse_symmetry(source.cast<std::string>());
+        value = fretwork::typed::read_symmetry(source.cast<std::string>());
         return true;
     }
     static handle cast(const fretwork::design::Symmetry& symmetry, return_value_policy, handle) {
