@@ -102,7 +102,7 @@ base::Json report_json(const design::DesignReport& report) {
 const char* end_text(design::DesignEnd end) {
     switch (end) {
         case design::DesignEnd::NoSwapImproves:
-            return "no swap of one step's patterns is predicted to improve it, or those tried did not";
+            return "the search found no further swap that improves it";
         case design::DesignEnd::SolutionsSpent:
             return "the solutions were spent";
         case design::DesignEnd::TimeSpent:
@@ -115,9 +115,8 @@ const char* end_text(design::DesignEnd end) {
 void print(const design::DesignReport& report) {
     if (report.error) {
         std::printf(
-            "distance to the target, of all beams, nonlinear: %.3g %% on average, %.3g %% at most (of the "
-            "largest "
-            "displacement wanted)%s\n",
+            "mean error %.3g %%, largest %.3g %% of the largest displacement wanted (checked with all "
+            "beams)%s\n",
             100.0 * report.error->mean, 100.0 * report.error->largest,
             report.error->is_stable ? "" : "; NOT STABLE");
     } else {
@@ -262,7 +261,7 @@ void add_design(CLI::App& app, ExitCode& exit_code) {
         "null, \"0.05\"]}]}\n"
         "Ctrl-C keeps the best painting so far. Exit 0: better than the best single pattern, checked with "
         "all beams; 1: "
-        "written, but not better.");
+        "written, but not better, stopped, or beyond --max-utilization.");
     verb->callback([arguments, &exit_code] { exit_code = run(*arguments); });
 }
 
