@@ -21,7 +21,8 @@ struct Surface {
     /// For each of Tessellation::patterns its best calibration of each tile model, as far as a library has
     /// them.
     std::vector<std::vector<reduction::Calibration>> calibrations;
-    /// The tile model of each tile; "" where it is that of the simulation. Empty: of all tiles.
+    /// The tile model of each tile; "" for a tile that takes the simulation's model. If the vector is empty,
+    /// all tiles take it.
     base::IndexVector<tiling::TileIndex, std::string> tile_models{};
 };
 

@@ -19,8 +19,9 @@ struct PathStep {
     PathState state;
     Eigen::VectorXd move;
     double length = 0.0;  ///< of the move, against the system's weights
-    double deviation =
-        0.0;  ///< from what the directions at both ends account for; 1: the most that is accepted
+    /// How far the move is from what the directions at both ends account for, as a share of the largest
+    /// distance that is accepted.
+    double deviation = 0.0;
 };
 
 /// Correct a trial in the plane at right angles to a step, load factor and unknowns together, to an
@@ -29,9 +30,9 @@ struct PathStep {
 int correct_across(NonlinearSystem& system, Newton& newton, const Eigen::VectorXd& step, double& load_factor,
                    Configuration& trial);
 
-/// Makes steps along an equilibrium path, of which each continues the path: its ends have directions whose
-/// mean accounts for the move between them, in every component. A longer step that passes over a sharp bend
-/// of the path, or lands on another path, is no such step.
+/// Makes steps along an equilibrium path. Each step continues the path: the mean of the path's directions at
+/// its two ends accounts for every component of the move between them. A longer step that passes over a sharp
+/// bend of the path, or lands on another path, does not.
 class PathStepper {
   public:
     PathStepper(NonlinearSystem& system, Newton& newton, const EquilibriumOptions& options)

@@ -22,11 +22,11 @@ class StressWorkspace {
     void give_own() { given_ = own_; }
     /// Give an element s + K B dx, where dx are small motions of its nodes (6n).
     void extrapolate(std::size_t element, const Eigen::VectorXd& motion);
-    /// Add B^T (s - given) to forces of an element (6n): how far the given stresses are from those of the
-    /// displacements, as the last tangent saw it.
+    /// Add B^T (s - given) to an element's forces (6n), with its own stresses s and slopes B of the last
+    /// evaluation: the force by which the given stresses lag behind those of the displacements.
     void add_lag(std::size_t element, Eigen::VectorXd& force) const;
 
-    /// The given stresses of all elements: what is to be kept to go back to.
+    /// The given stresses of all elements. Keep a copy to return to this state by give().
     [[nodiscard]] const std::vector<double>& given() const { return given_; }
     void give(const std::vector<double>& stresses) { given_ = stresses; }
 

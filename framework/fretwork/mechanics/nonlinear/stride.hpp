@@ -14,19 +14,21 @@ struct PathPoint {
     double load_factor = 0.0;
     Eigen::VectorXd rate;  ///< of the unknowns in the load factor
     sparse::Ldlt::Outcome outcome;
-    double turn_bound = 0.0;  ///< rad: the ends of no element are turned farther against each other
+    double turn_bound = 0.0;  ///< rad; upper bound on the relative rotation of the two ends of any element
 };
 
-/// A bound on how far the ends of elements are turned against each other at the end of a step from a point;
-/// beyond pi if one of them has come so far that its turn, known up to whole turns, is not known any more. As
-/// long as rotations alone bound it below that, no element is asked.
-/// @param turned  rad: no node has turned farther
+/// An upper bound on the relative rotation of the two ends of any element after a step from a point, in rad.
+/// It is more than pi if an element may have turned so far during the step that its number of whole turns is
+/// unknown. While the rotations of the nodes alone keep the bound safely small, no element is evaluated.
+/// @param turned  rad; upper bound on the rotation of any node during the step
 double bound_relative_turn(const NonlinearSystem& system, const PathPoint& from, double turned,
                            const Configuration& to);
 
 /// Whether a step has gone farther than the rates at its ends account for: then it may have passed over a gap
 /// of the path, to another one.
-/// @param made, rates  of the unknowns; the larger of both ends' rates, in absolute values, times the step
+/// @param made   the step's change of each unknown
+/// @param rates  for each unknown, the larger of the absolute rates at the two ends, times the step of the
+/// load factor
 bool is_jump(const Unknowns& unknowns, const Eigen::VectorXd& made, const Eigen::VectorXd& rates);
 
 /// Whether rates have grown so much over a step that a bifurcation may be near: there they grow without

@@ -37,9 +37,10 @@ class DxfFile {
     };
     [[nodiscard]] const std::vector<DxfEntity>& entities() const { return entities_; }
     [[nodiscard]] const std::map<std::string, Block>& blocks() const { return blocks_; }
-    /// Null if no block or layer has this name. Their names do not depend on the case of letters.
+    /// Null if no block has this name. Case is ignored.
     [[nodiscard]] const Block* block(std::string_view name) const;
     enum class Layer { On, Off, Frozen };
+    /// On if no layer has this name. Case is ignored.
     [[nodiscard]] Layer layer(std::string_view name) const;
     /// The value of $INSUNITS and its line; nothing without it.
     [[nodiscard]] std::optional<DxfGroup> units() const { return units_; }

@@ -21,7 +21,8 @@ enum class TilesFrom {
 
 /// How an outline becomes a project.
 struct NewProjectOptions {
-    std::string outline_name{};           ///< its file; begins what is said of the outline, if not empty
+    /// The outline's file; if not empty, messages about the outline begin with it.
+    std::string outline_name{};
     std::optional<double> edge_length{};  ///< m, wanted mean side of the tiles; none: the setting's tile
                                           ///< side
     TilesFrom tiles = TilesFrom::Outline;
