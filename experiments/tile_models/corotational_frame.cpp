@@ -2,9 +2,8 @@
 #include "corotational_frame.hpp"
 
 #include <fretwork/mechanics/condensation.hpp>
-#include <fretwork/mechanics/corotational_element.hpp>
+#include <fretwork/reduction/models/corotational_tile.hpp>
 
-#include <memory>
 #include <utility>
 
 namespace fretwork::tile_models {
@@ -12,25 +11,6 @@ namespace {
 
 using reduction::TileInput;
 using reduction::TileModel;
-
-class TurningTile final : public reduction::TileStructure {
-  public:
-    explicit TurningTile(mechanics::CorotationalBody::Parts parts)
-        : body_(std::make_shared<mechanics::CorotationalBody>(std::move(parts))) {}
-
-    [[nodiscard]] std::span<const Eigen::Vector3d> inner_nodes() const override { return {}; }
-    void add_to(reduction::StructureParts& surface, const reduction::TilePlace& place) const override {
-        surface.elements.push_back(
-            mechanics::corotational_element({place.nodes.begin(), place.nodes.end()}, body_, place.turn));
-    }
-    [[nodiscard]] std::optional<reduction::BeamMotion> beam_motion(
-        const reduction::TileMotion&) const override {
-        return std::nullopt;
-    }
-
-  private:
-    std::shared_ptr<const mechanics::CorotationalBody> body_;
-};
 
 std::shared_ptr<const reduction::TileStructure> turning_tile(const TileModel& linear,
                                                              const TileInput& input) {
@@ -43,7 +23,7 @@ std::shared_ptr<const reduction::TileStructure> turning_tile(const TileModel& li
     }
     parts.stiffness = mechanics::condense(assemble(tile_parts(*tile, parts.nodes)),
                                           mechanics::first_nodes(input.fan->interface_node_count));
-    return std::make_shared<TurningTile>(std::move(parts));
+    return reduction::corotational_tile(std::move(parts));
 }
 
 }  // namespace

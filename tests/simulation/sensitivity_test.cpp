@@ -5,6 +5,7 @@
 #include <fretwork/base/random.hpp>
 #include <fretwork/mechanics/corotational_element.hpp>
 #include <fretwork/reduction/models/condensed_tile.hpp>
+#include <fretwork/reduction/models/corotational_tile.hpp>
 #include <fretwork/simulation/derivatives/sensitivity.hpp>
 #include <fretwork/simulation/session.hpp>
 #include <fretwork/simulation/simulate.hpp>
@@ -159,25 +160,6 @@ TEST(Sensitivity, IsTheDerivativeByMaterialAndSection) {
     }
 }
 
-/// A tile whose stiffness is between those of two patterns.
-class BlendedTile final : public reduction::TileStructure {
-  public:
-    explicit BlendedTile(mechanics::CorotationalBody::Parts parts)
-        : body_(std::make_shared<mechanics::CorotationalBody>(std::move(parts))) {}
-    [[nodiscard]] std::span<const Eigen::Vector3d> inner_nodes() const override { return {}; }
-    void add_to(reduction::StructureParts& surface, const reduction::TilePlace& place) const override {
-        surface.elements.push_back(
-            mechanics::corotational_element({place.nodes.begin(), place.nodes.end()}, body_, place.turn));
-    }
-    [[nodiscard]] std::optional<reduction::BeamMotion> beam_motion(
-        const reduction::TileMotion& /*motion*/) const override {
-        return std::nullopt;
-    }
-
-  private:
-    std::shared_ptr<const mechanics::CorotationalBody> body_;
-};
-
 /// The tile's own pattern and this share of what another one has more.
 reduction::TileModel blended(const pattern::Pattern& other, const double& share) {
     return {.name = "blended",
@@ -193,7 +175,7 @@ reduction::TileModel blended(const pattern::Pattern& other, const double& share)
                 mechanics::CorotationalBody::Parts parts;
                 parts.stiffness = (1.0 - share) * condensed(input.fan, &parts.nodes) +
                                   share * condensed(pattern::make_fan(input.layout, other, 6), nullptr);
-                return std::make_shared<BlendedTile>(std::move(parts));
+                return reduction::corotational_tile(std::move(parts));
             }};
 }
 

@@ -17,26 +17,6 @@ using namespace reduction;
 
 using BoundsGiven = std::variant<std::array<double, 2>, std::function<std::array<double, 2>(const Setting&)>>;
 
-/// A tile that answers motions against its frame with a stiffness that was given. What beams it has is not
-/// known.
-class GivenTile final : public TileStructure {
-  public:
-    explicit GivenTile(mechanics::CorotationalBody::Parts parts)
-        : body_(std::make_shared<mechanics::CorotationalBody>(std::move(parts))) {}
-    [[nodiscard]] std::span<const Eigen::Vector3d> inner_nodes() const override { return {}; }
-    void add_to(StructureParts& surface, const TilePlace& place) const override {
-        surface.elements.push_back(
-            mechanics::corotational_element({place.nodes.begin(), place.nodes.end()}, body_, place.turn));
-    }
-    [[nodiscard]] std::optional<BeamMotion> beam_motion(const TileMotion&) const override { return {}; }
-    [[nodiscard]] const mechanics::CorotationalBody* corotational_body() const override {
-        return body_.get();
-    }
-
-  private:
-    std::shared_ptr<const mechanics::CorotationalBody> body_;
-};
-
 TileParameter make_parameter(std::string name, const BoundsGiven& bounds, TileParameter::Scale scale,
                              std::string unit) {
     TileParameter parameter{std::move(name), std::move(unit), scale, {}};
@@ -213,9 +193,9 @@ void bind_structures(py::module_& m) {
         "tile"_a, "interface_nodes"_a, "A tile that moves and turns at will with its corotating frame.");
     m.def(
         "corotational_tile",
-        [](std::vector<Eigen::Vector3d> nodes, Eigen::MatrixXd stiffness) -> std::shared_ptr<TileStructure> {
-            return std::make_shared<GivenTile>(
-                mechanics::CorotationalBody::Parts{std::move(nodes), std::move(stiffness)});
+        [](std::vector<Eigen::Vector3d> nodes, Eigen::MatrixXd stiffness) {
+            return std::const_pointer_cast<TileStructure>(corotational_tile(
+                mechanics::CorotationalBody::Parts{std::move(nodes), std::move(stiffness)}));
         },
         "nodes"_a, "stiffness"_a,
         "The same of interface nodes (n x 3, m) and a symmetric stiffness (6n x 6n, SI). Raises InputError "

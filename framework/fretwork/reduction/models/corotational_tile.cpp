@@ -16,14 +16,11 @@ using mechanics::CorotationalMotion;
 using mechanics::kDofsPerNode;
 using mechanics::NodeValues;
 
-class CorotationalTile final : public TileStructure {
+/// Answers with a stiffness in a corotating frame. What beams it has is not known.
+class BodyTile : public TileStructure {
   public:
-    CorotationalTile(mechanics::CorotationalBody::Parts parts, std::shared_ptr<const InnerNodes> inner)
-        : mean_(Eigen::Vector3d::Zero()), inner_(std::move(inner)) {
-        for (const Eigen::Vector3d& node : parts.nodes)
-            mean_ += node / static_cast<double>(parts.nodes.size());
-        body_ = std::make_shared<mechanics::CorotationalBody>(std::move(parts));
-    }
+    explicit BodyTile(mechanics::CorotationalBody::Parts parts)
+        : body_(std::make_shared<mechanics::CorotationalBody>(std::move(parts))) {}
 
     [[nodiscard]] std::span<const Eigen::Vector3d> inner_nodes() const override { return {}; }
 
@@ -32,11 +29,32 @@ class CorotationalTile final : public TileStructure {
             mechanics::corotational_element({place.nodes.begin(), place.nodes.end()}, body_, place.turn));
     }
 
+    [[nodiscard]] std::optional<BeamMotion> beam_motion(const TileMotion& /*motion*/) const override {
+        return std::nullopt;
+    }
+
+    [[nodiscard]] const mechanics::CorotationalBody* corotational_body() const override {
+        return body_.get();
+    }
+
+  private:
+    std::shared_ptr<const mechanics::CorotationalBody> body_;
+};
+
+/// Its stiffness is that of beams, condensed.
+class CorotationalTile final : public BodyTile {
+  public:
+    CorotationalTile(mechanics::CorotationalBody::Parts parts, std::shared_ptr<const InnerNodes> inner)
+        : BodyTile(std::move(parts)), mean_(Eigen::Vector3d::Zero()), inner_(std::move(inner)) {
+        const auto& nodes = inner_->tile().nodes;
+        for (int i = 0; i < inner_->interface_nodes(); ++i) mean_ += nodes[i] / inner_->interface_nodes();
+    }
+
     /// The inner nodes follow in the tile's frame, and are carried by it.
     [[nodiscard]] std::optional<BeamMotion> beam_motion(const TileMotion& motion) const override {
         if (motion.displacements == Displacements::Small) return condensed_motion(*inner_, motion);
-        const auto moved =
-            mechanics::corotational_motion(*body_, motion.turn, mechanics::node_states(motion.nodes));
+        const auto moved = mechanics::corotational_motion(*corotational_body(), motion.turn,
+                                                          mechanics::node_states(motion.nodes));
         if (!moved) return std::nullopt;
         const NodeValues followed = inner_->follow(moved->in_frame);
         const Eigen::Index own = motion.nodes.rows();
@@ -45,10 +63,6 @@ class CorotationalTile final : public TileStructure {
         beams.nodes << motion.nodes, carried(followed, *moved, motion.turn);
         beams.in_frame << turned(moved->in_frame, motion.turn), turned(followed, motion.turn);
         return beams;
-    }
-
-    [[nodiscard]] const mechanics::CorotationalBody* corotational_body() const override {
-        return body_.get();
     }
 
   private:
@@ -69,7 +83,6 @@ class CorotationalTile final : public TileStructure {
 
     Eigen::Vector3d mean_;  ///< of the interface nodes, m
     std::shared_ptr<const InnerNodes> inner_;
-    std::shared_ptr<const mechanics::CorotationalBody> body_;
 };
 
 }  // namespace
@@ -84,6 +97,10 @@ std::shared_ptr<const TileStructure> corotational_tile(mechanics::Frame tile, in
                                         mechanics::first_nodes(inner->interface_nodes()));
     };
     return std::make_shared<CorotationalTile>(std::move(parts), inner);
+}
+
+std::shared_ptr<const TileStructure> corotational_tile(mechanics::CorotationalBody::Parts parts) {
+    return std::make_shared<BodyTile>(std::move(parts));
 }
 
 TileModel corotational_tile_model() {
