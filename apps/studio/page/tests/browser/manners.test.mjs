@@ -149,8 +149,8 @@ test('load paths and modes play, and the answer names reactions', async (t) => {
     await page.waitForSelector('.play-bar');
     await page.click('[aria-label="Back to the live shape"]');
   }
-  await page.selectOption('#field', 'stress');
-  await page.waitForFunction(() => document.querySelector('.legend-title')?.textContent === 'Largest stress');
+  await page.selectOption('#field', 'von_mises');
+  await page.waitForFunction(() => document.querySelector('.legend-title')?.textContent === 'Von Mises stress');
   assert.deepEqual(page.troubles, []);
 });
 

@@ -226,7 +226,7 @@ test('a bar that is pointed at tells what it bears', async (t) => {
   await page.mouse.click(box.x + places[1][0], box.y + places[1][1]);
   await page.waitForSelector('[data-bar] [data-field=stress]');
   const values = await page.$$eval('[data-bar] [data-field]', (cells) => cells.map((cell) => [cell.dataset.field, Number(cell.dataset.value)]));
-  assert.equal(values.length, 14, 'seven values at both ends');
+  assert.equal(values.length, 16, 'six section forces and two stresses at both ends');
   assert.ok(values.every(([, value]) => Number.isFinite(value)));
   await picture(page, '22-bar', 1);
   await page.keyboard.press('Escape');
