@@ -3,10 +3,10 @@
 
 namespace fretwork::base {
 
-/// A reference to an object that somebody else keeps alive, for members of inputs and of problems.
+/// A reference to an object that its owner keeps alive. Inputs and problems have members of this type.
 ///
-/// It refuses temporaries when it is compiled: an input with a borrowed setting cannot be made of
-/// `paper_setting()` and outlive it. It is copied and passed like the reference it is.
+/// A temporary does not compile: no input can borrow the value that `paper_setting()` returns and outlive it.
+/// A Borrowed is copied and passed like a reference.
 template <class T>
 class Borrowed {
   public:

@@ -9,22 +9,24 @@
 
 namespace fretwork::base {
 
-/// Long work was asked to stop, and did: no result, and nothing half-written.
+/// The caller asked a long computation to stop, and it stopped. It gives no result and leaves nothing
+/// half-written.
 class Stopped : public Error {
   public:
     Stopped() : Error("stopped before it was done; nothing is half-written") {}
 };
 
-/// How a caller follows long work and ends it. Part of the options of everything that may take longer than a
-/// tenth of a second.
+/// How a caller follows a long computation and stops it. Every function that may take longer than a tenth of
+/// a second has one in its options.
 struct Control {
-    std::stop_token stop{};        ///< looked at at least every 50 ms; the default never asks to stop
-    Progress* progress = nullptr;  ///< receives how far the work is; null: nobody listens. Not owned.
-    /// Asked at every look, too, on whichever thread looks: true asks to stop. For a caller that has no
-    /// second thread to ask from, and for tests. Null: nobody is asked. Not owned.
+    std::stop_token stop{};        ///< checked at least every 50 ms; the default never asks to stop
+    Progress* progress = nullptr;  ///< receives the steps done; null: no reports. Not owned.
+    /// A second way to ask for the stop: true means stop. Every check of `stop` also calls this function, on
+    /// the thread that checks. It serves callers without a second thread, and tests. Null: no function is
+    /// called. Not owned.
     const std::function<bool()>* question = nullptr;
 
-    /// Whether the caller has asked to stop. Cheap enough for every iteration of a solver.
+    /// True if the caller has asked to stop. Cheap enough for every iteration of a solver.
     [[nodiscard]] bool stop_wanted() const {
         return stop.stop_requested() || (question != nullptr && (*question)());
     }

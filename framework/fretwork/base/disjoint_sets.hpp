@@ -8,8 +8,8 @@
 
 namespace fretwork::base {
 
-/// Union-find: which of the things 0 .. count - 1 belong together. A set is named by its first member,
-/// whatever the order of the unions.
+/// Union-find over the elements 0 .. count - 1. The smallest member names its set, whatever the order of the
+/// unions.
 class DisjointSets {
   public:
     explicit DisjointSets(std::size_t count) : parent_(count) {
@@ -20,7 +20,7 @@ class DisjointSets {
         const std::size_t other = first_of(b);
         parent_[std::max(one, other)] = std::min(one, other);
     }
-    /// The first member of the set of this one.
+    /// The smallest member of the set that contains `one`.
     [[nodiscard]] std::size_t first_of(std::size_t one) {
         while (parent_[one] != one) one = parent_[one] = parent_[parent_[one]];
         return one;

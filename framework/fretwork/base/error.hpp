@@ -9,44 +9,43 @@
 
 namespace fretwork::base {
 
-/// The kind of an error, where programs do more than show its text.
+/// The kind of an error, for programs that do more than show its text.
 enum class ErrorKind : std::uint8_t {
     Other,
     NothingHeld,    ///< a structure has no support
-    PartNotHeld,    ///< a part of a structure has no support; `about`: where it is
-    MovesFreely,    ///< a structure moves without strain although it is held; `about`: where
-    NotCalibrated,  ///< there is no calibration; `about`: the pattern, the tile model
+    PartNotHeld,    ///< a part of a structure has no support; `about` says where the part is
+    MovesFreely,    ///< a structure moves without strain although it has supports; `about` says where
+    NotCalibrated,  ///< a calibration is missing; `about` is the pattern and the tile model
 };
 
-/// Where something is wrong.
+/// The place of an error.
 struct ErrorPlace {
-    std::string source;  ///< a file, an option, a message; may be empty
-    std::string place;   ///< a JSON pointer, a line or an element in it; may be empty
+    std::string source;  ///< a file, an option or a message; may be empty
+    std::string place;   ///< a JSON pointer, a line or an element in the source; may be empty
 };
 
 /// An error as data.
 struct ErrorData {
-    std::string problem{};            ///< what is wrong, and what would be valid
-    std::vector<ErrorPlace> where{};  ///< the outermost first: a file, then the file that it names
+    std::string problem{};            ///< what is wrong and what would be valid
+    std::vector<ErrorPlace> where{};  ///< outermost first: a file, then the file that it refers to
     ErrorKind kind = ErrorKind::Other;
-    std::vector<std::string> about{};  ///< see ErrorKind
+    std::vector<std::string> about{};  ///< the facts that ErrorKind lists for `kind`
 };
 
-/// "SOURCE: PLACE: what is wrong", in one line.
+/// The text "SOURCE: PLACE: what is wrong", in one line.
 std::string text_of(const ErrorData& data);
 
-/// The root of what the library throws. `what()` is one line, fit to be shown to the person who gave the
-/// input: it is made of the data.
+/// The base class of all exceptions of the library. `what()` is one line, made of the data, and fit for the
+/// person who gave the input.
 ///
-/// A programming mistake is an assert; an outcome that may disappoint (not converged, rejected) is data in a
-/// report.
+/// A programming mistake is an assert. A disappointing outcome (not converged, rejected) is data in a report.
 class Error : public std::runtime_error {
   public:
     explicit Error(const std::string& problem) : Error(ErrorData{problem}) {}
     explicit Error(ErrorData data) : std::runtime_error(text_of(data)), data_(std::move(data)) {}
 
     /// @param source  the file or option
-    /// @param place   the JSON pointer, line or element in it; may be empty
+    /// @param place  the JSON pointer, line or element in the source; may be empty
     Error(const std::string& source, const std::string& place, const std::string& problem)
         : Error(ErrorData{problem, {{source, place}}}) {}
 
@@ -56,32 +55,34 @@ class Error : public std::runtime_error {
     ErrorData data_;
 };
 
-/// A file, an argument or an option is not what it has to be.
+/// A file, an argument or an option is not valid.
 class InputError : public Error {
   public:
     using Error::Error;
 };
 
-/// A shape is well-formed as data and impossible as geometry: an outline that crosses itself, a beam of
-/// length zero.
+/// A shape is well-formed as data but impossible as geometry, such as an outline that crosses itself or a
+/// beam of length zero.
 class GeometryError : public InputError {
   public:
     using InputError::InputError;
 };
 
-/// A system of equations has no usable solution: a floating structure, a matrix with NaN.
+/// A system of equations has no usable solution, because of a structure without supports or a matrix with
+/// NaN, for example.
 class NumericalError : public Error {
   public:
     using Error::Error;
 };
 
-/// The operating system refuses to read or write.
+/// The operating system refused to read or write.
 class IoError : public Error {
   public:
     using Error::Error;
 };
 
-/// The same error, found inside of a source that it does not name: `throw within(file, "", error)`.
+/// The same error with an outer source added, for a catcher that knows the file: `throw within(file, "",
+/// error)`.
 template <class SomeError>
 [[nodiscard]] SomeError within(const std::string& source, const std::string& place, const SomeError& error) {
     ErrorData data = error.data();
@@ -89,11 +90,10 @@ template <class SomeError>
     return SomeError(std::move(data));
 }
 
-/// Whether an error says that it lies in a source.
+/// True if the error names this source as its place.
 [[nodiscard]] bool names_source(const Error& error, const std::string& source);
 
-/// The same error of a source that people know by another name: a file that is written under a name for a
-/// while.
+/// The same error with `name` in place of `source`, for a file that has a temporary name while it is written.
 template <class SomeError>
 [[nodiscard]] SomeError renamed(const SomeError& error, const std::string& source, const std::string& name) {
     ErrorData data = error.data();

@@ -8,10 +8,11 @@
 
 namespace fretwork::base {
 
-/// An integer that counts one kind of thing: an index of a node cannot be passed where one of a beam is
-/// wanted.
+/// An integer that counts one kind of thing: the index of a node does not compile where the index of a beam
+/// is expected.
 ///
-/// It converts to a plain integer silently (to index a vector), and from one only where that is spelled out.
+/// An Index converts to a plain integer implicitly (to index a vector). A plain integer converts to an Index
+/// only explicitly.
 template <class Tag>
 struct Index {
     std::int32_t value = -1;
@@ -25,7 +26,7 @@ struct Index {
     friend constexpr bool operator==(Index left, Index right) = default;
 };
 
-/// The place of a plain, valid index in a container of the standard library.
+/// A valid `int` index as the std::size_t that containers of the standard library take.
 constexpr std::size_t at(int index) {
     return static_cast<std::size_t>(index);
 }

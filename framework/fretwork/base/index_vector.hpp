@@ -8,8 +8,8 @@
 
 namespace fretwork::base {
 
-/// A vector whose elements are counted by one role of index: `tiles[tile]` is an element, and
-/// `tiles[interface_node]` does not compile. A plain std::size_t, as loops have it, still counts.
+/// A vector that is indexed by one role: `tiles[tile]` is an element, and `tiles[interface_node]` does not
+/// compile. A plain std::size_t, as in loops, still works.
 /// @tparam Role  an Index<..>
 template <class Role, class T>
 class IndexVector : public std::vector<T> {
@@ -30,7 +30,7 @@ class IndexVector : public std::vector<T> {
     template <class Tag>
     void operator[](Index<Tag> other_role) const = delete;
 
-    /// Whether there is an element of this index.
+    /// True if the vector has an element of this index.
     [[nodiscard]] bool has(Role index) const {
         return index.is_valid() && static_cast<std::size_t>(index.value) < this->size();
     }

@@ -15,37 +15,37 @@
 
 namespace fretwork::base {
 
-/// A value in a JSON document, and the place where it stands.
+/// A value in a JSON document, together with its place there.
 ///
-/// Reading is strict: whatever is not asked for is an error. Every complaint is an InputError that names the
-/// source, the JSON pointer, the value, and what would be valid. Numbers are finite; a key that appears twice
-/// is refused.
+/// Reading is strict: an unknown key is an error, a key that appears twice is an error, and numbers are
+/// finite. Every error is an InputError that names the source, the JSON pointer, the value, and what would be
+/// valid.
 ///
-/// A reader is a handle and cheap to copy; it keeps the document alive. The pointer is looked for when a
-/// message needs it.
+/// A reader is a handle. It is cheap to copy and keeps the document alive. The JSON pointer is searched only
+/// when a message needs it.
 class JsonReader {
   public:
     /// Throws InputError (missing file, malformed JSON with line and column, repeated key).
     static JsonReader from_file(const std::filesystem::path& path);
-    /// @param source  what to call the text in messages
+    /// @param source  the name of the text in messages
     static JsonReader from_text(std::string_view text, std::string source);
 
-    /// The document's `"format"` must be "fretwork/<kind>/N", with N from `oldest` to `newest`. Formats below
-    /// `oldest` were written by unreleased versions only: the message asks for the file to be made again.
+    /// The document's `"format"` must be "fretwork/<kind>/N", with N from `oldest` to `newest`. Only
+    /// unreleased versions wrote formats below `oldest`: the message asks the user to make the file again.
     void expect_format(std::string_view kind, int newest = 1, int oldest = 1) const;
-    /// This must be an object with no other keys than these.
+    /// Throw InputError unless this is an object with no other keys than these.
     void allow_only(std::initializer_list<std::string_view> keys) const;
     void allow_only(std::span<const std::string_view> keys) const;
 
-    /// A member that must be there.
+    /// A required member. Throws InputError if it is missing.
     [[nodiscard]] JsonReader at(std::string_view key) const;
-    /// A member that may be left out.
+    /// An optional member.
     [[nodiscard]] std::optional<JsonReader> find(std::string_view key) const;
     /// All members of an object, in the order of the file.
     [[nodiscard]] std::vector<std::pair<std::string, JsonReader>> members() const;
     /// All elements of an array.
     [[nodiscard]] std::vector<JsonReader> elements() const;
-    /// All elements of an array that must have `count` of them.
+    /// All elements of an array that must have `count` elements.
     [[nodiscard]] std::vector<JsonReader> elements(std::size_t count) const;
 
     [[nodiscard]] bool is_object() const;
@@ -69,18 +69,18 @@ class JsonReader {
     [[nodiscard]] std::string source() const;
     /// The JSON pointer of this value; "" is the whole document.
     [[nodiscard]] std::string pointer() const;
-    /// Complain about this value.
+    /// Throw InputError about this value.
     [[noreturn]] void fail(const std::string& message) const;
-    /// The same with what a value turned out to be, which keeps its kind.
+    /// Throw the error again with the place of this value added. Its kind stays.
     [[noreturn]] void fail(const InputError& error) const;
 
   private:
     struct Document;
-    struct Access;  ///< to the value as the parser's type, which users do not see
+    struct Access;  ///< gives the value as the parser's type, which users do not see
     JsonReader(std::shared_ptr<const Document> document, const void* value)
         : document_(std::move(document)), value_(value) {}
     std::shared_ptr<const Document> document_;
-    const void* value_;  ///< one of the document's
+    const void* value_;  ///< a value in `document_`
 };
 
 }  // namespace fretwork::base

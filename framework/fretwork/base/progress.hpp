@@ -13,15 +13,15 @@ namespace fretwork::base {
 class Progress {
   public:
     virtual ~Progress() = default;
-    /// A task of `total` steps begins.
+    /// Begin a task of `total` steps.
     virtual void start(std::string_view task, std::size_t total) = 0;
-    /// `done` of the steps are done.
+    /// Report that `done` of the steps are done.
     virtual void update(std::size_t done) = 0;
-    /// The task is over: ends the progress line.
+    /// End the task.
     virtual void finish() = 0;
 };
 
-/// Says nothing.
+/// A receiver that shows nothing.
 class SilentProgress final : public Progress {
   public:
     void start(std::string_view, std::size_t) override {}
@@ -29,12 +29,12 @@ class SilentProgress final : public Progress {
     void finish() override {}
 };
 
-/// One line on a terminal, redrawn in place: share, rate and the estimated rest. Silent where the stream is
-/// no terminal, and for tasks that take less than half a second.
+/// One line on a terminal, redrawn in place, with the share done, the rate and the estimated time left.
+/// Silent if the stream is not a terminal, and for tasks of less than half a second.
 class TerminalProgress final : public Progress {
   public:
     explicit TerminalProgress(std::FILE* stream = stderr);
-    /// Ends the line of a task that was left before its finish, by an exception.
+    /// Ends the line of a task that an exception left unfinished.
     ~TerminalProgress() override { end_line(); }
     TerminalProgress(const TerminalProgress&) = delete;
     TerminalProgress& operator=(const TerminalProgress&) = delete;

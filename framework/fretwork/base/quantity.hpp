@@ -9,27 +9,27 @@
 
 namespace fretwork::base {
 
-/// Read a length as a person writes it: "26mm", "2.6 cm", "0.026m" or "0.026" (metres). Returns metres.
+/// Parse a length as a person types it: "26mm", "2.6 cm", "0.026m" or "0.026" (metres). Returns metres.
 /// Throws InputError on anything else, NaN and infinity included.
 double parse_length(std::string_view text);
 
-/// A length above zero, metres, that a person wrote as the option or entry `name`. Throws InputError that
-/// names it.
+/// Parse a length above zero that a person typed as the option or entry `name`. Returns metres. Throws
+/// InputError that names the option.
 double parse_length_above_zero(const std::string& name, std::string_view text);
 
-/// Refuse a length of at least `large` metres that has no unit: people mean millimetres by such a number.
-/// Throws InputError that names it.
+/// Refuse a length of at least `large` metres that has no unit, because its writer most likely meant
+/// millimetres. Throws InputError that names the option or entry `name`.
 void refuse_missing_unit(const std::string& name, const std::string& text, double large);
 
-/// Read an angle as a person writes it: "15", "15deg" or "0.26rad"; a bare number is in degrees. Returns
+/// Parse an angle as a person types it: "15", "15deg" or "0.26rad"; a bare number is in degrees. Returns
 /// radians. Throws InputError on anything else, NaN and infinity included.
 double parse_angle(std::string_view text);
 
-/// Read a finite number. Throws InputError on anything else, trailing characters included.
+/// Parse a finite number. Throws InputError on anything else, trailing characters included.
 double parse_number(std::string_view text);
 
-/// The number that a whole text spells, with at most one sign; nothing if the text is no number, or is too
-/// large for the type.
+/// The number that the whole text spells, with at most one sign. Nothing if the text is not a number or the
+/// number is too large for the type.
 template <class Number>
 std::optional<Number> read_number(std::string_view text) {
     if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);

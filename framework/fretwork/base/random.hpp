@@ -10,11 +10,11 @@ namespace fretwork::base {
 /// Philox4x32-10 of [Salmon2011]: ten rounds that turn a counter and a key into four random words.
 std::array<std::uint32_t, 4> philox(std::array<std::uint32_t, 4> counter, std::array<std::uint32_t, 2> key);
 
-/// A seed for run number `run` of a generator that another library brings along.
+/// A seed for run number `run` of a generator that belongs to another library.
 std::uint32_t derived_seed(std::uint64_t seed, std::uint64_t run);
 
-/// Counter-based random numbers: draw n of a stream depends on nothing but (seed, stream, n), and on no
-/// standard library.
+/// Counter-based random numbers: draw n of a stream depends on (seed, stream, n) alone, with every standard
+/// library.
 class RandomStream {
   public:
     /// Streams of one seed are independent of each other.
@@ -31,12 +31,12 @@ class RandomStream {
     std::uint64_t draws_ = 0;
 };
 
-/// SplitMix64 [Steele2014]: whole numbers that are the same on every machine.
+/// SplitMix64 [Steele2014]: random integers that are the same on every machine.
 class SplitMix64 {
   public:
     explicit SplitMix64(std::uint64_t seed) : state_(seed) {}
 
-    /// Sixty-four bits that look random for each other number.
+    /// The 64-bit hash of a number; different numbers have different hashes.
     static constexpr std::uint64_t mix(std::uint64_t number) {
         number = (number ^ (number >> 30U)) * 0xbf58476d1ce4e5b9U;
         number = (number ^ (number >> 27U)) * 0x94d049bb133111ebU;
@@ -44,7 +44,7 @@ class SplitMix64 {
     }
 
     std::uint64_t next() { return mix(state_ += 0x9e3779b97f4a7c15U); }
-    /// Each number below `count` with the same chance: what would favour small numbers is drawn again.
+    /// A uniform integer below `count`. Draws that would favour small numbers are rejected and repeated.
     std::uint64_t below(std::uint64_t count) {
         const std::uint64_t most = std::numeric_limits<std::uint64_t>::max();
         const std::uint64_t limit = most - most % count;
@@ -52,7 +52,7 @@ class SplitMix64 {
         while (drawn >= limit) drawn = next();
         return drawn % count;
     }
-    /// From 0 to below 1, by the upper 53 bits.
+    /// A uniform number in [0, 1), made of the upper 53 bits of a draw.
     double share() { return static_cast<double>(next() >> 11U) * 0x1p-53; }
 
   private:

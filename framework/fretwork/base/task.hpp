@@ -8,7 +8,8 @@
 
 namespace fretwork::base {
 
-/// A task that its listener hears of: begun when this is made, over when it goes, also by an exception.
+/// A task in a scope: the constructor reports its start to the receiver of progress, and the destructor
+/// reports its end, also after an exception.
 class Task {
   public:
     Task(const Control& control, std::string_view name, std::size_t steps) : progress_(control.progress) {

@@ -6,10 +6,10 @@
 
 namespace fretwork::base {
 
-/// Bytes from their Base64 (RFC 4648; line breaks and spaces are passed over). Throws InputError that names
-/// `source` if the text is no Base64.
+/// Decode Base64 (RFC 4648). Line breaks and spaces are skipped. Throws InputError that names `source` if the
+/// text is not Base64.
 std::string decode_base64(std::string_view text, const std::string& source);
-/// Without line breaks.
+/// Encode bytes as Base64 without line breaks.
 std::string encode_base64(std::string_view bytes);
 
 }  // namespace fretwork::base

@@ -13,17 +13,17 @@ namespace fretwork::base {
 /// GiB.
 std::string read_text_file(const std::filesystem::path& path);
 
-/// The file that is read or written under this name: where a chain of symbolic links ends, which may be a
-/// file that is not there yet.
+/// The file at the end of a chain of symbolic links, which is the one that is read or written under this
+/// name. It need not exist yet.
 std::filesystem::path link_target(std::filesystem::path path);
 
-/// Put `content` in the place of `path`, all of it or nothing: a scratch file beside it is written, flushed
-/// to the disk and renamed. A symbolic link stays, and the file that it leads to is replaced. Throws IoError
-/// (folder missing, no permission, disk full), and then `path` is as it was.
+/// Replace the file at `path` by `content`, whole or not at all: a scratch file beside it is written, flushed
+/// to the disk and renamed. A symbolic link stays, and its target is replaced. Throws IoError (folder
+/// missing, no permission, disk full) and then leaves `path` as it was.
 void write_file_atomically(const std::filesystem::path& path, std::string_view content);
 
-/// The same for content that comes piece by piece and may be large. Content that is never committed leaves no
-/// trace; devices and pipes (/dev/stdout) are written at once.
+/// An atomic write of content that comes piece by piece and may be large. Content that is never committed
+/// leaves no trace. Devices and pipes (/dev/stdout) are written at once.
 class AtomicFile {
   public:
     /// Throws IoError.
@@ -34,9 +34,11 @@ class AtomicFile {
 
     /// Append. Throws IoError.
     void write(std::string_view content);
-    /// Send all that was written to the disk, so that only the place is missing. Throws IoError.
+    /// Flush everything written so far to the disk, so that `commit` only has to rename the file. Throws
+    /// IoError.
     void flush();
-    /// Put all that was written in the place of the path. Throws IoError, and then the path is as it was.
+    /// Replace the file at the path by everything written so far. Throws IoError and then leaves the path as
+    /// it was.
     void commit();
 
   private:
@@ -44,7 +46,8 @@ class AtomicFile {
     std::unique_ptr<Impl> impl_;
 };
 
-/// Files that belong together: all of them are written, or none (but for a failure between two renamings).
+/// Files that belong together: all of them are written, or none. Only a failure between two renamings can
+/// leave some of them.
 class FileBatch {
   public:
     /// Throws IoError.
@@ -56,8 +59,8 @@ class FileBatch {
     std::vector<AtomicFile> files_;
 };
 
-/// Many files of one folder, which is made if it is not there: they appear in it when they are committed, and
-/// wait for the disk once. If a file cannot be written, the folder is as it was.
+/// Many files of one folder, which is created if it is missing. The files appear in it when they are
+/// committed, with one flush to the disk. If a file cannot be written, the folder stays as it was.
 class FolderBatch {
   public:
     /// Throws IoError.
@@ -66,7 +69,7 @@ class FolderBatch {
     FolderBatch& operator=(FolderBatch&&) noexcept;
     ~FolderBatch();
 
-    /// Where the files are until they are committed; others than those that are added may be written here.
+    /// The folder of the files until they are committed. The caller may also write files into it directly.
     [[nodiscard]] const std::filesystem::path& path() const;
     /// Throws IoError.
     void add(const std::string& name, std::string_view content);

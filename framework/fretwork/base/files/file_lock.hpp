@@ -6,18 +6,19 @@
 
 namespace fretwork::base {
 
-/// Keeps others from changing a file while this process reads it, changes it and writes it back.
+/// A lock that keeps other processes from changing a file while this process reads it, changes it and writes
+/// it back.
 ///
-/// The lock is the operating system's (`flock`) on the file itself: it ends with the process, however that
-/// ends, and leaves nothing in the folder. It protects against those who take it, too. Writing the file
-/// atomically puts a new one in its place, so a lock covers one change; who writes again and again, or makes
-/// the file, locks its folder.
+/// The operating system holds the lock (`flock`) on the file itself. The lock ends with the process, however
+/// the process ends, and leaves nothing in the folder. It protects only against processes that take it as
+/// well. An atomic write puts a new file in place of the locked one, so one lock covers one change. To write
+/// repeatedly, or to create the file, lock its folder.
 class FileLock {
   public:
-    /// Lock a file or a folder; waits while another holds it. Throws InputError if there is none, IoError if
-    /// it cannot be locked.
+    /// Lock a file or a folder, and wait while another process holds the lock. Throws InputError if the path
+    /// does not exist, IoError if it cannot be locked.
     explicit FileLock(const std::filesystem::path& path);
-    /// The same without waiting: nothing if another holds it.
+    /// Lock without waiting. Returns nothing if another process holds the lock.
     static std::optional<FileLock> try_lock(const std::filesystem::path& path);
 
     FileLock(FileLock&& other) noexcept;

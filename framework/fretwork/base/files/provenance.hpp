@@ -11,9 +11,9 @@ namespace fretwork::base {
 /// The version of this library, such as "0.1.0".
 std::string version();
 
-/// The names and values that a result should carry so that it can be made again, in a fixed order, without
-/// times and hosts: the library's version and commit, the compiler, the build type, the kind of machine, and
-/// the arithmetic. Results have the same bits where all of these are the same.
+/// The names and values that a result carries so that it can be reproduced: the library's version and commit,
+/// the compiler, the build type, the kind of machine, and the arithmetic. Their order is fixed, and times and
+/// host names are left out. Two results have the same bits if all of these are equal.
 std::vector<std::pair<std::string, std::string>> provenance();
 
 /// The first line of every drawing, mesh and deck that the program writes. The program replaces a file

@@ -7,16 +7,16 @@
 
 namespace fretwork::base {
 
-/// A file or folder for content that is not whole yet, in the folder where the content is to be. It vanishes
-/// with this object unless it was moved into its place.
+/// A temporary file or folder for unfinished content, in the folder of its target. The destructor removes it
+/// unless it was renamed to the target.
 ///
-/// The next scratch in a folder removes the leftovers of killed processes: a living process holds a lock on
-/// its scratch. The names begin with ".fretwork-".
+/// A running process holds a lock on its scratch. So the next scratch in the same folder can recognise and
+/// remove those of killed processes. The names begin with ".fretwork-".
 class Scratch {
   public:
     enum class Kind { File, Folder };
-    /// @param target  what is to be made; its folder must be there
-    /// Throws IoError that names the target.
+    /// @param target  the file or folder to be made; its parent folder must exist Throws IoError that names
+    /// the target.
     Scratch(const std::filesystem::path& target, Kind kind);
     Scratch(Scratch&& other) noexcept
         : path_(std::exchange(other.path_, {})), descriptor_(std::exchange(other.descriptor_, -1)) {}
@@ -24,9 +24,9 @@ class Scratch {
     ~Scratch();
 
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-    /// Open for reading and writing if it is a file.
+    /// The descriptor that holds the lock. That of a file is open for reading and writing.
     [[nodiscard]] int descriptor() const { return descriptor_; }
-    /// It has been renamed: there is nothing to remove any more.
+    /// Keep the content, because it has been renamed: the destructor then removes nothing.
     void release() { path_.clear(); }
 
   private:

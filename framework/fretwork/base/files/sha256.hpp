@@ -7,7 +7,7 @@
 
 namespace fretwork::base {
 
-/// The secure hash SHA-256 (FIPS 180-4) of bytes that come piece by piece.
+/// The hash SHA-256 (FIPS 180-4) of bytes that come piece by piece.
 class Sha256 {
   public:
     Sha256();
@@ -20,7 +20,7 @@ class Sha256 {
     [[nodiscard]] std::string hexadecimal() const;
 
   private:
-    struct State;  ///< of the library that computes it
+    struct State;  ///< the state of the hashing library
     std::unique_ptr<State> state_;
 };
 
