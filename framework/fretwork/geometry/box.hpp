@@ -7,7 +7,7 @@
 
 namespace fretwork::geometry {
 
-/// Part of the plane, m.
+/// A rectangle with sides parallel to the axes, in metres.
 struct Box {
     double xmin = 0.0, ymin = 0.0, xmax = 0.0, ymax = 0.0;
     [[nodiscard]] double width() const { return xmax - xmin; }
@@ -16,13 +16,13 @@ struct Box {
         return xmin <= other.xmax && other.xmin <= xmax && ymin <= other.ymax && other.ymin <= ymax;
     }
 };
-/// The smallest box around some points, at least one.
+/// The smallest box around the points. Pre: there is at least one.
 Box box_of(std::span<const Point2> points);
 /// The smallest box around a box and a point.
 Box united(const Box& box, Point2 point);
-/// The smallest box around two.
+/// The smallest box around two boxes.
 Box united(const Box& left, const Box& right);
-/// Wider by a margin on every side, m.
+/// The box moved outward by a margin on every side, m.
 Box grown(const Box& box, double margin);
 
 }  // namespace fretwork::geometry

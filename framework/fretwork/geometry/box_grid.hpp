@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which of many boxes are near a place: cells of equal size.
+// A grid of equal cells that finds those of many boxes that meet a given box.
 #pragma once
 
 #include <fretwork/geometry/box.hpp>
@@ -12,7 +12,7 @@ namespace fretwork::geometry {
 
 class BoxGrid {
   public:
-    /// About one cell for each box.
+    /// Builds about as many cells as boxes.
     explicit BoxGrid(std::span<const Box> boxes);
 
     /// The numbers of the boxes that meet a box, ascending.

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-/// Points of the plane as vectors.
+/// The arithmetic of plane vectors. Point2 is also their type.
 namespace fretwork::geometry {
 
 inline Point2 operator+(Point2 a, Point2 b) {
@@ -32,7 +32,7 @@ inline double length(Point2 a) {
 inline double distance(Point2 a, Point2 b) {
     return length(b - a);
 }
-/// The direction of a vector of some length.
+/// The unit vector in the direction of a vector, whose length must be above zero.
 inline Point2 unit(Point2 a) {
     return (1.0 / length(a)) * a;
 }
@@ -51,7 +51,7 @@ inline double turn(Point2 a, Point2 b) {
 inline Point2 between(Point2 a, Point2 b, double share) {
     return {a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)};
 }
-/// The point of the segment from a to b (which may be without length) that is nearest to a point.
+/// The point of the segment from a to b that is nearest to `point`. The segment may have length zero.
 inline Point2 nearest_on_segment(Point2 a, Point2 b, Point2 point) {
     const Point2 side = b - a;
     const double square = dot(side, side);

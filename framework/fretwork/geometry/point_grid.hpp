@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which of many points are near a place, while points are added.
+// A grid that finds the points near a place, and to which points can be added at any time.
 #pragma once
 
 #include <fretwork/geometry/plane.hpp>
@@ -13,14 +13,14 @@
 
 namespace fretwork::geometry {
 
-/// Points in square cells as wide as a distance: a point within that distance lies in the same cell or in one
-/// of the eight around it. Adding and searching take constant time where few points share a cell.
+/// Points in square cells whose width is the search distance: a point within that distance lies in the same
+/// cell or in one of the eight around it. Adding and searching take constant time if few points share a cell.
 class PointGrid {
   public:
     /// `width` in metres, positive: the largest distance at which points are found.
     explicit PointGrid(double width) : width_(width) {}
 
-    /// Points are numbered in the order of their adding.
+    /// Add a point. Points are numbered in the order in which they are added.
     /// @return the number of this point
     std::size_t add(Point2 point) {
         cells_[cell(point)].push_back(points_.size());
@@ -29,9 +29,9 @@ class PointGrid {
     }
     [[nodiscard]] const std::vector<Point2>& points() const { return points_; }
 
-    /// Calls `visit(number)` for each point of the nine cells around a place, in no order that means
-    /// anything, until one call returns true.
-    /// @return whether one did
+    /// Calls `visit(number)` for each point of the nine cells around a place, in an unspecified order, until
+    /// one call returns true.
+    /// @return true if a call returned true
     template <class Visit>
     bool any_around(Point2 place, Visit visit) const {
         const Cell middle = cell(place);
@@ -46,7 +46,7 @@ class PointGrid {
         return false;
     }
 
-    /// Calls `visit(number)` for each point of these nine cells.
+    /// Calls `visit(number)` for each point of the nine cells around a place.
     template <class Visit>
     void visit_around(Point2 place, Visit visit) const {
         any_around(place, [&](std::size_t number) {
@@ -55,7 +55,7 @@ class PointGrid {
         });
     }
 
-    /// Whether a point is nearer to a place than `reach`, which is at most the width.
+    /// True if a point is nearer to `place` than `reach`. Pre: `reach` is at most the width.
     [[nodiscard]] bool has_near(Point2 place, double reach) const {
         return any_around(place,
                           [&](std::size_t number) { return distance(points_[number], place) < reach; });

@@ -12,12 +12,12 @@ struct Point2 {
     friend bool operator==(const Point2&, const Point2&) = default;
 };
 
-/// A simple polygon: its vertices counterclockwise, each once.
+/// A simple polygon: its vertices in counterclockwise order, each listed once.
 using Polygon = std::vector<Point2>;
 
-/// The regular polygon around the origin in which the fan's sector t has the middle of its outer side at
-/// angle 270 + 360 t / sides degrees, so vertex t lies at half a sector before that. `side` is the side
-/// length in metres. Throws InputError unless sides >= 3 and side > 0.
+/// The regular polygon around the origin. The middle of side t lies at angle 270 + 360 t / sides degrees, so
+/// vertex t lies half a sector before that. `side` is the side length in metres. Throws InputError unless
+/// sides >= 3 and side > 0.
 Polygon regular_polygon(int sides, double side);
 
 /// The signed area: positive for a counterclockwise polygon.
@@ -30,8 +30,8 @@ Point2 centroid(const Polygon& polygon);
 /// exactly.
 bool is_convex(const Polygon& polygon);
 
-/// Leave out points nearer than a distance to the one before them, the last beside the first as well. Files
-/// say the same point twice where curves meet and where they close.
+/// Remove each point that is nearer than `nearest` (m) to the point before it; the last point is also
+/// compared with the first. Files often repeat a point where curves meet or close.
 void remove_repeated_points(Polygon& polygon, double nearest);
 
 /// The mean length of the sides.

@@ -6,7 +6,7 @@
 
 namespace fretwork::geometry {
 
-/// [v] with [v] w = v x w.
+/// The matrix [v] with [v] w = v x w.
 inline Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& v) {
     Eigen::Matrix3d m;
     m << 0.0, -v.z(), v.y(), v.z(), 0.0, -v.x(), -v.y(), v.x(), 0.0;
@@ -19,17 +19,17 @@ Eigen::Quaterniond exponential(const Eigen::Vector3d& rotation_vector);
 /// The rotation vector of a rotation, at most pi long.
 Eigen::Vector3d logarithm(const Eigen::Quaterniond& rotation);
 
-/// The rotation vector nearest to `reference` among those of one rotation, which differ by whole turns: along
-/// a path of small steps it has no jumps and counts the turns.
+/// The rotation vector of a rotation that is nearest to `reference`. The vectors of one rotation differ by
+/// whole turns; so along a path of small steps the result has no jumps and counts the turns.
 Eigen::Vector3d logarithm_near(const Eigen::Quaterniond& rotation, const Eigen::Vector3d& reference);
 
-/// T with spin = T d(rotation vector): exp(v + dv) = exp(T dv) exp(v).
+/// The matrix T with spin = T d(rotation vector): exp(v + dv) = exp(T dv) exp(v).
 Eigen::Matrix3d spin_map(const Eigen::Vector3d& rotation_vector);
 
-/// Its inverse, for rotations below a whole turn.
+/// The inverse of spin_map, for rotations below a whole turn.
 Eigen::Matrix3d inverse_spin_map(const Eigen::Vector3d& rotation_vector);
 
-/// Both at once, at less cost.
+/// A rotation vector and its inverse spin map, computed together at less cost.
 struct LogarithmWithMap {
     Eigen::Vector3d rotation_vector;  ///< at most pi long
     Eigen::Matrix3d inverse_spin_map;

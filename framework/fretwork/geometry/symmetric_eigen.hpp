@@ -5,14 +5,14 @@
 
 namespace fretwork::geometry {
 
-/// Eigenvalues of a symmetric matrix, ascending, and its unit eigenvectors, one a column.
+/// The eigenvalues of a symmetric matrix, ascending, and its unit eigenvectors, one in each column.
 struct SymmetricEigen {
     Eigen::VectorXd values;
     Eigen::MatrixXd vectors;
 };
 
-/// Decomposes a symmetric matrix; only its lower triangle is read. One source compiles Eigen's solver, which
-/// takes the compiler four seconds each time.
+/// Decompose a symmetric matrix; only its lower triangle is read. One source file compiles Eigen's solver for
+/// all callers, because compiling it is slow.
 SymmetricEigen symmetric_eigen(const Eigen::MatrixXd& matrix);
 
 }  // namespace fretwork::geometry

@@ -5,7 +5,8 @@
 
 namespace fretwork::geometry {
 
-/// How often a closed polygon, which may cross itself, runs counterclockwise around a point.
+/// The number of times that a closed polygon runs counterclockwise around a point. The polygon may cross
+/// itself.
 inline int winding_number(const Polygon& polygon, Point2 point) {
     int winding = 0;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
