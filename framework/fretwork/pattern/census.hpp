@@ -15,12 +15,12 @@ __extension__ using GraphCount = unsigned __int128;
 /// A count in decimal digits.
 std::string count_text(GraphCount count);
 
-/// A row of the census: the graphs with this number of edges.
+/// A row of the census: the graphs with one number of edges.
 struct CensusRow {
     int edges = 0;
     GraphCount patterns = 0;  ///< all graphs with this number of candidate edges
-    /// For each filter, the number of graphs that break its rule, whatever the other filters say; none where
-    /// counting them takes a walk over all graphs.
+    /// For each filter, the number of graphs that break its rule, whether or not they break other rules.
+    /// Empty if only a walk over all graphs could count them.
     std::vector<std::optional<GraphCount>> rejected;
     GraphCount valid = 0;  ///< the graphs that keep every rule
 };
@@ -32,19 +32,19 @@ struct Census {
     [[nodiscard]] GraphCount valid() const;
 };
 
-/// With more candidate edges than this (a million graphs), the graphs are not walked one by one.
+/// The most candidate edges for which a census walks every graph: 20 edges make a million graphs.
 inline constexpr int kMostEdgesWalked = 20;
 
 /// Count the graphs that each filter rejects, and those that all filters accept. Up to kMostEdgesWalked
-/// candidate edges, every graph is walked. Beyond that, a search counts the valid patterns, closed forms
-/// count the rejections by rules about pairs, loads and groups of edges, and the columns of the other filters
+/// candidate edges, every graph is walked. Beyond that, a search counts the valid patterns, and closed forms
+/// count the rejections by rules about pairs, loads and groups of edges. The columns of the other filters
 /// stay empty.
 Census take_census(const NodeLayout& layout, const EnumerationOptions& options = {});
-/// The same after a search that has counted the `valid` patterns under the same options.
+/// Take the census with the `valid` counts of an earlier search under the same options.
 Census take_census(const NodeLayout& layout, const EnumerationOptions& options, const PatternCount& valid);
 
-/// The table as CSV with LF: edges, patterns, one column for each filter, valid. Numbers that could not be
-/// counted are empty.
+/// The table as CSV with LF. Columns: edges, patterns, one for each filter, valid. An entry is empty if its
+/// number could not be counted.
 std::string census_csv(const Census& census);
 
 }  // namespace fretwork::pattern

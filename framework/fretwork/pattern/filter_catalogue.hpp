@@ -11,7 +11,7 @@
 
 namespace fretwork::pattern {
 
-/// The lengths for rules in millimetres: the regular hexagon in which a fan would be made.
+/// The size of the regular hexagon in which a fan would be made. Rules about lengths need it.
 struct FabricationScale {
     double tile_side = 0.025980762113533160;  ///< m; 0.015 sqrt(3), the paper's hexagon
     double beam_width = 0.002;                ///< m; the paper's beams
@@ -19,39 +19,39 @@ struct FabricationScale {
     void validate() const;
 };
 
-/// The kind of number that a filter is set with.
+/// The kind of number that sets a filter.
 enum class FilterParameter { None, Angle, Count, Length };
 
-/// A row of the catalogue: a reason for which patterns are rejected.
+/// A row of the catalogue: one reason to reject a pattern.
 struct FilterKind {
-    std::string_view name;      ///< what the command line calls it, and its column in the census
+    std::string_view name;      ///< its name on the command line and its column in the census
     std::string_view doc;       ///< one line: what it rejects
     FilterParameter parameter;  ///< radians, a whole number, or metres
-    bool is_of_the_paper;       ///< always on, with its own column in the paper's Table 1
+    bool is_of_the_paper;       ///< true for the six filters of the paper's Table 1, which are always on
     double default_value;
     /// State the rule for a layout. `value` is the filter's number.
     Rule (*make_rule)(const NodeLayout& layout, double value, const FabricationScale& scale);
 };
 
-/// All filters, in the order of the census's columns: the paper's six first.
+/// All filters, in the order of the columns of the census: the paper's six first.
 std::span<const FilterKind> filter_catalogue();
 
-/// The filter of a name. Throws InputError that names the nearest one.
+/// The filter with this name. Throws InputError that suggests the nearest name.
 const FilterKind& find_filter_kind(std::string_view name);
 
-/// A filter that is to be used, and its number; none: the catalogue's.
+/// A filter to be used, and its number.
 struct FilterChoice {
     std::string name;
-    std::optional<double> value;  ///< radians, a whole number, or metres
+    std::optional<double> value;  ///< radians, a whole number, or metres; empty: the catalogue's default
 };
 
-/// Read "small_angle=20deg", "short_edge=3mm" or "asymmetric". Throws InputError.
+/// Parse the choice of a filter: "small_angle=20deg", "short_edge=3mm" or "asymmetric". Throws InputError.
 FilterChoice parse_filter_choice(std::string_view text);
 
-/// Read an edge ("0-1") or a node ("n5": all edges at this node of the fan). Throws InputError.
+/// Parse an edge ("0-1") or a node ("n5": all edges at this node of the fan). Throws InputError.
 EdgeGroup parse_edge_group(const NodeLayout& layout, std::string_view text);
 
-/// A filter that is ready for one layout.
+/// A filter with its rule for one layout.
 struct Filter {
     std::string name;
     double value = 0.0;
@@ -60,16 +60,19 @@ struct Filter {
 
 /// The requirements on patterns.
 struct FilterSettings {
-    std::vector<FilterChoice> choices;  ///< values for the paper's six, and others that are switched on
-    std::vector<EdgeGroup> required;    ///< of each, a pattern has at least one edge
-    std::vector<EdgeGroup> forbidden;   ///< of these, a pattern has no edge
+    std::vector<FilterChoice> choices;  ///< values for the paper's six filters, and other filters to be
+                                        ///< switched on
+    std::vector<EdgeGroup> required;    ///< a pattern has at least one edge of each group
+    std::vector<EdgeGroup> forbidden;   ///< a pattern has no edge of any of these groups
     FabricationScale scale;
-    std::vector<Filter> own{};  ///< filters of the caller's for this layout; threads may call them at once
+    std::vector<Filter> own{};  ///< the caller's own filters for this layout; several threads may call them
+                                ///< at once
 };
 
-/// The paper's six filters, with the values chosen or the paper's, and any others that are chosen, in the
-/// order of the catalogue; then "lacks_required" and "has_forbidden", if anything is, and the caller's own.
-/// Throws InputError if a name is unknown or there twice, or its value is invalid.
+/// The filters for one layout. First come the paper's six and any others chosen, in the order of the
+/// catalogue. A filter without a chosen value takes the catalogue's default. Then come "lacks_required" and
+/// "has_forbidden", if edges are required or forbidden, and last the caller's own. Throws InputError if a
+/// name is unknown or appears twice, or a value is invalid.
 std::vector<Filter> make_filters(const NodeLayout& layout, const FilterSettings& settings = {});
 
 /// The verdict of one filter on a pattern.

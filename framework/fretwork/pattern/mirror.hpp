@@ -13,12 +13,13 @@ class Mirror {
   public:
     explicit Mirror(const NodeLayout& layout);
 
-    /// The mirror image of a pattern, if the layout has it: none if the pattern uses a face node without a
-    /// twin.
+    /// The mirror image of a pattern. None if the pattern uses a face node whose mirror image is not in the
+    /// layout.
     [[nodiscard]] std::optional<Pattern> image(const Pattern& pattern) const;
     /// True if the pattern is its own mirror image.
     [[nodiscard]] bool is_symmetric(const Pattern& pattern) const;
-    /// The mirror image of an edge, as the candidate that gives the same fan.
+    /// The mirror image of an edge, as the candidate edge that gives the same fan. None if the layout has
+    /// none.
     [[nodiscard]] std::optional<EdgeIndex> image(EdgeIndex edge) const { return images_[edge]; }
 
   private:

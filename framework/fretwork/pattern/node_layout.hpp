@@ -48,12 +48,12 @@ struct NodeLayoutDescription {
 /// The nodes that a pattern may use, and the edges that it may choose from.
 ///
 /// Numbering: center, radial nodes on v0 v1, radial nodes on v0 v2, face nodes, interface nodes (from v1 to
-/// v2), corners. Candidate edges are sorted by first, then second node. Left out are edges along the right
-/// radial side (the left one gives the same fan), along the interface side, and those that pass through
-/// another node. Paper, Sections 4.1 and 4.2.
+/// v2), corners. Candidate edges are sorted by first, then second node. Three kinds of edges are not
+/// candidates: those along the right radial side (the left side gives the same fan), those along the
+/// interface side, and those that pass through another node. Paper, Sections 4.1 and 4.2.
 class NodeLayout {
   public:
-    /// Throws InputError that names the node and the rule which it breaks.
+    /// Throws InputError that names a node and the rule that it breaks.
     explicit NodeLayout(NodeLayoutDescription description);
 
     [[nodiscard]] const NodeLayoutDescription& description() const { return description_; }
@@ -62,8 +62,8 @@ class NodeLayout {
     [[nodiscard]] const base::IndexVector<EdgeIndex, Edge>& candidate_edges() const { return edges_; }
     /// The interface nodes, from v1 to v2.
     [[nodiscard]] std::vector<LayoutNodeIndex> interface_nodes() const;
-    /// For a node on v0 v2 its partner on v0 v1: the same node of the fan, one sector further. Any other
-    /// node: itself.
+    /// The partner on v0 v1 of a node on v0 v2: both are the same node of the fan, in neighbouring sectors.
+    /// Any other node is its own partner.
     [[nodiscard]] LayoutNodeIndex left_partner(LayoutNodeIndex node) const;
 
   private:
@@ -75,19 +75,18 @@ class NodeLayout {
 /// Read a layout file. Throws InputError with file and place.
 NodeLayout read_node_layout(const std::filesystem::path& path);
 
-/// The layout as the text of a layout file: what a pattern library stores.
+/// The layout as the text of a layout file, as libraries store it.
 std::string node_layout_text(const NodeLayout& layout);
 /// The inverse of node_layout_text; `source` names the text in messages.
 NodeLayout parse_node_layout(std::string_view text, std::string source);
 
-/// The names of the layouts that the library brings along, the paper's first.
+/// The names of the built-in layouts, the paper's first.
 std::vector<std::string> layout_names();
 
 /// The paper's layout, "paper7", read once. Safe to call from several threads.
 const NodeLayout& paper_layout();
 
-/// A layout by its name, if it is one that the library brings along ("paper7"), else by its file. Throws
-/// InputError.
+/// The built-in layout with this name ("paper7"), or else the layout in this file. Throws InputError.
 NodeLayout find_node_layout(std::string_view name_or_path);
 
 }  // namespace fretwork::pattern

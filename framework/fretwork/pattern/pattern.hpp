@@ -32,14 +32,15 @@ class Pattern {
     Bits edges_;
 };
 
-/// The candidate edge of a text such as "1-6". Throws InputError if there is none.
+/// The candidate edge of a text such as "1-6". Throws InputError if there is no such candidate.
 EdgeIndex find_edge(const NodeLayout& layout, std::string_view text);
 
-/// "0-1+1-6": the chosen edges i-j with i < j, sorted by i then j as numbers. Stable for ever.
+/// The id of a pattern, such as "0-1+1-6": its edges i-j with i < j, sorted by i and then j as numbers. The
+/// format never changes.
 std::string pattern_id(const NodeLayout& layout, const Pattern& pattern);
 
 /// The pattern of an id, with or without its layout's name in front ("paper7:0-1+1-6"). The edges may come in
-/// any order. Throws InputError if the text is no id, or names another layout or an edge that is no
+/// any order. Throws InputError if the text is not an id, or names another layout or an edge that is not a
 /// candidate.
 Pattern parse_pattern_id(const NodeLayout& layout, std::string_view id);
 
@@ -50,10 +51,10 @@ struct NamedPattern {
     friend bool operator==(const NamedPattern&, const NamedPattern&) = default;
 };
 NamedPattern named(const NodeLayout& layout, const Pattern& pattern);
-/// As parse_pattern_id; the id becomes the one that pattern_id gives.
+/// Parse as parse_pattern_id does. The id in the result is the one that pattern_id gives.
 NamedPattern parse_named_pattern(const NodeLayout& layout, std::string_view id);
 std::vector<NamedPattern> parse_named_patterns(const NodeLayout& layout, std::span<const std::string> ids);
-/// The ids alone.
+/// The ids of the patterns.
 std::vector<std::string> ids_of(std::span<const NamedPattern> patterns);
 
 }  // namespace fretwork::pattern

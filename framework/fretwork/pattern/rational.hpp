@@ -23,7 +23,7 @@ class Rational {
     [[nodiscard]] constexpr std::int64_t denominator() const { return denominator_; }
     /// The double nearest to the quotient of the two as doubles.
     [[nodiscard]] double to_double() const;
-    /// "3/10", or "2" for a whole number. parse_rational reads it back.
+    /// The text "3/10", or "2" for a whole number. parse_rational reads it back.
     [[nodiscard]] std::string text() const;
 
     friend Rational operator+(const Rational& left, const Rational& right);
@@ -39,8 +39,8 @@ class Rational {
     std::int64_t denominator_ = 1;
 };
 
-/// Read a fraction ("1/3", "-2/5"), a whole number ("1") or a decimal ("0.3"), exactly. Throws InputError on
-/// anything else, a zero denominator and numbers of more than 18 digits included.
+/// Parse a fraction ("1/3", "-2/5"), a whole number ("1") or a decimal ("0.3") exactly. Throws InputError on
+/// anything else, on a zero denominator, and on a number of more than 18 digits.
 Rational parse_rational(std::string_view text);
 
 }  // namespace fretwork::pattern

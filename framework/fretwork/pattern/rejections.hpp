@@ -7,15 +7,15 @@
 
 namespace fretwork::pattern {
 
-/// A rejected graph, and the reason.
+/// A rejected graph and the verdict that rejects it.
 struct Rejection {
     Pattern pattern;
     Verdict verdict;
 };
 
-/// Examples of rejected graphs: for each filter, in the order of the census, up to `per_filter` graphs that
-/// break its rule and no other, spread over all such graphs of the smallest sizes that hold enough of them. A
-/// filter has fewer, or none, where the simplest million graphs hold no more.
+/// Examples of rejected graphs. For each filter, in the order of the census, up to `per_filter` graphs break
+/// its rule and no other. They are spread over all such graphs of the smallest numbers of edges that provide
+/// enough. A filter gets fewer, or none, if the simplest million graphs hold fewer.
 std::vector<Rejection> find_rejections(const NodeLayout& layout, const EnumerationOptions& options,
                                        std::size_t per_filter);
 

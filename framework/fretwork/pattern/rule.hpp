@@ -10,19 +10,19 @@
 
 namespace fretwork::pattern {
 
-/// A filter's verdict on a pattern. A rejection is a normal outcome, with its reason as data.
+/// A filter's verdict on a pattern. A rejection is a normal outcome, and its reason is data.
 struct Verdict {
     bool accepted = true;
     std::string filter;             ///< the name of the filter that rejects; empty if accepted
     std::string reason;             ///< one sentence for people; empty if accepted
-    std::vector<EdgeIndex> guilty;  ///< the beams to be drawn in red; empty where something is missing
+    std::vector<EdgeIndex> guilty;  ///< the edges to be drawn in red; empty if the pattern lacks an edge
 };
 
-// The forms in which a filter may state its rule. The form is what the search, the census and the verdict
-// work with: it declares what a rule costs and how far it prunes, so none of them knows any filter by name.
+// The forms in which a filter may state its rule. The search, the census and the verdict know these forms and
+// no filter by name. Each form declares its cost and how it prunes the search.
 
-/// Certain pairs of edges may not be chosen together, and certain edges never.
-/// Prunes: what breaks the rule stays broken when edges are added. Cost: one AND per edge.
+/// Certain pairs of edges may not be chosen together, and certain edges may not be chosen at all. Prunes: a
+/// broken rule stays broken when edges are added. Cost: one AND per edge.
 struct ConflictRule {
     /// Symmetric; an edge in conflict with itself is never chosen.
     base::IndexVector<EdgeIndex, Pattern::Bits> conflicts;
@@ -31,7 +31,7 @@ struct ConflictRule {
 };
 
 /// Each resource (such as the valence of a node) bears a load from each chosen edge, up to a limit.
-/// Prunes: what breaks the rule stays broken when edges are added. Cost: one addition per edge.
+/// Prunes: a broken rule stays broken when edges are added. Cost: one addition per edge.
 struct CapacityRule {
     struct Resource {
         std::string name;                         ///< "node n2"
@@ -48,25 +48,25 @@ struct EdgeGroup {
     Pattern::Bits edges;
 };
 
-/// At least one edge of each group is chosen. Prunes from the other side: once no edge of a group can be
-/// chosen any more. Cost: one AND per group.
+/// At least one edge of each group is chosen. Prunes once no edge of a group is available any more. Cost: one
+/// AND per group.
 struct CoverRule {
     std::vector<EdgeGroup> groups;
     std::string phrase;  ///< "no beam ends at", as in "no beam ends at node n6"
 };
 
-/// A property of the fan in the hexagon as a graph. Boost.Graph is its definition; the search uses an equal
-/// bit-parallel test. Does not prune by itself. Cost: about 0.1 microseconds.
+/// A graph property of the fan in the hexagon. Boost.Graph defines it; the search uses an equivalent
+/// bit-parallel test. It does not prune by itself. Cost: a few graph searches with bit sets.
 struct GraphRule {
     enum class Property {
         Connected,           ///< one component
-        WithoutArticulation  ///< no articulation point once the interface nodes are tied together from
-                             ///< outside
+        WithoutArticulation  ///< no articulation point when a further node outside connects all interface
+                             ///< nodes
     };
     Property property = Property::Connected;
 };
 
-/// Anything else. Does not prune. Cost: one call.
+/// Any other rule. It does not prune. Cost: one call.
 struct PredicateRule {
     std::function<bool(const Pattern&)> is_kept;
     std::string phrase;  ///< "the pattern is not its own mirror image"

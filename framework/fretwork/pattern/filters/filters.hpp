@@ -5,7 +5,7 @@
 
 namespace fretwork::pattern::filters {
 
-// The factories of the catalogue's rows.
+// The functions that state the rules of the rows of the filter catalogue.
 Rule make_intersecting(const NodeLayout& layout, double value, const FabricationScale& scale);
 Rule make_no_interface(const NodeLayout& layout, double value, const FabricationScale& scale);
 Rule make_multiple_components(const NodeLayout& layout, double value, const FabricationScale& scale);

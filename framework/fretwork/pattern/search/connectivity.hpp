@@ -9,24 +9,25 @@
 
 namespace fretwork::pattern::detail {
 
-/// Decides the graph rules on the quotient of the fan, with bit sets of orbits: what detail/fan_graph.hpp
-/// defines by Boost.Graph on the fan itself. The tests prove the two equal on every graph of three layouts.
+/// Decides the graph rules on the quotient of the fan by its rotations, with bit sets of orbits.
+/// detail/fan_graph.hpp defines the same rules by Boost.Graph on the fan itself. The tests compare the two on
+/// every graph of three layouts.
 ///
-/// Why the quotient is enough. "Root" is the center, or the outside that ties the interface nodes together; a
-/// rotation of the fan leaves both in place.
+/// The quotient is enough, for these reasons. A "root" is the center, or the node outside that connects all
+/// interface nodes; a rotation of the fan leaves both in place.
 /// - A connected part of the quotient lifts to one component if it has a root, else to gcd(gains of its
 ///   cycles, 6) components.
-/// - Let a node v be no center. What its removal cuts off holds no other copy of v: a path from one copy to
-///   the root through another could be rotated on for ever; and where a component has no root but several
-///   copies of v, its block tree has a block that rotations fix, from which all copies are equally far. So
-///   what v cuts off is a lifted component of the quotient without v's orbit; it has no root, and all its
-///   links to that orbit end at the one copy v.
-/// - The center is an articulation point if its component falls into several lifted components without it.
+/// - Let v be a node other than the center. The piece that its removal cuts off holds no other copy of v.
+/// First, if the component has a root: a path from one copy to the root through another copy could be rotated
+/// without end. Second, if it has no root but several copies of v: rotations fix a block of its block tree,
+/// and all copies are equally far from that block. So the piece is a lifted component of the quotient without
+/// v's orbit. It has no root, and all its links to that orbit end at the single copy v.
+/// - The center is an articulation point if its component without it falls into several lifted components.
 class Connectivity {
   public:
     explicit Connectivity(const Quotient& quotient) : quotient_(&quotient) {}
 
-    /// Take the graph that these candidate edges make. Everything below is about it.
+    /// Set the graph, as a set of candidate edges, that the functions below decide on.
     template <class Word>
     void choose(Word edges) {
         used_ = 0;
@@ -34,9 +35,9 @@ class Connectivity {
         for_each_bit(edges, [&](int edge) { add(quotient_->link(EdgeIndex(edge))); });
     }
 
-    /// True if the fan, unused nodes left out, has one component (or no edge).
+    /// True if the fan without its unused nodes has one component, or no edge.
     [[nodiscard]] bool is_connected() const;
-    /// True if the fan has an articulation point once its interface nodes are tied together from outside.
+    /// True if the fan has an articulation point when a further node outside connects all interface nodes.
     [[nodiscard]] bool has_articulation() const;
 
   private:

@@ -17,23 +17,22 @@ using CountsBySize = std::vector<GraphCount>;
 
 /// The sets of edges without a conflicting pair, counted and drawn without listing them.
 ///
-/// P(A), the counts of such sets within A, is the product over A's parts that have no conflict between them;
-/// in one part, with v the edge of most conflicts, P(A) = P(A - v) + x P(A - v - conflicts of v). Results are
-/// cached by A.
+/// Let the polynomial P(A) hold the counts of such sets within A. It is the product over the parts of A,
+/// which have no conflict between them. Within one part, P(A) = P(A - v) + x P(A - v - conflicts of v), where
+/// v is the edge with the most conflicts. Results are cached by A.
 template <class Word>
 class IndependentSets {
   public:
-    /// @param conflicts  per edge, symmetric
-    /// @param most_parts  how many parts may be remembered before counting gives up
-    /// Throws Stopped.
+    /// @param conflicts  the edges in conflict with each edge; symmetric
+    /// @param most_parts  the most parts that are stored before counting gives up Throws Stopped.
     IndependentSets(std::vector<Word> conflicts, Word edges, std::size_t most_parts,
                     const base::Control& control = {});
 
     /// False if counting gave up; then nothing else may be called.
     [[nodiscard]] bool is_counted() const { return is_counted_; }
-    /// How many sets there are of each size.
+    /// The number of sets of each size.
     [[nodiscard]] const CountsBySize& counts() const { return all_.tails.front(); }
-    /// A set of `size` members, each with the same probability. Pre: counts()[size] > 0.
+    /// Draw a set of `size` members, each such set with the same probability. Pre: counts()[size] > 0.
     [[nodiscard]] Word draw(int size, WideRandom& random) const;
 
   private:
@@ -42,11 +41,11 @@ class IndependentSets {
         std::vector<std::size_t> parts;
         std::vector<CountsBySize> tails;
     };
-    /// A part, as its most conflicting edge divides it.
+    /// A part, divided by its edge with the most conflicts.
     struct Part {
         int edge = 0;
-        Forest without;  ///< what is left of the part if the edge is not chosen
-        Forest with;     ///< if it is
+        Forest without;  ///< the rest of the part if the edge is not chosen
+        Forest with;     ///< the rest of the part if the edge is chosen
         CountsBySize counts;
     };
     struct WordHash {
@@ -63,7 +62,8 @@ class IndependentSets {
     std::size_t most_parts_;
     bool is_counted_ = true;
     std::vector<Part> parts_;
-    std::unordered_map<Word, std::size_t, WordHash> numbers_;  ///< of the parts that are known
+    std::unordered_map<Word, std::size_t, WordHash> numbers_;  ///< places in `parts_` of the parts counted so
+                                                               ///< far
     Forest all_;
 };
 

@@ -9,17 +9,17 @@
 
 namespace fretwork::pattern::detail {
 
-/// Says of one graph after the other which rules it breaks, each rule for itself.
+/// Finds the rules that a graph breaks. Each rule is tested independently of the others.
 template <class Word>
 class RuleTest {
   public:
     RuleTest(const NodeLayout& layout, std::span<const Filter> filters);
 
-    /// One bit for each filter, set if the graph breaks its rule.
+    /// One bit for each filter: set if the graph breaks the filter's rule.
     std::uint64_t broken(Word edges);
 
   private:
-    /// A conflict or capacity or cover rule as masks.
+    /// A conflict, capacity or cover rule as masks.
     struct Compiled {
         const Rule* rule = nullptr;
         std::vector<Word> masks;  ///< conflicts per edge, or groups

@@ -20,7 +20,7 @@ class SearchProblem {
         int resource = 0;
         int amount = 0;
     };
-    /// A resource, and for each capacity that may be left of it the edges that ask for more.
+    /// A resource. `too_heavy[c]` holds the edges whose load exceeds a remaining capacity c.
     struct Resource {
         int limit = 0;
         std::vector<Word> too_heavy;
@@ -33,7 +33,7 @@ class SearchProblem {
     std::vector<Word> conflicts;  ///< per edge
     std::vector<Resource> resources;
     std::vector<std::vector<Load>> loads;  ///< per edge
-    std::vector<Word> groups;              ///< of each, at least one edge
+    std::vector<Word> groups;              ///< a pattern has at least one edge of each
     std::vector<const PredicateRule*> predicates;
     bool must_be_connected = false;
     bool must_have_no_articulation = false;
@@ -52,7 +52,7 @@ class SearchProblem {
     void index_orbits();
 };
 
-/// A node of the search tree: edges that are chosen, and later ones that may still be.
+/// A node of the search tree: the chosen edges, and the later edges that may still be chosen.
 template <class Word>
 struct SearchNode {
     Word chosen = 0;
@@ -63,7 +63,7 @@ struct SearchNode {
 template <class Word>
 class Search {
   public:
-    /// @param control  looked at every few thousand nodes
+    /// @param control  checked every few thousand nodes
     Search(const SearchProblem<Word>& problem, const base::Control& control);
 
     /// Call visit(chosen, edge_count) for every valid pattern in the subtree of a node, in lexicographic
@@ -80,11 +80,11 @@ class Search {
         return accepts(node.chosen, bit_count(node.chosen));
     }
 
-    /// The children of a node that cannot be ruled out.
+    /// The children of a node that may lead to a valid pattern.
     std::vector<SearchNode<Word>> children(const SearchNode<Word>& node);
 
   private:
-    /// The orbits that are met at all, and those whose nodes are met at least twice.
+    /// The orbits that chosen edges meet at least once, and those whose nodes they meet at least twice.
     struct Ends {
         std::uint64_t once = 0;
         std::uint64_t twice = 0;
@@ -118,7 +118,7 @@ class Search {
 
     const SearchProblem<Word>* problem_;
     const base::Control* control_;
-    unsigned nodes_ = 0;  ///< that were entered
+    unsigned nodes_ = 0;  ///< nodes entered so far
     Connectivity connectivity_;
     std::vector<int> capacity_left_;
     Ends ends_;

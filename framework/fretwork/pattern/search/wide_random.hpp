@@ -8,7 +8,7 @@
 
 namespace fretwork::pattern::detail {
 
-/// Random whole numbers as wide as counts of graphs, one stream for each number.
+/// Random integers as wide as counts of graphs (128 bits), in numbered streams.
 class WideRandom {
   public:
     WideRandom(std::uint64_t seed, std::uint64_t stream)
@@ -16,7 +16,7 @@ class WideRandom {
 
     std::uint64_t next() { return random_.next(); }
 
-    /// A whole number below `end`, each with the same probability. Pre: end > 0.
+    /// A uniform integer below `end`. Pre: end > 0.
     GraphCount below(GraphCount end) {
         GraphCount mask = end - 1;
         for (int shift = 1; shift < 128; shift *= 2) mask |= mask >> shift;

@@ -8,7 +8,7 @@
 
 namespace fretwork::pattern::detail {
 
-// A set of candidate edges as one machine word; which of the two a layout needs is known once and for all.
+// A set of candidate edges as one machine word. The layout decides which of the two widths is needed.
 // __extension__ because ISO C++ has no integer of 128 bits.
 using Word64 = std::uint64_t;
 __extension__ using Word128 = unsigned __int128;
@@ -27,7 +27,7 @@ inline int bit_count(Word128 word) {
     return std::popcount(static_cast<Word64>(word)) + std::popcount(static_cast<Word64>(word >> 64));
 }
 
-/// The set of one edge.
+/// The set that holds one edge.
 template <class Word>
 Word single(std::size_t edge) {
     return static_cast<Word>(Word{1} << edge);
