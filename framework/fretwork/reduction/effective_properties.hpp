@@ -11,32 +11,34 @@
 
 namespace fretwork::reduction {
 
-/// Stiffness and mass of an endless, regular surface of one pattern as a thin plate, at small displacements.
+/// The stiffness and mass of the thin plate that is equivalent to an infinite, regular surface of one
+/// pattern, at small displacements.
 ///
 /// Both tensors are in Voigt's notation with engineering shear: A maps (e_xx, e_yy, 2 e_xy) to membrane
-/// forces, D maps curvatures (w_xx, w_yy, 2 w_xy) to moments, each per unit of length.
+/// forces, D maps curvatures (w_xx, w_yy, 2 w_xy) to moments. Forces and moments are per unit of length.
 struct EffectiveProperties {
     Eigen::Matrix3d A;           ///< N/m
     Eigen::Matrix3d D;           ///< N m
     double mass_per_area = 0.0;  ///< kg/m^2
 };
 
-/// Homogenize a pattern in the setting's regular polygon, which must have four or six sides: then each side
-/// of the polygon meets the opposite one of the neighbour.
+/// Homogenize a pattern in the setting's regular polygon. The polygon must have four or six sides, so that
+/// each of its sides meets the opposite side of the neighbour.
 ///
 /// The periodic cell is one tile: the pattern's frame condensed onto its interface nodes. Opposite nodes move
-/// by the macroscopic strain (or curvature) and a periodic fluctuation that makes the energy least: exact for
-/// the periodic frame. Throws InputError for another polygon, or a pattern that leaves interface nodes free.
+/// by the macroscopic strain (or curvature) plus a periodic fluctuation that minimizes the energy. The result
+/// is exact for the periodic frame. Throws InputError if the polygon has another number of sides, or the
+/// pattern has an interface node without a beam.
 EffectiveProperties effective_properties(const pattern::NodeLayout& layout, const pattern::Pattern& pattern,
                                          const Setting& setting);
 
-/// The stiffness in one direction: of a strip along `angle` (rad) that is free to contract across.
+/// The stiffness of a strip along `angle` (rad) that is free to contract across.
 double directional_stiffness(const Eigen::Matrix3d& tensor, double angle);
 
-/// The values that libraries store, by name: membrane_stiffness (N/m), membrane_poisson, membrane_shear
-/// (N/m), membrane_anisotropy (largest over smallest directional stiffness), the same with bending_ (N m),
-/// mass_per_area (kg/m^2), and both tensors (A11 A12 A16 A22 A26 A66, D11 ..). Directions: x, unless stated
-/// otherwise.
+/// The named values that libraries store: membrane_stiffness (N/m), membrane_poisson, membrane_shear (N/m),
+/// membrane_anisotropy (largest over smallest directional stiffness), the same four names with bending_ (N
+/// m), mass_per_area (kg/m^2), and both tensors (A11 A12 A16 A22 A26 A66, D11 ..). Stiffness and Poisson's
+/// ratio are those in the direction x.
 std::vector<std::pair<std::string, double>> property_values(const EffectiveProperties& properties);
 
 }  // namespace fretwork::reduction

@@ -21,46 +21,49 @@ struct Response {
     struct Sample {
         int step = 0;                         ///< k
         double magnitude = 0.0;               ///< N
-        mechanics::NodeValues displacements;  ///< one row for each interface node; not converged: zeros
+        mechanics::NodeValues displacements;  ///< one row for each interface node; zeros if not converged
         bool converged = true;
         bool stable = true;
-        bool limit_load = false;  ///< did not converge, since the path turns back before this magnitude
-        /// As a share of the largest displacement, or rotation, of the tile's nodes; estimated by Richardson.
-        /// Empty: not asked for, or this sample or its twin with other divisions did not converge.
+        bool limit_load = false;  ///< not converged, because the equilibrium path turns back before this
+                                  ///< magnitude
+        /// The discretization error, estimated by Richardson extrapolation, as a share of the largest
+        /// displacement (or rotation) of the tile's nodes. Empty if it was not asked for, or if this sample
+        /// or its twin with other divisions did not converge.
         std::optional<double> discretization_error{};
     };
     std::string scenario;
     std::vector<Sample> samples;
 };
 
-/// The beams of a fan in a convex polygon, without supports and loads; interface node i is node i. Interface
-/// nodes that the pattern does not use have no beam.
+/// The beams of a fan in a convex polygon, without supports and loads. Node i of the frame is interface node
+/// i. Interface nodes that the pattern does not use have no beam.
 mechanics::Frame fan_frame(const pattern::NodeLayout& layout, const pattern::Fan& fan,
                            const geometry::Polygon& polygon, const TileMaterial& bars);
 
-/// The same with bars and joints of a setting.
+/// The beams of a fan in a convex polygon, with the bars and joints of a setting.
 mechanics::Frame fan_frame(const pattern::NodeLayout& layout, const pattern::Fan& fan,
                            const geometry::Polygon& polygon, const Setting& setting);
 
-/// From a pattern.
+/// The beams of a pattern in a convex polygon.
 mechanics::Frame pattern_frame(const pattern::NodeLayout& layout, const pattern::Pattern& pattern,
                                const geometry::Polygon& polygon, const TileMaterial& bars);
 
-/// The pattern's full model in the setting's polygon, without supports and loads; interface node i is node i.
+/// The pattern's full model in the setting's polygon, without supports and loads. Node i of the frame is
+/// interface node i.
 mechanics::Frame pattern_frame(const pattern::NodeLayout& layout, const pattern::Pattern& pattern,
                                const Setting& setting);
 
-/// A frame of one tile, held and loaded as a scenario says, at its largest magnitude. Here and below, the
-/// scenario names interface nodes as the tile has them (spread_over_sides).
+/// The frame of one tile with the supports and loads of a scenario at its largest magnitude. Here and below,
+/// the scenario numbers interface nodes as the tile does (spread_over_sides).
 mechanics::Frame scenario_frame(mechanics::Frame tile, const Scenario& scenario);
 
-/// The same for one that is assembled already.
+/// Add the supports and loads of a scenario at its largest magnitude to an assembled tile.
 void apply_scenario(const Scenario& scenario, mechanics::Assembly& tile);
 
-/// A tile that is held and loaded.
+/// A tile with supports and loads.
 struct LoadedTile {
     base::Borrowed<mechanics::Assembly> structure;
-    int interface_nodes = 0;  ///< its first nodes
+    int interface_nodes = 0;  ///< the first nodes of the structure
 };
 
 /// The displacements of the interface nodes at the setting's magnitudes of a scenario. Throws as
@@ -69,13 +72,13 @@ Response follow_scenario(const LoadedTile& tile, const Scenario& scenario, const
                          const base::Control& control = {});
 
 struct ResponseOptions {
-    bool estimate_error = false;  ///< fill Sample::discretization_error, at half as much again of the time
-    base::Control control{};      ///< receives every scenario
+    bool estimate_error = false;  ///< fill Sample::discretization_error, which takes half as long again
+    base::Control control{};      ///< progress counts scenarios
 };
 
-/// The nonlinear responses of a pattern, one for each scenario of the setting, with every beam in as many
-/// elements as the setting says. Paper, Eq. (2); the paper takes one element a beam. Throws InputError,
-/// NumericalError if a scenario lets the tile move freely, and Stopped.
+/// The nonlinear responses of a pattern, one for each scenario of the setting, with each beam divided into
+/// the setting's number of elements. Paper, Eq. (2), where each beam is one element. Throws InputError,
+/// NumericalError if the tile can move freely under a scenario, and Stopped.
 std::vector<Response> compute_responses(const pattern::NodeLayout& layout, const pattern::Pattern& pattern,
                                         const Setting& setting, const ResponseOptions& options = {});
 

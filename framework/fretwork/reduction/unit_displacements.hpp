@@ -14,15 +14,16 @@ namespace fretwork::reduction {
 /// node.
 using UnitDisplacements = std::vector<mechanics::NodeValues>;
 
-/// The same with derivatives: for each scenario 6n rows (node by node) and one column a parameter.
+/// Unit displacements with derivatives: for each scenario a matrix of 6n rows (node by node) and one column
+/// for each parameter.
 struct UnitDisplacementsAndDerivatives {
     UnitDisplacements displacements;
     std::vector<Eigen::MatrixXd> derivatives;
 };
 
-/// The displacements of a tile with this stiffness of its n interface nodes (6n x 6n; as many on each side of
-/// the setting's polygon) under the setting's scenarios. Throws NumericalError that names a scenario under
-/// which it can move freely.
+/// The displacements, under the setting's scenarios, of a tile with this stiffness (6n x 6n) of its n
+/// interface nodes. Each side of the setting's polygon has the same number of interface nodes. Throws
+/// NumericalError that names a scenario under which the tile can move freely.
 UnitDisplacements unit_displacements(const Eigen::MatrixXd& stiffness, const Setting& setting);
 
 }  // namespace fretwork::reduction

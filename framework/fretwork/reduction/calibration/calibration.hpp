@@ -27,35 +27,35 @@ struct CalibrationOptions {
     std::span<const optimization::OptimizerRow> optimizers = optimization::optimizer_catalogue();
     int starts = 8;
     std::uint64_t seed = 1;
-    int budget = 20000;  ///< evaluations of the objective at most
+    int budget = 20000;  ///< the most evaluations of the objective
     base::Control control{};
     /// Throws InputError if a value is invalid.
     void validate() const;
 };
 
-/// A tile model fitted to, or only compared with, the responses of one pattern.
+/// The result of fitting a tile model to the responses of one pattern, or only of comparing the two.
 struct Calibration {
     std::string model;      ///< a row of the catalogue of tile models
-    std::string optimizer;  ///< "none" where nothing is fitted
+    std::string optimizer;  ///< "none" if nothing is fitted
     std::uint64_t seed = 0;
     int starts = 0;
-    double objective = 0.0;  ///< E of Eq. (8) at the parameters
-    std::vector<double>
-        scenario_errors;  ///< e_k summed over the magnitudes as in Eq. (8): weighted parts of E, by scenario
+    double objective = 0.0;               ///< E of Eq. (8) at the parameters
+    std::vector<double> scenario_errors;  ///< the weighted contribution of each scenario to E: e_k summed
+                                          ///< over the magnitudes as in Eq. (8)
     long evaluations = 0;
-    std::vector<NamedValue> parameters;  ///< in the order of the model's row; none where nothing is fitted
+    std::vector<NamedValue> parameters;  ///< in the order of the model's row; empty if nothing is fitted
     std::vector<std::string> at_bound;   ///< names of the parameters at a bound
-    /// The start that found these parameters ended by its method's own criterion, and the budget was not
-    /// spent.
+    /// True if the start that found these parameters ended by its method's own criterion before the budget
+    /// was spent.
     bool converged = true;
-    int dead_starts = 0;  ///< of `starts`, those that gave no descent; libraries do not keep it
+    int dead_starts = 0;  ///< the number of `starts` that gave no descent; libraries do not store it
 };
 
-/// The parameters in the order of a model's row. Throws InputError that names one that is missing or that the
-/// model does not have.
+/// The parameters in the order of a model's row. Throws InputError that names a parameter that is missing, or
+/// that the model does not have.
 std::vector<double> parameter_values(const Calibration& calibration, const TileModel& model);
 
-/// The input of calibrate(): a pattern in its setting, and the responses to be fitted.
+/// The input of calibrate(): a pattern, its layout and setting, and the responses to be fitted.
 struct CalibrationInput {
     base::Borrowed<pattern::NodeLayout> layout;
     base::Borrowed<pattern::Pattern> pattern;
@@ -63,10 +63,11 @@ struct CalibrationInput {
     base::Borrowed<std::vector<Response>> responses;
 };
 
-/// Fit a tile model to a pattern's responses by its linear displacements: Eqs. (1) to (11). A model without
-/// parameters is only compared with them: one for small displacements by its linear displacements, one for
-/// large by its own responses. Deterministic given the options. Throws NumericalError if no sample can be
-/// fitted, or if no start of the search got beyond its first point; base::Stopped.
+/// Fit the linear displacements of a tile model to a pattern's responses: Eqs. (1) to (11). A model without
+/// parameters is only compared with them. The comparison takes the linear displacements of a model for small
+/// displacements, and the nonlinear responses of a model for large ones. The result depends on the input and
+/// the options alone. Throws NumericalError if no sample can be fitted, or if no start of the search got
+/// beyond its first point; base::Stopped.
 Calibration calibrate(const TileModel& model, const CalibrationInput& input,
                       const CalibrationOptions& options = {});
 

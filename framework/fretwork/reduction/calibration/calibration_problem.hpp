@@ -9,12 +9,12 @@
 namespace fretwork::reduction {
 
 /// The calibration of a tile model as a problem to be minimized: E of Eq. (8) over the model's parameters.
-/// Its variables may be other than the parameters, for instance their logarithms.
+/// Its variables may differ from the parameters; they may be logarithms, for example.
 class CalibrationProblem : public optimization::Problem {
   public:
-    /// The parameters at a point, SI, in the order of the model's row.
+    /// The parameters at a point of the variables, SI, in the order of the model's row.
     [[nodiscard]] virtual std::vector<double> parameter_values(const Eigen::VectorXd& point) const = 0;
-    /// The displacements of the model at a point.
+    /// The displacements of the model at a point of the variables.
     [[nodiscard]] virtual UnitDisplacements displacements(const Eigen::VectorXd& point) const = 0;
 };
 

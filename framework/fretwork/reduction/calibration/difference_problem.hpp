@@ -8,19 +8,20 @@
 namespace fretwork::reduction {
 
 /// The calibration of any linear tile model: the tile is built and condensed at each point, and the
-/// derivatives of its displacements are central differences. Variables: the parameters, or their natural
-/// logarithms where the row says so.
+/// derivatives of its displacements are central differences. The variables are the parameters; a parameter of
+/// logarithmic scale enters as its natural logarithm.
 class DifferenceProblem final : public CalibrationProblem {
   public:
-    /// Keeps references to all. Throws InputError if the bounds of a parameter are invalid; NumericalError if
-    /// a scenario lets the tile move freely in the middle of the bounds.
+    /// Keeps references to model, tile and objective. Throws InputError if the bounds of a parameter are
+    /// invalid, NumericalError if the tile in the middle of the bounds can move freely under a scenario.
     DifferenceProblem(base::Borrowed<TileModel> model, base::Borrowed<ModelTile> tile,
                       base::Borrowed<Objective> objective, const Setting& setting);
 
     [[nodiscard]] std::string name() const override { return model_->name; }
     [[nodiscard]] const optimization::Bounds& bounds() const override { return bounds_; }
     [[nodiscard]] bool offers(optimization::Evaluation) const override { return true; }
-    /// Derivatives need two more tiles a parameter.
+    /// The number of tiles condensed: one for a value, and two more for each parameter if derivatives are
+    /// asked for.
     [[nodiscard]] long cost(optimization::Evaluation kind) const override;
     [[nodiscard]] std::string cost_unit() const override { return "tiles condensed"; }
     [[nodiscard]] bool has_kinks() const override { return true; }
@@ -35,7 +36,7 @@ class DifferenceProblem final : public CalibrationProblem {
                                                               double smoothing) const override;
 
     [[nodiscard]] std::vector<double> parameter_values(const Eigen::VectorXd& point) const override;
-    /// Not finite where round-off leaves the stiffness indefinite, as it can near the bounds.
+    /// Not finite if round-off makes the stiffness indefinite, which can happen near the bounds.
     [[nodiscard]] UnitDisplacements displacements(const Eigen::VectorXd& point) const override;
 
   private:

@@ -13,19 +13,19 @@
 
 namespace fretwork::reduction {
 
-/// A tile model of one pattern in the setting's regular polygon, and its displacements under the setting's
-/// scenarios. Keeps references to the model, the layout and the setting. Thread-safe.
+/// A tile built by a tile model from one pattern in the setting's regular polygon, and its displacements
+/// under the setting's scenarios. Keeps references to the model, the layout and the setting. Thread-safe.
 class ModelTile {
   public:
     ModelTile(base::Borrowed<TileModel> model, base::Borrowed<pattern::NodeLayout> layout,
               const pattern::Pattern& pattern, base::Borrowed<Setting> setting);
 
-    /// The tile as a structure, neither held nor loaded; its first nodes are the interface nodes.
+    /// The tile as a structure without supports and loads. Its first nodes are the interface nodes.
     [[nodiscard]] StructureParts parts(std::span<const double> parameters) const;
     /// The linear displacements, from the tile's stiffness at rest. Throws NumericalError that names a
     /// scenario under which the tile can move freely.
     [[nodiscard]] UnitDisplacements displacements(std::span<const double> parameters) const;
-    /// The nonlinear responses of the model, in the form of compute_responses. Throws Stopped.
+    /// The nonlinear responses of the tile, in the form of compute_responses. Throws Stopped.
     [[nodiscard]] std::vector<Response> responses(std::span<const double> parameters,
                                                   const base::Control& control = {}) const;
 

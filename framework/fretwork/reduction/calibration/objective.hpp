@@ -13,7 +13,8 @@
 
 namespace fretwork::reduction {
 
-/// How translations and rotations enter the error of a sample: Eqs. (9) to (11), Table 2 and Section 7.1.
+/// The weights of translations and rotations in the error of a sample: Eqs. (9) to (11), Table 2 and Section
+/// 7.1.
 struct ErrorMetric {
     double translation_weight = 1.2;                            ///< w_trans
     double rotation_weight = 0.8;                               ///< w_rot
@@ -21,20 +22,20 @@ struct ErrorMetric {
     double smallest_rotation = 0.1 * std::numbers::pi / 180.0;  ///< eps_rot, rad
 };
 
-/// E with its norms smoothed, and its derivatives by a model's unit displacements.
+/// The derivatives of E, with its norms smoothed, with respect to a model's unit displacements.
 struct DisplacementGradient {
     double objective = 0.0;  ///< E itself
-    double value = 0.0;      ///< of what is differentiated
+    double value = 0.0;      ///< E with its norms smoothed
     UnitDisplacements slopes;
 };
 
-/// The distance of a linear model from the responses of a pattern: E of Eqs. (8) to (11), exactly as written.
+/// The distance of a linear model from the responses of a pattern: E of Eqs. (8) to (11).
 ///
 /// E = sum over scenarios and magnitudes of w e^2, where e is the weighted sum of two normalized sums over
 /// the interface nodes: of |d_p - d_r|, and of the angle between the rotations R_p and R_r. Linear
-/// displacements grow with the magnitude; linear rotations are taken as rotation vectors. Samples that did
-/// not converge are left out; so are those past the first loss of stability where the setting's sample
-/// policy says so.
+/// displacements are proportional to the magnitude; linear rotations are taken as rotation vectors. Samples
+/// that did not converge are left out. The setting's sample policy decides about samples past the first loss
+/// of stability.
 ///
 /// E has a kink wherever a norm is zero. With smoothing mu > 0 each norm |a| becomes
 /// sqrt(a^2 + (mu s)^2), where s is the sample's normalizer divided by the number of nodes.
@@ -44,20 +45,21 @@ class Objective {
     Objective(const std::vector<Response>& responses, const Setting& setting, const ErrorMetric& metric = {});
 
     [[nodiscard]] double value(const UnitDisplacements& model) const;
-    /// The parts of E, one for each scenario of the setting.
+    /// The contributions to E, one for each scenario of the setting.
     [[nodiscard]] std::vector<double> scenario_errors(const UnitDisplacements& model) const;
-    /// The same parts for a model that is not linear, from its own responses to the same setting. Throws
-    /// NumericalError that names the sample if the model did not converge where the pattern did.
+    /// The contributions to E for a nonlinear model, from its own responses in the same setting. Throws
+    /// NumericalError that names a sample at which the pattern converged but the model did not.
     [[nodiscard]] std::vector<double> scenario_errors(const std::vector<Response>& model) const;
 
-    /// By the displacements themselves: the start of an adjoint gradient, which needs no derivatives of
-    /// these.
+    /// The gradient of E with respect to the displacements themselves. An adjoint gradient starts from it and
+    /// needs no derivatives of the displacements.
     [[nodiscard]] DisplacementGradient gradient(const UnitDisplacements& model, double smoothing) const;
-    /// Gradient and generalized Gauss-Newton matrix with respect to the model's parameters: the curvature of
-    /// the norms is kept, second derivatives of the displacements are not. Not less than 2 J^T J.
+    /// The gradient and the generalized Gauss-Newton matrix of E with respect to the model's parameters. The
+    /// matrix keeps the curvature of the norms and drops second derivatives of the displacements. It is not
+    /// less than 2 J^T J.
     [[nodiscard]] optimization::CurvatureEvaluation curvature(const UnitDisplacementsAndDerivatives& model,
                                                               double smoothing) const;
-    /// One residual sqrt(w) e for each sample, in the order of the responses.
+    /// One residual sqrt(w) e for each sample, in the order of the responses, with derivatives.
     [[nodiscard]] optimization::ResidualEvaluation residuals(const UnitDisplacementsAndDerivatives& model,
                                                              double smoothing) const;
 
@@ -70,10 +72,10 @@ class Objective {
         Eigen::Quaterniond inverse_rotation;
     };
     struct Sample {
-        std::size_t place;  ///< among the samples of its response
+        std::size_t place;  ///< index among the samples of its response
         double magnitude;
-        double step;         ///< from the sample before, or from 0
-        bool is_other_step;  ///< than the one before took
+        double step;         ///< from the previous sample's magnitude, or from 0
+        bool is_other_step;  ///< the step differs from the previous sample's
         double weight;
         double translation_factor;  ///< w_trans over the normalizer of Eq. (10)
         double rotation_factor;     ///< w_rot over the normalizer of Eq. (11)
@@ -89,7 +91,8 @@ class Objective {
     [[nodiscard]] DisplacementGradient smoothed_gradient(const UnitDisplacements& model,
                                                          double smoothing) const;
     [[nodiscard]] DisplacementGradient exact_gradient(const UnitDisplacements& model) const;
-    /// e, and into `slopes` its derivatives by each node's unit displacement.
+    /// The error e of a sample. Writes its derivatives with respect to each node's unit displacement into
+    /// `slopes`.
     static double differentiated_error(const Sample& sample, std::span<const NodeMotion> motions,
                                        std::span<Eigen::Matrix<double, 6, 1>> slopes);
     static void set_steps(std::span<Sample> samples);
@@ -99,7 +102,7 @@ class Objective {
 
     ErrorMetric metric_;
     std::vector<Sample> samples_;
-    std::vector<std::size_t> first_samples_;  ///< of each scenario; at last: the number of samples
+    std::vector<std::size_t> first_samples_;  ///< of each scenario, followed by the number of samples
 };
 
 }  // namespace fretwork::reduction

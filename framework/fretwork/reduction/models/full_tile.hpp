@@ -5,7 +5,7 @@
 
 namespace fretwork::reduction {
 
-/// The full model: every beam of the pattern, one element each, at large displacements.
+/// The row `full` of the catalogue: every beam of the pattern is one element, at large displacements.
 TileModel full_tile_model();
 
 }  // namespace fretwork::reduction

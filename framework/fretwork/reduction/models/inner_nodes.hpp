@@ -11,8 +11,8 @@
 
 namespace fretwork::reduction {
 
-/// How the inner nodes of a tile's beams follow its interface nodes, statically: what condensation leaves
-/// out. Computed when it is first asked for; threads may share it.
+/// The static motion of the inner nodes of a tile's beams, which condensation eliminates, for a given motion
+/// of its interface nodes. Computed at the first use. Threads may share it.
 class InnerNodes {
   public:
     /// @param tile  its first `interface_nodes` nodes are the interface nodes
@@ -23,16 +23,17 @@ class InnerNodes {
 
     [[nodiscard]] const mechanics::Frame& tile() const { return tile_; }
     [[nodiscard]] int interface_nodes() const { return interface_nodes_; }
-    /// Their places at rest, m, in the tile's own axes.
+    /// The rest positions of the inner nodes, m, in the tile's own axes.
     [[nodiscard]] std::span<const Eigen::Vector3d> places() const;
-    /// A row for each of them, from one for each interface node: small displacements in the tile's own axes.
+    /// The displacements of the inner nodes, a row for each, that follow from a row for each interface node.
+    /// All are small displacements in the tile's own axes.
     [[nodiscard]] mechanics::NodeValues follow(const mechanics::NodeValues& interface_nodes) const;
 
   private:
     mechanics::Frame tile_;
     int interface_nodes_;
     mutable std::once_flag computed_;
-    mutable Eigen::MatrixXd matrix_;  ///< six rows an inner node, six columns an interface node
+    mutable Eigen::MatrixXd matrix_;  ///< six rows for each inner node, six columns for each interface node
 };
 
 }  // namespace fretwork::reduction

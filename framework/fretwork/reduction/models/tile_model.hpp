@@ -19,10 +19,10 @@ namespace fretwork::reduction {
 /// The input from which a tile model builds a tile.
 struct TileInput {
     base::Borrowed<pattern::NodeLayout> layout;
-    base::Borrowed<pattern::Fan> fan;  ///< the tile's pattern, around a polygon of as many sides as the tile
+    base::Borrowed<pattern::Fan> fan;  ///< the tile's pattern around a polygon with as many sides as the tile
     base::Borrowed<Setting> setting;
     base::Borrowed<geometry::Polygon> polygon;  ///< convex, counterclockwise, metres
-    std::span<const double> parameters;         ///< of the model, in the order of its row
+    std::span<const double> parameters;         ///< of the tile model, in the order of its row
 };
 
 /// One parameter of a tile model.
@@ -31,51 +31,55 @@ struct TileParameter {
         double lower = 0.0;
         double upper = 0.0;
     };
-    /// How a search measures distances between two values. Logarithmic bounds lie above zero.
+    /// The scale on which a search measures the distance between two values. Logarithmic bounds lie above
+    /// zero.
     enum class Scale { Linear, Logarithmic };
-    std::string name;  ///< as libraries store it: "I2"
-    std::string unit;  ///< of the value, SI: "m^4"
+    std::string name;  ///< the name in libraries: "I2"
+    std::string unit;  ///< the SI unit of the value: "m^4"
     Scale scale = Scale::Linear;
-    std::function<Bounds(const Setting&)> bounds;  ///< of a calibration
+    std::function<Bounds(const Setting&)> bounds;  ///< the range in which a calibration searches
 };
 
-/// The reference is the full model; reduced models are compared with it.
+/// The role of a tile model: reduced models are compared with the reference, the full model.
 enum class Role { Reference, Reduced };
 
-/// Whether congruent tiles of a surface are built once. Then a tile is built in its own axes, from its
-/// polygon rounded to a tolerance: the origin in its centroid, x along its first side (from vertex 0 to
-/// vertex 1), y into the tile; else in the surface's axes, from the polygon as it is.
+/// With Congruent, congruent tiles of a surface are built once. Such a tile is built in its own axes from its
+/// polygon, rounded to a tolerance: the origin is its centroid, x runs along its first side (from vertex 0 to
+/// vertex 1), and y points into the tile. With None, each tile is built in the surface's axes from its exact
+/// polygon.
 enum class Sharing { None, Congruent };
 
-/// A tile model: how a painted tile becomes elements between its interface nodes. A row of the catalogue.
+/// A tile model, which turns a painted tile into elements between its interface nodes. A row of the
+/// catalogue.
 struct TileModel {
-    std::string name;     ///< what commands, files and libraries call it
+    std::string name;     ///< the name in commands, files and libraries
     std::string summary;  ///< one line
     Role role = Role::Reduced;
     Displacements displacements = Displacements::Small;
     Sharing sharing = Sharing::None;
-    std::vector<TileParameter> parameters{};  ///< fitted to a pattern's responses; none: nothing is fitted
-    /// Throws InputError or GeometryError if the tile cannot be built. Call it through build_tile().
+    std::vector<TileParameter> parameters{};  ///< fitted to a pattern's responses; empty: nothing is fitted
+    /// Builds a tile; call it through build_tile(). Throws InputError or GeometryError if the tile cannot be
+    /// built.
     std::function<std::shared_ptr<const TileStructure>(const TileInput&)> build{};
-    /// Its calibration as an optimization problem, for models of small displacements with parameters. If it
-    /// is empty, or gives none for this layout and setting, the tile is built at each point and derivatives
-    /// are differences (DifferenceProblem).
+    /// Optional: states the calibration as an optimization problem, for models of small displacements with
+    /// parameters. If it is empty or returns null for a layout and setting, DifferenceProblem builds the tile
+    /// at each point and takes derivatives by differences.
     std::function<std::unique_ptr<CalibrationProblem>(const Objective&, const pattern::NodeLayout&,
                                                       const Setting&)>
         problem{};
 };
 
-/// Build a tile by a model. Throws as the model's `build`; InputError that names the motion if the tile's
-/// elements resist a rigid one: such a tile would be held where nothing holds it.
+/// Build a tile by a model. Throws as the model's `build`. Throws InputError that names a rigid motion if the
+/// tile's elements resist it, because such a tile would act as a support.
 std::shared_ptr<const TileStructure> build_tile(const TileModel& model, const TileInput& input);
 
-/// The built-in tile models, in the order in which they are listed.
+/// The built-in tile models, in the order in which commands list them.
 const std::vector<TileModel>& tile_models();
 
-/// A row by its name. Throws InputError that names the nearest, or all.
+/// The row with this name. Throws InputError that suggests the nearest name, or lists all.
 const TileModel& find_tile_model(std::string_view name, std::span<const TileModel> models = tile_models());
 
-/// The place of a parameter among those of a model. Throws InputError that lists them.
+/// The index of a parameter in a model's row. Throws InputError that lists the parameters.
 std::size_t parameter_index(const TileModel& model, std::string_view name);
 
 }  // namespace fretwork::reduction

@@ -15,40 +15,43 @@
 
 namespace fretwork::reduction {
 
-/// The components of a surface: beams, and elements of other kinds between the same nodes.
+/// The components of a surface: its beams, and elements of other kinds between the same nodes.
 struct StructureParts {
-    mechanics::Frame beams;        ///< with all nodes of the surface
-    mechanics::Elements elements;  ///< of tiles that are no beams
+    mechanics::Frame beams;        ///< holds all nodes of the surface
+    mechanics::Elements elements;  ///< of tiles that do not consist of beams
 };
 
-/// Where a tile lies in a surface, and which of the surface's nodes are its own.
+/// The place of a tile in a surface: its orientation and its nodes.
 struct TilePlace {
-    /// The turn about z from the axes that the tile was built in to those of the surface.
+    /// The rotation about z from the axes in which the tile was built to those of the surface.
     Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
     std::span<const mechanics::NodeIndex> nodes;  ///< its interface nodes in order, then its inner nodes
 };
 
-/// Which displacements a tile model is made for, or a solution is sought in.
+/// The size of the displacements that a tile model is made for, or that a solution allows.
 enum class Displacements { Small, Large };
 
-/// How a tile has moved: what its own nodes do in a solution.
+/// The motion of a tile's own nodes in a solution.
 struct TileMotion {
     mechanics::NodeValues nodes;  ///< a row for each interface node, then for each inner node
-    /// The turn about z from the axes that the tile was built in to those of the surface, and of the rows.
+    /// The rotation about z from the axes in which the tile was built to those of the surface, in which the
+    /// rows are given.
     Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
     Displacements displacements = Displacements::Small;  ///< of the solution
 };
 
-/// How the beams of a tile's pattern have moved: a row for each of their nodes, interface nodes first.
+/// The motion of the beams of a tile's pattern: a row for each of their nodes, interface nodes first.
 struct BeamMotion {
     mechanics::NodeValues nodes;  ///< in the surface's axes
-    /// Where the tile answers linearly in a frame that turns with it: the same seen from that frame, in the
-    /// surface's axes at rest. Beams answer to these small displacements. Empty: to `nodes`.
+    /// For a tile that is linear in corotating axes: the small displacements relative to those axes, given in
+    /// the surface's axes at rest. The strains of the beams follow from them. Empty: the strains follow from
+    /// `nodes`.
     mechanics::NodeValues in_frame{};
-    Displacements displacements = Displacements::Small;  ///< how the beams answer to these rows
+    Displacements displacements = Displacements::Small;  ///< the theory by which strains of beams follow from
+                                                         ///< these rows
 };
 
-/// A tile as a tile model makes it, wherever the tile lies: congruent tiles share it. Immutable, so that
+/// A tile as a tile model builds it, independent of its place. Congruent tiles share it. It is immutable, so
 /// threads may share it, too.
 class TileStructure {
   public:
@@ -57,46 +60,47 @@ class TileStructure {
     TileStructure& operator=(const TileStructure&) = delete;
     virtual ~TileStructure() = default;
 
-    /// The rest positions of the nodes that it has besides the interface nodes: metres, in its own axes.
+    /// The rest positions of the tile's inner nodes, in metres and in its own axes.
     [[nodiscard]] virtual std::span<const Eigen::Vector3d> inner_nodes() const = 0;
 
-    /// Add what it consists of to a surface. The surface has its nodes already.
+    /// Add the tile's beams and elements to a surface. The surface has the tile's nodes already.
     virtual void add_to(StructureParts& surface, const TilePlace& place) const = 0;
 
-    /// The motions of the pattern's beams. Nothing if the model does not give them.
+    /// The motion of the pattern's beams. Nothing if the tile model does not know it.
     [[nodiscard]] virtual std::optional<BeamMotion> beam_motion(const TileMotion& motion) const = 0;
 
-    /// The body whose linear stiffness is the tile's answer in large displacements; null for tiles that
-    /// answer in another way, of which no derivatives by that stiffness are given.
+    /// The corotational body of the tile, whose linear stiffness governs large displacements. Null for other
+    /// tiles; derivatives with respect to that stiffness do not exist for them.
     [[nodiscard]] virtual const mechanics::CorotationalBody* corotational_body() const { return nullptr; }
 };
 
-/// Whether the beams of a tile are those of its pattern, in the order of its fan, or stand for them.
+/// The meaning of a tile's beams: OfThePattern are the beams of its pattern in the order of its fan;
+/// Substitutes are other beams in their place.
 enum class TileBeams { OfThePattern, Substitutes };
 
-/// A tile of beams. The first `interface_nodes` nodes of the frame are the tile's interface nodes; its
-/// supports and loads are left aside.
+/// A tile of beams. The first `interface_nodes` nodes of the frame are the tile's interface nodes. The
+/// frame's supports and loads are ignored.
 std::shared_ptr<const TileStructure> beam_tile(mechanics::Frame frame, int interface_nodes,
                                                TileBeams beams = TileBeams::Substitutes);
 
-/// A tile that answers to small displacements of its n interface nodes with a stiffness (6n x 6n, in its own
-/// axes) and has no inner nodes. Throws InputError unless the stiffness has 6n rows and columns.
+/// A tile given by its stiffness (6n x 6n, in its own axes) for small displacements of its n interface nodes.
+/// It has no inner nodes. Throws InputError unless the stiffness has 6n rows and columns.
 ///
-/// @param inner  how the beams that were condensed follow; null: not known
+/// @param inner  the motion of the condensed beams; null: not known
 std::shared_ptr<const TileStructure> stiffness_tile(Eigen::MatrixXd stiffness,
                                                     std::shared_ptr<const InnerNodes> inner = nullptr);
 
-/// How the beams move that were condensed into a tile, at small displacements.
+/// The motion, at small displacements, of the beams that were condensed into a tile.
 BeamMotion condensed_motion(const InnerNodes& inner, const TileMotion& motion);
 
-/// Rows of displacements and rotation vectors in other axes.
+/// Rows of displacements and rotation vectors, rotated by `turn`.
 mechanics::NodeValues turned(const mechanics::NodeValues& rows, const Eigen::Matrix3d& turn);
 
-/// The parts as the solvers see them: the elements of the beams come first, then the others. Throws as
-/// mechanics::assemble, and Stopped.
+/// The components as one assembly for the solvers: the elements of the beams come first, then the others.
+/// Throws as mechanics::assemble, and Stopped.
 mechanics::Assembly assemble(const StructureParts& parts, const base::Control& control = {});
 
-/// A tile alone, with its interface nodes first.
+/// The components of a single tile. Its first nodes are the interface nodes.
 StructureParts tile_parts(const TileStructure& tile, std::span<const Eigen::Vector3d> interface_nodes);
 
 }  // namespace fretwork::reduction

@@ -5,8 +5,8 @@
 
 namespace fretwork::reduction {
 
-/// The paper's reduced model (Section 5.1), a row of the catalogue: a ring with links of one section, whose
-/// six parameters are calibrated.
+/// The row `paper6` of the catalogue, the paper's reduced model (Section 5.1): a ring with links of one
+/// section. Its six parameters are calibrated.
 TileModel paper6_tile_model();
 
 }  // namespace fretwork::reduction

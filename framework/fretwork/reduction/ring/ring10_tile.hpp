@@ -5,9 +5,10 @@
 
 namespace fretwork::reduction {
 
-/// The paper's ring with links, but with a section for the ring and another one for the links, a row of the
-/// catalogue. Ten calibrated parameters: area (stretching), I2 and I3 (bending out of the plane and in it)
-/// and J (torsion) of each, theta and R as in the paper's model, which is the case of equal sections.
+/// The row `ring10` of the catalogue: the paper's ring with links, with one section for the ring and another
+/// for the links. Its ten parameters are calibrated: area (stretching), I2 and I3 (bending out of the plane
+/// and in it) and J (torsion) of each section, and theta and R as in the paper's model. The paper's model is
+/// the case of equal sections.
 TileModel ring10_tile_model();
 
 }  // namespace fretwork::reduction

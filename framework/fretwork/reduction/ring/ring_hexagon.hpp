@@ -10,36 +10,37 @@
 
 namespace fretwork::reduction {
 
-/// Changes of the parts of a ring with links, one column each.
+/// Directions in the space of RingParts, one in each column.
 using RingDirections = Eigen::Matrix<double, kRingParts, Eigen::Dynamic>;
 
-/// A fast solver of a ring with links in the setting's hexagon: linear Euler-Bernoulli beams, in-plane and
-/// out-of-plane problems solved apart, the ring eliminated by the hexagon's symmetry. Gives the displacements
-/// of ring_tile under mechanics::solve_linear.
+/// A fast solver for a ring with links in the setting's hexagon. Its beams are linear Euler-Bernoulli beams.
+/// It solves the in-plane and out-of-plane problems separately and eliminates the ring by the hexagon's
+/// symmetry. Its displacements are those of ring_tile under mechanics::solve_linear.
 ///
 /// One solution for each scenario serves all magnitudes; derivatives come from the same factorization:
 /// K dd = -dK d. Immutable and thread-safe.
 class RingHexagon {
   public:
-    /// One interface node a side, and a hexagon?
+    /// True if the polygon is a hexagon and the layout has one interface node on each side.
     static bool fits(const pattern::NodeLayout& layout, const Setting& setting);
 
-    /// Throws InputError unless the setting's polygon is a hexagon and each scenario holds it.
+    /// Throws InputError unless the setting's polygon is a hexagon and each scenario has enough supports.
     explicit RingHexagon(const Setting& setting);
     RingHexagon(RingHexagon&&) noexcept;
     RingHexagon& operator=(RingHexagon&&) noexcept;
     ~RingHexagon();
 
-    /// Not finite where round-off leaves the stiffness indefinite.
+    /// The displacements of the ring with links. Not finite if round-off makes the stiffness indefinite.
     [[nodiscard]] UnitDisplacements displacements(const RingParts& parts) const;
-    /// With their derivatives along some directions.
+    /// The displacements and their derivatives along the given directions.
     [[nodiscard]] UnitDisplacementsAndDerivatives derivatives(const RingParts& parts,
                                                               const RingDirections& directions) const;
 
-    /// Gives the derivatives of some function by the displacements, in their shape.
+    /// Returns the derivatives of a function with respect to the displacements, in the shape of the
+    /// displacements.
     using SlopesOf = std::function<UnitDisplacements(const UnitDisplacements&)>;
-    /// The derivatives of a function of the displacements by the parts: the adjoint way, which takes one
-    /// further solution a scenario, however many parts there are.
+    /// The derivatives of a function of the displacements with respect to the ring's parts, by the adjoint
+    /// method: one further solution for each scenario, whatever the number of parts.
     [[nodiscard]] RingParts gradient(const RingParts& parts, const SlopesOf& slopes_of) const;
 
   private:

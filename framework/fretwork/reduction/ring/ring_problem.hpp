@@ -46,15 +46,15 @@ class RingProblem final : public CalibrationProblem {
     [[nodiscard]] Eigen::VectorXd point(std::span<const double> values) const;
 
   private:
-    /// The derivatives of the model's parts by the variables.
+    /// The derivatives of the ring's parts with respect to the variables.
     [[nodiscard]] RingDirections directions_at(std::span<const double> values) const;
     [[nodiscard]] UnitDisplacementsAndDerivatives model_at(const Eigen::VectorXd& point) const;
 
-    std::unique_ptr<const RingHexagon> owned_model_;  ///< if it is not the caller's
+    std::unique_ptr<const RingHexagon> owned_model_;  ///< null if the caller owns the model
     base::Borrowed<RingHexagon> model_;
     base::Borrowed<RingParameters> parameters_;
     base::Borrowed<Objective> objective_;
-    Eigen::VectorXd units_;  ///< the value of each parameter whose multiple the variable is
+    Eigen::VectorXd units_;  ///< the value of each parameter that counts as 1
     optimization::Bounds bounds_;
 };
 

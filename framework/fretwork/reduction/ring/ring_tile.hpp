@@ -7,18 +7,19 @@
 
 namespace fretwork::reduction {
 
-/// A ring with links in a polygon (Section 5.1) as a frame without supports and loads.
+/// The frame of a ring with links in a polygon (Section 5.1), without supports and loads.
 ///
-/// With n interface nodes in all: nodes 0 .. n-1 are these, nodes n .. 2n-1 the ring; then n links (interface
-/// node i to ring node i) and n ring beams. In the setting's regular polygon the ring is the polygon of the
-/// interface nodes, turned by theta and scaled about the center so that R takes the apothem's place; in
-/// another polygon each ring node keeps the barycentric place that it has there in its sector. The paper has
-/// one interface node a side, and so a ring of as many nodes as sides. The material is the setting's. Throws
-/// GeometryError if the polygon is not convex.
+/// Let n be the number of all interface nodes. Nodes 0 .. n-1 are the interface nodes, and nodes n .. 2n-1
+/// form the ring. The first n beams are the links (interface node i to ring node i), and n ring beams follow.
+/// In the setting's regular polygon the ring is the polygon of the interface nodes, turned by theta and
+/// scaled about the center so that R replaces the apothem. In another polygon each ring node keeps its
+/// barycentric coordinates in its sector. The paper has one interface node on each side, so its ring has as
+/// many nodes as the polygon has sides. The material is the setting's. Throws GeometryError if the polygon is
+/// not convex.
 mechanics::Frame ring_tile(const RingParts& parts, const pattern::NodeLayout& layout, const Setting& setting,
                            const geometry::Polygon& polygon);
 
-/// A row of the catalogue: a ring with links, of which a calibration fits these parameters.
+/// A row of the catalogue: a ring with links, with these parameters to be calibrated.
 TileModel ring_tile_model(const RingParameters& parameters, std::string summary);
 
 }  // namespace fretwork::reduction

@@ -10,8 +10,8 @@
 
 namespace fretwork::reduction {
 
-/// A standard load case of one tile in the reference hexagon (paper, Section 5.2 and Fig. 10). It holds and
-/// loads interface nodes, one on each side; spread_over_sides() makes it fit layouts with more.
+/// A standard load case of one tile in the reference hexagon (paper, Section 5.2 and Fig. 10). It supports
+/// and loads interface nodes, one on each side; spread_over_sides() adapts it to layouts with more.
 struct Scenario {
     struct Support {
         int interface_node = 0;
@@ -37,18 +37,19 @@ struct Scenario {
 /// (experiments/scenarios/*.json).
 const std::vector<Scenario>& paper_scenarios();
 
-/// The scenario of a tile with several interface nodes a side. All nodes of side i are held as interface
-/// node i of the given scenario, and share its force and moment equally. Nodes lie symmetrically about the
-/// middle of their side, so the resultants of a side stay the same. The paper has one node a side.
+/// The scenario for a tile with several interface nodes on each side. All nodes of side i have the supports
+/// of interface node i of the given scenario, and share its force and moment equally. Nodes lie symmetrically
+/// about the middle of their side, so the resultants of a side stay the same. The paper has one node on each
+/// side.
 Scenario spread_over_sides(const Scenario& scenario, int nodes_a_side);
 
 /// Read a scenario from JSON text; `source` names it in messages. Throws InputError.
 Scenario parse_scenario(std::string_view text, std::string source);
-/// JSON text, from which parse_scenario() makes an equal scenario.
+/// The scenario as JSON text, from which parse_scenario() makes an equal scenario.
 std::string scenario_text(const Scenario& scenario);
 /// Read a scenario file. Throws InputError with file and JSON pointer.
 Scenario read_scenario(const std::filesystem::path& path);
-/// Replace the file as a whole. Throws IoError, and then the file is as it was.
+/// Write a scenario file atomically. Throws IoError and then leaves the file as it was.
 void write_scenario(const Scenario& scenario, const std::filesystem::path& path);
 
 }  // namespace fretwork::reduction

@@ -11,18 +11,19 @@
 
 namespace fretwork::reduction {
 
-/// Whether samples past the first loss of stability are fitted. "branch" in files.
+/// The treatment of samples past the first loss of stability. The key "branch" in files.
 enum class SamplePolicy {
-    Paper,   ///< fitted, as by a solver that does not check stability; so, it seems, did the paper
-    Stable,  ///< left out from the first loss on: only states that a specimen reaches are fitted
+    Paper,   ///< fitted, as a solver without a check of stability does; the paper seems to do so
+    Stable,  ///< left out: only states that a specimen reaches are fitted
 };
 std::string_view sample_policy_name(SamplePolicy policy);
 
-/// Which part of a bar is flexible. "joints" in files. experiments/joints compares both with solids of the
-/// true outline.
+/// The flexible length of a bar. The key "joints" in files. experiments/joints compares both with solids of
+/// the true outline.
 enum class Joints {
-    Centreline,  ///< all of its centreline, as in the paper
-    Stiff        ///< where it merges with others, it neither stretches nor twists nor bends in the plane
+    Centreline,  ///< the whole centreline, as in the paper
+    Stiff        ///< all but the ends that merge with other bars, which neither stretch nor twist nor bend in
+                 ///< the plane
 };
 std::string_view joints_name(Joints joints);
 
@@ -32,21 +33,21 @@ struct TileMaterial {
     mechanics::Material material;
 };
 
-/// All that a response depends on besides its pattern: material, section, tile size, scenarios and
-/// discretization; and what the material bears.
+/// Everything that a response depends on besides its pattern: material, section, tile size, scenarios and
+/// discretization. The strength of the material is kept here, too.
 struct Setting {
     mechanics::Material material;
-    /// Pa; the stress that the material bears. No response depends on it: with another strength a setting is
-    /// the same to libraries and results, and so with a section of another shape and the same numbers.
-    /// "material/strength" in files.
+    /// The stress that the material bears, Pa. The key "material/strength" in files. No response depends on
+    /// it, so libraries and results treat settings that differ only in strength as the same. They do so too
+    /// if only the shape of the section differs, with equal areas and moments.
     std::optional<double> strength{};
     mechanics::Section section;
     double tile_side = 0.0;  ///< m; side of the regular polygon, a hexagon
     int sides = 6;
     std::vector<Scenario> scenarios;
-    int divisions =
-        2;  ///< elements a beam in responses: off by at most 7e-4 in the sample of experiments/verification
-    int magnitudes = 10;  ///< k = 1..magnitudes, at k / magnitudes of the scenario's largest magnitude
+    int divisions = 2;    ///< elements of each beam in responses; two err by at most 7e-4 in the sample of
+                          ///< experiments/verification
+    int magnitudes = 10;  ///< sample k = 1..magnitudes has k / magnitudes of the scenario's largest magnitude
     SamplePolicy sample_policy = SamplePolicy::Paper;
     Joints joints = Joints::Centreline;
     /// Throws InputError if a value is invalid, or a scenario does not fit the polygon. `source` names the
@@ -55,15 +56,15 @@ struct Setting {
     friend bool operator==(const Setting&, const Setting&) = default;
 };
 
-/// Values of a setting that look like errors of units, one line each.
+/// Warnings about values of a setting that look like errors of units, one line each.
 std::vector<std::string> doubts_about(const Setting& setting);
 
-/// The paper's: hexagon inscribed in a circle of diameter 0.03 sqrt(3) m, 2 x 2 mm, 1 GPa, nu 0.3, the five
-/// scenarios; but two elements a beam, where the paper takes one.
+/// The paper's setting: a hexagon inscribed in a circle of diameter 0.03 sqrt(3) m, bars of 2 x 2 mm, 1 GPa,
+/// nu 0.3, and the five scenarios. One value differs: two elements for each beam, where the paper has one.
 Setting paper_setting();
 
-/// The paper's with stiff joints: of things that are made, whose bars merge where they meet. New projects
-/// without a library have it. How near it is to solids: experiments/joints.
+/// The paper's setting with stiff joints, for surfaces that are made: their bars merge where they meet. New
+/// projects without a library have this setting. experiments/joints compares it with solids.
 Setting made_setting();
 
 }  // namespace fretwork::reduction

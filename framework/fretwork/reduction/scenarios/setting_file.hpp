@@ -9,30 +9,32 @@
 
 namespace fretwork::reduction {
 
-/// Read a setting file. Values that are left out are as in paper_setting(); a scenario is an object, the name
-/// of one of the paper's, or {"use": name, "max_magnitude": newtons}. Throws InputError with file and JSON
+/// Read a setting file. A missing value is as in paper_setting(). A scenario is an object, the name of a
+/// scenario of the paper, or {"use": name, "max_magnitude": newtons}. Throws InputError with file and JSON
 /// pointer.
 Setting read_setting(const std::filesystem::path& path);
 
-/// The setting called "paper" or "made", or that of a file ("./paper": of a file called so). Throws as
-/// read_setting.
+/// The setting named "paper" or "made", or else the setting in this file. "./paper" means a file named paper.
+/// Throws as read_setting.
 Setting find_setting(const std::string& name_or_path);
-/// "paper" or "made"; "own" for any other. Strengths and shapes of equal numbers do not count.
+/// The name of a setting: "paper", "made", or "own" for any other. Strength, and the section's shape if areas
+/// and moments are equal, do not count.
 std::string setting_name(const Setting& setting);
 
-/// Throws IoError; then the file is as it was.
+/// Write a setting file atomically. Throws IoError and then leaves the file as it was.
 void write_setting(const Setting& setting, const std::filesystem::path& path);
 
-/// The setting as JSON text: what a library stores.
+/// The setting as JSON text, as libraries store it.
 std::string setting_text(const Setting& setting);
 /// The inverse of setting_text; `source` names the text in messages.
 Setting parse_setting(std::string_view text, std::string source);
 
-/// All that responses depend on, without strength and shape of the section: its text identifies a setting.
+/// The setting without the strength and the section's shape, on which no response depends. Its text
+/// identifies a setting.
 Setting without_stresses(Setting setting);
 
-/// In one line, the first difference between two settings ("/section/J: 2.25e-12, where the library
-/// has 2.3e-12"), or "". Strengths and shapes of equal numbers do not count.
+/// The first difference between two settings in one line ("/section/J: 2.25e-12, where the library has
+/// 2.3e-12"), or "". Strength, and the section's shape if areas and moments are equal, do not count.
 std::string setting_difference(const Setting& wanted, const Setting& present);
 
 }  // namespace fretwork::reduction
